@@ -55,7 +55,7 @@
 #define FL_NONE UINT32_MAX
 
 /**
- * fl_settings.method: the scenario's; FL_METHOD_COUPLED where there is no scenario.
+ * fl_settings.method: the method of the scenario; FL_METHOD_COUPLED if there is no scenario.
  */
 #define FL_METHOD_DEFAULT 0
 
@@ -70,17 +70,18 @@
 #define FL_METHOD_PAPER 2
 
 /**
- * fl_settings.host: a direct host. It passes the states at the start of each step and all its loads. It may take the states
- * of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length: by the coupled
- * method the engine then continues its own motion while bodies touch, and the wrenches keep the host with it.
+ * fl_settings.host: a direct host. It passes the states at the start of each step, and all loads. The host may take
+ * the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length.
+ * In the second case, by the coupled method, the engine continues the motion that it has computed while bodies
+ * touch, and the wrenches keep the host on this motion.
  */
 #define FL_HOST_DIRECT 0
 
 /**
- * fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. It integrates the bodies
- * itself in steps of any length, may pass states that are some steps old, and need not report its loads. The engine
- * infers the loads from the states, predicts the present states, and returns wrenches with which the host follows the
- * engine's motion. Coupled method only.
+ * fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. The host integrates
+ * the bodies itself in steps of any length, may pass states that are some steps old, and need not report loads. The
+ * engine infers the loads from the states, predicts the present states, and returns wrenches with which the host
+ * follows the engine's motion. Coupled method only.
  */
 #define FL_HOST_COSIMULATION 1
 
@@ -106,7 +107,7 @@
 #define FL_INTEGRATION_FORWARD_EULER 0
 
 /**
- * fl_settings.integration: the host changes the velocities, then moves positions with the new ones.
+ * fl_settings.integration: the host changes the velocities, then moves positions with the new velocities.
  */
 #define FL_INTEGRATION_SEMI_IMPLICIT 1
 
@@ -163,8 +164,8 @@
 #define FL_EVENT_NOT_CONVERGED 9
 
 /**
- * fl_event.kind: a body was placed so deep in another that the contact would eject it; it is pushed out slowly instead,
- * at 0.08 m/s at most.
+ * fl_event.kind: a body was placed so deep in another body that the contact would eject it. The body is pushed out
+ * slowly instead, at 0.08 m/s at most.
  */
 #define FL_EVENT_PLACED_IN_OVERLAP 10
 
@@ -193,7 +194,7 @@ typedef enum {
      */
     FL_STATUS_OK = 0,
     /**
-     * A pointer is NULL where that is not allowed, or misaligned.
+     * A pointer is NULL but must not be, or is misaligned.
      */
     FL_STATUS_BAD_POINTER = 1,
     /**
@@ -226,7 +227,7 @@ typedef enum {
      */
     FL_STATUS_BAD_NUMBER = 8,
     /**
-     * No body, fender, material, contact or event has that name or index.
+     * No body, fender, material, contact or event has this name or index.
      */
     FL_STATUS_NO_SUCH = 9,
     /**
@@ -246,7 +247,7 @@ typedef enum {
      */
     FL_STATUS_OTHER_MODEL = 13,
     /**
-     * The buffer is too small; `*length` says how large it must be.
+     * The buffer is too small; `*length` says how large the buffer must be.
      */
     FL_STATUS_BUFFER_TOO_SMALL = 14,
     /**
@@ -290,7 +291,7 @@ typedef struct {
      */
     double friction_static;
     /**
-     * Coefficient of dynamic friction, at most the static one.
+     * Coefficient of dynamic friction, at most the coefficient of static friction.
      */
     double friction_dynamic;
     /**
@@ -328,22 +329,22 @@ typedef struct {
      */
     double added_yaw_kgm2;
     /**
-     * Position of a fixed body; initial position of a floating one (m).
+     * Position of a fixed body; initial position of a floating body (m).
      */
     double north_m;
     /**
-     * Position of a fixed body; initial position of a floating one (m).
+     * Position of a fixed body; initial position of a floating body (m).
      */
     double east_m;
     /**
-     * Heading, likewise (rad).
+     * Heading of a fixed body; initial heading of a floating body (rad).
      */
     double heading_rad;
 } fl_body;
 
 /**
- * A fender: a face on a body. Its reaction curve is a separate argument. It touches the outlines of all bodies that form a
- * pair with its own body.
+ * A fender: a face on a body. Its reaction curve is a separate argument. The fender touches the outlines of all
+ * bodies that form a pair with the fender's body.
  */
 typedef struct {
     /**
@@ -351,15 +352,15 @@ typedef struct {
      */
     size_t size;
     /**
-     * Middle of its mounting line, in the body's frame (m).
+     * Middle of the fender's mounting line, in the body's frame (m).
      */
     double forward_m;
     /**
-     * Middle of its mounting line, in the body's frame (m).
+     * Middle of the fender's mounting line, in the body's frame (m).
      */
     double starboard_m;
     /**
-     * Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
+     * Direction of the fender's outward normal, in the body's frame: 0 forward, positive to starboard (rad).
      */
     double facing_rad;
     /**
@@ -371,11 +372,11 @@ typedef struct {
      */
     double projection_m;
     /**
-     * Rated deflection (m); 0: its projection. Must be 0 without a curve.
+     * Rated deflection (m); 0: the projection. Must be 0 without a curve.
      */
     double rated_deflection_m;
     /**
-     * Deflection at which its stop begins (m).
+     * Deflection at which the stop begins (m).
      */
     double stop_from_m;
     /**
@@ -383,16 +384,16 @@ typedef struct {
      */
     double stop_stiffness_npm;
     /**
-     * Index of the body on which it is mounted.
+     * Index of the body on which the fender is mounted.
      */
     uint32_t body;
     /**
-     * Index of its material: friction, restitution, damping, and, without a curve, stiffness.
+     * Index of the fender's material: friction, restitution, damping, and, without a curve, stiffness.
      */
     uint32_t material;
     /**
-     * Share of the absorbed energy that it returns, 0.05 to 1, by an unloading law. 0: unloading by its material's
-     * restitution.
+     * Share of the absorbed energy that the fender returns, 0.05 to 1, by an unloading law. 0: unloading by the
+     * restitution of the material.
      */
     double returned_energy;
 } fl_fender;
@@ -458,7 +459,7 @@ typedef struct {
 } fl_state;
 
 /**
- * A force at a body's centre of gravity and a moment about it, earth-fixed.
+ * A force at a body's centre of gravity and a moment about the centre of gravity, earth-fixed.
  */
 typedef struct {
     /**
@@ -494,7 +495,7 @@ typedef struct {
      */
     uint32_t body_2;
     /**
-     * The fender that is compressed; FL_NONE where outline meets outline.
+     * The fender that is compressed; FL_NONE if outline meets outline.
      */
     uint32_t fender;
     /**
@@ -578,7 +579,8 @@ typedef struct {
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the start of the step that it can return (J); 0 where outline meets outline.
+     * Energy in a fender's spring and stop at the start of the step that the fender can return (J); 0 if outline
+     * meets outline.
      */
     double stored_j;
     /**
@@ -616,34 +618,36 @@ typedef struct {
      */
     uint32_t body_1;
     /**
-     * The other body; the same as body_1 where only one is concerned.
+     * The other body; equal to body_1 if the event concerns only one body.
      */
     uint32_t body_2;
     /**
-     * The fender; FL_NONE where none is concerned.
+     * The fender; FL_NONE if the event concerns no fender.
      */
     uint32_t fender;
 } fl_event;
 
 /**
- * A fender as it is drawn, in the frame of the body that carries it (forward, starboard of its centre of gravity): draw it as a
- * child of that body. Ends 1 are left and ends 2 right as seen when looking out from the body.
+ * Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's
+ * centre of gravity): draw the fender as a child of this body. Ends 1 are left and ends 2 right as seen when
+ * looking out from the body.
  */
 typedef struct {
     /**
-     * The body that carries it.
+     * The body that carries the fender.
      */
     uint32_t body;
     /**
-     * The body that presses it, of several the one that presses deepest; FL_NONE: it is not pressed.
+     * The body that presses the fender; of several bodies, the body that presses deepest. FL_NONE: no body
+     * presses the fender.
      */
     uint32_t hull;
     /**
-     * End of the line where it is mounted (m).
+     * End of the line where the fender is mounted (m).
      */
     double mount_1_forward_m;
     /**
-     * End of the line where it is mounted (m).
+     * End of the line where the fender is mounted (m).
      */
     double mount_1_starboard_m;
     /**
@@ -655,7 +659,7 @@ typedef struct {
      */
     double mount_2_starboard_m;
     /**
-     * End of the face, compressed and turned as it is now (m).
+     * End of the face in its present compression and turn (m).
      */
     double face_1_forward_m;
     /**
@@ -671,7 +675,7 @@ typedef struct {
      */
     double face_2_starboard_m;
     /**
-     * Deflection in the last step (m); 0 if it is not pressed.
+     * Deflection in the last step (m); 0 if no body presses the fender.
      */
     double deflection_m;
     /**
@@ -679,7 +683,7 @@ typedef struct {
      */
     double rated_deflection_m;
     /**
-     * Normal force in the last step, a mean over it, of all that press it (N): for an instrument.
+     * Mean normal force of all bodies on the fender over the last step (N): for an instrument.
      */
     double normal_force_n;
     /**
@@ -691,8 +695,8 @@ typedef struct {
      */
     double peak_deflection_m;
     /**
-     * Turn of a panel on several cones about the vertical (rad), positive where the right end as seen by one who looks at the
-     * face is deflected more; 0 for other fenders.
+     * Turn of a panel on several cones about the vertical (rad), positive if the right end, as you look at the
+     * face, is deflected more; 0 for other fenders.
      */
     double panel_turn_rad;
 } fl_fender_view;
@@ -717,18 +721,16 @@ const char *fl_version(void);
 const char *fl_status_text(int32_t status);
 
 /**
- * Copies the message of the last failed call on this thread; empty if there was none. It stays until another call fails;
- * a call of this function with too small a buffer does not count as a failed call. `length` may be NULL. See "Texts" in
- * the preamble.
+ * Copies the message of the last failed call on this thread; empty if no call has failed. The
+ * message stays until another call fails; a call of this function with too small a buffer does not
+ * count as a failed call. `length` may be NULL. See "Texts" in the preamble.
  */
-fl_status fl_last_error(char *buffer,
-                        size_t capacity,
-                        size_t *length);
+fl_status fl_last_error(char *buffer, size_t capacity, size_t *length);
 
 /**
  * Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y (to
- * starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of 0
- * query it.
+ * starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of
+ * 0 query the number.
  */
 fl_status fl_outline_hull(const double *points_m,
                           size_t points,
@@ -737,9 +739,10 @@ fl_status fl_outline_hull(const double *points_m,
                           size_t *vertices);
 
 /**
- * Copies the outline of a ship from the points of her starboard side, from bow to stern or the other way: the same points and
- * their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as on it, and are not repeated. At most
- * twice `points` vertices. For the rest see fl_outline_hull().
+ * Copies the outline of a ship from the points of the starboard side, from bow to stern or from stern to bow: these
+ * points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on the
+ * centreline, and are not repeated. The outline has at most twice `points` vertices. For the other arguments see
+ * fl_outline_hull().
  */
 fl_status fl_outline_mirror(const double *side_m,
                             size_t points,
@@ -749,8 +752,8 @@ fl_status fl_outline_mirror(const double *side_m,
                             size_t *vertices);
 
 /**
- * Copies an outline with fewer vertices, from which no vertex of the given one is farther than `tolerance_m`. For the rest see
- * fl_outline_hull().
+ * Copies an outline with fewer vertices. No vertex of the given outline is farther than `tolerance_m` from the new
+ * outline. For the other arguments see fl_outline_hull().
  */
 fl_status fl_outline_simplify(const double *points_m,
                               size_t points,
@@ -765,7 +768,7 @@ fl_status fl_outline_simplify(const double *points_m,
 fl_status fl_builder_new(fl_builder **builder);
 
 /**
- * Destroys a builder. Engines that it has built stay. NULL is allowed and does nothing.
+ * Destroys a builder. Engines that the builder has built stay valid. NULL is allowed and does nothing.
  */
 fl_status fl_builder_destroy(fl_builder *builder);
 
@@ -778,8 +781,8 @@ fl_status fl_builder_error(const fl_builder *builder,
                            size_t *length);
 
 /**
- * Adds a material under a unique name. Its index, counted from 0, is stored to `index` unless that is NULL.
- * fl_builder_build() checks its numbers.
+ * Adds a material under a unique name. The index of the material, counted from 0, is stored to `*index` unless `index`
+ * is NULL. fl_builder_build() checks the numbers.
  */
 fl_status fl_builder_add_material(fl_builder *builder,
                                   const char *name,
@@ -789,8 +792,8 @@ fl_status fl_builder_add_material(fl_builder *builder,
 
 /**
  * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
- * centre of gravity (m), in either sense, convex or not. Its index, counted from 0, is stored to `index` unless that
- * is NULL. fl_builder_build() checks its masses.
+ * centre of gravity (m), in either sense, convex or not. The index of the body, counted from 0, is stored to `*index`
+ * unless `index` is NULL. fl_builder_build() checks the masses.
  */
 fl_status fl_builder_add_body(fl_builder *builder,
                               const char *name,
@@ -802,9 +805,9 @@ fl_status fl_builder_add_body(fl_builder *builder,
 
 /**
  * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
- * begin with (0, 0), with rising deflections. Without points its force is the paper's: the material's stiffness times
- * the area of the overlap. Its index, counted from 0, is stored to `index` unless that is NULL. fl_builder_build()
- * checks its numbers.
+ * begin with (0, 0), with rising deflections. Without points the force follows the paper's law: the material's
+ * stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
+ * `index` is NULL. fl_builder_build() checks the numbers.
  */
 fl_status fl_builder_add_fender(fl_builder *builder,
                                 const char *name,
@@ -816,10 +819,10 @@ fl_status fl_builder_add_fender(fl_builder *builder,
 
 /**
  * Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
- * catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names its
- * body and `material` its material, both added before; the rest is in the key reference of scenario files. Example:
- * "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". Its index, counted
- * from 0, is stored to `index` unless that is NULL.
+ * catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names
+ * the body that carries the fender, and `material` the material; add both before. The key reference of scenario files
+ * lists the other keys. Example: "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2
+ * m\ntemperature=40 degC". The index of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
  */
 fl_status fl_builder_add_fender_by_keys(fl_builder *builder,
                                         const char *name,
@@ -867,17 +870,19 @@ fl_status fl_builder_add_all_other_pairs(fl_builder *builder,
                                          uint32_t material);
 
 /**
- * Builds an engine from the parts added so far and stores it to `*engine`; NULL if that fails. Destroy it with
- * fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used further.
+ * Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. Destroy the
+ * engine with fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used
+ * further.
  */
 fl_status fl_builder_build(fl_builder *builder,
                            const fl_settings *settings,
                            fl_engine **engine);
 
 /**
- * Makes an engine from a scenario file and stores it to `*engine`; NULL if that fails. Destroy it with
- * fl_engine_destroy(). Files that the scenario names are relative to it. `overrides` replaces keys of the scenario, one
- * KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL for defaults.
+ * Makes an engine from a scenario file and stores it to `*engine`; if this fails, stores NULL. Destroy the engine with
+ * fl_engine_destroy(). Files that the scenario names are relative to the scenario file. `overrides` replaces keys of
+ * the scenario, one KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL
+ * for defaults.
  *
  * The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
  * and wind, are left to the host: see fl_engine_notices().
@@ -915,8 +920,8 @@ fl_status fl_engine_error(const fl_engine *engine, char *buffer, size_t capacity
 fl_status fl_engine_reset(fl_engine *engine);
 
 /**
- * Copies the notices about the scenario and the list of its forces that are left to the host, one per line; it may be
- * empty. `length` may be NULL. See "Texts" in the preamble.
+ * Copies the notices about the scenario and the list of the scenario's forces that are left to the host, one per line.
+ * The text may be empty. `length` may be NULL. See "Texts" in the preamble.
  */
 fl_status fl_engine_notices(const fl_engine *engine,
                             char *buffer,
@@ -982,47 +987,50 @@ fl_status fl_engine_mass_matrix(const fl_engine *engine,
 fl_status fl_engine_initial_states(const fl_engine *engine, fl_state *states, size_t count);
 
 /**
- * Sets the state of one body for the next step. Fixed bodies need none.
+ * Sets the state of one body for the next step. Fixed bodies need no state.
  */
 fl_status fl_engine_set_state(fl_engine *engine, uint32_t body, const fl_state *state);
 
 /**
- * Sets the states of all bodies for the next step; if one is refused, none is set. `count` is the number of bodies.
+ * Sets the states of all bodies for the next step; if one state is refused, no state is set. `count` is the number of
+ * bodies.
  */
 fl_status fl_engine_set_states(fl_engine *engine,
                                const fl_state *states,
                                size_t count);
 
 /**
- * Marks the next state of a body as a teleport: the host sets it to a new place rather than moving it there. Its contacts
- * begin anew (FL_EVENT_TELEPORTED), no load is inferred from the displacement, and out of another body it is pushed slowly
- * (FL_EVENT_PLACED_IN_OVERLAP, where it is so deep that the contact would eject it). Without this call the engine detects
- * a teleport where the displacement differs from that of the velocities by a tenth of the outline's radius. A host that
- * passes old states calls it when it first passes the new place. To go back in time, restore a saved engine.
+ * Marks the next state of a body as a teleport: the host sets the body to a new place rather than moving it there. The
+ * body's contacts begin anew (FL_EVENT_TELEPORTED), and no load is inferred from the displacement. A body that
+ * overlaps another body is pushed out slowly (FL_EVENT_PLACED_IN_OVERLAP, if the body is so deep that the contact
+ * would eject it). Without this call the engine detects a teleport only if the displacement differs from the motion by
+ * the velocities by a tenth of the outline's radius. A host that passes old states makes this call when it first
+ * passes the new place. To go back in time, restore a saved engine.
  */
 fl_status fl_engine_mark_teleported(fl_engine *engine,
                                     uint32_t body);
 
 /**
- * Sets all forces on each body except contact, until it is called again; `count` is the number of bodies. NULL and 0 unset
- * them, as at the start: a direct host then has no loads, and those of a co-simulation host are inferred from its states.
- * The paper's method does not use loads.
+ * Sets the loads, all forces on each body except contact, until the next call; `count` is the number of bodies. NULL
+ * and 0 remove the loads, as at the start: a direct host then has no loads, and the loads of a co-simulation host are
+ * inferred from its states. The paper's method does not use loads.
  */
 fl_status fl_engine_set_loads(fl_engine *engine,
                               const fl_wrench *loads,
                               size_t count);
 
 /**
- * Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps may
- * have any length. A step of 0 s is a pause: nothing changes, and the results are those of the last step without its events
- * and the contacts' work.
+ * Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps
+ * may have any length. A step of 0 s is a pause: nothing changes, and the results of the last step remain, without its
+ * events and without the work of contacts.
  */
 fl_status fl_engine_step(fl_engine *engine,
                          double step_s);
 
 /**
- * In one call: fl_engine_set_states(), fl_engine_set_loads() where `loads` is not NULL, fl_engine_step() and
- * fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has changed.
+ * In one call: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL, fl_engine_step() and
+ * fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has
+ * changed.
  */
 fl_status fl_engine_advance(fl_engine *engine,
                             const fl_state *states,
@@ -1032,8 +1040,8 @@ fl_status fl_engine_advance(fl_engine *engine,
                             fl_wrench *wrenches);
 
 /**
- * Copies the wrenches of the last step; the host adds them to its forces. They are means over the step, so that the
- * impulse is right; for the largest see fl_engine_peak_wrenches(). `count` is the number of bodies.
+ * Copies the wrenches of the last step; the host adds them to its forces. The wrenches are means over the step, so the
+ * impulse is right; for the largest wrenches see fl_engine_peak_wrenches(). `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
@@ -1041,9 +1049,9 @@ fl_status fl_engine_wrenches(const fl_engine *engine,
 
 /**
  * Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
- * By the paper's method, which has no sub-steps, it is the same as fl_engine_wrenches(). Use it to size fenders and
- * structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move the bodies. The peak of
- * each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
+ * In the paper's method, which has no sub-steps, the result equals fl_engine_wrenches(). Use the largest wrench to
+ * size fenders and structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move
+ * the bodies. The peak of each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
  */
 fl_status fl_engine_peak_wrenches(const fl_engine *engine,
                                   fl_wrench *peaks,
@@ -1051,9 +1059,9 @@ fl_status fl_engine_peak_wrenches(const fl_engine *engine,
 
 /**
  * Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
- * coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to half a
- * step before it (half of the last sub-step, where there were several), as in a leapfrog integrator: pass them back
- * unchanged, and use that time where you compare or plot them.
+ * coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to the
+ * time half a step before the end (half of the last sub-step, if there were several), as in a leapfrog integrator.
+ * Pass the velocities back unchanged, and use this time when you compare or plot them.
  */
 fl_status fl_engine_states_after(const fl_engine *engine,
                                  fl_state *states,
@@ -1081,9 +1089,9 @@ fl_status fl_engine_contact(const fl_engine *engine,
                             fl_contact *contact);
 
 /**
- * Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members `size` need not
- * be set. `*count` gets their number. NULL and a capacity of 0 query it alone; if the capacity is too small, nothing is copied,
- * and the status is FL_STATUS_BUFFER_TOO_SMALL.
+ * Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members
+ * `size` need not be set. `*count` gets the number of contacts. NULL and a capacity of 0 query only the number; if
+ * the capacity is too small, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL.
  */
 fl_status fl_engine_contacts(const fl_engine *engine,
                              fl_contact *contacts,
@@ -1113,7 +1121,7 @@ fl_status fl_engine_events(const fl_engine *engine,
 
 /**
  * Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
- * same on every machine. NULL and a capacity of 0 query `*length` alone.
+ * same on every machine. NULL and a capacity of 0 query only `*length`.
  */
 fl_status fl_engine_save(const fl_engine *engine,
                          uint8_t *buffer,
@@ -1121,8 +1129,8 @@ fl_status fl_engine_save(const fl_engine *engine,
                          size_t *length);
 
 /**
- * Restores a state that fl_engine_save() saved, of this engine or of another with the same model and settings. It
- * continues with the same bits. Any bytes may be passed: those that are not such a state are refused.
+ * Restores a state that fl_engine_save() saved, of this engine or of another engine with the same model and settings.
+ * The engine continues with the same bits. Any bytes may be passed: bytes that are not a saved state are refused.
  */
 fl_status fl_engine_restore(fl_engine *engine,
                             const uint8_t *saved,
@@ -1130,8 +1138,8 @@ fl_status fl_engine_restore(fl_engine *engine,
 
 /**
  * Copies the outline of a body: `vertices` pairs of x (forward) and y (to starboard) from the centre of gravity (m), in the
- * sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity of 0
- * query the number alone; if the capacity is too small, nothing is copied, and the status is
+ * sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity
+ * of 0 query only the number. If the capacity is too small, nothing is copied, and the status is
  * FL_STATUS_BUFFER_TOO_SMALL. Outlines do not change: read them once.
  */
 fl_status fl_engine_outline(const fl_engine *engine,
@@ -1141,24 +1149,25 @@ fl_status fl_engine_outline(const fl_engine *engine,
                             size_t *vertices);
 
 /**
- * Copies all fenders as they are drawn, after the last step; uncompressed before the first and where nothing presses them.
- * `count` is the number of fenders.
+ * Copies the drawing data of all fenders after the last step. A fender is uncompressed before the first step, and
+ * while nothing presses it. `count` is the number of fenders.
  */
 fl_status fl_engine_fender_views(const fl_engine *engine,
                                  fl_fender_view *views,
                                  size_t count);
 
 /**
- * Records the steps from now on, and keeps at least the last `steps`; 0 ends it. At most 1 000 000. fl_engine_dump() makes a
- * file of them. A recorded step takes longer.
+ * Records the steps from now on, and keeps at least the last `steps` steps, at most 1 000 000; 0 ends the recording.
+ * fl_engine_dump() makes a dump of the recorded steps. A recorded step takes longer.
  */
 fl_status fl_engine_record(fl_engine *engine,
                            size_t steps);
 
 /**
- * Copies the recorded steps with all that is needed to replay them: model, settings, the engine before the first of them. It
- * works after a failed step too, also after FL_STATUS_PANICKED. Write the bytes to a file and send it with your report:
- * `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query `*length` alone.
+ * Copies the recorded steps with all that is needed to replay them: model, settings, and the engine before the first
+ * recorded step. The call also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes to a file and
+ * send it with your report: `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query only
+ * `*length`.
  */
 fl_status fl_engine_dump(const fl_engine *engine,
                          uint8_t *buffer,
@@ -1166,9 +1175,10 @@ fl_status fl_engine_dump(const fl_engine *engine,
                          size_t *length);
 
 /**
- * Replays a dump: makes an engine, takes its steps and stores the engine after the last of them to `*engine`, unless that is
- * NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the same version of the
- * library. `*steps` gets the number of all. Both may be NULL. Any bytes may be passed.
+ * Replays a dump: makes an engine, takes the recorded steps and stores the engine after the last step to `*engine`,
+ * unless `engine` is NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the
+ * same version of the library. `*steps` gets the number of all steps. `different` and `steps` may be NULL. Any bytes
+ * may be passed.
  */
 fl_status fl_replay_dump(const uint8_t *dump,
                          size_t length,

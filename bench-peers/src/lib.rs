@@ -48,7 +48,7 @@ pub trait Peer {
     /// A world of these bodies, in their states at the start, with steps of `step_s` seconds.
     ///
     /// # Panics
-    /// If an outline is not convex.
+    /// Panics if an outline is not convex.
     fn new(bodies: &[PeerBody], step_s: f64) -> Self
     where
         Self: Sized;

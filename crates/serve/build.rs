@@ -1,5 +1,5 @@
-//! Puts the pages of `web` into the program. Pages that are missing or older than their sources are built first, with
-//! npm. Without Node or its packages the program carries no pages, and says so.
+//! Embeds the pages of `web` in the program. If the pages are missing or older than their sources, npm builds them
+//! first. Without Node or its packages the program is built without pages, and says so.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::SystemTime;
 
-/// Folders of `web` that hold no sources of the live server's pages.
+/// Folders in `web` without sources of the live server's pages.
 const NOT_SOURCES: [&str; 7] =
     ["node_modules", "dist", "e2e", "e2e-page", "run", "test", "screenshots"];
 
@@ -19,7 +19,7 @@ fn main() {
         Ok(list) => list,
         Err(why) => {
             println!("cargo::warning=no pages in this program: {why}");
-            // A Node that is installed later, or pages that are built by hand.
+            // Node may be installed later, or somebody may build the pages by hand.
             println!("cargo::rerun-if-env-changed=PATH");
             watch(&web.join("dist/index.html"));
             format!(
@@ -46,25 +46,25 @@ fn built(web: &Path) -> Result<PathBuf, String> {
             watch(&entry.path());
         }
     }
-    // Builds of two profiles at a time must not write the same folders.
+    // Builds of two profiles at the same time must not write to the same folders.
     let lock = std::env::temp_dir().join("fenderline-pages.lock");
     let lock = fs::File::create(&lock).map_err(|e| format!("{}: {e}", lock.display()))?;
     lock.lock().map_err(|e| format!("waiting for another build of the pages: {e}"))?;
     let dist = web.join("dist");
     if is_up_to_date(web, &dist) {
-        // Pages that are built anew by hand.
+        // Builds again if somebody builds the pages by hand.
         watch(&dist.join("index.html"));
         return Ok(dist);
     }
     if !is_newer(&web.join("node_modules/.package-lock.json"), &web.join("package-lock.json")) {
-        // Without a network the build goes on soon, without pages.
+        // Without a network, npm gives up soon and the build goes on without pages.
         npm(web, &["ci", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=20000"])?;
     }
     npm(web, &["run", "build"])?;
     Ok(dist)
 }
 
-/// Copies the built pages, so that the program keeps those of its build, and lists them.
+/// Copies the built pages and lists them. The program then keeps the pages of its build.
 fn embed(dist: &Path, out: &Path) -> Result<String, String> {
     let copy = out.join("pages");
     if copy.exists() {
@@ -105,7 +105,7 @@ fn copy_folder(
     Ok(())
 }
 
-/// Whether no source is newer than the built pages.
+/// True if no source is newer than the built pages.
 fn is_up_to_date(web: &Path, dist: &Path) -> bool {
     let Some(built) = changed(&dist.join("index.html")) else { return false };
     newest(web).is_some_and(|source| source <= built)
@@ -123,7 +123,7 @@ fn changed(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|of| of.modified()).ok()
 }
 
-/// The last change of any source.
+/// The time of the last change in a folder of sources.
 fn newest(folder: &Path) -> Option<SystemTime> {
     let mut newest_yet = None;
     for entry in fs::read_dir(folder).ok()?.flatten() {

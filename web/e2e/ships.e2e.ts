@@ -58,7 +58,7 @@ test("a page of another version says so and is not silent about it", async () =>
     );
   });
   await page.goto(`${served.url}/?token=${encodeURIComponent(served.tokens.observer ?? "")}`);
-  await page.getByText("THIS PAGE IS OF ANOTHER VERSION THAN THE PROGRAM").waitFor(PATIENT);
+  await page.getByText("THIS PAGE HAS ANOTHER VERSION THAN THE PROGRAM").waitFor(PATIENT);
   await page.screenshot({ path: join(SHOTS, "another-version.png") });
   await page.close();
 }, 60_000);

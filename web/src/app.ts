@@ -613,7 +613,7 @@ export class App implements Page {
             ? "NO LINK TO THE SERVER — what is shown is old. Trying again."
             : "The server does not answer. Trying again."
         : this.outdated
-          ? "THIS PAGE IS OF ANOTHER VERSION THAN THE PROGRAM: load it again."
+          ? "THIS PAGE HAS ANOTHER VERSION THAN THE PROGRAM: load the page again."
           : silent === null
             ? ""
             : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;

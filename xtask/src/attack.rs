@@ -25,7 +25,7 @@ pub(crate) const STEP: Step =
 /// One part of the attacks.
 struct Part {
     name: &'static str,
-    /// What it does, for the output.
+    /// What the part does, for the output.
     what: &'static str,
     attack: Kind,
 }

@@ -21,13 +21,13 @@ const MISSING: &str = "== not run: ";
 
 /// A step among others.
 pub(crate) struct Gated {
-    /// Its name on the command line.
+    /// Name of the step on the command line.
     pub(crate) key: &'static str,
-    /// What it does.
+    /// What the step does.
     pub(crate) step: Step,
     /// Names of the steps that end before it begins, where they are part of the run.
     pub(crate) after: &'static [&'static str],
-    /// What it uses.
+    /// What the step uses.
     pub(crate) uses: Uses,
 }
 

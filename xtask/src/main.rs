@@ -9,6 +9,7 @@ mod bench;
 mod book;
 mod browser;
 mod built;
+mod c_build;
 mod c_interface;
 mod circles;
 mod citations;
@@ -28,6 +29,7 @@ mod passivity;
 mod program;
 mod same_bits;
 mod scenarios;
+mod sentences;
 mod slurm;
 mod starts;
 mod state_hashes;
@@ -80,6 +82,9 @@ usage: cargo xtask test                   what a change must pass and Rust alone
        cargo xtask same-bits-everywhere [PROFILE]
                                           hashes of the results of scenarios on Linux (glibc, musl), Windows, WebAssembly
                                           and 64-bit Arm, by emulators (default: release)
+       cargo xtask sentences SEED [COUNT] [PATH]...
+                                          sentences of comments, errors and documents drawn at random (default: 50),
+                                          for a reader who has not seen the code
        cargo xtask starts                 the README's three ways to start, in a new clone with an empty home
        cargo xtask state-hashes [REVISION]
                                           a hash of all numbers that each scenario writes, compared with a revision
@@ -140,6 +145,16 @@ fn main() -> ExitCode {
         },
         ["same-bits-everywhere"] => same_bits::same_bits_command("release"),
         ["same-bits-everywhere", profile] => same_bits::same_bits_command(profile),
+        ["sentences", seed, rest @ ..] => {
+            let (count, paths) = match rest {
+                [count, paths @ ..] => (count.parse(), paths),
+                [] => (Ok(sentences::COUNT), rest),
+            };
+            match (seed.parse(), count) {
+                (Ok(seed), Ok(count)) => sentences::sentences_command(seed, count, paths),
+                _ => usage(),
+            }
+        }
         ["starts"] => starts::starts_command(),
         ["state-hashes"] => state_hashes::state_hashes_command(None),
         ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),

@@ -8,9 +8,9 @@ use crate::tools::Missing;
 /// The outcome of a step that did not fail.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Done {
-    /// It passed.
+    /// The step passed.
     Good,
-    /// It did not run, because a tool is missing.
+    /// The step did not run, because a tool is missing.
     NotRun(Missing),
 }
 

@@ -7,7 +7,7 @@ use crate::command::{cargo, run_quietly};
 /// A tool that is not installed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Missing {
-    /// Its name.
+    /// Name of the tool.
     pub(crate) tool: &'static str,
     /// How to install it.
     pub(crate) install: &'static str,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::built;
-use crate::c_interface::{Build, SANITIZERS, SYSTEM, WARNINGS};
+use crate::c_build::{Build, SANITIZERS, SYSTEM, WARNINGS};
 use crate::command::run_quietly;
 use crate::guide;
 use crate::step::Done;

@@ -16,7 +16,7 @@ const OTHERS: [&str; 3] = ["capi", "python", "wasm"];
 /// user edits scenarios, and should not wait for a build.
 const PARTS: [&str; 5] = ["fenders", "vessels", "web/src", "Cargo.toml", "Cargo.lock"];
 
-/// The commit, such as `1a2b3c4d` or `1a2b3c4d, modified`; empty where it is not known.
+/// The commit, such as `1a2b3c4d` or `1a2b3c4d, modified`; empty if it is not known.
 pub(crate) fn commit() -> String {
     println!("cargo::rerun-if-env-changed={VARIABLE}");
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -59,7 +59,7 @@ fn of_checkout(own: &Path) -> Option<String> {
     Some(if changes.is_empty() { commit } else { format!("{commit}, modified") })
 }
 
-/// What git answers; nothing where it is not installed or fails.
+/// What git answers; nothing if it is not installed or fails.
 fn git(own: &Path, arguments: &[&str]) -> Option<String> {
     // Without locks: git may write its index anew when it is asked for the status.
     let output = Command::new("git")

@@ -6,14 +6,16 @@ mod downtime;
 mod gathered;
 mod merge;
 mod page;
+mod places;
 mod printed;
 mod replay;
 mod report;
 
 use std::num::NonZero;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread;
 
+use self::places::{FIGURE, default_folder};
 use fenderline_campaign::store::{Opened, Shard, Store, is_finished};
 use fenderline_campaign::{Campaign, Plan};
 use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
@@ -29,9 +31,6 @@ use crate::interrupt::Interrupt;
 use crate::output::write_whole;
 use crate::progress::Progress;
 use crate::terminal::{answer, say};
-
-/// Name of the figure of a full factorial.
-const FIGURE: &str = "figure.html";
 
 /// Makes all runs and writes their tables, or does what the subcommand says. A run that cannot be made is a row with its error.
 ///
@@ -56,7 +55,8 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
             Some(layout.map_err(|why| Failure::input(format_args!("error: {why}")))?)
         }
         _ if args.x.is_some() || args.lines.is_some() => {
-            let why = "--x and --lines are of the figure of a full factorial plan; this campaign's is another";
+            let why = "--x and --lines belong to the figure of a full factorial plan; this \
+                campaign has another plan";
             return Err(Failure::input(format_args!("error: {why}")));
         }
         _ => None,
@@ -163,14 +163,6 @@ fn threads(given: Option<NonZero<usize>>) -> usize {
     given.map_or_else(all, NonZero::get)
 }
 
-fn default_folder(campaign: &Path, shard: Shard) -> PathBuf {
-    let folder = Path::new("out").join(campaign.file_stem().unwrap_or_default());
-    match shard {
-        Shard::WHOLE => folder,
-        Shard { number, of } => folder.join(format!("shard_{number}_of_{of}")),
-    }
-}
-
 /// What does not go along with a share of the runs.
 fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option<String> {
     if shard == Shard::WHOLE {
@@ -189,7 +181,7 @@ fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option
     }
     if runs.campaign().stop.is_some() {
         return Some(
-            "a campaign with a [stop] rule cannot be shared: the rule looks at all runs".to_owned(),
+            "a campaign with a [stop] rule cannot be shared: the rule needs all runs".to_owned(),
         );
     }
     (shard.of > runs.count())

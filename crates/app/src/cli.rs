@@ -150,7 +150,7 @@ pub(crate) struct ManArgs {
 /// A file to write, which standard output cannot be.
 fn output_file() -> impl TypedValueParser<Value = PathBuf> {
     let file = |path: PathBuf| match path.as_os_str() == "-" {
-        true => Err("this file is not written to standard output; a file of that name is ./-"),
+        true => Err("this file cannot be written to standard output; write ./- for a file named -"),
         false => Ok(path),
     };
     PathBufValueParser::new().try_map(file)
@@ -160,7 +160,8 @@ fn output_file() -> impl TypedValueParser<Value = PathBuf> {
 fn output_folder() -> impl TypedValueParser<Value = PathBuf> {
     let folder = |path: PathBuf| match path.as_os_str() == "-" {
         true => Err(
-            "several files are written, which takes a folder and not standard output; a folder of that name is ./-",
+            "several files are written, which needs a folder and not standard output; write ./- \
+             for a folder named -",
         ),
         false => Ok(path),
     };
@@ -170,7 +171,7 @@ fn output_folder() -> impl TypedValueParser<Value = PathBuf> {
 /// A file to read, which standard input cannot be.
 fn input_file() -> impl TypedValueParser<Value = PathBuf> {
     let file = |path: PathBuf| match path.as_os_str() == "-" {
-        true => Err("this command reads no standard input; a file of that name is ./-"),
+        true => Err("this command does not read standard input; write ./- for a file named -"),
         false => Ok(path),
     };
     PathBufValueParser::new().try_map(file)
@@ -812,7 +813,7 @@ pub(crate) struct LimitArgs {
     /// Accuracy, in the unit of the values [default: a hundredth of the range]
     #[arg(long, value_name = "NUMBER")]
     pub(crate) within: Option<f64>,
-    /// Print the limit and all runs as JSON
+    /// Print the limit that was found and all runs as JSON
     #[arg(long)]
     pub(crate) json: bool,
     #[command(flatten)]

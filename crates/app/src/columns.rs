@@ -24,8 +24,9 @@ pub(crate) fn columns(args: &ColumnsArgs) -> Result<(), Failure> {
 
 fn markdown(tables: &[TableReference]) -> String {
     let mut text = String::from(
-        "A row stands for one output interval: one time step, or as many as `[output] interval` of the scenario says. States \
-         are those at its start, forces are means over it, columns that begin with `peak_` hold the largest of any step, works \
+        "A row stands for one output interval: one time step, or as many as `[output] interval` of \
+         the scenario says. States are those at the start of the interval, forces are means over \
+         the interval, columns that begin with `peak_` hold the largest value of any step, works \
          are sums.\n\n",
     );
     for table in tables {

@@ -47,7 +47,9 @@ pub(crate) fn replay(path: &Path) -> Result<(), Failure> {
         }
         if !step.is_same && step.outcome != DumpedOutcome::Unfinished {
             different += 1;
-            tell(&format!("step {number} of {steps}: other results than those recorded"));
+            tell(&format!(
+                "step {number} of {steps}: the results differ from the recorded results"
+            ));
         }
         let results = dump.engine().results();
         let contacts = results.iter().flat_map(|results| results.contacts);

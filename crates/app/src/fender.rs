@@ -48,7 +48,7 @@ fn fit(args: &FitArgs) -> Result<(), Failure> {
     }
     let mut text = printed(&fitted, &out);
     if args.rated_deflection.is_none() {
-        text += "the rated deflection is the end of the curve: --rated-deflection gives another\n";
+        text += "the rated deflection is the end of the curve: --rated-deflection changes this\n";
     }
     say(&text)
 }

@@ -114,7 +114,7 @@ fn listed(library: &FenderLibrary, family: &Family) -> Result<String, Failure> {
 }
 
 fn limits_text(limits: &[HullPressureLimit]) -> String {
-    let mut text = String::from("\nhull pressure that the side of a ship bears (kN/m²):\n");
+    let mut text = String::from("\nhull pressure that the side of a ship can bear (kN/m²):\n");
     let longest = limits.iter().map(|limit| limit.ship.chars().count()).max().unwrap_or(0);
     for limit in limits {
         let _ = writeln!(

@@ -37,7 +37,7 @@ impl Source {
         }
         let input = io::stdin();
         if input.is_terminal() {
-            remark("reading a scenario from standard input; Ctrl-D on a line of its own ends it");
+            remark("reading a scenario from standard input; end it with Ctrl-D on an empty line");
         }
         let text = read_stream(input.lock(), NAME).map_err(LoadError::Unreadable)?;
         Ok(Source { text, shown: NAME.to_owned(), folder: PathBuf::new() })

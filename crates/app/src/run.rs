@@ -1,6 +1,7 @@
 //! `fenderline run`: scenario → simulation → files and a short summary.
 
 mod berthing;
+mod cells;
 mod exercise;
 mod fenders;
 mod printed;

@@ -86,8 +86,8 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
     match physical.map(|path| path.join(".")).next() {
         None => Ok(()),
         Some(key) => Err(Failure::input(format_args!(
-            "error: `{key}` cannot be changed: a recorded session is repeated as it was; only keys of `output` and \
-             `report` can be set"
+            "error: `{key}` cannot be changed: a recorded session is replayed without changes; \
+             only keys of `output` and `report` can be set"
         ))),
     }
 }
@@ -238,7 +238,7 @@ fn fault_words(fault: Fault) -> &'static str {
     }
 }
 
-/// Over what time the weather changes; nothing where it changes at once.
+/// Over what time the weather changes; nothing if it changes at once.
 fn over_words(over_s: f64) -> String {
     if over_s > 0.0 { format!(" over {} s", plain(over_s, 0)) } else { String::new() }
 }

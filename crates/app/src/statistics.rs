@@ -1,11 +1,13 @@
 //! `fenderline statistics`: exceedance, fits and design values of a column of a table.
 
+mod column;
 mod json;
 mod printed;
 
+use self::column::Column;
 use fenderline_campaign::report::column_page;
 use fenderline_campaign::statistics::Sample;
-use fenderline_campaign::statistics::design::{Asked, Findings, findings, zeros_apart};
+use fenderline_campaign::statistics::design::{Asked, findings, zeros_apart};
 use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
 use fenderline_campaign::table::{Head, Table};
@@ -22,18 +24,6 @@ const PERIODS_YEARS: [f64; 3] = [10.0, 50.0, 100.0];
 
 /// Laws where none are given.
 const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
-
-/// A column with what was found about it.
-struct Column<'a> {
-    file: String,
-    head: &'a Head,
-    /// Empty cells.
-    missing: usize,
-    /// Values of 0 that are in no statistics.
-    zeros: usize,
-    findings: Findings,
-    asked: Asked,
-}
 
 /// Reads a column, prints what it tells, and writes a page if `args` asks for one.
 ///
@@ -114,11 +104,12 @@ fn asked(args: &StatisticsArgs) -> Result<Asked, Failure> {
     let is_named = !args.fit.is_empty();
     if is_named && args.fit.contains(&Law::Pareto) && args.threshold.is_none() {
         return Err(Failure::input(
-            "error: --fit gpd needs --threshold: it is fitted to the values above it",
+            "error: --fit gpd needs --threshold: the law is fitted to the values above the \
+             threshold",
         ));
     }
     if is_named && !args.fit.contains(&Law::Pareto) && args.threshold.is_some() {
-        return Err(Failure::input("error: --threshold is of --fit gpd, which is not asked for"));
+        return Err(Failure::input("error: --threshold belongs to --fit gpd, which is not given"));
     }
     let mut laws = if is_named { args.fit.clone() } else { LAWS.to_vec() };
     if !is_named && args.threshold.is_some() {
@@ -155,5 +146,5 @@ fn list(table: &Table, is_json: bool) -> Result<(), Failure> {
         meaning => format!("{}: {meaning}\n", head.title()),
     };
     let lines: String = table.heads().iter().map(line).collect();
-    answer(&format!("{lines}--column NAME gives the statistics of one of them\n"))
+    answer(&format!("{lines}--column NAME gives the statistics of one column\n"))
 }

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use crate::carried;
 
-/// The commit, from the build script; empty where neither git nor the packager knows it.
+/// The commit, from the build script; empty if neither git nor the packager knows it.
 const COMMIT: &str = env!("FENDERLINE_COMMIT_OF_BUILD");
 /// Cargo's features that are on, from the build script.
 const CARGO_FEATURES: &str = env!("FENDERLINE_FEATURES_OF_BUILD");

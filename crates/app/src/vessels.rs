@@ -68,7 +68,11 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     let mut text = String::new();
     for (index, source) in origin.estimates().enumerate() {
         if index == 0 {
-            let _ = writeln!(text, "{name} ({}): estimated, not validated for her:", origin.title);
+            let _ = writeln!(
+                text,
+                "{name} ({}): estimated, not validated for this vessel:",
+                origin.title
+            );
         }
         text.push_str(&source_line(source));
     }
@@ -129,7 +133,7 @@ fn sheet(vessel: &VesselData) -> String {
     }
     let mut estimates = vessel.origin.estimates().peekable();
     if estimates.peek().is_some() {
-        text.push_str("\nEstimated by formulas, not validated for her:\n");
+        text.push_str("\nEstimated by formulas, not validated for this vessel:\n");
     }
     estimates.for_each(|source| text.push_str(&source_line(source)));
     text.push_str(&accuracy_text(&vessel.origin));
@@ -173,9 +177,10 @@ fn drift(vessel: &VesselData) -> Vec<Drift> {
 }
 
 fn drift_table(rows: &[Drift]) -> String {
-    let mut text = "\nMean wave drift over the square of the wave's amplitude, at rest in deep water, by formula (reflection \
-                    after Faltinsen et al. 1980 and Fujii & Takahashi 1975, motion by the SNNM method of ITTC \
-                    7.5-04-01-01.1), not validated for her:\n"
+    let mut text = "\nMean wave drift over the square of the wave's amplitude, at rest in deep \
+                    water, by formula (reflection after Faltinsen et al. 1980 and Fujii & \
+                    Takahashi 1975, motion by the SNNM method of ITTC 7.5-04-01-01.1), not \
+                    validated for this vessel:\n"
         .to_owned();
     let _ = writeln!(
         text,

@@ -427,7 +427,7 @@ fn mistakes_in_a_random_campaign_are_found_before_the_first_run() {
     );
     refused("930 - reaction", "930 -", &["output.margin"]);
     refused("2 * speed", "2 * sped", &["did you mean `speed`?"]);
-    refused("2 * speed", "2 * doubled", &["needs a formula that needs it"]);
+    refused("2 * speed", "2 * doubled", &["needs another formula that needs this formula"]);
     refused("speed_normal", "sped_normal", &["did you mean `speed_normal`?"]);
     refused(
         "cm/s\"\nstandard",

@@ -49,7 +49,7 @@ fn standard_input_that_is_no_scenario_is_refused() {
     for command in ["serve -", "campaign -", "replay -", "vessels --file -"] {
         let refused = place.shell(&format!("\"$FENDERLINE\" {command} < tug.toml"));
         assert_eq!(refused.code, 2, "{command}");
-        contains_all(&refused.stderr, &["reads no standard input"]);
+        contains_all(&refused.stderr, &["does not read standard input"]);
     }
     assert!(!place.exists("out"));
 }
@@ -58,18 +58,18 @@ fn standard_input_that_is_no_scenario_is_refused() {
 fn standard_output_is_no_place_for_files() {
     let place = Workplace::new("out_dash");
     for (command, words) in [
-        ("run tug.toml --out -", "takes a folder and not standard output"),
-        ("campaign x.toml --out -", "takes a folder"),
-        ("validate --out -", "takes a folder"),
-        ("manoeuvre kcs --out -", "takes a folder"),
-        ("serve tug.toml --sessions -", "takes a folder"),
-        ("man --out -", "takes a folder"),
-        ("run tug.toml --pdf -", "not written to standard output"),
-        ("run tug.toml --xlsx -", "not written to standard output"),
-        ("report tug.toml --html -", "not written to standard output"),
-        ("fmu tug.toml --kind engine -o -", "not written to standard output"),
-        ("fender fit tug.toml -o - --height 1", "not written to standard output"),
-        ("init -o -", "not written to standard output"),
+        ("run tug.toml --out -", "needs a folder and not standard output"),
+        ("campaign x.toml --out -", "needs a folder"),
+        ("validate --out -", "needs a folder"),
+        ("manoeuvre kcs --out -", "needs a folder"),
+        ("serve tug.toml --sessions -", "needs a folder"),
+        ("man --out -", "needs a folder"),
+        ("run tug.toml --pdf -", "cannot be written to standard output"),
+        ("run tug.toml --xlsx -", "cannot be written to standard output"),
+        ("report tug.toml --html -", "cannot be written to standard output"),
+        ("fmu tug.toml --kind engine -o -", "cannot be written to standard output"),
+        ("fender fit tug.toml -o - --height 1", "cannot be written to standard output"),
+        ("init -o -", "cannot be written to standard output"),
     ] {
         let refused = place.run(&command.split(' ').collect::<Vec<_>>());
         assert_eq!(refused.code, 2, "{command}: {}", refused.stdout);
@@ -265,7 +265,7 @@ fn errors_are_coloured_only_where_colours_are_wanted() {
     assert_eq!(error("NO_COLOR=1"), plain);
 }
 
-/// The program on a terminal of its own, by `script` of util-linux; `None` where that is missing.
+/// The program on a terminal of its own, by `script` of util-linux; `None` if that is missing.
 /// Without `CI`, which asks for colours whatever the terminal is.
 fn on_a_terminal(place: &Workplace, line: &str) -> Option<String> {
     if place.shell("script --version").code != 0 {

@@ -97,10 +97,7 @@ fn hours_are_lost_by_the_limits_that_their_states_exceed() {
     assert_eq!(json["sample"]["disagree"]["share"], 0.0);
     assert_eq!(json["lost_hours_a_year"], 876.0);
     let report = place.text("out/year/report.html");
-    contains_all(
-        &report,
-        &["By month", "By wind direction", "What the states leave out", "<circle"],
-    );
+    contains_all(&report, &["By month", "By wind direction", "Error of the states", "<circle"]);
     // A table has the limits' shares, and the reasons.
     let cases = place.text("out/year/cases.csv");
     contains_all(&cases, &["limit.ahead and astern [%]", "lost_by", "limit_exceeded"]);
@@ -228,7 +225,7 @@ fn bad_weathers_are_refused() {
         (
             "[downtime]",
             "[limit.a]\noutput = \"energy\"\nvalue = \"3 kJ\"\n[downtime]",
-            &["those of the scenario"],
+            &["the limits of the scenario"],
         ),
         (
             "[downtime]",

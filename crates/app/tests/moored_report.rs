@@ -42,7 +42,7 @@ fn the_worked_terminal_has_motions_limits_lines_and_what_is_not_covered() {
             "A peak is the largest distance from the mean between two crossings",
             "ship moves in six degrees of freedom by her hydrodynamic data (",
             "With hydrodynamic data (ship): motion in six degrees of freedom",
-            "Surge, ahead of her first place, ship",
+            "Surge, ahead of the place at the start, ship",
             "Tension of the lines, 3 of 3",
             "Above the chart: break load 1200 kN, working load 600 kN.",
             "Cycles of the lines",
@@ -60,7 +60,7 @@ fn a_ship_without_hydrodynamic_data_says_so() {
         &page,
         &[
             "NO HYDRODYNAMIC DATA",
-            "Heave, roll and pitch of ship are oscillators beside the motion in the plane",
+            "Heave, roll and pitch of ship are oscillators",
             "Without hydrodynamic data (ship):",
         ],
     );

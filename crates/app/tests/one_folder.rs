@@ -25,7 +25,7 @@ const SPREAD_US: u64 = 300_000;
 /// A round that takes longer hangs.
 const PATIENCE: Duration = Duration::from_secs(50);
 
-/// The slow file system as a shared library; `None` where there is no C compiler. Continuous integration must have one.
+/// The slow file system as a shared library; `None` if there is no C compiler. Continuous integration must have one.
 fn slow_files(place: &Workplace) -> Option<PathBuf> {
     let library = place.path("slow_files.so");
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/slow_files.c");
@@ -168,7 +168,7 @@ fn a_folder_that_cannot_be_made_durable_keeps_no_result() {
             library.display()
         ));
         assert_eq!(run.code, 1, "{name}: {}", run.stderr);
-        contains_all(&run.stderr, &["cannot write out/tug", "power cut, so none is left"]);
+        contains_all(&run.stderr, &["cannot write out/tug", "power cut, so all were removed"]);
         assert_eq!(place.files("out/tug"), Vec::<String>::new(), "{name}");
     }
 }

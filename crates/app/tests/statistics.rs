@@ -42,7 +42,16 @@ fn a_file_of_speeds_gives_a_design_value_with_its_band() {
         ],
     );
     let page = place.text("speeds/statistics.html");
-    contains_all(&page, &["<svg", "Design values", "Fits", "10⁻⁴", "nothing here states it"]);
+    contains_all(
+        &page,
+        &[
+            "<svg",
+            "Design values",
+            "Fits",
+            "10⁻⁴",
+            "the designer must judge whether they meet a guideline",
+        ],
+    );
     assert!(!page.contains("NaN"));
     let again = ["statistics", "speeds.csv", "--column", "speed [cm/s]", "--json"];
     let json: serde_json::Value = serde_json::from_str(&place.run(&again).stdout).unwrap();
@@ -100,7 +109,7 @@ fn laws_that_the_data_speak_against_are_named() {
         &run.stdout,
         &[
             "Before a design value is used",
-            "the data speak against",
+            "the data contradict",
             "mean nothing",
             "is rarer than 300 values can show",
         ],
@@ -138,13 +147,13 @@ fn bad_input_is_refused_with_its_place() {
     );
     refused(
         &["few.csv", "--column", "speed"],
-        &["few.csv: column `speed`: it has 1 of the 2 values"],
+        &["few.csv: column `speed`: at least 2 values are needed, but it has 1"],
     );
     refused(&["bare.csv", "--column", "speed"], &["bare.csv:1", "must name the columns"]);
     refused(&["none.csv"], &["cannot read none.csv"]);
     refused(
         &["zero.csv", "--column", "speed", "--fit", "lognormal"],
-        &["log-normal: it has positive values only; of these 1 are not"],
+        &["log-normal: the law has positive values only; 1 of the values are not positive"],
     );
     refused(
         &with(&["--per-year", "-3"]),
@@ -158,11 +167,17 @@ fn bad_input_is_refused_with_its_place() {
     refused(&with(&["--return-period", "50"]), &["--per-year"]);
     refused(&with(&["--confidence", "95"]), &["such as 0.95"]);
     refused(&with(&["--fit", "gpd"]), &["--fit gpd needs --threshold"]);
-    refused(&with(&["--fit", "weibull", "--threshold", "8"]), &["--threshold is of --fit gpd"]);
-    refused(&with(&["--fit", "gpd", "--threshold", "1000"]), &["there are 0 of the 20 values"]);
+    refused(
+        &with(&["--fit", "weibull", "--threshold", "8"]),
+        &["--threshold belongs to --fit gpd"],
+    );
+    refused(
+        &with(&["--fit", "gpd", "--threshold", "1000"]),
+        &["at least 20 values are needed, but there are 0"],
+    );
     refused(&with(&["--fit", "gauss"]), &["`gauss` is no law; the laws are normal, lognormal"]);
     // A law that was not asked for by name is left out with its reason.
     let run = place.run(&["statistics", "zero.csv", "--column", "speed"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    contains_all(&run.stdout, &["no fit: log-normal: it has positive values only"]);
+    contains_all(&run.stdout, &["no fit: log-normal: the law has positive values only"]);
 }

@@ -1,11 +1,11 @@
-//! Energy that contacts created in a run.
+//! Energy that the contacts created in a run, because of the numerical method.
 
 use core::fmt;
 
 /// The smallest gain that is reported, as a share of the energy that the contacts absorbed.
 pub const REPORTED_GAIN: f64 = 0.01;
 
-/// Energy that contacts returned to the bodies beyond what they absorbed.
+/// Energy that contacts returned to the bodies beyond what the contacts had absorbed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyGain {
     /// The excess (J).

@@ -4,7 +4,7 @@ use fenderline_contact::Contact;
 
 use fenderline_world::record::StepRecord;
 
-/// Summary of the contact between two bodies. Peaks are those within the steps, sub-steps included.
+/// Summary of the contact between two bodies. Peaks include those between the ends of steps, in sub-steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSummary {
     /// Indices into the set-up's bodies.
@@ -13,13 +13,14 @@ pub struct PairSummary {
     pub first_touch_s: f64,
     /// Start of the last step in which they touched (s).
     pub last_touch_s: f64,
-    /// Largest normal force (N): the sum over the patches of their peaks in a step.
+    /// Largest normal force (N). For each step the peaks of all patches are added.
     pub peak_normal_force_n: f64,
     /// Start of the step with the largest normal force (s).
     pub peak_normal_force_at_s: f64,
     /// Largest penetration of a patch, or deflection of a fender (m).
     pub peak_depth_m: f64,
-    /// The fender whose deflection `peak_depth_m` is, as an index into the set-up's fenders; `None`: it is a penetration.
+    /// Index into the set-up's fenders of the fender with the deflection `peak_depth_m`; `None` if `peak_depth_m` is a
+    /// penetration.
     pub peak_depth_fender: Option<usize>,
     /// Start of the step with the largest penetration (s).
     pub peak_depth_at_s: f64,
@@ -116,7 +117,7 @@ fn add_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
             pair.peak_depth_at_s = record.t_s;
         }
     }
-    // The final speed is that at the patch with the largest force, with the velocities at the end of the step.
+    // The final speed is the speed at the patch with the largest force, from the velocities at the end of the step.
     let mut main = &own[0];
     for contact in own {
         if contact.normal_force_n > main.normal_force_n {

@@ -12,7 +12,7 @@ use crate::table::TableError;
 pub enum CampaignError {
     /// The campaign's file, or the base scenario with its changes.
     File(Box<LoadError>),
-    /// A variable, output or rule of the campaign: its name, and what is wrong.
+    /// A mistake in a variable, output or rule of the campaign, with its name.
     Part {
         /// As in the file: `variable.speed`, `output.margin`, `stop.output`, `correlation`.
         name: String,
@@ -21,16 +21,16 @@ pub enum CampaignError {
     },
     /// A table that cannot be read.
     Table(TableError),
-    /// A file of values: where, and what is wrong.
+    /// A mistake in a file of values, with its place.
     Values {
         /// The file.
         file: PathBuf,
-        /// What is wrong, with line and column where there is one.
+        /// What is wrong, with line and column if known.
         why: String,
     },
     /// None of the first runs can be made: why not the first.
     Hopeless(Box<CampaignError>),
-    /// A file or folder that cannot be written: why.
+    /// A file or folder that cannot be written, with the reason.
     Disk {
         /// The file or folder.
         path: PathBuf,
@@ -39,7 +39,7 @@ pub enum CampaignError {
         /// The disk is full: no mistake of the user's.
         is_full: bool,
     },
-    /// The folder of the results: what is wrong.
+    /// A fault of the folder of the results.
     Folder {
         /// The folder or file.
         path: PathBuf,

@@ -9,7 +9,7 @@ use crate::row::Head;
 /// A limit of an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
     /// Column of the output.
     pub output: String,
@@ -18,10 +18,10 @@ pub struct Limit {
 }
 
 impl Limit {
-    /// Those of a campaign with these columns.
+    /// The limits of a campaign with these columns.
     ///
     /// # Errors
-    /// An output that is no number of the campaign, or a value that is not in a unit of it.
+    /// An output that is no number of the campaign, or a value whose unit does not fit the output.
     pub(crate) fn all(campaign: &Campaign, heads: &[Head]) -> Result<Vec<Limit>, CampaignError> {
         let numbers = || heads.iter().filter(|head| !head.is_text);
         let one = |limit: &crate::file::Limit| {

@@ -5,20 +5,20 @@
 pub enum Cell {
     /// Words.
     Text(String),
-    /// A number; never one that is not finite.
+    /// A finite number.
     Number(f64),
     /// Nothing: not known, or the run was not made.
     Empty,
 }
 
 impl Cell {
-    /// A cell of a number, empty where it is not finite.
+    /// The cell of a number; empty if the number is not finite.
     #[must_use]
     pub fn of_number(value: f64) -> Cell {
         if value.is_finite() { Cell::Number(value) } else { Cell::Empty }
     }
 
-    /// The number of a cell that has one.
+    /// The number of a cell, if it holds a number.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
         match self {
@@ -43,11 +43,11 @@ impl Cell {
 pub struct Head {
     /// Name.
     pub name: String,
-    /// Unit; empty where it has none.
+    /// Unit of the column; empty without a unit.
     pub unit: String,
-    /// What it is.
+    /// Meaning of the column.
     pub meaning: String,
-    /// Whether its cells are words.
+    /// Whether the cells of the column are words.
     pub is_text: bool,
 }
 

@@ -13,9 +13,9 @@ use std::ops::Range;
 pub struct RunNumbers {
     /// The first number of the share.
     first: u64,
-    /// From one number of the share to the next.
+    /// Step from one number of the share to the next.
     stride: u64,
-    /// Ranges of places in the share, each with the count of those before it.
+    /// Ranges of places in the share, each with the count of places before it.
     ranges: Vec<(u64, Range<u64>)>,
     count: u64,
 }
@@ -43,7 +43,7 @@ impl RunNumbers {
         RunNumbers { first, stride, ranges, count }
     }
 
-    /// How many there are.
+    /// How many runs there are.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
@@ -64,7 +64,7 @@ impl RunNumbers {
         self.first + place * self.stride
     }
 
-    /// Adds a place behind all others.
+    /// Adds a place after all others.
     fn push(&mut self, place: u64) {
         match self.ranges.last_mut() {
             Some((_, last)) if last.end == place => last.end += 1,

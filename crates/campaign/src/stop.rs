@@ -1,5 +1,5 @@
-//! The stop rule: a campaign ends when an estimate is good enough. It looks at the rows in the order of the runs, so that the end does
-//! not depend on which run was done first.
+//! The stop rule: a campaign ends when an estimate is good enough. The rule takes the rows in the
+//! order of the runs, so the end does not depend on the order in which runs are finished.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::statistics::{Confidence, Moments, Sample, quantile};
 pub struct StopRule {
     rule: Stop,
     column: usize,
-    /// The output of the runs from the first on without a gap; NaN for a run that has none.
+    /// The output of the runs from the first on without a gap; NaN for a run without the output.
     values: Vec<f64>,
     /// Those of later runs.
     waiting: BTreeMap<u64, f64>,
@@ -66,7 +66,7 @@ impl StopRule {
     }
 }
 
-/// Half of the confidence interval over the estimate; `None` where there are too few values.
+/// Half of the confidence interval over the estimate; `None` if there are too few values.
 fn half_width(rule: &Stop, values: Vec<f64>) -> Option<f64> {
     let confidence = Confidence::new(rule.confidence).expect("the key has its bounds");
     let sample = Sample::new(values).ok()?;

@@ -1,4 +1,5 @@
-//! Runs on several threads. Each run is one thread's, so that its bits do not depend on their number.
+//! Runs on several threads. One thread makes a run from start to end, so the bits do not depend on the number of
+//! threads.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::sync_channel;
@@ -9,14 +10,14 @@ use crate::row::Row;
 use crate::run::{Runner, Runs};
 use crate::run_numbers::RunNumbers;
 
-/// Rows that may wait to be used: the memory stays flat where the disk is slow.
+/// Number of rows that may wait: the memory stays bounded if the disk is slow.
 const WAITING: usize = 1024;
 
 /// The most threads that make runs: more than any machine has, and few enough that each can be started.
 pub const MOST_THREADS: usize = 1024;
 
 /// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until `is_stopped`. `use_row` gets each row on this thread, in the order in which
-/// they end; where it returns false, no further run is begun and no row used.
+/// they end; if it returns false, no further run is begun and no row used.
 ///
 /// # Errors
 /// What `use_row` returns; no row is used after it.

@@ -49,17 +49,17 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, value: T, name: &str) -> Ou
     Ok(())
 }
 
-/// Copies a structure in whose first member is its size.
+/// Copies a structure from the caller. Its first member is its size.
 ///
 /// # Safety
-/// The caller's promise; for the size alone if that is wrong.
+/// The caller's promise for the whole structure; if the size is wrong, the promise for the size alone.
 pub(crate) unsafe fn read_sized<T: Copy>(pointer: *const T, name: &str) -> Outcome<T> {
     check_size(pointer, name)?;
     // SAFETY: as the caller promises; by its size the whole structure is there.
     unsafe { read(pointer, name) }
 }
 
-/// Refuses a structure whose first member is not its size.
+/// Refuses a structure whose member `size` is wrong.
 pub(crate) fn check_size<T>(pointer: *const T, name: &str) -> Outcome {
     check(pointer, name)?;
     // SAFETY: not NULL and aligned by the check; such structures begin with a `size_t`, as the caller
@@ -188,8 +188,8 @@ pub(crate) unsafe fn bytes(pointer: *const u8, length: usize, name: &str) -> Out
     Ok(unsafe { core::slice::from_raw_parts(pointer, length) }.to_vec())
 }
 
-/// Copies a text out, NUL-terminated: all of it, or as many whole characters as fit. `length` gets its length without
-/// the NUL, unless it is NULL. NULL and a capacity of 0 query the length alone.
+/// Copies a text out, NUL-terminated: all of it, or as many whole characters as fit. `*length` gets the length
+/// of the text without the NUL, unless `length` is NULL. NULL and a capacity of 0 query the length alone.
 ///
 /// # Safety
 /// The caller's promise for `capacity` bytes.

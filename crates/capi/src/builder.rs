@@ -30,7 +30,7 @@ pub unsafe extern "C" fn fl_builder_new(builder: *mut *mut FlBuilder) -> FlStatu
     })
 }
 
-/// Destroys a builder. Engines that it has built stay. NULL is allowed and does nothing.
+/// Destroys a builder. Engines that the builder has built stay valid. NULL is allowed and does nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_destroy(builder: *mut FlBuilder) -> FlStatus {
     no_panic(|| if builder.is_null() { Ok(()) } else { BUILDERS.remove(builder) })
@@ -51,8 +51,8 @@ pub unsafe extern "C" fn fl_builder_error(
     })
 }
 
-/// Adds a material under a unique name. Its index, counted from 0, is stored to `index` unless that is NULL.
-/// fl_builder_build() checks its numbers.
+/// Adds a material under a unique name. The index of the material, counted from 0, is stored to `*index` unless `index`
+/// is NULL. fl_builder_build() checks the numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_material(
     builder: *mut FlBuilder,
@@ -74,8 +74,8 @@ pub unsafe extern "C" fn fl_builder_add_material(
 }
 
 /// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
-/// centre of gravity (m), in either sense, convex or not. Its index, counted from 0, is stored to `index` unless that
-/// is NULL. fl_builder_build() checks its masses.
+/// centre of gravity (m), in either sense, convex or not. The index of the body, counted from 0, is stored to `*index`
+/// unless `index` is NULL. fl_builder_build() checks the masses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_body(
     builder: *mut FlBuilder,
@@ -108,9 +108,9 @@ pub unsafe extern "C" fn fl_builder_add_body(
 }
 
 /// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
-/// begin with (0, 0), with rising deflections. Without points its force is the paper's: the material's stiffness times
-/// the area of the overlap. Its index, counted from 0, is stored to `index` unless that is NULL. fl_builder_build()
-/// checks its numbers.
+/// begin with (0, 0), with rising deflections. Without points the force follows the paper's law: the material's
+/// stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
+/// `index` is NULL. fl_builder_build() checks the numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender(
     builder: *mut FlBuilder,
@@ -148,10 +148,10 @@ pub unsafe extern "C" fn fl_builder_add_fender(
 }
 
 /// Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
-/// catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names its
-/// body and `material` its material, both added before; the rest is in the key reference of scenario files. Example:
-/// "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". Its index, counted
-/// from 0, is stored to `index` unless that is NULL.
+/// catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names
+/// the body that carries the fender, and `material` the material; add both before. The key reference of scenario files
+/// lists the other keys. Example: "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2
+/// m\ntemperature=40 degC". The index of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender_by_keys(
     builder: *mut FlBuilder,
@@ -250,8 +250,9 @@ pub extern "C" fn fl_builder_add_all_other_pairs(
     BUILDERS.call(builder, |builder| Ok(builder.all_other_pairs(material as usize)?))
 }
 
-/// Builds an engine from the parts added so far and stores it to `*engine`; NULL if that fails. Destroy it with
-/// fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used further.
+/// Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. Destroy the
+/// engine with fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used
+/// further.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_build(
     builder: *mut FlBuilder,

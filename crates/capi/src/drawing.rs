@@ -9,8 +9,8 @@ use crate::table::{ENGINES, FlEngine};
 use crate::types::{FL_NONE, FlFenderView};
 
 /// Copies the outline of a body: `vertices` pairs of x (forward) and y (to starboard) from the centre of gravity (m), in the
-/// sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity of 0
-/// query the number alone; if the capacity is too small, nothing is copied, and the status is
+/// sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity
+/// of 0 query only the number. If the capacity is too small, nothing is copied, and the status is
 /// FL_STATUS_BUFFER_TOO_SMALL. Outlines do not change: read them once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_outline(
@@ -28,8 +28,8 @@ pub unsafe extern "C" fn fl_engine_outline(
     })
 }
 
-/// Copies all fenders as they are drawn, after the last step; uncompressed before the first and where nothing presses them.
-/// `count` is the number of fenders.
+/// Copies the drawing data of all fenders after the last step. A fender is uncompressed before the first step, and
+/// while nothing presses it. `count` is the number of fenders.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_fender_views(
     engine: *const FlEngine,

@@ -9,16 +9,17 @@ use crate::engine::hold;
 use crate::failure::FlStatus;
 use crate::table::{ENGINES, FlEngine, no_panic};
 
-/// Records the steps from now on, and keeps at least the last `steps`; 0 ends it. At most 1 000 000. fl_engine_dump() makes a
-/// file of them. A recorded step takes longer.
+/// Records the steps from now on, and keeps at least the last `steps` steps, at most 1 000 000; 0 ends the recording.
+/// fl_engine_dump() makes a dump of the recorded steps. A recorded step takes longer.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_record(engine: *mut FlEngine, steps: usize) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.record(steps)?))
 }
 
-/// Copies the recorded steps with all that is needed to replay them: model, settings, the engine before the first of them. It
-/// works after a failed step too, also after FL_STATUS_PANICKED. Write the bytes to a file and send it with your report:
-/// `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query `*length` alone.
+/// Copies the recorded steps with all that is needed to replay them: model, settings, and the engine before the first
+/// recorded step. The call also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes to a file and
+/// send it with your report: `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query only
+/// `*length`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_dump(
     engine: *const FlEngine,
@@ -33,9 +34,10 @@ pub unsafe extern "C" fn fl_engine_dump(
     })
 }
 
-/// Replays a dump: makes an engine, takes its steps and stores the engine after the last of them to `*engine`, unless that is
-/// NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the same version of the
-/// library. `*steps` gets the number of all. Both may be NULL. Any bytes may be passed.
+/// Replays a dump: makes an engine, takes the recorded steps and stores the engine after the last step to `*engine`,
+/// unless `engine` is NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the
+/// same version of the library. `*steps` gets the number of all steps. `different` and `steps` may be NULL. Any bytes
+/// may be passed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_replay_dump(
     dump: *const u8,

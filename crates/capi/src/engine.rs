@@ -17,9 +17,10 @@ use crate::library::keep_last;
 use crate::table::{ENGINES, EngineHeld, FlEngine, no_panic};
 use crate::types::{FlContact, FlEvent, FlSettings, FlState, FlWrench};
 
-/// Makes an engine from a scenario file and stores it to `*engine`; NULL if that fails. Destroy it with
-/// fl_engine_destroy(). Files that the scenario names are relative to it. `overrides` replaces keys of the scenario, one
-/// KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL for defaults.
+/// Makes an engine from a scenario file and stores it to `*engine`; if this fails, stores NULL. Destroy the engine with
+/// fl_engine_destroy(). Files that the scenario names are relative to the scenario file. `overrides` replaces keys of
+/// the scenario, one KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL
+/// for defaults.
 ///
 /// The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
 /// and wind, are left to the host: see fl_engine_notices().
@@ -106,8 +107,8 @@ pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
     })
 }
 
-/// Copies the notices about the scenario and the list of its forces that are left to the host, one per line; it may be
-/// empty. `length` may be NULL. See "Texts" in the preamble.
+/// Copies the notices about the scenario and the list of the scenario's forces that are left to the host, one per line.
+/// The text may be empty. `length` may be NULL. See "Texts" in the preamble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_notices(
     engine: *const FlEngine,
@@ -242,7 +243,7 @@ pub unsafe extern "C" fn fl_engine_initial_states(
     })
 }
 
-/// Sets the state of one body for the next step. Fixed bodies need none.
+/// Sets the state of one body for the next step. Fixed bodies need no state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_state(
     engine: *mut FlEngine,
@@ -256,7 +257,8 @@ pub unsafe extern "C" fn fl_engine_set_state(
     })
 }
 
-/// Sets the states of all bodies for the next step; if one is refused, none is set. `count` is the number of bodies.
+/// Sets the states of all bodies for the next step; if one state is refused, no state is set. `count` is the number of
+/// bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_states(
     engine: *mut FlEngine,
@@ -270,19 +272,20 @@ pub unsafe extern "C" fn fl_engine_set_states(
     })
 }
 
-/// Marks the next state of a body as a teleport: the host sets it to a new place rather than moving it there. Its contacts
-/// begin anew (FL_EVENT_TELEPORTED), no load is inferred from the displacement, and out of another body it is pushed slowly
-/// (FL_EVENT_PLACED_IN_OVERLAP, where it is so deep that the contact would eject it). Without this call the engine detects
-/// a teleport where the displacement differs from that of the velocities by a tenth of the outline's radius. A host that
-/// passes old states calls it when it first passes the new place. To go back in time, restore a saved engine.
+/// Marks the next state of a body as a teleport: the host sets the body to a new place rather than moving it there. The
+/// body's contacts begin anew (FL_EVENT_TELEPORTED), and no load is inferred from the displacement. A body that
+/// overlaps another body is pushed out slowly (FL_EVENT_PLACED_IN_OVERLAP, if the body is so deep that the contact
+/// would eject it). Without this call the engine detects a teleport only if the displacement differs from the motion by
+/// the velocities by a tenth of the outline's radius. A host that passes old states makes this call when it first
+/// passes the new place. To go back in time, restore a saved engine.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_mark_teleported(engine: *mut FlEngine, body: u32) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.mark_teleported(body as usize)?))
 }
 
-/// Sets all forces on each body except contact, until it is called again; `count` is the number of bodies. NULL and 0 unset
-/// them, as at the start: a direct host then has no loads, and those of a co-simulation host are inferred from its states.
-/// The paper's method does not use loads.
+/// Sets the loads, all forces on each body except contact, until the next call; `count` is the number of bodies. NULL
+/// and 0 remove the loads, as at the start: a direct host then has no loads, and the loads of a co-simulation host are
+/// inferred from its states. The paper's method does not use loads.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_loads(
     engine: *mut FlEngine,
@@ -296,16 +299,17 @@ pub unsafe extern "C" fn fl_engine_set_loads(
     })
 }
 
-/// Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps may
-/// have any length. A step of 0 s is a pause: nothing changes, and the results are those of the last step without its events
-/// and the contacts' work.
+/// Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps
+/// may have any length. A step of 0 s is a pause: nothing changes, and the results of the last step remain, without its
+/// events and without the work of contacts.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_step(engine: *mut FlEngine, step_s: f64) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.step(step_s)?))
 }
 
-/// In one call: fl_engine_set_states(), fl_engine_set_loads() where `loads` is not NULL, fl_engine_step() and
-/// fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has changed.
+/// In one call: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL, fl_engine_step() and
+/// fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has
+/// changed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_advance(
     engine: *mut FlEngine,
@@ -333,8 +337,8 @@ pub unsafe extern "C" fn fl_engine_advance(
     })
 }
 
-/// Copies the wrenches of the last step; the host adds them to its forces. They are means over the step, so that the
-/// impulse is right; for the largest see fl_engine_peak_wrenches(). `count` is the number of bodies.
+/// Copies the wrenches of the last step; the host adds them to its forces. The wrenches are means over the step, so the
+/// impulse is right; for the largest wrenches see fl_engine_peak_wrenches(). `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -348,9 +352,9 @@ pub unsafe extern "C" fn fl_engine_wrenches(
 }
 
 /// Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
-/// By the paper's method, which has no sub-steps, it is the same as fl_engine_wrenches(). Use it to size fenders and
-/// structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move the bodies. The peak of
-/// each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
+/// In the paper's method, which has no sub-steps, the result equals fl_engine_wrenches(). Use the largest wrench to
+/// size fenders and structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move
+/// the bodies. The peak of each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_peak_wrenches(
     engine: *const FlEngine,
@@ -364,9 +368,9 @@ pub unsafe extern "C" fn fl_engine_peak_wrenches(
 }
 
 /// Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
-/// coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to half a
-/// step before it (half of the last sub-step, where there were several), as in a leapfrog integrator: pass them back
-/// unchanged, and use that time where you compare or plot them.
+/// coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to the
+/// time half a step before the end (half of the last sub-step, if there were several), as in a leapfrog integrator.
+/// Pass the velocities back unchanged, and use this time when you compare or plot them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_states_after(
     engine: *const FlEngine,
@@ -433,9 +437,9 @@ pub unsafe extern "C" fn fl_engine_contact(
     })
 }
 
-/// Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members `size` need not
-/// be set. `*count` gets their number. NULL and a capacity of 0 query it alone; if the capacity is too small, nothing is copied,
-/// and the status is FL_STATUS_BUFFER_TOO_SMALL.
+/// Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members
+/// `size` need not be set. `*count` gets the number of contacts. NULL and a capacity of 0 query only the number; if
+/// the capacity is too small, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_contacts(
     engine: *const FlEngine,
@@ -498,7 +502,7 @@ pub unsafe extern "C" fn fl_engine_events(
 }
 
 /// Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
-/// same on every machine. NULL and a capacity of 0 query `*length` alone.
+/// same on every machine. NULL and a capacity of 0 query only `*length`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_save(
     engine: *const FlEngine,
@@ -512,8 +516,8 @@ pub unsafe extern "C" fn fl_engine_save(
     })
 }
 
-/// Restores a state that fl_engine_save() saved, of this engine or of another with the same model and settings. It
-/// continues with the same bits. Any bytes may be passed: those that are not such a state are refused.
+/// Restores a state that fl_engine_save() saved, of this engine or of another engine with the same model and settings.
+/// The engine continues with the same bits. Any bytes may be passed: bytes that are not a saved state are refused.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_restore(
     engine: *mut FlEngine,

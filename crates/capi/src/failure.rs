@@ -11,7 +11,7 @@ use fenderline_embed::EngineError;
 pub enum FlStatus {
     /// Success.
     Ok = 0,
-    /// A pointer is NULL where that is not allowed, or misaligned.
+    /// A pointer is NULL but must not be, or is misaligned.
     BadPointer = 1,
     /// The handle is invalid, was destroyed or is of another kind.
     BadHandle = 2,
@@ -28,7 +28,7 @@ pub enum FlStatus {
     /// A state, a load or a time step is not finite or out of range: the message names body and field. Or the step is so
     /// long that its results are not finite.
     BadNumber = 8,
-    /// No body, fender, material, contact or event has that name or index.
+    /// No body, fender, material, contact or event has this name or index.
     NoSuch = 9,
     /// A step before the states of all floating bodies were set, or a result before the first step.
     OutOfOrder = 10,
@@ -38,7 +38,7 @@ pub enum FlStatus {
     BadBytes = 12,
     /// The saved engine belongs to another model or to other settings.
     OtherModel = 13,
-    /// The buffer is too small; `*length` says how large it must be.
+    /// The buffer is too small; `*length` says how large the buffer must be.
     BufferTooSmall = 14,
     /// A bug in the library. The handle can only be destroyed.
     Panicked = 15,

@@ -19,6 +19,7 @@ mod drawing;
 mod dump;
 mod engine;
 mod failure;
+mod last_error;
 mod library;
 mod outline;
 mod table;

@@ -1,26 +1,14 @@
 //! The library as a whole.
 
 use core::ffi::{CStr, c_char};
-use std::cell::RefCell;
 
 use crate::border::put_text;
 use crate::failure::FlStatus;
+use crate::last_error::{last, remember};
 use crate::table::no_panic;
 
 /// Version of this interface. It changes when programs must be recompiled.
 pub const FL_ABI_VERSION: u32 = 1;
-
-thread_local! {
-    /// Message of the last failed call on this thread.
-    static LAST: RefCell<String> = const { RefCell::new(String::new()) };
-}
-
-/// Keeps a message for [`fl_last_error`].
-#[cold]
-pub(crate) fn remember(text: String) {
-    // It fails only while the thread ends.
-    let _ = LAST.try_with(|last| *last.borrow_mut() = text);
-}
 
 /// The interface version of the linked library; compare it with the header's FL_ABI_VERSION.
 #[unsafe(no_mangle)]
@@ -46,9 +34,9 @@ pub extern "C" fn fl_status_text(status: i32) -> *const c_char {
     known.map_or(c"no status", FlStatus::text).as_ptr()
 }
 
-/// Copies the message of the last failed call on this thread; empty if there was none. It stays until another call fails;
-/// a call of this function with too small a buffer does not count as a failed call. `length` may be NULL. See "Texts" in
-/// the preamble.
+/// Copies the message of the last failed call on this thread; empty if no call has failed. The
+/// message stays until another call fails; a call of this function with too small a buffer does not
+/// count as a failed call. `length` may be NULL. See "Texts" in the preamble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_last_error(
     buffer: *mut c_char,
@@ -59,9 +47,9 @@ pub unsafe extern "C" fn fl_last_error(
     keep_last(|text| unsafe { put_text(text, buffer, capacity, length) })
 }
 
-/// Runs a query of the last error. If the query fails, that error stays the last one.
+/// Runs a query of the last error. If the query fails, the last error stays.
 pub(crate) fn keep_last(query: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
-    let text = LAST.try_with(|last| last.borrow().clone()).unwrap_or_default();
+    let text = last();
     let status = no_panic(|| query(&text));
     if status != FlStatus::Ok {
         remember(text);

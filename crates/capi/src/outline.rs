@@ -12,8 +12,8 @@ use crate::table::no_panic;
 const MOST_MESH_POINTS: usize = 10_000_000;
 
 /// Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y (to
-/// starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of 0
-/// query it.
+/// starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of
+/// 0 query the number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_hull(
     points_m: *const f64,
@@ -26,9 +26,10 @@ pub unsafe extern "C" fn fl_outline_hull(
     unsafe { make(points_m, points, outline_m, capacity, vertices, hull_of_points) }
 }
 
-/// Copies the outline of a ship from the points of her starboard side, from bow to stern or the other way: the same points and
-/// their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as on it, and are not repeated. At most
-/// twice `points` vertices. For the rest see fl_outline_hull().
+/// Copies the outline of a ship from the points of the starboard side, from bow to stern or from stern to bow: these
+/// points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on the
+/// centreline, and are not repeated. The outline has at most twice `points` vertices. For the other arguments see
+/// fl_outline_hull().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_mirror(
     side_m: *const f64,
@@ -43,8 +44,8 @@ pub unsafe extern "C" fn fl_outline_mirror(
     unsafe { make(side_m, points, outline_m, capacity, vertices, mirror) }
 }
 
-/// Copies an outline with fewer vertices, from which no vertex of the given one is farther than `tolerance_m`. For the rest see
-/// fl_outline_hull().
+/// Copies an outline with fewer vertices. No vertex of the given outline is farther than `tolerance_m` from the new
+/// outline. For the other arguments see fl_outline_hull().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_simplify(
     points_m: *const f64,

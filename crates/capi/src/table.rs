@@ -11,7 +11,7 @@ use fenderline_contact::{BodyState, Wrench};
 use fenderline_embed::{Engine, EngineBuilder};
 
 use crate::failure::{Failure, FlStatus, Outcome, failure};
-use crate::library::remember;
+use crate::last_error::remember;
 
 /// A contact engine. Engines share nothing but the table of handles.
 pub struct FlEngine {
@@ -32,7 +32,7 @@ pub(crate) struct EngineHeld {
 
 /// All objects of one kind.
 pub(crate) struct Table<T> {
-    /// The low four bits of its handles. Odd, unlike an aligned pointer.
+    /// The low four bits of the handles of this kind. They are odd, unlike those of an aligned pointer.
     kind: usize,
     held: RwLock<Held<T>>,
 }
@@ -45,7 +45,7 @@ struct Held<T> {
 /// One object.
 pub(crate) struct Object<T> {
     pub(crate) content: T,
-    /// Message of its last failed call.
+    /// Message of the last failed call on this object.
     pub(crate) error: String,
     /// A call panicked: the content may be inconsistent.
     panicked: bool,
@@ -54,7 +54,7 @@ pub(crate) struct Object<T> {
 pub(crate) static ENGINES: Table<EngineHeld> = Table::new(0b0101);
 pub(crate) static BUILDERS: Table<EngineBuilder> = Table::new(0b1011);
 
-/// High bits that no valid address has; 0 where pointers have no room for them.
+/// High bits that no valid address has; 0 if pointers have no room for them.
 const MARK: usize = if usize::BITS == 64 { 0xfede_usize.rotate_right(16) } else { 0 };
 const SERIALS: usize = if usize::BITS == 64 { 1 << 40 } else { usize::MAX >> 4 };
 
@@ -76,7 +76,7 @@ impl<T> Table<T> {
         Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
     }
 
-    /// Removes an object. It lives until a running call on it has ended.
+    /// Removes an object. The object lives until a running call on it has ended.
     pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
         let serial = self.serial_of(handle)?;
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);

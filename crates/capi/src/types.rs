@@ -17,21 +17,22 @@ pub const FL_NUL: usize = usize::MAX;
 /// No fender: outline meets outline.
 pub const FL_NONE: u32 = u32::MAX;
 
-/// fl_settings.method: the scenario's; FL_METHOD_COUPLED where there is no scenario.
+/// fl_settings.method: the method of the scenario; FL_METHOD_COUPLED if there is no scenario.
 pub const FL_METHOD_DEFAULT: u32 = 0;
 /// fl_settings.method: all contacts of a step are solved together with the loads.
 pub const FL_METHOD_COUPLED: u32 = 1;
 /// fl_settings.method: the paper's, each pair by itself and without loads.
 pub const FL_METHOD_PAPER: u32 = 2;
 
-/// fl_settings.host: a direct host. It passes the states at the start of each step and all its loads. It may take the states
-/// of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length: by the coupled
-/// method the engine then continues its own motion while bodies touch, and the wrenches keep the host with it.
+/// fl_settings.host: a direct host. It passes the states at the start of each step, and all loads. The host may take
+/// the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length.
+/// In the second case, by the coupled method, the engine continues the motion that it has computed while bodies
+/// touch, and the wrenches keep the host on this motion.
 pub const FL_HOST_DIRECT: u32 = 0;
-/// fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. It integrates the bodies
-/// itself in steps of any length, may pass states that are some steps old, and need not report its loads. The engine
-/// infers the loads from the states, predicts the present states, and returns wrenches with which the host follows the
-/// engine's motion. Coupled method only.
+/// fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. The host integrates
+/// the bodies itself in steps of any length, may pass states that are some steps old, and need not report loads. The
+/// engine infers the loads from the states, predicts the present states, and returns wrenches with which the host
+/// follows the engine's motion. Coupled method only.
 pub const FL_HOST_COSIMULATION: u32 = 1;
 
 /// fl_settings.coriolis: as in `fenderline run` with the scenario's integrator; FL_CORIOLIS_BY_ENGINE without a scenario.
@@ -44,7 +45,7 @@ pub const FL_CORIOLIS_IN_LOADS: u32 = 2;
 
 /// fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
 pub const FL_INTEGRATION_FORWARD_EULER: u32 = 0;
-/// fl_settings.integration: the host changes the velocities, then moves positions with the new ones.
+/// fl_settings.integration: the host changes the velocities, then moves positions with the new velocities.
 pub const FL_INTEGRATION_SEMI_IMPLICIT: u32 = 1;
 
 /// fl_event.kind: a contact patch began.
@@ -69,8 +70,8 @@ pub const FL_EVENT_FENDER_RATING_EXCEEDED: u32 = 7;
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
 /// fl_event.kind: the solve of these bodies' contact did not converge within its iteration limit.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
-/// fl_event.kind: a body was placed so deep in another that the contact would eject it; it is pushed out slowly instead,
-/// at 0.08 m/s at most.
+/// fl_event.kind: a body was placed so deep in another body that the contact would eject it. The body is pushed out
+/// slowly instead, at 0.08 m/s at most.
 pub const FL_EVENT_PLACED_IN_OVERLAP: u32 = 10;
 /// fl_event.kind: a body of a co-simulation host does not accelerate as its mass in the model says: the host uses another
 /// mass (see fl_engine_mass_matrix()). Reported once per body.
@@ -99,7 +100,7 @@ pub struct FlState {
     pub yaw_rate_radps: f64,
 }
 
-/// A force at a body's centre of gravity and a moment about it, earth-fixed.
+/// A force at a body's centre of gravity and a moment about the centre of gravity, earth-fixed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FlWrench {
@@ -143,7 +144,7 @@ pub struct FlMaterial {
     pub shear_stiffness_npm: f64,
     /// Coefficient of static friction.
     pub friction_static: f64,
-    /// Coefficient of dynamic friction, at most the static one.
+    /// Coefficient of dynamic friction, at most the coefficient of static friction.
     pub friction_dynamic: f64,
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,
@@ -165,43 +166,43 @@ pub struct FlBody {
     pub added_sway_kg: f64,
     /// Added moment of inertia in yaw (kg m2).
     pub added_yaw_kgm2: f64,
-    /// Position of a fixed body; initial position of a floating one (m).
+    /// Position of a fixed body; initial position of a floating body (m).
     pub north_m: f64,
-    /// Position of a fixed body; initial position of a floating one (m).
+    /// Position of a fixed body; initial position of a floating body (m).
     pub east_m: f64,
-    /// Heading, likewise (rad).
+    /// Heading of a fixed body; initial heading of a floating body (rad).
     pub heading_rad: f64,
 }
 
-/// A fender: a face on a body. Its reaction curve is a separate argument. It touches the outlines of all bodies that form a
-/// pair with its own body.
+/// A fender: a face on a body. Its reaction curve is a separate argument. The fender touches the outlines of all
+/// bodies that form a pair with the fender's body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlFender {
     /// sizeof(fl_fender)
     pub size: usize,
-    /// Middle of its mounting line, in the body's frame (m).
+    /// Middle of the fender's mounting line, in the body's frame (m).
     pub forward_m: f64,
-    /// Middle of its mounting line, in the body's frame (m).
+    /// Middle of the fender's mounting line, in the body's frame (m).
     pub starboard_m: f64,
-    /// Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction of the fender's outward normal, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
     /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// Rated deflection (m); 0: its projection. Must be 0 without a curve.
+    /// Rated deflection (m); 0: the projection. Must be 0 without a curve.
     pub rated_deflection_m: f64,
-    /// Deflection at which its stop begins (m).
+    /// Deflection at which the stop begins (m).
     pub stop_from_m: f64,
     /// Stiffness of the stop (N/m). Without a stop both are 0.
     pub stop_stiffness_npm: f64,
-    /// Index of the body on which it is mounted.
+    /// Index of the body on which the fender is mounted.
     pub body: u32,
-    /// Index of its material: friction, restitution, damping, and, without a curve, stiffness.
+    /// Index of the fender's material: friction, restitution, damping, and, without a curve, stiffness.
     pub material: u32,
-    /// Share of the absorbed energy that it returns, 0.05 to 1, by an unloading law. 0: unloading by its material's
-    /// restitution.
+    /// Share of the absorbed energy that the fender returns, 0.05 to 1, by an unloading law. 0: unloading by the
+    /// restitution of the material.
     pub returned_energy: f64,
 }
 
@@ -217,7 +218,7 @@ pub struct FlContact {
     pub body_1: u32,
     /// The body added later.
     pub body_2: u32,
-    /// The fender that is compressed; FL_NONE where outline meets outline.
+    /// The fender that is compressed; FL_NONE if outline meets outline.
     pub fender: u32,
     /// Number of the patch within the pair.
     pub patch: u32,
@@ -259,7 +260,8 @@ pub struct FlContact {
     pub damper_n: f64,
     /// What the momentum limit subtracted from the normal force (N).
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the start of the step that it can return (J); 0 where outline meets outline.
+    /// Energy in a fender's spring and stop at the start of the step that the fender can return (J); 0 if outline
+    /// meets outline.
     pub stored_j: f64,
     /// Largest energy within the step that loading the fender to its deflection takes (J).
     pub peak_absorbed_j: f64,
@@ -281,30 +283,32 @@ pub struct FlEvent {
     pub kind: u32,
     /// The body.
     pub body_1: u32,
-    /// The other body; the same as body_1 where only one is concerned.
+    /// The other body; equal to body_1 if the event concerns only one body.
     pub body_2: u32,
-    /// The fender; FL_NONE where none is concerned.
+    /// The fender; FL_NONE if the event concerns no fender.
     pub fender: u32,
 }
 
-/// A fender as it is drawn, in the frame of the body that carries it (forward, starboard of its centre of gravity): draw it as a
-/// child of that body. Ends 1 are left and ends 2 right as seen when looking out from the body.
+/// Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's
+/// centre of gravity): draw the fender as a child of this body. Ends 1 are left and ends 2 right as seen when
+/// looking out from the body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlFenderView {
-    /// The body that carries it.
+    /// The body that carries the fender.
     pub body: u32,
-    /// The body that presses it, of several the one that presses deepest; FL_NONE: it is not pressed.
+    /// The body that presses the fender; of several bodies, the body that presses deepest. FL_NONE: no body
+    /// presses the fender.
     pub hull: u32,
-    /// End of the line where it is mounted (m).
+    /// End of the line where the fender is mounted (m).
     pub mount_1_forward_m: f64,
-    /// End of the line where it is mounted (m).
+    /// End of the line where the fender is mounted (m).
     pub mount_1_starboard_m: f64,
     /// Its other end (m).
     pub mount_2_forward_m: f64,
     /// Its other end (m).
     pub mount_2_starboard_m: f64,
-    /// End of the face, compressed and turned as it is now (m).
+    /// End of the face in its present compression and turn (m).
     pub face_1_forward_m: f64,
     /// End of the face (m).
     pub face_1_starboard_m: f64,
@@ -312,18 +316,18 @@ pub struct FlFenderView {
     pub face_2_forward_m: f64,
     /// Its other end (m).
     pub face_2_starboard_m: f64,
-    /// Deflection in the last step (m); 0 if it is not pressed.
+    /// Deflection in the last step (m); 0 if no body presses the fender.
     pub deflection_m: f64,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Normal force in the last step, a mean over it, of all that press it (N): for an instrument.
+    /// Mean normal force of all bodies on the fender over the last step (N): for an instrument.
     pub normal_force_n: f64,
     /// Largest normal force of one body within the last step (N): for an alarm.
     pub peak_normal_force_n: f64,
     /// Largest deflection within the last step (m).
     pub peak_deflection_m: f64,
-    /// Turn of a panel on several cones about the vertical (rad), positive where the right end as seen by one who looks at the
-    /// face is deflected more; 0 for other fenders.
+    /// Turn of a panel on several cones about the vertical (rad), positive if the right end, as you look at the
+    /// face, is deflected more; 0 for other fenders.
     pub panel_turn_rad: f64,
 }
 

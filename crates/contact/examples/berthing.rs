@@ -2,9 +2,8 @@
 //!
 //! Run it with `cargo run -p fenderline-contact --example berthing`.
 //!
-//! [`advance_in_place`] takes a step by the coupled method and updates the states. Its time step may be
-//! long: within a step the engine takes as many sub-steps as the contact needs, so the peak reactions do
-//! not depend on it.
+//! [`advance_in_place`] takes a step by the coupled method and updates the states. The time step may be long: the
+//! engine divides it into as many sub-steps as the contact needs. So the peak reactions do not depend on the time step.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -90,7 +89,7 @@ fn build_model() -> Result<(Model, [FenderId; 2]), Box<dyn Error>> {
         outline: wall,
         mobility: Mobility::Fixed,
     });
-    // Of the pair: hull against the quay's wall, should she come past the fenders.
+    // Material of the pair: the hull against the quay's wall, if the ship compresses the fenders fully.
     let concrete = builder.material(Material {
         stiffness_npm2: 20e6,
         damping_nspm2: 0.0,
@@ -116,7 +115,7 @@ fn build_model() -> Result<(Model, [FenderId; 2]), Box<dyn Error>> {
             facing_rad: -FRAC_PI_2, // to port of the quay, which heads north: west
             width_m: 2.0,
             projection_m: 1.0,
-            // Deflection (m) and reaction (N) as a catalogue has them.
+            // Deflection (m) and reaction (N), as a catalogue lists them.
             law: FenderLaw::Curve(vec![[0.0, 0.0], [0.35, 700e3], [0.55, 640e3], [0.72, 800e3]]),
             unloading: None,
             material: panel,

@@ -2,9 +2,9 @@
 //!
 //! Run it with `cargo run -p fenderline-contact --example fender_curve`.
 //!
-//! The reaction is a list of points, the force its value at the deflection. The fender has to absorb the
-//! ship's kinetic energy; with `Unloading::ReturnedEnergy` it returns a share of it, and the ship leaves
-//! with the square root of that share of her speed.
+//! The reaction curve is a list of points. The force is the value of the curve at the deflection. The fender has to
+//! absorb the ship's kinetic energy. With `Unloading::ReturnedEnergy` the fender returns a share of that energy, and
+//! the ship leaves with the square root of that share of her speed.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;

@@ -1,11 +1,10 @@
-//! A simulator that integrates its bodies by itself and only takes the contact wrench from the engine.
+//! A simulator that integrates its bodies itself, and takes only the contact wrench from the engine.
 //!
 //! Run it with `cargo run -p fenderline-contact --example own_integrator`.
 //!
-//! Each step it passes the present states and all other forces to a [`DirectHost`], and adds the wrench
-//! that it gets to its own forces. While bodies touch, the engine continues its own, sub-stepped motion
-//! and gives the wrench that keeps the simulator's body with it, so that a stiff contact is stable with a
-//! long time step.
+//! In each step the simulator passes the present states and all other forces to a [`DirectHost`], and adds the contact
+//! wrench to the other forces. While bodies touch, the engine continues a sub-stepped motion of its own. The wrench
+//! keeps the simulator's bodies with that motion, so a stiff contact is stable with a long time step.
 
 use std::error::Error;
 
@@ -43,7 +42,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let leaving_mps = -barge.velocity_mps.x;
     println!("peak force {:.0} kN, rebound at {leaving_mps:.3} m/s", peak_n / 1e3);
     assert!((leaving_mps / (0.5 * RESTITUTION) - 1.0).abs() < 0.02, "{leaving_mps}");
-    // N = k S with S = width × depth: a spring of 40 MN/m, which 0.5 m/s compresses with v √(m k).
+    // N = k S with S = width × depth: a spring of 40 MN/m. A hit at 0.5 m/s compresses the spring with a force of v √(m
+    // k).
     let expected_n = 0.5 * (MASS_KG * 4e6 * 10.0_f64).sqrt();
     assert!((peak_n / expected_n - 1.0).abs() < 0.02, "{peak_n}, {expected_n}");
     Ok(())

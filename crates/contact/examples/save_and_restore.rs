@@ -2,8 +2,8 @@
 //!
 //! Run it with `cargo run -p fenderline-contact --example save_and_restore`.
 //!
-//! All that a contact remembers is in [`Memory`]: shear springs, initial velocities, factors of fenders.
-//! With the bodies' states it is all that a simulator has to store; [`Workspace`] is only buffers.
+//! [`Memory`] has all that a contact remembers: shear springs, initial velocities, factors of fenders. A simulator has
+//! to store the memory and the bodies' states, and nothing else: [`Workspace`] is only buffers.
 
 use std::error::Error;
 
@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     run(&model, &mut memory, &mut work, &mut states, 100)?;
 
-    // Restore into a new memory with a new workspace, as another process would.
+    // Restore into a new memory with a new workspace, as another process would do.
     let mut restored = Memory::new(&model);
     restored.restore(&model, &saved)?;
     let mut restored_states = saved_states;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_eq!(restored_states, states, "the same bits");
     println!("both runs end at {:?}", states[0].position_m);
 
-    // Bytes that were changed are refused, and the memory stays what it was.
+    // Changed bytes are refused, and the memory stays as it was.
     let mut damaged = saved.clone();
     *damaged.last_mut().expect("not empty") ^= 1;
     let refused = restored.restore(&model, &damaged);

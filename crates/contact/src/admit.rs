@@ -15,10 +15,10 @@ const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 
-/// Refuses models with bodies on piles.
+/// Refuses a model that has bodies on piles.
 ///
 /// # Errors
-/// [`StepError::OnPile`], naming the first.
+/// [`StepError::OnPile`], naming the first body on a pile.
 pub(crate) fn refuse_piles(model: &Model) -> Result<(), StepError> {
     match model.piles.first() {
         None => Ok(()),
@@ -29,7 +29,7 @@ pub(crate) fn refuse_piles(model: &Model) -> Result<(), StepError> {
     }
 }
 
-/// Checks the host's input except the states: a caller that reads them one by one checks each.
+/// Checks the host's input except the states, for a caller that checks each state when it reads it.
 pub(crate) fn admit_call(
     model: &Model,
     memory: &Memory,
@@ -68,7 +68,8 @@ pub(crate) fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), St
 }
 
 impl Model {
-    /// Would a step accept this state of the body with this index? For hosts that give their bodies one by one.
+    /// Checks whether a step would accept this state of the body with this index. For hosts that pass bodies one by
+    /// one.
     ///
     /// # Errors
     /// [`StepError::BadState`], naming body and field.
@@ -79,7 +80,7 @@ impl Model {
         if is_sound(state) { Ok(()) } else { Err(unsound(self, body, state)) }
     }
 
-    /// As [`Model::check_state`], of a load.
+    /// Checks whether a step would accept this load on the body with this index.
     ///
     /// # Errors
     /// [`StepError::BadState`], naming body and field.
@@ -94,7 +95,7 @@ impl Model {
 /// Is every number of a state finite and within its bounds?
 #[inline]
 pub(crate) fn is_sound(state: &BodyState) -> bool {
-    // NaN is within no bounds. `&` rather than `&&`: one branch for all.
+    // NaN is within no bounds. `&` instead of `&&` makes one branch of all tests.
     (state.position_m.x.abs() <= FURTHEST_M)
         & (state.position_m.y.abs() <= FURTHEST_M)
         & (state.velocity_mps.x.abs() <= FASTEST_MPS)
@@ -117,7 +118,8 @@ fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
     bad_number(model, index, &fields)
 }
 
-/// The first of these fields of a body (name, value and largest value) that is not within its bounds.
+/// Returns the error for the first of these fields of a body (name, value and largest value) that is not within its
+/// bounds.
 fn bad_number(model: &Model, index: usize, fields: &[(&'static str, f64, f64)]) -> StepError {
     let is_within = |value: f64, largest: f64| value.abs() <= largest;
     let bad = fields.iter().find(|&&(_, value, largest)| !is_within(value, largest));
@@ -125,7 +127,7 @@ fn bad_number(model: &Model, index: usize, fields: &[(&'static str, f64, f64)]) 
     StepError::BadState { body: model.bodies()[index].name.clone(), field, value }
 }
 
-/// Checks the loads that the coupled method is given.
+/// Checks the loads that the host gives to the coupled method.
 pub(crate) fn admit_loads(
     model: &Model,
     states: &[BodyState],

@@ -1,8 +1,9 @@
 //! Sine and cosine of a heading.
 //!
-//! Every moving body needs them in every step. `libm`'s would cost as much as a whole stage of the step: it keeps the
-//! relative accuracy of a sine near zero, which a rotation does not need, and cannot be inlined. The bits are the same
-//! on every machine: only sums, products and a table that the compiler computes from them are used.
+//! Every moving body needs both in every step. The functions of `libm` would cost as much as a whole stage of the step:
+//! they keep the relative accuracy of a sine near zero, which a rotation does not need, and they cannot be inlined. The
+//! bits are the same on every machine, because only sums, products and a table are used. The compiler computes the
+//! table from sums and products.
 
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
@@ -12,12 +13,13 @@ const FARTHEST_RAD: f64 = 2e4;
 /// Number of table steps in a full turn.
 const STEPS: usize = 256;
 
-/// One step in two parts (rad): 33 bits, so that its product with an integer of up to 20 bits is exact, and the rest.
+/// One table step in two parts (rad). The first has 33 bits, so that its product with an integer of up to 20 bits is
+/// exact. The second is the rest.
 const STEP_RAD: f64 = 0.024_543_692_605_220_713;
 const STEP_REST_RAD: f64 = 9.495_469_541_415_925e-13;
 
-/// 1.5 · 2⁵². Added and subtracted again, it rounds to the nearest integer, which is also in the lowest bits of the
-/// sum.
+/// 1.5 · 2⁵². Adding this number and subtracting it again rounds to the nearest integer. The lowest bits of the sum
+/// also hold that integer.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// Sine and cosine of each step. Mirrored entries differ only in sign.
@@ -61,7 +63,7 @@ const fn by_series(angle_rad: f64) -> (f64, f64) {
     (angle_rad * sine, cosine)
 }
 
-/// Sine and cosine, each within 2.3e-16: those of the nearest table step, rotated by the remainder.
+/// Sine and cosine, each within 2.3e-16: the values of the nearest table step, rotated by the remainder.
 #[inline(always)]
 pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     if angle_rad.abs() > FARTHEST_RAD {
@@ -71,7 +73,7 @@ pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     let steps = shifted - TO_INTEGER;
     let (sine, cosine) = TABLE[shifted.to_bits() as usize % STEPS];
     let rest_rad = (angle_rad - steps * STEP_RAD) - steps * STEP_REST_RAD;
-    // At most half a step: the terms left out are below 1e-17.
+    // The remainder is at most half a table step: the terms left out are below 1e-17.
     let square = rest_rad * rest_rad;
     let along = square * (-1.0 / 2.0 + square * (1.0 / 24.0 - square * (1.0 / 720.0)));
     let across = rest_rad + rest_rad * (square * (-1.0 / 6.0 + square * (1.0 / 120.0)));
@@ -109,7 +111,7 @@ mod tests {
         assert!((sine * sine + cosine * cosine - 1.0).abs() <= 5e-16, "{angle_rad}");
     }
 
-    /// To a unit in the last place of either.
+    /// Sine and cosine match to a unit in the last place.
     #[test]
     fn sine_and_cosine_match_libm() {
         for k in 0..200_000 {

@@ -10,16 +10,16 @@ use crate::room::room_for;
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
 
-/// Computed by stage 1 of a step from the host's states; poses are updated by each sub-step.
+/// Stage 1 of a step computes these lists from the host's states. Each sub-step updates the poses.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies {
     /// States that the host gave for this step. At the end of the step they move to the memory.
     pub(crate) input: Vec<BodyState>,
-    /// Poses at the start of the (sub-)step.
+    /// Poses at the start of the step or sub-step.
     pub(crate) poses: Vec<Pose>,
     /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
-    /// Ranks, ascending, of the bodies that this step places. The others stay where the last step had them.
+    /// Ranks, ascending, of the bodies that this step places. The other bodies stay where the last step had them.
     pub(crate) active: Vec<u32>,
 }
 
@@ -42,17 +42,17 @@ impl Bodies {
     }
 }
 
-/// Bodies that their host displaced since the last step: moved otherwise than their velocities say. Computed by stage 1.
-/// Ranks in ascending order.
+/// Bodies that their host displaced since the last step: they moved otherwise than their velocities say. Computed by
+/// stage 1. The lists have ranks in ascending order.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Displaced {
-    /// All of them, the teleported ones included.
+    /// All displaced bodies, the teleported ones included.
     pub(crate) all: Vec<u32>,
-    /// Those displaced so far that their contacts start afresh.
+    /// Bodies that were displaced so far that their contacts start afresh.
     pub(crate) teleported: Vec<u32>,
 }
 
-/// For sub-steps after the first: only the host displaces bodies, before the step.
+/// The displaced bodies of a sub-step after the first: none, because a host displaces bodies only before a step.
 pub(crate) static NONE_DISPLACED: Displaced = Displaced { all: Vec::new(), teleported: Vec::new() };
 
 impl Displaced {
@@ -97,17 +97,17 @@ fn has_either(ranks: &[u32], a: u32, b: u32) -> bool {
 pub(crate) enum PoseChange {
     /// The body moved as its velocities say.
     Consistent,
-    /// The host placed it elsewhere: neither of its velocities leads so far.
+    /// The host placed the body elsewhere: neither its old nor its new velocity leads that far.
     Displaced,
-    /// The host placed it so far away that nothing of its contacts can be kept. The allowance, a tenth of the body's
-    /// size, is for hosts whose integrators differ from this engine's.
+    /// The host placed the body so far away that nothing of its contacts can be kept. The test allows a tenth of the
+    /// body's size, for hosts whose integrators differ from this engine's.
     Teleported,
 }
 
-/// The smallest displacement of a body at rest that counts (m): far from the chart's origin positions are rounded.
+/// The smallest displacement of a body at rest that counts (m). Far from the chart's origin positions are rounded.
 const SMALLEST_DISPLACEMENT_M: f64 = 1e-6;
 
-/// Classifies the change from `last` to `now`, `step_s` later, of a body of this radius.
+/// Classifies the change of a body's state from `last` to `now`, `step_s` later. The body has this radius.
 #[inline(always)]
 pub(crate) fn classify(
     last: &BodyState,
@@ -118,7 +118,7 @@ pub(crate) fn classify(
     let way_m = now.position_m - last.position_m;
     let unexplained_m = way_m - (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
     let turn_rad = now.heading_rad - last.heading_rad;
-    // The full test needs square roots. Nearly all bodies pass this one, which is stricter.
+    // The full test needs square roots. Nearly all bodies pass this stricter test, which needs none.
     let near_m = 0.09 * radius_m;
     if unexplained_m.length_squared() <= near_m * near_m
         && is_within_motion(last, now, way_m, turn_rad, Tolerance { step_s, radius_m })
@@ -134,7 +134,7 @@ struct Tolerance {
     radius_m: f64,
 }
 
-/// Can the body have moved and turned this far by its velocities? They may change direction within a step.
+/// Can the body have moved and turned this far by its velocities? The velocities may change direction within a step.
 #[inline(always)]
 fn is_within_motion(
     last: &BodyState,

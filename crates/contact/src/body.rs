@@ -24,9 +24,9 @@ pub enum Mobility {
         /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
-    /// A floating body whose mass differs between surge and sway. Where the engine moves it, the engine adds the
+    /// A floating body whose mass differs between surge and sway. If the engine moves the body, the engine adds the
     /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
-    /// contain them. Otherwise as [`Mobility::FullMatrix`].
+    /// contain them. All else is as with [`Mobility::FullMatrix`].
     SurgeSway {
         /// Displacement and added mass in surge (kg).
         surge_kg: f64,
@@ -35,8 +35,8 @@ pub enum Mobility {
         /// Moment of inertia about the vertical, added mass included (kg·m²).
         yaw_inertia_kgm2: f64,
     },
-    /// A body on a pile, such as a flexible dolphin: it does not turn, and the pile's spring holds it to its place. Only the
-    /// engine moves such bodies, by the coupled method.
+    /// A body on a pile, such as a flexible dolphin. The body does not turn, and the pile's spring pulls it back to its
+    /// place. Only the engine moves such bodies, by the coupled method.
     OnPile {
         /// Mass that moves with the top of the pile (kg).
         mass_kg: f64,
@@ -46,8 +46,8 @@ pub enum Mobility {
 }
 
 impl Mobility {
-    /// The mass matrix over surge, sway and yaw (kg, kg·m, kg·m²); `None` for a fixed body, and for one on a pile, which
-    /// does not turn.
+    /// The mass matrix over surge, sway and yaw (kg, kg·m, kg·m²). `None` for a fixed body, and for a body on a pile,
+    /// which does not turn.
     #[must_use]
     pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
@@ -69,8 +69,8 @@ impl Mobility {
 pub struct Body {
     /// Name, used in errors.
     pub name: String,
-    /// Determines the order of all sums and the content of snapshots, so that the order in which bodies are added does
-    /// not matter; unique in a model.
+    /// Key of the body, unique in a model. Sums run and snapshots are written in the order of the keys, so the order in
+    /// which bodies are added does not matter.
     pub key: u64,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,

@@ -1,4 +1,4 @@
-//! Stage 2, broad phase: which bodies are near enough to touch, in the order of their ranks.
+//! Stage 2, broad phase: finds the bodies that are near enough to touch, in the order of their ranks.
 
 use alloc::vec::Vec;
 
@@ -9,11 +9,11 @@ use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::pair::RankedPair;
 
-/// Boxes that are nearer than this are not told apart (m): far from the chart's origin places are rounded.
+/// Boxes with a smaller gap than this count as touching (m): far from the chart's origin positions are rounded.
 const ROUNDING_M: f64 = 1e-6;
 
-/// Computes the candidates of this step: none, if without fenders and piles nothing touched in the last one (`past`) and nothing
-/// can in this.
+/// Computes the candidates of this step. There are none if the model has no fenders and no piles, nothing touched in
+/// the last step (`past`), and nothing can touch in this step.
 pub(crate) fn pair(
     model: &Model,
     bodies: &Bodies,
@@ -38,7 +38,8 @@ pub(crate) fn pair(
     }
 }
 
-/// Do the boxes of two outlines stay apart in this step? A long ship's circle meets those of bodies far off her side.
+/// Do the boxes of two outlines stay apart in this step? The circle around a long ship reaches bodies far off her side,
+/// the box does not.
 pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -> bool {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let travel_m = |rank: usize| bodies.reach_m[rank] - model.ranked[rank].reach_m;
@@ -48,8 +49,8 @@ pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -
     candidate.face == 0 && !model.ranked.extent(a).widened(closing_m).overlaps(&box_b)
 }
 
-/// Adds the candidates of those pairs whose circles of reach meet: outline against outline, then each body's fenders
-/// against the other's outline. `first` is the number of the first pair.
+/// Adds the candidates of the pairs whose circles of reach meet: outline against outline, then each body's fenders
+/// against the other body's outline. `first` is the number of the first pair.
 #[inline(never)]
 fn push_near(
     model: &Model,
@@ -59,7 +60,7 @@ fn push_near(
     pairings: &mut Vec<Pairing>,
 ) {
     let count = model.ranked.len();
-    // Slices of one known length, so that each rank is bounds-checked once.
+    // Slices of one known length, so that the compiler checks the bounds of each rank once.
     let (poses, reach_m) = (&bodies.poses[..count], &bodies.reach_m[..count]);
     let has_faces = !model.faces.is_empty();
     for (pair, number) in pairs.iter().zip(first..) {
@@ -99,7 +100,7 @@ fn push_faces(
     }
 }
 
-/// Does a fender's circle meet that of the other body within this step?
+/// Does the circle around a fender meet the circle around the other body within this step?
 fn is_face_near(model: &Model, bodies: &Bodies, face: &RankedFender, other: u32) -> bool {
     let (host, other) = (face.host as usize, other as usize);
     let travel_m = bodies.reach_m[host] - model.ranked[host].reach_m;

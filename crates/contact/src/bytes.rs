@@ -13,20 +13,21 @@ use crate::vec2::{Rotation, Vec2};
 /// The version of the snapshots that this library writes and reads.
 pub const SNAPSHOT_VERSION: u32 = 8;
 
-/// Numbers after each other: a [`Writer`] appends them, a [`Reader`] replaces them by those it reads.
+/// Numbers one after the other. A [`Writer`] appends the numbers to the bytes; a [`Reader`] replaces the values by
+/// numbers from the bytes.
 pub(crate) trait Codec {
     fn word(&mut self, word: &mut u32);
     fn number(&mut self, number: &mut f64);
-    /// Notes that what was read is impossible.
+    /// Notes that the record read has an impossible value.
     fn refuse(&mut self);
 }
 
 /// A part of a snapshot.
 pub(crate) trait Record: Copy + Default {
-    /// Passes all of its numbers to the codec, in their order.
+    /// Passes all numbers of the record to the codec, in their order.
     fn code(&mut self, codec: &mut impl Codec);
 
-    /// Number of its bytes.
+    /// Number of the record's bytes.
     fn byte_count() -> u128 {
         let mut out = Writer(Vec::new());
         out.put(Self::default());
@@ -34,7 +35,7 @@ pub(crate) trait Record: Copy + Default {
     }
 }
 
-/// Makes records of structs: the fields in the order of their bytes.
+/// Makes records of structs. The fields are listed in the order of their bytes.
 macro_rules! records {
     ($($record:ty { $($field:ident),* })*) => {
         $(impl $crate::bytes::Record for $record {
@@ -65,7 +66,7 @@ impl Record for f64 {
     }
 }
 
-/// A word: 0 or 1.
+/// A `bool` is stored as a word: 0 or 1.
 impl Record for bool {
     fn code(&mut self, codec: &mut impl Codec) {
         let mut word = u32::from(*self);
@@ -77,7 +78,8 @@ impl Record for bool {
     }
 }
 
-/// Whether it is there, and the record, of any value where it is not.
+/// An `Option` is stored as a `bool`, whether there is a record, and the record. The record has any value if there is
+/// none.
 impl<R: Record> Record for Option<R> {
     fn code(&mut self, codec: &mut impl Codec) {
         let (mut is_some, mut record) = (self.is_some(), self.unwrap_or_default());
@@ -131,7 +133,7 @@ impl Writer {
         record.code(self);
     }
 
-    /// The bytes, with their checksum.
+    /// The bytes of the snapshot, with the checksum.
     pub(crate) fn sealed(mut self) -> Vec<u8> {
         let sum = Fnv1a::of(&self.0);
         self.bytes(&sum.to_le_bytes());
@@ -139,7 +141,7 @@ impl Writer {
     }
 }
 
-/// Reads a snapshot. Of faults it keeps the first, and reads zeros from there.
+/// Reads a snapshot. The reader keeps the first fault, and reads zeros from there on.
 pub(crate) struct Reader<'b> {
     rest: &'b [u8],
     outcome: Result<(), RestoreError>,
@@ -150,7 +152,7 @@ impl Codec for Reader<'_> {
         *word = u32::from_le_bytes(self.array());
     }
 
-    /// Finite and of a size that cannot overflow in the next step.
+    /// Reads a number. The number must be finite, and so small that the next step cannot overflow.
     fn number(&mut self, number: &mut f64) {
         *number = f64::from_le_bytes(self.array());
         let is_usable = number.abs() <= 1e30;
@@ -166,7 +168,7 @@ impl Codec for Reader<'_> {
 }
 
 impl<'b> Reader<'b> {
-    /// Checks magic and version. The checksum is checked by [`check_sum`].
+    /// Checks magic and version. [`check_sum`] checks the checksum.
     pub(crate) fn open(bytes: &'b [u8], magic: &[u8; 8]) -> Result<Reader<'b>, RestoreError> {
         let mut input = Reader { rest: bytes, outcome: Ok(()) };
         let (found_magic, found) = (input.array::<8>(), input.get());
@@ -190,7 +192,7 @@ impl<'b> Reader<'b> {
         array
     }
 
-    /// So many bytes as they are.
+    /// The next `count` bytes, as they are.
     pub(crate) fn bytes(&mut self, count: usize) -> Result<&'b [u8], RestoreError> {
         let Some((bytes, rest)) = self.rest.split_at_checked(count) else {
             self.outcome = self.outcome.and(Err(RestoreError::Length));
@@ -205,7 +207,7 @@ impl<'b> Reader<'b> {
         self.outcome
     }
 
-    /// Checks that so many bytes and the checksum are left.
+    /// Checks that exactly this number of bytes and the checksum are left.
     pub(crate) fn check_left(&self, bytes: u128) -> Result<(), RestoreError> {
         if self.rest.len() as u128 == bytes + 8 { Ok(()) } else { Err(RestoreError::Length) }
     }

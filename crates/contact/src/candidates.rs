@@ -9,12 +9,12 @@ use crate::neighbours::NeighbourList;
 use crate::pair::Bounds;
 use crate::room::room_for;
 
-/// Computed by stage 2, `broad::pair`.
+/// The candidates of a step. Stage 2, `broad::pair`, computes them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
-    /// In the order of [`Candidate::key`]; by the coupled method sorted by island first.
+    /// The candidates, in the order of [`Candidate::key`]. The coupled method sorts them by island first.
     pub(crate) pairings: Vec<Pairing>,
-    /// Pairs that no `Pair` of the model names and that were near when the list was made.
+    /// Pairs of bodies that the model lists in no `Pair`, and that were near each other when this list was made.
     pub(crate) neighbours: NeighbourList,
 }
 
@@ -23,8 +23,8 @@ pub(crate) struct Candidates {
 pub(crate) struct Candidate {
     pub(crate) a: u32,
     pub(crate) b: u32,
-    /// 0: outline against outline. Else 1 + the place in `Model::faces` of a fender of one of the two, against the
-    /// other's outline.
+    /// 0: outline against outline. Otherwise 1 + the index in `Model::faces` of a fender of one of the two bodies; the
+    /// fender meets the outline of the other body.
     pub(crate) face: u32,
     pub(crate) material: MaterialId,
 }
@@ -33,12 +33,12 @@ pub(crate) struct Candidate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pairing {
     pub(crate) candidate: Candidate,
-    /// By the coupled method: the rank of a body that identifies the candidate's island. [`JOINED`] until that is
-    /// known, where both bodies float.
+    /// The rank of a body that identifies the candidate's island, in the coupled method. If both bodies float, it is
+    /// [`JOINED`] until the island is known.
     ///
     /// [`JOINED`]: crate::pair::JOINED
     pub(crate) island: u32,
-    /// Number of its pair: in `Model::pairs`, or beyond them in the neighbour list.
+    /// Number of the pair: an index into `Model::pairs`; larger numbers continue in the neighbour list.
     pub(crate) pair: u32,
 }
 
@@ -47,7 +47,7 @@ impl Candidate {
         (self.a, self.b, self.face)
     }
 
-    /// The fender, if it is one against an outline.
+    /// The fender, if the candidate is a fender against an outline.
     #[inline]
     pub(crate) fn fender<'m>(&self, model: &'m Model) -> Option<&'m RankedFender> {
         self.face.checked_sub(1).map(|index| &model.faces[index as usize])
@@ -55,7 +55,7 @@ impl Candidate {
 }
 
 impl Candidates {
-    /// With room for so many of them.
+    /// Candidates with room for `count` of them.
     pub(crate) fn with_room(model: &Model, count: usize) -> Candidates {
         let neighbours = match model.all_other_pairs {
             Some(_) => NeighbourList::with_room(model.bodies().len(), count),

@@ -66,7 +66,7 @@ impl fmt::Display for ModelError {
 
 impl core::error::Error for ModelError {}
 
-/// A step that failed. The memory is unchanged.
+/// A step that failed. The memory is unchanged after it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
@@ -98,8 +98,8 @@ pub enum StepError {
     },
     /// The memory belongs to another model.
     WrongModel,
-    /// A body on a pile in a step that cannot move it: by the paper's method, or of a host that moves its bodies itself.
-    /// [`crate::advance_from_engine_states`] and [`crate::advance_in_place`] can.
+    /// A body stands on a pile, and this step cannot move it. The paper's method cannot, and neither can a host that
+    /// moves its bodies itself. [`crate::advance_from_engine_states`] and [`crate::advance_in_place`] can.
     OnPile {
         /// Name of the body.
         body: String,
@@ -178,7 +178,8 @@ impl fmt::Display for RestoreError {
 
 impl core::error::Error for RestoreError {}
 
-/// A number for messages: the shortest text that parses to the same number, with an exponent where it would be long.
+/// A number for messages: the shortest text that parses to the same number. Very large and very small numbers have an
+/// exponent.
 ///
 /// ```
 /// use fenderline_contact::DisplayNumber;

@@ -1,4 +1,4 @@
-//! Events: each is reported when its cause begins, and not again while it lasts.
+//! Events. An event is reported when its cause begins, and not again while the cause lasts.
 
 use alloc::vec::Vec;
 
@@ -13,7 +13,8 @@ use crate::patch::Patch;
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
 
-/// Events for the old patches of a pair that no new one continues, or more than one does.
+/// Adds the events of a pair's old patches that end or split: no new patch continues such a patch, or more than one
+/// does.
 pub(crate) fn report_ends_and_splits(
     model: &Model,
     events: &mut Vec<Event>,
@@ -29,7 +30,7 @@ pub(crate) fn report_ends_and_splits(
     }
 }
 
-/// Events of one patch; lasting ones are reported once. Returns the flags to remember.
+/// Adds the events of one patch. A lasting event is reported once. Returns the flags to remember.
 #[inline(always)]
 pub(crate) fn report_patch(
     model: &Model,
@@ -50,14 +51,14 @@ pub(crate) fn report_patch(
     if let Some(face) = face {
         return report_fender(model, events, patch, face.id, touch.depth_m, reported);
     }
-    // Shortcut for most patches: they are smaller than half of any body.
+    // Shortcut for most patches: their area is less than half of any body's area.
     if !patch.contained && patch.area_m2 <= 0.5 * model.ranked.smallest_m2() {
         return 0;
     }
     report_deep_overlap(model, events, patch, reported)
 }
 
-/// One body lies within the other, or half of it does.
+/// Reports that one body, or half of it, lies within the other.
 #[inline(never)]
 fn report_deep_overlap(
     model: &Model,
@@ -68,7 +69,7 @@ fn report_deep_overlap(
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let [a_m2, b_m2] = [a, b].map(|rank| model.ranked.rest(rank as usize).area_m2);
     let smaller_m2 = lesser(a_m2, b_m2);
-    // The tolerance is for bodies that lie in several pieces of another: their area is a sum.
+    // The tolerance is for a body that overlaps several pieces of another: the area is then a sum with rounding errors.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;
     let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
@@ -77,7 +78,7 @@ fn report_deep_overlap(
     flags
 }
 
-/// A fender is beyond its rated deflection, or in its stop.
+/// Reports that a fender is beyond its rated deflection, or in its stop.
 #[inline(never)]
 fn report_fender(
     model: &Model,
@@ -91,7 +92,7 @@ fn report_fender(
     let travel_m = fender.stop.map_or(fender.projection_m, |stop| stop.from_m);
     let over = deflection_m > fender.rated_deflection_m;
     let failed = deflection_m > travel_m;
-    // Once per contact: a failed fender is not reported again when its deflection returns.
+    // Reported once per contact: a failed fender is not reported again when its deflection returns.
     let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
     let flags = now | (reported & (PatchMemory::CONTAINED | PatchMemory::DEEP));
     let kinds = [EventKind::FenderRatingExceeded(id), EventKind::FenderFailed(id)];
@@ -99,7 +100,7 @@ fn report_fender(
     flags
 }
 
-/// The events of the flags that are new.
+/// Adds the events of the flags that are new.
 #[inline]
 fn report_new(
     model: &Model,
@@ -117,7 +118,7 @@ fn report_new(
     }
 }
 
-/// Adds an event of the bodies of two ranks.
+/// Adds an event between two bodies, given by rank.
 #[cold]
 #[inline(never)]
 pub(crate) fn note(model: &Model, events: &mut Vec<Event>, a: u32, b: u32, kind: EventKind) {

@@ -1,16 +1,17 @@
 //! Force of a hull on a fender's face: the gradient of the stored energy.
 //!
-//! In the face's frame x runs from the face inwards and s along it; d(s) is the depth of the hull behind
-//! the face at s, and A the overlap of hull and fender. There are two energies; each needs one integral over A:
+//! In the face's frame x runs from the face inwards and s along the face. d(s) is the depth of the hull behind the face
+//! at s, and A is the overlap of hull and fender. The stored energy U has two forms, each of which needs one integral
+//! over A:
 //!
-//! - U = E(S/w), of a reaction curve R = E': S is the area of A. For a displacement of the hull
-//!   ∂S = ∮ n·∂r over the hull's part of A's boundary. As ∮ n over all of it is 0, that is minus the
-//!   integral over the fender's own sides, which are straight lines along the axes: closed forms.
-//! - U = ½ k ∫ d² ds = k ∬ x dA, of an elastic foundation: in the same way from ∮ x n = (S, 0).
+//! - U = E(S/w), for a reaction curve R = E': S is the area of A. A displacement of the hull changes the area by ∂S = ∮
+//!   n·∂r over the hull's part of A's boundary. As ∮ n over the whole boundary is 0, ∂S is minus the integral over the
+//!   fender's own sides. These sides are straight lines along the axes, so the integral has a closed form.
+//! - U = ½ k ∫ d² ds = k ∬ x dA, for an elastic foundation. This formula follows in the same way from ∮ x n = (S, 0).
 //!
-//! Only the overlap's outline is needed, not the hull's shape, and the force is exactly conservative for
-//! any hull. The simpler form (N = kS along the face's normal, through the centroid) lacks the lateral
-//! part ½k·Δ(d²) at the ends of the face: sliding along a tilted hull would then create energy.
+//! The method needs only the overlap's outline, not the hull's shape, and the force is exactly conservative for any
+//! hull. The simpler form (N = kS along the face's normal, through the centroid) lacks the lateral part ½k·Δ(d²) at the
+//! ends of the face. Sliding along a tilted hull would then create energy.
 
 use crate::angle::tilt_rad;
 use crate::face_frame::Frame;
@@ -20,26 +21,26 @@ use crate::panel::press::Pressed;
 use crate::reaction::FenderLaw;
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// Corners nearer than this to a side of the fender's zone lie on it (m): crossings are computed
-/// to about 1e-12 m.
+/// A corner nearer than this to a side of the fender's zone counts as on the side (m). Crossings are computed to about
+/// 1e-12 m.
 const ON_SIDE_M: f64 = 1e-9;
 
-/// Below this area an overlap has no meaningful centroid (m²), below this force no line of action (N):
-/// they would be quotients of rounding errors.
+/// An overlap with a smaller area has no meaningful centroid (m²), and a smaller force has no meaningful line of action
+/// (N): both would be quotients of rounding errors.
 const SMALLEST_AREA_M2: f64 = 1e-18;
 const SMALLEST_FORCE_N: f64 = 1e-6;
 
 /// A hull pressed on a fender, before the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
-    /// Direction in which the hull pushes the fender, and a point of the force's line, both in the frame
-    /// that the outline was given in.
+    /// Direction in which the hull pushes the fender, and a point on the force's line. Direction and point are in the
+    /// frame of the outline given.
     pub(crate) push: Vec2,
     pub(crate) point_m: Vec2,
     /// The two parts of the force along `push` (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// δ (m).
+    /// Deflection δ (m).
     pub(crate) deflection_m: f64,
     /// Energy stored in spring and stop (J).
     pub(crate) stored_j: f64,
@@ -54,13 +55,14 @@ pub(crate) struct Press {
 struct Integrals {
     /// Largest x.
     depth: f64,
-    /// Derivatives of S and ∬x dA by the hull's displacement along x and s and rotation about the face's middle.
+    /// Derivatives of S and ∬x dA with respect to the hull's displacement along x and s, and to rotation about the
+    /// face's middle.
     of_area: [f64; 3],
     of_moment: [f64; 3],
 }
 
 impl Frame {
-    /// The integrals of an overlap with this area and centroid, and the centroid in the face's frame.
+    /// Computes the integrals of an overlap with this area and centroid, and the centroid in the face's frame.
     // Inlined: a call costs a twelfth of a step of a ship at eight faces.
     #[inline(always)]
     fn integrals<'a>(
@@ -81,7 +83,7 @@ impl Frame {
             }
             sums.add(&from, &first);
         }
-        // Without a meaningful centroid: the middle of the face.
+        // If the centroid is not meaningful, the middle of the face is used.
         let is_meaningful = area_m2 > SMALLEST_AREA_M2;
         let centroid = if is_meaningful { self.to_face(centroid_m) } else { Vec2::ZERO };
         sums.complete(area_m2, centroid * area_m2);
@@ -89,8 +91,8 @@ impl Frame {
     }
 }
 
-/// The press of a patch with this area and centroid. `outlines` are the outlines of its overlaps, in a frame in which
-/// the fender's body has the pose `host`.
+/// Computes the press of a patch with this area and centroid. `outlines` are the outlines of the patch's overlaps, in a
+/// frame in which the fender's body has the pose `host`.
 pub(crate) fn press<'a>(
     ranked: &RankedFender,
     fender: &Fender,
@@ -135,7 +137,7 @@ pub(crate) fn press<'a>(
     }
 }
 
-/// As [`press`], of a fender whose panel is pressed by the whole hull.
+/// Does as [`press`] for a fender with a panel, which the whole hull presses.
 pub(crate) fn press_panel<'a>(
     ranked: &RankedFender,
     pressed: &Pressed,
@@ -160,20 +162,21 @@ pub(crate) fn press_panel<'a>(
     }
 }
 
-/// The direction of a force of this size and torque about the face's middle, and the point of its line nearest to the centroid.
+/// The direction of a force of this size, with this torque about the face's middle, and the point of the force's line
+/// nearest to the centroid.
 #[inline(always)]
 fn line_of_action(force_n: Vec2, size_n: f64, torque_nm: f64, centroid_m: Vec2) -> (Vec2, Vec2) {
     if size_n > SMALLEST_FORCE_N {
         let off = (centroid_m.cross(force_n) - torque_nm) / (size_n * size_n);
         (force_n * (1.0 / size_n), centroid_m + force_n.quarter_turn() * off)
     } else {
-        // A hull wholly within the zone has no energy gradient: it is pushed out along the axis.
+        // A hull wholly within the zone has no energy gradient: the force pushes it out along the axis.
         (vec2(1.0, 0.0), centroid_m)
     }
 }
 
-/// A corner of an outline in the face's frame, and which of the fender's own sides it lies on.
-// The zone's far end is not a side: a hull that deep is still pushed out.
+/// A corner of an outline in the face's frame, and the fender's own sides on which it lies.
+// The far end of the zone does not count as a side: a hull that deep is still pushed out.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
     at: Vec2,
@@ -197,13 +200,13 @@ impl Corner {
 }
 
 impl Integrals {
-    /// Adds one edge of an outline that is walked in the positive sense.
+    /// Adds one edge of an outline. The outline is walked in the positive sense.
     #[inline(always)]
     fn add(&mut self, Corner { at: from, sides }: &Corner, to: &Corner) {
         let (both, to) = (sides & to.sides, to.at);
         self.depth = greater(self.depth, to.x);
         if both & Corner::FACE != 0 {
-            // On the face, outward normal −x.
+            // The edge lies on the face: outward normal −x.
             let (length, middle) = (from.y - to.y, 0.5 * (from.y + to.y));
             self.of_area[0] += length;
             self.of_area[2] -= middle * length;
@@ -213,7 +216,7 @@ impl Integrals {
         }
     }
 
-    /// A segment of a lateral side, outward normal ±s: subtracts its integrals.
+    /// Subtracts the integrals of a segment of a lateral side, whose outward normal is ±s.
     fn side(&mut self, low: f64, high: f64, outward: f64) {
         let squares = 0.5 * (high * high - low * low);
         let cubes = (high * high * high - low * low * low) * (1.0 / 3.0);
@@ -223,7 +226,7 @@ impl Integrals {
         self.of_moment[2] -= outward * cubes;
     }
 
-    /// Adds the terms of the whole outline, with this area and moments ∬ x dA and ∬ s dA.
+    /// Adds the terms of the whole outline. `area` and `moment` are its area and its moments ∬ x dA and ∬ s dA.
     fn complete(&mut self, area: f64, moment: Vec2) {
         self.of_moment[0] += area;
         self.of_moment[2] -= moment.y;

@@ -2,7 +2,7 @@
 
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A fender's face in another frame: the direction inwards, that along the face, and its middle.
+/// A fender's face in another frame: the direction inwards, the direction along the face, and the face's middle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     pub(crate) inward: Vec2,
@@ -17,19 +17,19 @@ impl Frame {
         Frame { inward, along: inward.quarter_turn(), face_m: host.apply(face_m) }
     }
 
-    /// A place in the face's frame.
+    /// Transforms a place into the face's frame.
     #[inline(always)]
     pub(crate) fn to_face(self, v: Vec2) -> Vec2 {
         self.turned_to_face(v - self.face_m)
     }
 
-    /// A direction in the face's frame.
+    /// Transforms a direction into the face's frame.
     #[inline(always)]
     pub(crate) fn turned_to_face(self, v: Vec2) -> Vec2 {
         vec2(v.dot(self.inward), v.dot(self.along))
     }
 
-    /// A direction of the face's frame in the other.
+    /// Transforms a direction from the face's frame into the other frame.
     pub(crate) fn turned(self, v: Vec2) -> Vec2 {
         self.inward * v.x + self.along * v.y
     }

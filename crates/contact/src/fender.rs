@@ -18,59 +18,59 @@ use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// A fender on a quay, on a tug's bow or along a ship's belting.
 ///
-/// A fender touches the outlines of all bodies that form a [`crate::Pair`] with its own body. The pair's
-/// material is the solid structure behind the fender; friction, restitution and damping are those of the
-/// fender's own material.
+/// A fender touches the outlines of all bodies that form a [`crate::Pair`] with the fender's body. The pair's material
+/// describes the solid structure behind the fender. The fender's own material gives friction, restitution and damping.
 ///
-/// The force is the gradient of the stored energy (see [`FenderLaw`]), so a frictionless closed loop does no
-/// work on any path. It points along the face's axis where a corner presses on the face, and is
-/// perpendicular to the hull where a flat side covers the whole face. With an [`Unloading`] law it is the
-/// gradient of the energy that the fender can return, and a closed loop dissipates what that law gives.
+/// The force is the gradient of the stored energy (see [`FenderLaw`]). So a closed path without friction does no work.
+/// Where a corner presses on the face, the force points along the face's axis. Where a flat side covers the whole face,
+/// the force is perpendicular to the hull. With an [`Unloading`] law the force is the gradient of the energy that the
+/// fender can return, and a closed path dissipates what the law says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fender {
     /// Name, used in errors.
     pub name: String,
-    /// Determines the order of sums among the fenders of one body; unique on that body.
+    /// Key of the fender, unique on its body. Sums over the fenders of a body run in the order of the keys.
     pub key: u64,
-    /// The body on which it is mounted.
+    /// The body on which the fender is mounted.
     pub body: BodyId,
-    /// Middle of its mounting line, in the body's frame (m).
+    /// Middle of the fender's mounting line, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction in which the fender faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
     /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// Reaction from deflection.
+    /// Reaction force as a function of deflection.
     pub law: FenderLaw,
-    /// How the reaction falls when the hull moves away, by the coupled method; it replaces the material's
+    /// How the reaction falls when the hull moves away. Used by the coupled method, in place of the material's
     /// restitution. `None`: restitution alone.
     pub unloading: Option<Unloading>,
-    /// Friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
+    /// Material that gives friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
     pub material: MaterialId,
-    /// Rated deflection (m). Beyond it [`crate::EventKind::FenderRatingExceeded`] is reported; compression
-    /// times are those to this deflection.
+    /// Rated deflection (m). A larger deflection is reported as [`crate::EventKind::FenderRatingExceeded`]. Compression
+    /// times are times to reach the rated deflection.
     pub rated_deflection_m: f64,
-    /// The stop at the end of its travel; `None` for a curve that includes it.
+    /// The stop at the end of the fender's travel; `None` if the curve includes the stop.
     pub stop: Option<Stop>,
-    /// Corrections of its reaction.
+    /// Corrections of the fender's reaction.
     pub factors: ReactionFactors,
-    /// A panel on several fenders side by side; `None`: one fender, or several as one behind a face that does not turn.
+    /// A panel in front of several fenders side by side. `None`: one fender, or several treated as one behind a face
+    /// that does not turn.
     pub panel: Option<Panel>,
 }
 
-/// Corrections of a fender's reaction; they are multiplied. The factors by speed and angle are evaluated when
-/// a contact begins and kept until it ends: a berthing has one speed and one angle, and a factor that
-/// changed under load would create or destroy stored energy.
+/// Corrections of a fender's reaction. The factors are multiplied. The factors by speed and angle are evaluated when a
+/// contact begins and kept until it ends: a berthing has one speed and one angle, and a factor that changed under load
+/// would create or destroy stored energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReactionFactors {
     /// Temperature, manufacturing tolerance and other factors that are constant in a run.
     pub constant: f64,
-    /// Points (compression time (s), factor) in order of time, with straight lines between them and
-    /// constant beyond both ends. The time is δ_rated/(0.74 V) at the approach speed V. Empty: 1.
+    /// Points (compression time (s), factor) in order of time. The factor is linear between points and constant beyond
+    /// both ends. The time is δ_rated/(0.74 V) at the approach speed V. An empty list means a factor of 1.
     pub by_compression_time: Vec<[f64; 2]>,
-    /// Points (angle between face and hull (rad), factor), likewise. Empty: 1.
+    /// Points (angle between face and hull (rad), factor) in order of angle, used in the same way.
     pub by_angle: Vec<[f64; 2]>,
 }
 
@@ -87,14 +87,14 @@ impl ReactionFactors {
         held(&self.by_angle, angle_rad)
     }
 
-    /// The compression time (s), by which factors by speed are tabulated, of a contact that begins at a speed (m/s) with a fender of a rated
-    /// deflection (m): that to the rated deflection at 0.74 of the speed at first touch. 0.74 is from a public calculator for cone fenders.
+    /// The compression time of a contact (s): the time to the rated deflection (m) at 0.74 of the speed at first touch
+    /// (m/s). Factors by speed are tabulated by this time. The 0.74 is from a public calculator for cone fenders.
     #[must_use]
     pub fn compression_time_s(speed_mps: f64, rated_deflection_m: f64) -> f64 {
         rated_deflection_m / (0.74 * greater(speed_mps, 1e-9))
     }
 
-    /// The factor of a contact that begins at a speed (m/s) and an angle (rad).
+    /// The factor of a contact that begins at this speed (m/s) and angle (rad).
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
         let time_s = ReactionFactors::compression_time_s(speed_mps, rated_deflection_m);
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
@@ -113,37 +113,37 @@ impl ReactionFactors {
 #[derive(Clone, Debug)]
 pub(crate) struct RankedFender {
     pub(crate) id: FenderId,
-    /// Rank of the body that carries it.
+    /// Rank of the body that carries the fender.
     pub(crate) host: u32,
     pub(crate) key: u64,
     pub(crate) material: MaterialId,
-    /// The region in which the hull compresses it: from the face inwards, to twice the projection.
+    /// The region in which a hull compresses the fender: from the face inwards, to twice the projection.
     pub(crate) zone: ConvexPolygon,
-    /// Middle of the face, and the direction from it to the mounting, in the body's frame.
+    /// Middle of the face, and the direction from the face to the mounting, in the body's frame.
     pub(crate) face_m: Vec2,
     pub(crate) inward: Vec2,
     pub(crate) width_m: f64,
-    /// Upper bound of the product of its factors.
+    /// Upper bound on the product of the fender's factors.
     pub(crate) largest_factor: f64,
     pub(crate) bounds: FenderBounds,
-    /// Whether it has an unloading law.
+    /// Whether the fender has an unloading law.
     pub(crate) unloads: bool,
-    /// The springs behind its panel.
+    /// The springs behind the fender's panel, if it has one.
     pub(crate) panel: Option<PanelLaw>,
 }
 
-/// Bounds on a fender's forces on any hull. In most steps they show that it needs no sub-steps.
+/// Bounds on a fender's forces on any hull. In most steps these bounds show that the fender needs no sub-steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FenderBounds {
-    /// The steepest slope of its reaction curve with the largest factors, without the stop (N/m).
+    /// The steepest slope of the reaction curve with the largest factors, without the stop (N/m).
     pub(crate) spring_npm: f64,
-    /// Deflection at which the stop begins; infinite where there is none (m).
+    /// Deflection at which the stop begins; infinite without a stop (m).
     pub(crate) stop_from_m: f64,
-    /// Of the damper (N·s/m).
+    /// Damping of the damper (N·s/m).
     pub(crate) damping_nspm: f64,
     pub(crate) projection_m: f64,
-    /// Distance from its body's centre of gravity to the middle of its face, and from there to the farthest
-    /// corner of its zone (m).
+    /// Distance from the body's centre of gravity to the middle of the face, and from there to the farthest corner of
+    /// the zone (m).
     pub(crate) arm_m: f64,
     pub(crate) spread_m: f64,
 }
@@ -195,14 +195,14 @@ impl RankedFender {
         }
     }
 
-    /// From the frame of a hull to the face's: x inwards from the face's middle, y along it. Both bodies' poses are in one
-    /// frame.
+    /// Transforms from the frame of a hull to the face's frame: x inwards from the face's middle, y along the face. The
+    /// poses of both bodies are in one frame.
     pub(crate) fn hull_to_face(&self, host: Pose, hull: Pose) -> impl Fn(Vec2) -> Vec2 + use<> {
         let frame = Frame::of(self.inward, self.face_m, host);
         move |v: Vec2| frame.to_face(hull.apply(v))
     }
 
-    /// The state of its panel's chains: parted ones by the list, with the factor of the contact.
+    /// The state of the chains of the fender's panel: which of them have parted, by the list, and the contact's factor.
     pub(crate) fn chain_state(
         &self,
         number: u32,
@@ -217,7 +217,7 @@ impl RankedFender {
         }
     }
 
-    /// Where its panel can meet a hull, in the face's frame.
+    /// The region, in the face's frame, in which the fender's panel can meet a hull.
     pub(crate) fn panel_reach(&self) -> Reach {
         let far_m = 2.0 * self.bounds.projection_m;
         // A panel that is turned by 45 degrees reaches as far out as it is wide.
@@ -225,7 +225,7 @@ impl RankedFender {
         Reach { half_width_m: 0.5 * self.width_m, far_m, near_m }
     }
 
-    /// Largest distance of its zone's corners from the body's centre of gravity (m).
+    /// Largest distance of the zone's corners from the body's centre of gravity (m).
     pub(crate) fn reach_m(&self) -> f64 {
         self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }
@@ -292,7 +292,7 @@ mod tests {
             by_compression_time: vec![[1.0, 1.2], [3.0, 1.0]],
             by_angle: vec![[0.0, 1.0], [0.2, 0.8]],
         };
-        // t = 0.74/(0.74·0.5) = 2 s.
+        // The compression time is t = 0.74/(0.74·0.5) = 2 s.
         assert!((factors.at(0.5, 0.1, 0.74) - 1.1 * 1.1 * 0.9).abs() < 1e-12);
         assert!((factors.at(0.0, 9.0, 0.74) - 1.1 * 0.8).abs() < 1e-12);
     }

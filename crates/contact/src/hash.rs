@@ -1,4 +1,4 @@
-//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). It finds accidental changes; it gives no
+//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). The hash finds accidental changes; it gives no
 //! protection against deliberate ones.
 
 /// The 64-bit FNV-1a hash of the bytes added so far.
@@ -48,7 +48,7 @@ impl Fnv1a {
 mod tests {
     use super::Fnv1a;
 
-    /// The sums of "" and "a" are those that the Python package fnvhash gives.
+    /// The expected sums of "" and "a" are from the Python package fnvhash.
     #[test]
     fn known_hashes() {
         assert_eq!(Fnv1a::of(b""), 0xcbf2_9ce4_8422_2325);

@@ -1,25 +1,26 @@
-//! Hints of the overlap: where each clip of a step begins.
+//! Hints of the overlap: where the search of each clip begins.
 
 use alloc::vec::Vec;
 
 use crate::geometry::clip::Hint;
 use crate::memory::HintMemory;
 
-/// Reads the last step's hints and writes the next one's: where each clip begins.
+/// Reads the hints of the last step and writes the hints of the next step. A hint tells where the search of a clip
+/// begins.
 ///
-/// Most hints stay as they are and are copied in runs. If all of them stay nothing is copied: that saves 4 % of the
+/// Most hints stay unchanged and are copied in runs. If all hints stay, nothing is copied: this saves 4 % of the
 /// instructions of a step in which all contacts continue.
 pub(crate) struct Hints<'h> {
-    /// What is neither written nor dropped yet, sorted.
+    /// Hints that are neither written nor dropped yet, sorted.
     old: &'h [HintMemory],
-    /// What of it is still to be read.
+    /// The part of `old` that is still to be read.
     unread: &'h [HintMemory],
     next: &'h mut Vec<HintMemory>,
-    /// Nothing has been written or dropped yet.
+    /// Whether no hint has been written or dropped so far.
     all_stay: bool,
 }
 
-/// Ranks, face and pieces, as of [`HintMemory::key`].
+/// Ranks, face and pieces, as in [`HintMemory::key`].
 pub(crate) type HintKey = (u32, u32, u32, u32, u32);
 
 impl<'h> Hints<'h> {
@@ -29,8 +30,8 @@ impl<'h> Hints<'h> {
         Hints { old, unread: old, next, all_stay: true }
     }
 
-    /// The last step's hint for these pieces. It is kept unless [`Hints::replace`] follows. Both lists are sorted, so one
-    /// pass finds all.
+    /// The last step's hint for these pieces. The hint is kept unless [`Hints::replace`] follows. Both lists are
+    /// sorted, so one pass finds all.
     #[inline(always)]
     pub(crate) fn read(&mut self, wanted: HintKey) -> Option<Hint> {
         match self.unread {
@@ -42,7 +43,7 @@ impl<'h> Hints<'h> {
         }
     }
 
-    /// As [`Hints::read`], if others come before it or there is none.
+    /// Does as [`Hints::read`] if other hints come before the wanted one, or if there is none.
     #[inline(never)]
     fn search(&mut self, wanted: HintKey) -> Option<Hint> {
         let skipped = self.unread.iter().take_while(|hint| hint.key() < wanted).count();
@@ -58,14 +59,14 @@ impl<'h> Hints<'h> {
         })
     }
 
-    /// Copies all that was read.
+    /// Copies all hints that were read.
     fn write(&mut self) {
         let (read, unread) = self.old.split_at(self.old.len() - self.unread.len());
         self.next.extend_from_slice(read);
         (self.old, self.all_stay) = (unread, false);
     }
 
-    /// Replaces the hint that was read last. [`Hint::None`] is not stored.
+    /// Replaces the hint read last. [`Hint::None`] is not stored.
     #[inline]
     pub(crate) fn replace(&mut self, of: HintKey, before: Option<Hint>, hint: Hint) {
         let hint = (hint != Hint::None).then_some(hint);
@@ -84,7 +85,7 @@ impl<'h> Hints<'h> {
         self.next.extend(hint.map(|hint| HintMemory { a, b, face, piece_a, piece_b, hint }));
     }
 
-    /// Writes the rest. Returns true, and writes nothing, if all hints stay as they are.
+    /// Writes the remaining hints. If all hints stay unchanged, writes nothing and returns true.
     pub(crate) fn finish(mut self) -> bool {
         let all_stay = self.all_stay && self.unread.is_empty();
         if !all_stay {

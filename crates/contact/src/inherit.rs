@@ -1,9 +1,9 @@
-//! Stage 3b, inherit: which patch of this step continues which memory of the last.
+//! Stage 3b, inherit: finds which patch of this step continues which memory of the last step.
 //!
-//! A contact's memory belongs to its pair of bodies and its patch. It is kept while the contact moves from edge to edge
-//! and from piece to piece. When a patch splits, each part keeps the whole shear, and its share by area of areas and
-//! energies. When patches merge, the shear is their mean by area, areas and energies are added, and the reference speed is
-//! the largest.
+//! A contact's memory belongs to a pair of bodies and a patch. The memory is kept while the contact moves from edge to
+//! edge and from piece to piece. When a patch splits, each part keeps the whole shear, and gets a share of areas and
+//! energies in proportion to its area. When patches merge, the shear is their mean weighted by area, areas and energies
+//! are added, and the reference speed is the largest of theirs.
 
 use alloc::vec::Vec;
 
@@ -18,19 +18,19 @@ use crate::patch::{Patch, Place};
 use crate::report::{Event, EventKind};
 use crate::room::room_for;
 
-/// What the patches of a (sub-)step inherit. Computed by [`Inheritance::find`].
+/// The memory that the patches of a step or sub-step inherit. Computed by [`Inheritance::find`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Inheritance {
-    /// One entry a patch.
+    /// One entry per patch.
     pub(crate) inherited: Vec<Inherited>,
     /// Memories made from parts of old ones.
     pub(crate) shares: Vec<PatchMemory>,
-    /// Of the pair in hand.
+    /// Buffers for the present pair.
     matching: Matching,
 }
 
 impl Inheritance {
-    /// With room for so many patches.
+    /// Buffers with room for this number of patches.
     pub(crate) fn with_room(patches: usize) -> Inheritance {
         Inheritance { inherited: room_for(patches), ..Inheritance::default() }
     }
@@ -53,7 +53,8 @@ impl Inheritance {
         let mut old = &last[matched..];
         let mut patches = &patches[matched..];
         loop {
-            // Most patches continue the old one in its place. Matching them first saves 12 % of the paper's method.
+            // Most patches continue the old patch at the same place in the list. Matching these first saves 12 % of a
+            // step of the paper's method.
             if past.displaced.teleported.is_empty() {
                 let count = (0..patches.len().min(old.len()))
                     .take_while(|&index| continues_alone(patches, old, index))
@@ -88,7 +89,7 @@ impl Inheritance {
         old.iter().for_each(|m| note(model, events, m.a, m.b, EventKind::ContactEnded));
     }
 
-    /// Adds what the patches of a pair inherit from the old ones that they continue.
+    /// Adds what the patches of a pair inherit from the old patches that they continue.
     fn add_several(&mut self, old: &[PatchMemory], patches: &[Patch]) {
         let Inheritance { inherited, shares, matching } = self;
         let mut matches = matching.matches.as_slice();
@@ -111,7 +112,8 @@ impl Inheritance {
     }
 }
 
-/// The memory of a patch that continues all of these, and whether these are several. `None` if there is none.
+/// The memory of a patch that continues all these old patches, and whether they are more than one. `None` if there is
+/// none.
 fn merge(mut parents: impl Iterator<Item = PatchMemory>) -> Option<(PatchMemory, bool)> {
     let mut merged = parents.next()?;
     let mut several = false;
@@ -139,7 +141,7 @@ fn merge(mut parents: impl Iterator<Item = PatchMemory>) -> Option<(PatchMemory,
     Some((merged, several))
 }
 
-/// Does patch number `index` continue the old patch of the same number, each being the only patch of its pair?
+/// Does patch number `index` continue the old patch of the same number? Each must be the only patch of its pair.
 #[inline(always)]
 pub(crate) fn continues_alone(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
     let (patch, memory) = (&patches[index], &old[index]);
@@ -149,7 +151,7 @@ pub(crate) fn continues_alone(patches: &[Patch], old: &[PatchMemory], index: usi
         && (patch.place().is_none() || are_only_ones(patches, old, index))
 }
 
-/// Are this patch and this old one the only ones of their pair?
+/// Are this patch and this old patch the only ones of their pair?
 #[inline(never)]
 fn are_only_ones(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
     patches[index].number == 0
@@ -157,7 +159,8 @@ fn are_only_ones(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
         && old.get(index + 1).is_none_or(|memory| memory.patch == 0)
 }
 
-/// Takes the old patches of candidates before `key`, and those of the candidate itself, off the sorted `memory`.
+/// Removes the old patches of candidates before `key` from the sorted `memory`, and removes and returns those of the
+/// candidate itself.
 #[inline]
 fn take_pair<'a>(
     memory: &mut &'a [PatchMemory],
@@ -171,8 +174,8 @@ fn take_pair<'a>(
     (before, own)
 }
 
-/// The share of a parent's memory that falls to `patch`, one of its heirs. Area and energies are shared by area: a split
-/// is no loss of area to the damper.
+/// The share of a parent's memory that falls to `patch`, one of the parent's heirs. Area and energies are shared in
+/// proportion to area, so the damper sees no loss of area in a split.
 fn share_of(parent: &PatchMemory, heirs: Heirs, patch: &Patch) -> PatchMemory {
     let share = patch.area_m2 / heirs.area_m2;
     PatchMemory {

@@ -1,23 +1,23 @@
-//! What a patch inherits from the last step.
+//! The memory that a patch inherits from the last step.
 
 use crate::memory::PatchMemory;
 
-/// What a patch inherits from the last step.
+/// The memory that a patch inherits from the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Inherited {
     /// Nothing: a new contact.
     Nothing,
-    /// One old patch, unchanged: its place in the last step's patches.
+    /// One old patch, unchanged. The number is its place in the last step's patches.
     One(u32),
-    /// A share of one old patch that has split: its place in `Inheritance::shares`.
+    /// A share of one old patch that has split. The number is the place in `Inheritance::shares`.
     Part(u32),
-    /// Several old patches that have merged: their mean shear, weighted by area (the shear is a displacement: it neither
-    /// adds up nor is lost), and the largest speed at first touch. Its place in `Inheritance::shares`.
+    /// Several old patches that have merged: their mean shear, weighted by area, and the largest speed at first touch.
+    /// The shear is a displacement: it neither adds up nor is lost. The number is the place in `Inheritance::shares`.
     Merged(u32),
 }
 
 impl Inherited {
-    /// The memory itself; `old` are the last step's patches.
+    /// The inherited memory; `old` are the last step's patches.
     #[inline]
     pub(crate) fn of<'m>(
         self,

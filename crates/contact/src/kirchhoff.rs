@@ -16,16 +16,16 @@ pub(crate) struct Kirchhoff {
     coupling: f64,
 }
 
-/// The square of the error at which the fixed-point iteration ends, relative to velocities of the body's energy: an eighth of a
-/// unit in the last place.
+/// The fixed-point iteration ends at this error, squared: an eighth of a unit in the last place, relative to velocities
+/// of the body's energy.
 const ERROR_SQUARED: f64 = f64::EPSILON * f64::EPSILON / 64.0;
 
-/// Most parts of a sub-step: bounded work. Velocities that would turn faster are left unchanged.
+/// Most parts of a sub-step. This limit bounds the work: velocities that would need more parts are left unchanged.
 const MOST_PARTS: f64 = 64.0;
 
 impl Kirchhoff {
-    /// For masses in surge, sway and yaw (kg, kg, kg·m²). `None` if surge and sway have the same mass: the momentum does not
-    /// turn then.
+    /// The equations for masses in surge, sway and yaw (kg, kg, kg·m²). `None` if surge and sway have the same mass:
+    /// then the momentum does not turn.
     pub(crate) fn new(surge_kg: f64, sway_kg: f64, yaw_kgm2: f64) -> Option<Kirchhoff> {
         let (sway_by_surge, surge_by_sway) = (sway_kg / surge_kg, surge_kg / sway_kg);
         (surge_kg != sway_kg).then_some(Kirchhoff {
@@ -41,9 +41,9 @@ impl Kirchhoff {
     ///
     /// m_x u̇ = m_y v r, m_y v̇ = −m_x u r, I ṙ = −(m_y − m_x) u v,
     ///
-    /// by the implicit midpoint rule. It conserves the kinetic energy exactly, so a body that nothing touches neither gains
-    /// nor loses energy by the time step. `before` is the attitude that the velocities in `state` belong to, `after` the
-    /// one that the body has turned to.
+    /// by the implicit midpoint rule. This rule conserves the kinetic energy exactly, so the time step neither adds
+    /// energy to a body that touches nothing nor takes energy from it. `before` is the attitude to which the velocities
+    /// in `state` belong, `after` the attitude to which the body has turned.
     #[inline]
     pub(crate) fn turn(&self, state: &mut BodyState, before: Rotation, after: Rotation, h: f64) {
         let own = before.apply_inverse(state.velocity_mps);
@@ -58,8 +58,8 @@ impl Kirchhoff {
         state.yaw_rate_radps = velocity.2;
     }
 
-    /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In √m_x u,
-    /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
+    /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In the variables
+    /// √m_x u, √m_y v and √I r, with ρ² for twice the energy, the Frobenius norm of the equations' Jacobian is at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     #[inline]
     fn rate_squared(&self, velocity: (f64, f64, f64)) -> f64 {
@@ -72,18 +72,19 @@ impl Kirchhoff {
         self.surge_by_yaw * u * u + self.sway_by_yaw * v * v + r * r
     }
 
-    /// A step in which they turn too far for one fixed-point iteration.
+    /// Does a step in several parts, if the velocities turn too far for one fixed-point iteration.
     #[cold]
     #[inline(never)]
     fn in_parts(&self, velocity: (f64, f64, f64), h: f64, parts: u32) -> (f64, f64, f64) {
         (0..parts).fold(velocity, |velocity, _| self.part(velocity, h / f64::from(parts), 1.0))
     }
 
-    /// One step of the midpoint rule, by a fixed point of the mean velocities. `turns_squared` is a bound on h² times
-    /// [`Kirchhoff::rate_squared`], at most 1.
+    /// One step of the midpoint rule. A fixed-point iteration finds the mean velocities. `turns_squared` is a bound on
+    /// h² times [`Kirchhoff::rate_squared`], at most 1.
     ///
-    /// A round divides the error in √m_x u, √m_y v and √I r by two over √`turns_squared` at least, so the start is wrong by at most
-    /// twice what the first round changes. That bounds the number of rounds: one for a body that goes straight ahead.
+    /// A round divides the error in √m_x u, √m_y v and √I r by at least 2/√`turns_squared`. So the error of the start
+    /// is at most twice the change by the first round. This bounds the number of rounds: one round for a body that goes
+    /// straight ahead.
     #[inline]
     fn part(&self, start: (f64, f64, f64), h: f64, turns_squared: f64) -> (f64, f64, f64) {
         let ((u0, v0, r0), half_s) = (start, 0.5 * h);
@@ -149,14 +150,15 @@ mod tests {
             ship.turn(&mut state, before, after, 0.1);
             assert!((energy(&state) / start_j - 1.0).abs() < 1e-12);
         }
-        // The heading goes by the yaw rate at each step's start: momentum is kept to first order in it.
+        // The heading changes by the yaw rate at the start of each step, so momentum is kept to first order in the
+        // step.
         let off = (momentum(&state) - start).length() / start.length();
         assert!(off < 0.02, "{off}");
         assert!(state.heading_rad.abs() > 0.5, "she has turned: {}", state.heading_rad);
     }
 
-    /// The fixed point diverged in steps of many seconds: a tug at 6 m/s nearly doubled her energy in one of 5 s, and
-    /// a step of a minute was refused, though she was alone.
+    /// The fixed point diverged in steps of many seconds. A tug at 6 m/s nearly doubled her energy in one step of 5 s,
+    /// and a step of a minute was refused although she was alone.
     #[test]
     fn a_free_body_conserves_energy_in_steps_of_any_length() {
         for masses in [SHIP, TUG] {
@@ -175,7 +177,8 @@ mod tests {
         }
     }
 
-    /// The midpoint rule holds to rounding for slow and fast velocities, in steps up to the longest without parts.
+    /// The iteration gives the midpoint rule to rounding, for slow and fast velocities, in steps up to the longest that
+    /// is not divided.
     #[test]
     fn the_iteration_ends_at_the_midpoint_rule() {
         for masses in [SHIP, TUG] {
@@ -199,7 +202,7 @@ mod tests {
                             r0 - h * (sway_kg - surge_kg) / yaw_kgm2 * u * v - r1,
                         );
                         let all_j = twice_energy_j(masses, vec2(u0, v0), r0);
-                        // A few roundings of each number.
+                        // The error is at most a few roundings of each number.
                         assert!(off_j <= 1e-31 * all_j, "{start:?}, {h} s: {off_j} of {all_j}");
                     }
                 }

@@ -1,4 +1,4 @@
-//! The overlaps of a (sub-)step: lenses of convex pieces, and the patches that they make up.
+//! The overlaps of a step or sub-step: lenses of convex pieces, and the patches made up of them.
 
 use alloc::vec::Vec;
 
@@ -15,35 +15,35 @@ pub(crate) struct PieceLens {
     pub(crate) contained: bool,
     pub(crate) piece_a: u32,
     pub(crate) piece_b: u32,
-    /// Vertices in [`Overlap::outline_m`].
+    /// The lens's vertices in [`Overlap::outline_m`].
     pub(crate) vertices: (u32, u32),
-    /// The box about them, in A's frame.
+    /// The box around the vertices, in A's frame.
     pub(crate) extent: Extent,
     /// Number of the connected patch, within the pair.
     pub(crate) patch: u32,
 }
 
 impl PieceLens {
-    /// Its corners, of those of all lenses (m).
+    /// The corners of this lens, out of the corners of all lenses (m).
     pub(crate) fn corners_m<'a>(&self, outline_m: &'a [Vec2]) -> &'a [Vec2] {
         &outline_m[self.vertices.0 as usize..self.vertices.1 as usize]
     }
 }
 
-/// The overlaps of a (sub-)step. Computed by `overlap::overlap`.
+/// The overlaps of a step or sub-step. Computed by `overlap::overlap`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Overlap {
     pub(crate) patches: Vec<Patch>,
-    /// Where the patches of non-convex bodies lie.
+    /// The places of the patches of non-convex bodies.
     pub(crate) places: Vec<Place>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
-    /// Lenses of one pair by their low ends, while those that share a seam are sought.
+    /// Lenses of one pair by their low ends. Used while lenses that share a seam are sought.
     pub(crate) by_low_end: Vec<(f64, u32)>,
 }
 
 impl Overlap {
-    /// With room for so many patches, of four corners each.
+    /// Buffers with room for this number of patches of four corners each.
     pub(crate) fn with_room(patches: usize) -> Overlap {
         Overlap {
             patches: room_for(patches),

@@ -1,17 +1,19 @@
 //! Contact forces between ships, fenders, quays and tugs, in the horizontal plane and in real time.
 //!
-//! Give the engine the state of each body and the other forces on it; [`advance`] returns the contact
-//! wrench on each body for one time step. All contacts of the step are solved together with those forces,
-//! in sub-steps where a contact is too stiff for the step. So a ship rests on her fenders at her static
-//! deflection, and a step of 2 s gives the peak force of a step of 0.01 s. The same input gives the same
-//! bits on every machine.
+//! Give the engine the state of each body and the other forces on it. [`advance`] returns the contact wrench on each
+//! body for one time step. The engine solves all contacts of the step together with the other forces. If a contact is
+//! too stiff for the step, the engine takes sub-steps. So a ship rests on her fenders at her static deflection, and a
+//! step of 2 s gives the same peak force as a step of 0.01 s. The same input gives the same bits on every machine.
 //!
 //! # The parts
 //!
-//! - [`Model`]: bodies with their outlines and masses, materials, fenders, and which bodies may touch. It is constant.
-//! - [`BodyState`]: position, heading and velocity of one body. [`Wrench`]: a force and a moment on it.
-//! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy it to branch a run; save and restore it as bytes.
-//! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. Later steps do not depend on it.
+//! - [`Model`]: bodies with their outlines and masses, materials, fenders, and the pairs of bodies that may touch. The
+//!   model is constant.
+//! - [`BodyState`]: position, heading and velocity of one body. [`Wrench`]: a force and a moment on a body.
+//! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy the memory to branch a run;
+//!   save it as bytes and restore it.
+//! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. No step
+//!   depends on what former steps left in the workspace.
 //!
 //! Units are SI. Positions are earth-fixed, north and east; headings and moments are clockwise, seen from
 //! above. Outlines are in the body's frame: *x* forward, *y* to starboard, origin at the centre of gravity.
@@ -75,26 +77,26 @@
 //!
 //! | Your program | Call |
 //! |---|---|
-//! | lets the engine move the bodies | [`advance_in_place`], or [`advance_from_engine_states`] where the states stay yours |
+//! | lets the engine move the bodies | [`advance_in_place`], or [`advance_from_engine_states`] where you keep the states yourself |
 //! | integrates the bodies itself, by any method and with any time step | [`DirectHost`] |
 //! | passes states that are some steps old, or does not know its loads, as a co-simulation master | [`CoSimHost`] |
 //! | reproduces the paper's experiments | [`step()`] |
 //!
-//! [`advance`] takes the given states as they are. Its forces are right for a step of any length: a step of 2 s is
-//! sub-stepped and has the peak of one of 0.01 s. But a host that moves its bodies by the mean wrench of a long step ends up
-//! to ½ a Δt² from the engine's own motion, and the next step starts there: contacts that last for several such steps
-//! chatter. A [`DirectHost`] continues the engine's motion while bodies touch, and gives the wrench that keeps the host's
-//! bodies with it. Where Δt is short for the contact, as above, or the engine moves the bodies, there is no difference.
+//! [`advance`] starts from the states that you pass. The forces of [`advance`] are right for a step of any length: a
+//! step of 2 s is sub-stepped and has the same peak force as a step of 0.01 s. But a host that moves its bodies by the
+//! mean wrench of a long step ends up to ½ a Δt² from the engine's own motion. The next step starts there, so contacts
+//! that last for several such steps chatter. A [`DirectHost`] continues the engine's motion while bodies touch, and
+//! returns the wrench that keeps the host's bodies with the engine's. If Δt is short for the contact, as in the
+//! example, or if the engine moves the bodies, the two are the same.
 //!
 //! Worked programs are in `examples/`: `berthing`, `fender_curve`, `own_integrator`, `save_and_restore`.
 //!
 //! # The paper
 //!
-//! The contact law is that of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force Modelling
-//! for a Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023; equation numbers in this crate are
-//! the paper's. `docs/contact_model.md` has the equations with the misprints corrected, and the coupled
-//! method. The paper limits each pair of bodies by itself and does not know the loads; [`step()`] does
-//! exactly that, for comparison.
+//! The contact law is that of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force Modelling for a
+//! Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023. Equation numbers in this crate are the paper's.
+//! `docs/contact_model.md` has the equations with the misprints corrected, and the coupled method. The paper limits
+//! each pair of bodies by itself and does not know the loads. [`step()`] does exactly that, for comparison.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -3,8 +3,8 @@
 use crate::levers::Levers;
 use crate::vec2::{Rotation, Vec2, vec2};
 
-/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)).
-/// All zero for a fixed body: work with inverses, never with infinities.
+/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)). All zero for a fixed
+/// body: the inverse avoids infinities.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct InverseMatrix {
     xx: f64,
@@ -16,18 +16,18 @@ pub(crate) struct InverseMatrix {
 }
 
 impl InverseMatrix {
-    /// Of a body with the same mass in all directions.
+    /// The inverse for a body with the same mass in all directions.
     pub(crate) fn isotropic(mass_kg: f64, yaw_inertia_kgm2: f64) -> InverseMatrix {
         let inverse = 1.0 / mass_kg;
         InverseMatrix { xx: inverse, yy: inverse, rr: 1.0 / yaw_inertia_kgm2, ..Self::default() }
     }
 
-    /// Of a body that does not turn, with the same mass in all directions (1/kg).
+    /// The inverse for a body that does not turn and has the same mass in all directions (1/kg).
     pub(crate) fn unturnable(per_kg: f64) -> InverseMatrix {
         InverseMatrix { xx: per_kg, yy: per_kg, ..Self::default() }
     }
 
-    /// Inverts a symmetric matrix; `None` where it is not positive definite.
+    /// Inverts a symmetric matrix; `None` if it is not positive definite.
     pub(crate) fn of(m: &[[f64; 3]; 3]) -> Option<InverseMatrix> {
         let [[a, b, c], [_, d, e], [_, _, f]] = *m;
         let (minor_xx, minor_xy, minor_xr) = (d * f - e * e, c * e - b * f, b * e - c * d);
@@ -47,7 +47,8 @@ impl InverseMatrix {
         })
     }
 
-    /// The matrix in earth-fixed axes, for a body turned by `rotation`. Without need where it is isotropic.
+    /// The matrix in earth-fixed axes, for a body turned by `rotation`. An isotropic matrix does not change and needs
+    /// no call.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
         let Rotation { cos, sin } = rotation;
@@ -62,7 +63,7 @@ impl InverseMatrix {
         }
     }
 
-    /// Is the mass equal in all directions? Compared by bits, as [`InverseMatrix::isotropic`] sets them.
+    /// Is the mass equal in all directions? The test compares the bits that [`InverseMatrix::isotropic`] sets.
     #[inline]
     pub(crate) fn is_isotropic(&self) -> bool {
         let coupled = self.xy.to_bits() | self.xr.to_bits() | self.yr.to_bits();
@@ -122,7 +123,8 @@ impl InverseMatrix {
     }
 }
 
-/// Response (inverse effective mass) at a contact: velocity changes by impulses along n and t, n turned by +90° (1/kg).
+/// Response (inverse effective mass) at a contact: velocity changes by impulses along n and t (1/kg). t is n turned by
+/// +90°.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Response {
     /// n·K n, t·K n and t·K t.
@@ -131,14 +133,15 @@ pub(crate) struct Response {
     pub(crate) tangential: f64,
     /// n·K n without rotation.
     pub(crate) linear: f64,
-    /// Only one body floats, and its mass is equal in all directions: `linear` is its inverse mass, and
-    /// `inverse_inertia` the inverse of its inertia in yaw (1/(kg·m²)).
+    /// Whether only one body floats and its mass is equal in all directions. Then `linear` is this body's inverse mass,
+    /// and `inverse_inertia` the inverse of its inertia in yaw (1/(kg·m²)).
     pub(crate) is_isotropic: bool,
     pub(crate) inverse_inertia: f64,
 }
 
 impl Response {
-    /// Of one body with equal mass in all directions; levers of n and t about its centre of gravity.
+    /// The response of one body with equal mass in all directions. The levers are those of n and t about the body's
+    /// centre of gravity.
     #[inline(always)]
     pub(crate) fn isotropic(inverse_mass: f64, inverse_inertia: f64, levers: Levers) -> Response {
         let (turn_n, turn_t) = (inverse_inertia * levers.n_m, inverse_inertia * levers.t_m);
@@ -152,7 +155,7 @@ impl Response {
         }
     }
 
-    /// Of one body.
+    /// The response of one body.
     #[inline(always)]
     pub(crate) fn of(of: &InverseMatrix, n: Vec2, levers: Levers) -> Response {
         let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
@@ -174,7 +177,7 @@ impl Response {
         }
     }
 
-    /// Of two bodies.
+    /// The response of two bodies together.
     pub(crate) fn both(a: Response, b: Response) -> Response {
         Response {
             normal: a.normal + b.normal,

@@ -1,4 +1,4 @@
-//! Which patches of a pair lie where its old ones lay.
+//! Finds the patches of a pair that lie where the pair's old patches lay.
 
 use alloc::vec::Vec;
 
@@ -10,11 +10,11 @@ use crate::vec2::Vec2;
 /// The patches of a pair that continue old ones. Computed by [`Matching::find`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Matching {
-    /// Patch and the old one that it continues, by their places in the pair's lists; sorted.
+    /// A patch, and the old patch that it continues, by their indices in the pair's lists; sorted.
     pub(crate) matches: Vec<(u32, u32)>,
-    /// By old patch: the patches that continue it.
+    /// For each old patch, the patches that continue it.
     pub(crate) heirs: Vec<Heirs>,
-    /// By old patch: where it lay; `None` if it was of convex bodies.
+    /// For each old patch, its place; `None` if the bodies are convex.
     old_places: Vec<Option<Place>>,
     /// The old and the new patches by the low ends of their boxes.
     by_low_end: [Vec<(f64, u32)>; 2],
@@ -24,14 +24,14 @@ pub(crate) struct Matching {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Heirs {
     pub(crate) count: u32,
-    /// Sum of their areas (m²).
+    /// Sum of the areas of these patches (m²).
     pub(crate) area_m2: f64,
 }
 
 impl Matching {
-    /// Of all patches of a pair, and all old ones. A patch continues an old one if their boxes meet in the frame of one of
-    /// the bodies: a sliding contact stays in place on at least one of them. Old patches without a place, which convex
-    /// bodies do not need, are continued by all patches.
+    /// Matches all patches of a pair with all old patches. A patch continues an old patch if their boxes meet in the
+    /// frame of one of the bodies: a sliding contact stays in place on at least one of them. Patches of convex bodies
+    /// need no place: an old patch without a place is continued by all patches.
     pub(crate) fn find(
         &mut self,
         patches: &[Patch],
@@ -68,7 +68,7 @@ impl Matching {
         }
     }
 
-    /// Both lists are in the order of the patches.
+    /// Sets the places of the old patches. The lists of old and new patches are both in the order of the patches.
     fn set_old_places(&mut self, old: &[PatchMemory], places: &[PlaceMemory]) {
         self.old_places.clear();
         let Some(first) = old.first() else { return };
@@ -82,8 +82,8 @@ impl Matching {
         }));
     }
 
-    /// Adds the patches and old patches whose boxes meet in a frame, and that are to be counted. Sweeps along the longer
-    /// side of the box about the patches.
+    /// Sweeps along the longer side of the box around the patches, and adds the pairs of patch and old patch whose
+    /// boxes meet in one frame. Only pairs that are to be counted are added.
     fn sweep(
         &mut self,
         places: &[Place],
@@ -111,7 +111,7 @@ impl Matching {
                 matches.push((patch, old));
             }
         };
-        // Of two that meet, the one that begins first finds the other.
+        // Of two boxes that meet, the box that begins first finds the other.
         let (mut rest_old, mut rest_new) = (by_old.as_slice(), by_new.as_slice());
         while let ([(old_m, old), others_old @ ..], [(new_m, patch), others_new @ ..]) =
             (rest_old, rest_new)
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
     use crate::vec2::vec2;
 
-    /// Boxes of a fixed pattern in both frames, many of which meet none, one or several of the others.
+    /// Boxes in a fixed pattern, in both frames. Many boxes meet none of the others, one or several.
     fn place(number: u32, shift: u32) -> Place {
         let extent = |seed: u32| {
             let at = |factor: u32| f64::from((seed.wrapping_mul(factor) >> 7) % 400);

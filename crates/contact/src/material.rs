@@ -17,7 +17,7 @@ pub struct FenderId(pub u32);
 pub struct Material {
     /// k, area stiffness (N/m²): the modulus of an elastic (Winkler) foundation.
     pub stiffness_npm2: f64,
-    /// c, area damping (N·s/m²) (the paper's Table 1 prints kN·s/m).
+    /// c, area damping (N·s/m²). The paper's Table 1 prints kN·s/m.
     pub damping_nspm2: f64,
     /// k_s, shear stiffness (N/m).
     pub shear_stiffness_npm: f64,
@@ -25,7 +25,7 @@ pub struct Material {
     pub friction_static: f64,
     /// μ_k, coefficient of dynamic friction, at most μ_s.
     pub friction_dynamic: f64,
-    /// γ, coefficient of restitution, 0 to 1. With 0 no energy is returned: by the coupled method a ship
-    /// then stays at her largest penetration, whatever load holds her there.
+    /// γ, coefficient of restitution, 0 to 1. With 0 no energy is returned. In the coupled method, a ship then stays at
+    /// her largest penetration, even if a smaller load holds her there.
     pub restitution: f64,
 }

@@ -13,21 +13,22 @@ use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
 
-/// All mutable state of a contact problem, as plain data. Copy it to branch a run, compare it, save it with
+/// All mutable state of a contact problem, as plain data. Copy the memory to branch a run, compare it, save it with
 /// [`Memory::snapshot`] and restore it with [`Memory::restore`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
-    /// Fingerprint of the model to which it belongs.
+    /// Fingerprint of the model to which this memory belongs.
     pub(crate) fingerprint: u64,
     pub(crate) contacts: ContactMemory,
     /// Input states of the last step by rank; empty before the first.
     pub(crate) last_states: Vec<BodyState>,
     /// Time from the last step to the next (s); 0 before the first step.
     pub(crate) last_step_s: f64,
-    /// Sorted ranks of the bodies that the host has marked as teleported in its next input.
+    /// Sorted ranks of the bodies that the host has marked as teleported for its next input.
     pub(crate) placed: Vec<u32>,
-    /// By rank, after a step of the coupled method: the time by which the engine's velocity of a body precedes its
-    /// position, half of its last sub-step (s); [`NOT_BEHIND`] for fixed bodies. See [`crate::coupled::dynamics`].
+    /// For each body by rank, after a step of the coupled method: the time by which the engine's velocity of a body is
+    /// older than the body's position (s). This is half of the body's last sub-step. [`NOT_BEHIND`] for fixed bodies.
+    /// See [`crate::coupled::dynamics`].
     pub(crate) behind_s: Vec<f64>,
     /// Chains of panels that have parted, sorted: see [`crate::panel::chains`].
     pub(crate) parted: Vec<u32>,
@@ -35,18 +36,18 @@ pub struct Memory {
     pub(crate) pile_offsets_m: Vec<Vec2>,
 }
 
-/// What contacts leave for the next (sub-)step.
+/// The memory of contacts for the next step or sub-step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ContactMemory {
     /// Contact patches, sorted by pair and patch.
     pub(crate) patches: Vec<PatchMemory>,
-    /// Locations of the patches that have one, sorted likewise.
+    /// Places of the patches that have one, sorted in the same way.
     pub(crate) places: Vec<PlaceMemory>,
-    /// Starting points for the clip of pieces that are near each other, sorted.
+    /// Starting points of the clip for pieces that are near each other, sorted.
     pub(crate) hints: Vec<HintMemory>,
 }
 
-/// For bodies whose velocity is taken to belong to the time of their position.
+/// Marks a body whose velocity is taken to belong to the time of its position.
 pub(crate) const NOT_BEHIND: f64 = -1.0;
 
 /// State of a contact patch (§3.3 and §3.4 of the paper).
@@ -57,56 +58,57 @@ pub(crate) struct PatchMemory {
     pub(crate) b: u32,
     pub(crate) face: u32,
     pub(crate) patch: u32,
-    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is reported once,
-    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`], [`PatchMemory::SLIPPING`] and [`PatchMemory::LIMITED`].
+    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], each set so that its event is reported only once,
+    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`], [`PatchMemory::SLIPPING`] and
+    /// [`PatchMemory::LIMITED`].
     pub(crate) flags: u32,
     /// S^{n−1} (m²).
     pub(crate) area_m2: f64,
     /// The material points of both bodies that were at C, in each body's frame (m).
     pub(crate) point_in_a_m: Vec2,
     pub(crate) point_in_b_m: Vec2,
-    /// The last valid normal (A's outward one) in A's frame, and the rotation of B there, from which the normal in B's
-    /// frame is computed when needed.
+    /// The last valid normal (A's outward normal) in A's frame, and the rotation of B at that time. The normal in B's
+    /// frame is computed from both when needed.
     pub(crate) normal_in_a: Vec2,
     pub(crate) b_in_a: Rotation,
     /// Δs (m).
     pub(crate) shear_m: f64,
-    /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began (m/s). By the coupled method
-    /// the first is the largest V_n since it last changed sign, and the second is unused.
+    /// In the paper's method, V_n⁰ and V_t⁰: the relative velocity when the contact began (m/s). In the coupled method,
+    /// the first is the largest V_n since V_n last changed sign, and the second is unused.
     pub(crate) v_normal_0_mps: f64,
     pub(crate) v_tangential_0_mps: f64,
-    /// N and T of the last (sub-)step: warm start of the coupled solve (N).
+    /// N and T of the last step or sub-step (N). The coupled solve starts from them.
     pub(crate) normal_force_n: f64,
     pub(crate) tangential_force_n: f64,
     /// Factor on the fender's reaction, set when the contact began.
     pub(crate) factor: f64,
-    /// Energy that the normal force has absorbed from the bodies and not returned, by the coupled method (J): the most
-    /// that it may return.
+    /// Energy that the normal force has taken from the bodies and not returned (J). The normal force may return no more
+    /// than this. Coupled method only.
     pub(crate) taken_j: f64,
-    /// Energy that the shear spring has absorbed from the bodies and still stores, by the coupled method (J): the most
-    /// that it may return.
+    /// Energy that the shear spring has taken from the bodies and still stores (J). The shear spring may return no more
+    /// than this. Coupled method only.
     pub(crate) sheared_j: f64,
-    /// The overlap area up to which the damper has acted, by the coupled method (m²): see [`crate::law::damper`].
+    /// The overlap area up to which the damper has acted (m²), in the coupled method: see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
-    /// T of each play of a fender's unloading law (J); 0 without one.
+    /// T of each play of a fender's unloading law (J); 0 without such a law.
     pub(crate) tops_j: [f64; PLAYS],
 }
 
 impl PatchMemory {
-    /// One body lies within the other; at a fender: beyond the rated deflection.
+    /// One body lies within the other. For a fender: the fender is beyond its rated deflection.
     pub(crate) const CONTAINED: u32 = 1;
-    /// Half of a body lies within the other; at a fender: in the stop.
+    /// Half of a body lies within the other. For a fender: the fender is in its stop.
     pub(crate) const DEEP: u32 = 2;
-    /// V_n was positive at the start of the last (sub-)step.
+    /// V_n was positive at the start of the last step or sub-step.
     pub(crate) const APPROACHING: u32 = 4;
-    /// A body was placed in the other and is being pushed out.
+    /// A host placed one body in the other, and the contact is pushing it out.
     pub(crate) const PRESSED_OUT: u32 = 8;
-    /// By the coupled method: the contact slides, and sliding has not reversed.
+    /// In the coupled method: the contact slides, and the sliding has not reversed.
     pub(crate) const SLIPPING: u32 = 16;
-    /// By the coupled method: N was less than its law's force.
+    /// In the coupled method: N was less than the law's force.
     pub(crate) const LIMITED: u32 = 32;
 
-    /// Geometry of a patch with this normal at this point; the laws fill in the rest.
+    /// The memory of a patch with this normal at this point. The laws fill in the rest.
     #[inline(always)]
     pub(crate) fn of(patch: &Patch, point_in_a_m: Vec2, normal_in_a: Vec2) -> PatchMemory {
         PatchMemory {
@@ -132,13 +134,13 @@ impl PatchMemory {
         (self.a, self.b, self.face, self.patch)
     }
 
-    /// Which candidate it belongs to.
+    /// The candidate to which the patch belongs.
     pub(crate) fn candidate(&self) -> (u32, u32, u32) {
         (self.a, self.b, self.face)
     }
 }
 
-/// Location of a patch of bodies with several pieces, by which patches are matched between steps. Separate from
+/// Place of a patch of bodies with several pieces. Patches are matched between steps by their places. Stored apart from
 /// [`PatchMemory`] because most patches are of convex bodies and have none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PlaceMemory {
@@ -150,7 +152,7 @@ pub(crate) struct PlaceMemory {
 }
 
 impl PlaceMemory {
-    /// Appends the locations of these patches, where they have one, to the next (sub-)step's list.
+    /// Appends the places of these patches, of those that have one, to the list of the next step or sub-step.
     #[inline]
     pub(crate) fn add_all(patches: &[Patch], places: &[Place], into: &mut Vec<PlaceMemory>) {
         if places.is_empty() {
@@ -172,7 +174,7 @@ impl PlaceMemory {
     }
 }
 
-/// Looks up the location of an old patch; `None` where it has none.
+/// Looks up the place of an old patch; `None` if it has none.
 pub(crate) fn place_of(patch: &PatchMemory, places: &[PlaceMemory]) -> Option<Place> {
     let found = places.binary_search_by_key(&patch.key(), PlaceMemory::key);
     found.ok().map(|index| places[index].place)
@@ -199,21 +201,22 @@ impl HintMemory {
     }
 }
 
-/// The past of a (sub-)step: memory that the last one left for some candidates, each list sorted, and the time since it
-/// began (s), 0 before the first.
+/// The data from the past for a step or sub-step: the memory that the last one left for some candidates, each list
+/// sorted, and the time since the last one began (s). The time is 0 before the first step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],
     pub(crate) places: &'m [PlaceMemory],
     pub(crate) hints: &'m [HintMemory],
     pub(crate) last_step_s: f64,
-    /// Bodies that the host displaced since then.
+    /// Bodies that the host displaced since the last step or sub-step.
     pub(crate) displaced: &'m Displaced,
 }
 
 impl<'m> Past<'m> {
-    /// Splits off the memory of the candidates before `next`, or all where that is `None`. Both parts keep all
-    /// locations, which are looked up by key. In most steps it has as many patches as `expected`: that is tested first.
+    /// Splits off the memory of the candidates before `next`, or all memory if `next` is `None`. Both parts of the
+    /// memory keep all places, which are looked up by key. In most steps the part split off has `expected` patches: the
+    /// search tries this number first.
     pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>, expected: usize) -> Past<'m> {
         let Some(next) = next else { return *self };
         let is_before = |m: &PatchMemory| m.candidate() < next;
@@ -231,7 +234,7 @@ impl<'m> Past<'m> {
 }
 
 impl ContactMemory {
-    /// With room for so many contacts.
+    /// A memory with room for this number of contacts.
     pub(crate) fn with_room(contacts: usize) -> ContactMemory {
         ContactMemory { patches: room_for(contacts), places: Vec::new(), hints: room_for(contacts) }
     }
@@ -248,7 +251,8 @@ impl ContactMemory {
         self.hints.sort_unstable_by_key(HintMemory::key);
     }
 
-    /// As the past of a (sub-)step, `last_step_s` later, before which the host displaced these bodies.
+    /// This memory as the past of a step or sub-step `last_step_s` later. `displaced` are the bodies that the host
+    /// displaced before that step.
     pub(crate) fn past<'m>(&'m self, last_step_s: f64, displaced: &'m Displaced) -> Past<'m> {
         let ContactMemory { patches, places, hints } = self;
         Past { patches, places, hints, last_step_s, displaced }
@@ -259,7 +263,7 @@ impl ContactMemory {
         [self.patches.len(), self.places.len(), self.hints.len()]
     }
 
-    /// Moves what was added to `from` beyond these lengths here, in place of what is here.
+    /// Moves what was added to `from` beyond these lengths into this memory, and drops what was here.
     pub(crate) fn take(&mut self, from: &mut ContactMemory, [patches, places, hints]: [usize; 3]) {
         self.clear();
         if [patches, places, hints] == [0; 3] {
@@ -270,7 +274,7 @@ impl ContactMemory {
         self.hints.extend(from.hints.drain(hints..));
     }
 
-    /// Copies what `from` has of these candidates, in place of what is here.
+    /// Copies what `from` has of these candidates into this memory, and drops what was here.
     pub(crate) fn gather(&mut self, from: &ContactMemory, candidates: &[Pairing]) {
         self.clear();
         for pairing in candidates {
@@ -281,7 +285,7 @@ impl ContactMemory {
         }
     }
 
-    /// Exchanges its lists with those of another step; `keeps_hints` if both keep their hints.
+    /// Exchanges the lists with those of another step's memory. With `keeps_hints` both memories keep their hints.
     pub(crate) fn exchange(&mut self, other: &mut ContactMemory, keeps_hints: bool) {
         core::mem::swap(&mut self.patches, &mut other.patches);
         core::mem::swap(&mut self.places, &mut other.places);
@@ -317,7 +321,7 @@ impl Memory {
         }
     }
 
-    /// Becomes the memory of bodies that have never touched, as [`Memory::new`] makes it, and keeps its buffers.
+    /// Becomes the memory of bodies that have never touched, as [`Memory::new`] makes it. The buffers are kept.
     pub fn forget(&mut self) {
         let Memory {
             fingerprint: _,
@@ -344,8 +348,8 @@ impl Memory {
         self.contacts.patches.len()
     }
 
-    /// Sets the time since the last step, in place of its Δt: for integrators with several stages per step, such as
-    /// Runge-Kutta, which call the engine within a step on a copy of the memory.
+    /// Sets the time since the last step, in place of the step's Δt. For integrators with several stages per step, such
+    /// as Runge-Kutta, which call the engine within a step on a copy of the memory.
     ///
     /// # Panics
     /// If `elapsed_s` is not positive and finite.
@@ -354,17 +358,18 @@ impl Memory {
         self.last_step_s = elapsed_s;
     }
 
-    /// Writes for each body, in the order in which bodies were added, the time by which the engine's velocity of the body precedes its
-    /// position: half of the last sub-step of [`crate::advance_in_place`] (s). It is 0 before the first step, and −1 for
-    /// fixed bodies and those whose velocity the host gave. A load that depends on places acts in the middle of the time from
-    /// this velocity to that of the next step.
+    /// Writes for each body, in the order in which bodies were added, the time by which the engine's velocity of the
+    /// body is older than the body's position (s): half of the last sub-step of [`crate::advance_in_place`]. The time
+    /// is 0 before the first step. The time is −1 for fixed bodies, and for bodies whose velocity the host gave. A load
+    /// that depends on the position should be taken in the middle between the time of this velocity and the time of the
+    /// next step's velocity.
     pub fn velocity_lags_into(&self, model: &Model, lags_s: &mut Vec<f64>) {
         lags_s.clear();
         let lag_of = |&rank: &u32| self.behind_s.get(rank as usize).copied().unwrap_or(0.0);
         lags_s.extend(model.rank_of.iter().map(lag_of));
     }
 
-    /// Becomes a copy of `other`, without allocation where the buffers are large enough.
+    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;
         self.contacts.patches.clone_from(&other.contacts.patches);
@@ -378,10 +383,10 @@ impl Memory {
         self.pile_offsets_m.clone_from(&other.pile_offsets_m);
     }
 
-    /// Marks the next input state of a body as a teleport: the host sets it to a new place rather than moving it there. Its
-    /// contacts begin anew ([`crate::EventKind::Teleported`]), and out of another body it is pushed slowly
-    /// ([`crate::EventKind::PlacedInOverlap`]). Without this call the engine detects a teleport where the displacement
-    /// differs by more than a tenth of the body's radius from that of its velocities.
+    /// Marks the next input state of a body as a teleport: the host sets the body to a new place and does not move it
+    /// there. The body's contacts begin anew ([`crate::EventKind::Teleported`]). If the body lies in another body, it
+    /// is pushed out slowly ([`crate::EventKind::PlacedInOverlap`]). Without this call the engine detects a teleport by
+    /// itself: when the displacement differs from what the velocities give by more than a tenth of the body's radius.
     ///
     /// # Panics
     /// If the model has no such body.

@@ -1,4 +1,4 @@
-//! What a fender's face meets of a body: her outline, or her slice at its height.
+//! The part of a body that a fender's face meets: the body's outline, or its slice at the fender's height.
 
 use core::slice;
 
@@ -12,7 +12,7 @@ use crate::slice::{SideMet, Slice};
 use crate::vec2::{Pose, Vec2};
 
 impl Model {
-    /// Both sides of a candidate: of each an outline, a slice, or the zone of a fender.
+    /// Both sides of a candidate. Each is an outline, a slice, or the zone of a fender.
     pub(crate) fn shapes_of<'m>(&'m self, candidate: &Candidate) -> [Shapes<'m>; 2] {
         let face = candidate.fender(self);
         [candidate.a, candidate.b].map(|rank| match face {
@@ -25,7 +25,7 @@ impl Model {
         })
     }
 
-    /// The convex pieces that a face (by its number, from 1) meets of a body.
+    /// The convex pieces of a body that a face meets. `face` is the number of the face, from 1.
     #[inline]
     pub(crate) fn pieces_met(&self, face: u32, rank: u32) -> &[ConvexPolygon] {
         match self.slices.place(face, rank) {
@@ -34,7 +34,8 @@ impl Model {
         }
     }
 
-    /// The edges that a face (by its number, from 1) meets of a body, by their ends in the body's frame (m).
+    /// The edges of a body that a face meets, given by their ends in the body's frame (m). `face` is the number of the
+    /// face, from 1.
     pub(crate) fn edges_met(&self, face: u32, rank: u32) -> impl Iterator<Item = [Vec2; 2]> {
         let slice = self.slices.place(face, rank).map(|place| self.slices.at(place));
         let outline: &[Vec2] = match slice {
@@ -46,7 +47,7 @@ impl Model {
         whole.map(|(&from, &to)| [from, to]).chain(cut)
     }
 
-    /// [`Slice::side`] of the slice that a face meets of a body; `None` for a body with one outline, too.
+    /// [`Slice::side`] of the body's slice that a face meets. `None` also for a body with one outline.
     pub(crate) fn side_met(
         &self,
         face: &RankedFender,

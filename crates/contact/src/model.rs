@@ -70,19 +70,20 @@ pub struct Model {
     /// Rank of each body, and body of each rank.
     pub(crate) rank_of: Vec<u32>,
     pub(crate) id_of: Vec<BodyId>,
-    /// Named pairs, sorted by rank.
+    /// Pairs that the builder was given, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
     pub(crate) pair_bounds: Vec<Bounds>,
-    /// Material of all other pairs.
+    /// Material of all other pairs, if they may touch.
     pub(crate) all_other_pairs: Option<MaterialId>,
-    /// What fenders meet of bodies with outlines by height. The one part that changes: see [`Model::renew_slice`].
+    /// Slices of bodies with outlines by height: what fenders meet of them. The only part that changes: see
+    /// [`Model::renew_slice`].
     pub(crate) slices: Slices,
     /// Piles of the bodies on them, by rank.
     pub(crate) piles: Vec<RankedPile>,
     /// Hash that identifies the model, for memory and snapshots.
     pub(crate) fingerprint: u64,
-    /// Hash that also depends on the order in which bodies and materials were added, for workspaces, which contain their
-    /// indices.
+    /// Hash that also depends on the order in which bodies and materials were added. For workspaces, which contain
+    /// indices of bodies and materials.
     pub(crate) layout: u64,
 }
 
@@ -98,7 +99,7 @@ pub struct ModelBuilder {
 }
 
 impl Model {
-    /// Number of tension chains of a face, by its number from 1 on; 0 of one that does not exist.
+    /// Number of tension chains of a face, given by its number from 1 on; 0 if there is no such face.
     pub(crate) fn chains_of(&self, face: u32) -> usize {
         let law =
             face.checked_sub(1).and_then(|index| self.faces.get(index as usize)?.panel.as_ref());
@@ -123,7 +124,7 @@ impl Model {
         &self.materials
     }
 
-    /// The indices of the bodies of two ranks.
+    /// The indices of two bodies, from their ranks.
     #[inline(always)]
     pub(crate) fn ids_of(&self, ranks: [u32; 2]) -> [BodyId; 2] {
         ranks.map(|rank| self.id_of[rank as usize])
@@ -159,7 +160,7 @@ impl ModelBuilder {
         MaterialId(self.materials.len() as u32 - 1)
     }
 
-    /// Adds a fender. It touches the outlines of all bodies that form a pair with its own body.
+    /// Adds a fender. The fender touches the outlines of all bodies that form a pair with the fender's body.
     pub fn fender(&mut self, fender: Fender) -> FenderId {
         self.fenders.push(fender);
         FenderId(self.fenders.len() as u32 - 1)
@@ -171,15 +172,15 @@ impl ModelBuilder {
         self
     }
 
-    /// Lets all pairs of bodies touch that no call of [`ModelBuilder::pair`] names.
+    /// Lets all other pairs of bodies touch: those that no call of [`ModelBuilder::pair`] names.
     pub fn all_other_pairs(&mut self, material: MaterialId) -> &mut ModelBuilder {
         self.all_other_pairs = Some(material);
         self
     }
 
-    /// Declares that fenders meet a body at outlines by their own height, within this radius of its centre of gravity (m).
-    /// Until the host sets them with [`Model::renew_slice`] fenders do not meet it at all. Other outlines meet the one of
-    /// [`Body::outline`].
+    /// Declares a body with outlines by height, within this radius of the body's centre of gravity (m). A fender then
+    /// meets the body's outline at the fender's height. The host sets these outlines with [`Model::renew_slice`]; until
+    /// then fenders do not meet the body at all. Outlines of other bodies still meet [`Body::outline`].
     pub fn outlines_by_height(&mut self, body: BodyId, radius_m: f64) -> &mut ModelBuilder {
         self.by_height.push((body, radius_m));
         self
@@ -311,7 +312,7 @@ fn check_material(index: usize, m: &Material) -> Result<(), ModelError> {
     check("restitution", m.restitution, 0.0, 1.0, "between 0 and 1")
 }
 
-/// The rank of each body by its key, and the body of each rank.
+/// The rank of each body, which follows from its key, and the body of each rank.
 fn rank(bodies: &[Body]) -> Result<(Vec<u32>, Vec<BodyId>), ModelError> {
     let mut order: Vec<u32> = (0..bodies.len() as u32).collect();
     order.sort_by_key(|&i| bodies[i as usize].key);
@@ -431,7 +432,7 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
     ModelError::BadPair { bodies: [first.name.clone(), second.name.clone()], why }
 }
 
-/// FNV-1a over all parts that the meaning of a memory depends on, in the order of the keys.
+/// FNV-1a over all parts that a memory depends on, in the order of the keys.
 fn fingerprint(model: &Model) -> u64 {
     let mut hash = Fnv1a::default();
     hash.word(model.ranked.len() as u64);

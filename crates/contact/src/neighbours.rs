@@ -1,8 +1,8 @@
 //! The neighbour list: pairs of bodies that are near each other, kept from step to step.
 //!
-//! The list holds every pair whose circles meet when each circle is drawn a little too large. As long as no body has
-//! used up its own margin, by moving or by a longer reach, every pair whose true circles meet is in the list. Users of
-//! the list test the true circles, so its age affects the cost of a step and never the result.
+//! The list holds every pair whose circles meet when each circle is drawn a little too large. A body may move, or reach
+//! farther, until it has used up its margin. Until then every pair whose true circles meet is in the list. Users of the
+//! list test the true circles, so the age of the list affects the cost of a step and never the result.
 
 use alloc::vec::Vec;
 
@@ -16,41 +16,43 @@ use crate::room::room_for;
 use crate::spread::SpreadSort;
 use crate::vec2::Vec2;
 
-/// How much larger a body's circle in the list is than its own, as a fraction. A larger margin makes the list longer, a
-/// smaller one makes it short-lived.
+/// By how much a body's circle in the list is larger than its true circle, as a fraction. A larger margin makes the
+/// list longer; a smaller one makes the list short-lived.
 const MARGIN: f64 = 0.1;
 
-/// The fraction of its margin that a body may use: less than 1, to cover rounding.
+/// The fraction of the margin that a body may use. The fraction is less than 1, to cover rounding.
 const USABLE: f64 = 0.999;
 
-/// Strips are wider than the largest circle by this fraction: rounding puts no circle into the strip after the next.
+/// Strips are wider than the largest circle by this fraction, so that rounding puts no circle into the strip after the
+/// next.
 const ROUNDING: f64 = 1e-6;
 
-/// The list, and where the bodies were when it was made. Computed by [`NeighbourList::renew`].
+/// The list, and the circles of the bodies when it was made. Computed by [`NeighbourList::renew`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NeighbourList {
     /// Layout of the model that the list was made for.
     layout: u64,
-    /// By rank.
+    /// Circles of the bodies, by rank.
     circles: Vec<Circle>,
-    /// In the order of their ranks.
+    /// Pairs, in the order of their ranks.
     pairs: Vec<RankedPair>,
     bounds: Vec<Bounds>,
     /// The bodies in the order of the sweep.
     order: Vec<Swept>,
     sort_of_order: SpreadSort<Swept>,
-    /// Ranks of the pairs, the lower in the upper half: sorted as numbers, they are in the order of their ranks.
+    /// Ranks of the pairs as single numbers, the lower rank in the upper half. Sorted as numbers, the pairs are in the
+    /// order of their ranks.
     ranks: Vec<u64>,
     sort_of_ranks: SpreadSort<u64>,
 }
 
-/// A body in the sweep. The plane is cut into strips from west to east, as wide as the largest circle: two circles that meet
-/// have their southern ends in the same strip or in neighbours. Within a strip the bodies are in the order of their
-/// western ends, in steps so small that hardly two share one.
+/// A body in the sweep. The plane is cut into strips, as wide as the largest circle, that run from west to east. The
+/// southern ends of two circles that meet lie in the same strip or in neighbouring strips. Within a strip the bodies
+/// are in the order of their western ends, in steps so small that hardly two bodies share one.
 #[derive(Clone, Copy, Debug, Default)]
 struct Swept {
     strip: u32,
-    /// Western and eastern end, in steps.
+    /// Western and eastern end of the circle, in steps.
     west: u32,
     east: u32,
     rank: u32,
@@ -79,7 +81,7 @@ impl Circle {
 }
 
 impl NeighbourList {
-    /// With room for so many bodies and pairs.
+    /// A list with room for this number of bodies and pairs.
     pub(crate) fn with_room(bodies: usize, pairs: usize) -> NeighbourList {
         NeighbourList {
             layout: 0,
@@ -93,13 +95,13 @@ impl NeighbourList {
         }
     }
 
-    /// The pairs of the list. They include all pairs that no `Pair` of the model names, that are not both fixed and whose
-    /// circles of `reach_m` meet.
+    /// The pairs of the list. The list includes all pairs that no `Pair` of the model names, in which at least one body
+    /// floats, and whose circles of `reach_m` meet.
     pub(crate) fn pairs(&self) -> &[RankedPair] {
         &self.pairs
     }
 
-    /// Bounds of these pairs, in the same order.
+    /// Bounds of the pairs of the list, in the same order.
     pub(crate) fn bounds(&self) -> &[Bounds] {
         &self.bounds
     }
@@ -154,7 +156,7 @@ impl NeighbourList {
             for (index, one) in strip.iter().enumerate() {
                 let reached = |two: &&Swept| two.west <= one.east;
                 strip[index + 1..].iter().take_while(reached).for_each(|two| add(one, two));
-                // Those of the next strip that end before here end before all that follow.
+                // Circles of the next strip that end before this one begins also end before all that follow.
                 let passed = |two: &&Swept| two.west.saturating_add(widest_steps) < one.west;
                 beside = &beside[beside.iter().take_while(passed).count()..];
                 beside.iter().take_while(reached).for_each(|two| add(one, two));
@@ -174,7 +176,7 @@ impl NeighbourList {
     }
 }
 
-/// Two numbers in one that is ordered by the first, then by the second.
+/// Joins two numbers into one. The result sorts by the first number, then by the second.
 #[inline]
 fn joined(first: u32, second: u32) -> u64 {
     (u64::from(first) << 32) | u64::from(second)
@@ -188,7 +190,7 @@ fn arrange(circles: &[Circle], order: &mut Vec<Swept>, sort: &mut SpreadSort<Swe
     let widest_m = 2.0 * circles.iter().fold(0.0, |most, circle| greater(circle.radius_m, most));
     let strips_per_m = 1.0 / (widest_m * (1.0 + ROUNDING));
     let steps_per_m = f64::from(u32::MAX) / (all.high_m.y - all.low_m.y);
-    // A cast keeps the order, and beyond the largest number gives that.
+    // A cast keeps the order; a value beyond the largest number becomes the largest.
     let step = |y_m: f64| ((y_m - all.low_m.y) * steps_per_m) as u32;
     order.clear();
     order.extend((0..).zip(circles).map(|(rank, circle)| {

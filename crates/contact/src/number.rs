@@ -1,18 +1,18 @@
 //! Minimum, maximum and clamp with the same bits on every machine.
 //!
-//! `f64::min`, `f64::max` and `f64::clamp` do not specify which of −0 and +0 they return: x86 and ARM differ, and the sign
-//! propagates to angles, quotients, snapshots and printed tables. These functions only compare: of equal numbers they
-//! return the second, so that the order of the arguments decides. They take one instruction; those of `std`, which also
-//! handle NaN, take three.
+//! `f64::min`, `f64::max` and `f64::clamp` do not specify which of −0 and +0 they return: x86 and ARM differ. The sign
+//! propagates to angles, quotients, snapshots and printed tables. The functions here only compare. Of equal numbers the
+//! functions return the second, so the order of the arguments decides. These functions take one instruction; the
+//! functions of `std`, which also handle NaN, take three.
 
-/// The smaller of two numbers; `q` where they are equal (`lesser(0.0, -0.0)` is −0) or one of them is NaN.
+/// The smaller of two numbers; `q` if the two are equal (`lesser(0.0, -0.0)` is −0) or one of them is NaN.
 #[inline(always)]
 #[must_use]
 pub fn lesser(p: f64, q: f64) -> f64 {
     if p < q { p } else { q }
 }
 
-/// The larger of two numbers; `q` where they are equal (`greater(-0.0, 0.0)` is +0) or one of them is NaN.
+/// The larger of two numbers; `q` if the two are equal (`greater(-0.0, 0.0)` is +0) or one of them is NaN.
 #[inline(always)]
 #[must_use]
 pub fn greater(p: f64, q: f64) -> f64 {
@@ -22,7 +22,7 @@ pub fn greater(p: f64, q: f64) -> f64 {
 /// `value` clamped to `low..=high`. A value equal to a bound keeps its sign of zero; NaN stays NaN.
 ///
 /// # Panics
-/// In a build with debug assertions unless `low <= high`: no value lies between them.
+/// In a build with debug assertions, if `low` is greater than `high` or one of them is NaN: no value lies between them.
 #[inline(always)]
 #[must_use]
 pub fn bounded(value: f64, low: f64, high: f64) -> f64 {
@@ -40,10 +40,10 @@ pub fn bounded(value: f64, low: f64, high: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The sign of a zero from `f64::min` and `f64::max` was the machine's: x86 gave one, aarch64 the other.
+    /// The sign of a zero from `f64::min` and `f64::max` depended on the machine: x86 gave one sign, aarch64 the other.
     #[test]
     fn signed_zeros_compare_alike_on_every_machine() {
-        // Not known to the compiler, which would else fold them by its own rules.
+        // Hidden from the compiler, which would otherwise compute the result by its own rules.
         let [plus, minus] = core::hint::black_box([0.0, -0.0]);
         for second in [plus, minus] {
             for first in [plus, minus] {

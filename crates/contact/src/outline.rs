@@ -1,4 +1,4 @@
-//! The outline of a body: a simple polygon, checked, tidied and cut into convex pieces at load.
+//! The outline of a body: a simple polygon. An outline is checked, tidied and cut into convex pieces when it is made.
 
 use crate::geometry::convex::has_width;
 use crate::geometry::extent::Extent;
@@ -25,14 +25,14 @@ use crate::vec2::Vec2;
 /// Largest number of vertices of an outline.
 pub const MAX_VERTICES: usize = 10_000;
 
-/// Largest size of a coordinate (m).
+/// Largest absolute value of a coordinate (m).
 pub const MAX_COORDINATE_M: f64 = 1.0e8;
 
 /// Vertices closer than this are merged; parts of the boundary closer than this touch (m).
 pub const MERGE_DISTANCE_M: f64 = 1.0e-9;
 
-/// The outline of a body in its own frame: a simple polygon in the positive sense (from x to y),
-/// without repeated vertices or vertices on a straight line, cut into convex pieces.
+/// The outline of a body in the body's frame: a simple polygon in the positive sense (from x to y), without repeated
+/// vertices or vertices on a straight line, cut into convex pieces.
 ///
 /// ```
 /// use fenderline_contact::outline::Outline;
@@ -56,16 +56,14 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Checks and tidies the vertices of a polygon, given in either direction, its last vertex
-    /// joined to its first. The notices say what was corrected. The first vertex stays first unless it
-    /// was itself merged.
+    /// Checks and tidies the vertices of a polygon. The vertices may run in either direction; the last vertex is joined
+    /// to the first. The notices say what was corrected. The first vertex stays first unless it was merged.
     ///
     /// # Errors
     ///
-    /// In this order: more than [`MAX_VERTICES`]; a vertex that is not finite; one beyond
-    /// [`MAX_COORDINATE_M`]; fewer than three different vertices ([`MERGE_DISTANCE_M`] apart); no
-    /// area (less than 1e-12 of the square of its extent); edges that cross, touch or lie on each
-    /// other.
+    /// The first of these faults: more than [`MAX_VERTICES`]; a vertex that is not finite; a vertex beyond
+    /// [`MAX_COORDINATE_M`]; fewer than three different vertices ([`MERGE_DISTANCE_M`] apart); no area (less than 1e-12
+    /// of the square of the polygon's extent); edges that cross, touch or lie on each other.
     pub fn new(vertices: &[Vec2]) -> Result<(Outline, Vec<OutlineNotice>), OutlineError> {
         check_vertices(vertices)?;
         let mut notices = Vec::new();
@@ -110,13 +108,14 @@ impl Outline {
         Ok((outline.ok_or(OutlineError::ZeroArea)?, notices))
     }
 
-    /// None where no piece has a width.
+    /// `None` if no piece has a width.
     fn from_tidied(vertices: Vec<Vec2>, area_m2: f64, bounds: (Vec2, Vec2)) -> Option<Outline> {
         let mut pieces: Vec<Vec<Vec2>> = pieces::convex_pieces(&vertices)
             .into_iter()
             .map(|piece| piece.into_iter().map(|i| vertices[i]).collect())
             .collect();
-        // A cut from a spike can leave a needle that nothing can touch. The rest is closed without it.
+        // A cut from a spike can leave a needle that nothing can touch. Without the needle the other pieces still form
+        // a closed outline.
         pieces.retain(|piece| has_width(piece));
         if pieces.is_empty() {
             return None;
@@ -135,17 +134,17 @@ impl Outline {
 
     /// Convex pieces that together are the outline, each in the positive sense (m).
     ///
-    /// All their vertices are vertices of the outline, bit for bit; an edge of a piece is either
-    /// an edge of the outline or a seam, which another piece has in the opposite direction. An
-    /// angle of a piece may be straight. A convex outline has one piece, itself. A needle narrower
-    /// than 1e-12 of its length is left out.
+    /// All vertices of the pieces are vertices of the outline, bit for bit. An edge of a piece is either an edge of the
+    /// outline or a seam; another piece has the same seam in the opposite direction. An angle of a piece may be
+    /// straight. A convex outline has one piece, the outline itself. A needle narrower than 1e-12 of its length is left
+    /// out.
     #[must_use]
     #[inline]
     pub fn pieces(&self) -> &[Vec<Vec2>] {
         &self.pieces
     }
 
-    /// True where there is one piece: no angle is reflex, needles left out.
+    /// True if there is one piece. Then no angle of the outline is reflex, apart from needles that were left out.
     #[must_use]
     #[inline]
     pub fn is_convex(&self) -> bool {
@@ -197,13 +196,13 @@ fn check_vertices(vertices: &[Vec2]) -> Result<(), OutlineError> {
     Ok(())
 }
 
-/// Edge `index` of the ring, by the user's numbers.
+/// Edge `index` of the ring, with the user's numbers of its vertices.
 fn numbered_edge(ring: &[Numbered], index: usize) -> OutlineEdge {
     OutlineEdge { from: ring[index].number, to: ring[(index + 1) % ring.len()].number }
 }
 
-/// Centroid of all the pieces. Piece by piece, as their areas are positive and nothing cancels; relative
-/// to a point of the outline, so that no digits are lost far from the origin.
+/// Centroid of all the pieces. It is summed piece by piece, because the areas are positive and nothing cancels. It is
+/// computed relative to a point of the outline, so that no digits are lost far from the origin.
 fn centroid(pieces: &[Vec<Vec2>], base: Vec2) -> Vec2 {
     let (mut doubled_area, mut moment) = (0.0, Vec2::ZERO);
     for piece in pieces {

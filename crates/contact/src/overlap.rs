@@ -19,7 +19,7 @@ use crate::vec2::{Pose, Vec2};
 /// Computes the patches of candidates into `found`, in the candidates' order, and the hints for the next step. `first` is
 /// the place of the first candidate in `Candidates::pairings`.
 ///
-/// Returns true if all old hints stay as they are. Then no hints are added, and the caller keeps the old list.
+/// Returns true if all old hints stay unchanged. Then no hints are added, and the caller keeps the old list.
 #[must_use]
 pub(crate) fn overlap(
     model: &Model,
@@ -40,7 +40,7 @@ pub(crate) fn overlap(
     hints.finish()
 }
 
-/// What [`overlap`] computes patches from.
+/// The outlines from which [`overlap`] computes patches.
 #[derive(Clone, Copy)]
 struct Outlines<'w> {
     model: &'w Model,
@@ -50,8 +50,8 @@ struct Outlines<'w> {
 }
 
 impl Outlines<'_> {
-    /// Clips all candidates. The parameter says whether fenders may meet outlines by height: without them the compiler
-    /// leaves that question out.
+    /// Clips all candidates. `BY_HEIGHT` says whether fenders may meet outlines by height. If not, the compiler leaves
+    /// out the test for them.
     #[inline(always)]
     fn clip<const BY_HEIGHT: bool>(
         self,
@@ -60,7 +60,7 @@ impl Outlines<'_> {
         found: &mut Overlap,
     ) {
         let Outlines { model, bodies, candidates, first } = self;
-        // A slice of one known length, so that each rank is bounds-checked once.
+        // A slice of one known length, so that the compiler checks the bounds of each rank once.
         let poses = &bodies.poses[..model.ranked.len()];
         for (of, Pairing { candidate, .. }) in (first as u32..).zip(candidates) {
             let (a, b) = (candidate.a as usize, candidate.b as usize);
@@ -88,7 +88,7 @@ impl Outlines<'_> {
     }
 }
 
-/// The two sides of a fender's candidate in a model with outlines by height, each if it is one convex piece.
+/// The two sides of a fender's candidate, in a model with outlines by height, if each side is one convex piece.
 fn convex_met<'m>(
     model: &'m Model,
     candidate: &Candidate,
@@ -101,7 +101,7 @@ fn convex_met<'m>(
     })
 }
 
-/// Clips one convex piece against another: they have at most one patch.
+/// Clips one convex piece against another. Two convex pieces have at most one patch.
 #[inline(always)]
 fn clip_convex(
     [a, b]: [&ConvexPolygon; 2],
@@ -114,7 +114,7 @@ fn clip_convex(
     let from = outline_m.len();
     let key = (candidate.a, candidate.b, candidate.face, 0, 0);
     let hint = hints.read(key);
-    // Two outlines need no corners if there is a chord: normal and depth follow from it.
+    // If two outlines have a chord, the clip needs no corners: normal and depth follow from the chord.
     let corners = if candidate.face == 0 { Corners::WithoutChord } else { Corners::Always };
     let wanted = (corners, &mut *outline_m);
     let clip = match clip::clip_through(a, b, b_in_a, hint.unwrap_or_default()) {
@@ -143,9 +143,10 @@ fn clip_convex(
     });
 }
 
-/// A's outward normal in its frame, and δ, the extent of the patch along it (m).
+/// A's outward normal in A's frame, and δ, the extent of the patch along the normal (m).
 ///
-/// The normal is the chord's if there is a chord, else the contact's last good one, else the axis of least penetration.
+/// The normal is that of the chord, if there is a chord. Otherwise the normal is the contact's last good normal.
+/// Without such a normal it is along the axis of least penetration.
 #[inline]
 pub(crate) fn normal_in_a(
     model: &Model,
@@ -178,7 +179,7 @@ fn normal_without_chord(
     remembered: Option<(Vec2, Vec2)>,
 ) -> Vec2 {
     if let Some((in_a, in_b)) = remembered {
-        // Half from each body, so that neither is preferred when they turn.
+        // Half of the normal comes from each body, so that neither is preferred when the bodies turn.
         let mean = in_a + patch.b_in_a.rotation.apply(in_b);
         let length = mean.length();
         if length > 1e-3 {
@@ -206,12 +207,12 @@ fn normal_without_chord(
     clip::least_penetration(a, b, patch.b_in_a, buffers)
 }
 
-/// The axis of least penetration of whole outlines. Seams between pieces do not count: a body is not pushed out of another
+/// The axis of least penetration of whole outlines. Seams between pieces do not count, because no body is pushed out
 /// through a seam. `None` if no side faces the patch.
 fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     let outline_of = |rank: u32| &model.bodies()[model.id_of[rank as usize].0 as usize].outline;
     let corners = || outlines(found, patch).flatten().copied();
-    // A body that lies within the other is pushed out by the other's sides, not by its own.
+    // A body that lies within another is pushed out by the other body's sides, not by its own.
     let is_all_of = |rank: u32| patch.area_m2 >= outline_of(rank).area_m2() * (1.0 - 1e-9);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let by_sides_of = |rank: u32, other: u32| is_all_of(other) || !is_all_of(rank);
@@ -233,8 +234,8 @@ fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     }
 }
 
-/// The side of an outline behind which the patch's corners reach least deep, among those that its centroid faces from
-/// inside: that depth (m) and the side's outward normal.
+/// The side of an outline behind which the patch's corners reach least deep, among the sides that the patch's centroid
+/// faces from inside. Returns the depth (m) and the outward normal of the side.
 fn least_sunk_side(
     sides: &[Vec2],
     centroid_m: Vec2,
@@ -256,7 +257,7 @@ fn least_sunk_side(
     best
 }
 
-/// The press of a patch on its fender, in A's frame.
+/// How a patch presses on its fender, in A's frame.
 pub(crate) fn press(
     model: &Model,
     found: &Overlap,

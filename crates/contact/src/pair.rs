@@ -4,7 +4,7 @@ use crate::material::{Material, MaterialId};
 use crate::number::lesser;
 use crate::ranked::{Ranked, RankedBody};
 
-/// In place of an island's number, for two bodies that both float: their island depends on the other candidates.
+/// Stands in place of an island's number for two bodies that both float: their island depends on the other candidates.
 pub(crate) const JOINED: u32 = u32::MAX;
 
 /// Two bodies by rank, the lower first.
@@ -17,11 +17,11 @@ pub(crate) struct RankedPair {
     pub(crate) island: u32,
 }
 
-/// Bounds on the natural frequencies of a contact between two outlines: in most steps they show that it needs no
-/// sub-steps.
+/// Bounds on the natural frequencies of a contact between two outlines. In most steps the bounds show that the contact
+/// needs no sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// On the squares of the rates of spring and damper (1/s²), for `inverse_mass` (1/kg).
+    /// Bounds on the squares of the rates of spring and damper (1/s²), for the inverse mass `inverse_mass` (1/kg).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
     pub(crate) inverse_mass: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Bounds {
     pub(crate) half_width_m: f64,
     /// Half of the longest chord (m).
     pub(crate) half_chord_m: f64,
-    /// 1 where B is the smaller body, 0 where A is.
+    /// 1 if B is the smaller body, 0 if A is.
     pub(crate) b_is_smaller: f64,
     pub(crate) bodies: [InverseMassBound; 2],
 }
@@ -53,7 +53,7 @@ impl InverseMassBound {
 }
 
 impl RankedPair {
-    /// Of two bodies, at least one of which floats.
+    /// A pair of two bodies, at least one of which floats.
     pub(crate) fn new(
         (a, body_a): (u32, &RankedBody),
         (b, body_b): (u32, &RankedBody),
@@ -75,7 +75,7 @@ impl Bounds {
         let [a, b] = ranks.map(|rank| &ranked[rank]);
         let half_widths_m = ranks.map(|rank| ranked.rest(rank).half_width_m);
         let material = &materials[pair.material.0 as usize];
-        // Twice the value without rotation allows for a contact off the centre.
+        // Twice the value without rotation: this allows for a contact off the centre.
         let inverse_mass = 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
         let per_force = longest_chord_m(a, b) * inverse_mass;
         let damping_rate = material.damping_nspm2 * per_force;
@@ -91,7 +91,7 @@ impl Bounds {
     }
 }
 
-/// A chord is at most as long as the smaller body (m).
+/// The longest chord of a contact (m): a chord is at most as long as the smaller body.
 fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

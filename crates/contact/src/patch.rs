@@ -4,44 +4,44 @@ use crate::candidates::Candidate;
 use crate::geometry::extent::Extent;
 use crate::vec2::{Pose, Vec2};
 
-/// A connected part of the overlap of two bodies, in body A's frame (A: the lower rank).
+/// A connected part of the overlap of two bodies, in the frame of body A, the body of lower rank.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) candidate: Candidate,
-    /// Its candidate's place in `Candidates::pairings`.
+    /// Index of the patch's candidate in `Candidates::pairings`.
     pub(crate) of: u32,
     /// Number within the pair.
     pub(crate) number: u32,
     /// Pose of B in A's frame.
     pub(crate) b_in_a: Pose,
-    /// S (m²).
+    /// Area S (m²).
     pub(crate) area_m2: f64,
-    /// C (m).
+    /// Centroid C (m).
     pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) (m).
+    /// Chord d = Σ (P_out − P_in) (m).
     pub(crate) chord_m: Vec2,
-    /// As in [`crate::geometry::lens::Lens`].
+    /// 1/|d| (1/m), as in [`crate::geometry::lens::Lens`].
     pub(crate) per_chord_m: f64,
-    /// One piece lies within the other, and there are no other pieces.
+    /// Whether one piece lies within the other and there are no other pieces.
     pub(crate) contained: bool,
-    /// Extent along the chord's normal times the chord's length (m²), where the patch is one lens.
+    /// Extent along the normal of the chord, times the length of the chord (m²), if the patch is one lens.
     pub(crate) spread_m2: f64,
-    /// The first of its [`Parts`] and the one after the last.
+    /// The first of the patch's [`Parts`], and the one after the last.
     pub(crate) parts: [u32; 2],
-    /// Its place in `Overlap::places`; [`NOWHERE`] if both bodies are convex.
+    /// Index of the patch's place in `Overlap::places`; [`NOWHERE`] if both bodies are convex.
     pub(crate) place: u32,
 }
 
 pub(crate) const NOWHERE: u32 = u32::MAX;
 
 impl Patch {
-    /// Its place in `Overlap::places`; `None` if both bodies are convex.
+    /// Index of the patch's place in `Overlap::places`; `None` if both bodies are convex.
     #[inline]
     pub(crate) fn place(&self) -> Option<u32> {
         (self.place != NOWHERE).then_some(self.place)
     }
 
-    /// What it consists of.
+    /// The parts of the patch.
     #[inline]
     pub(crate) fn parts(&self) -> Parts {
         let [from, to] = self.parts;
@@ -52,7 +52,7 @@ impl Patch {
     }
 }
 
-/// What a patch consists of.
+/// The parts of a patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Parts {
     /// The one lens of two convex pieces: its vertices in `Overlap::outline_m`.
@@ -61,7 +61,7 @@ pub(crate) enum Parts {
     Lenses { from: u32, to: u32 },
 }
 
-/// Box about a patch in A's and in B's frame (m), by which it is recognised in the next step.
+/// Boxes around a patch in A's and in B's frame (m). The patch is recognised by them in the next step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Place {
     pub(crate) in_a: Extent,

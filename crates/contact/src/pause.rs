@@ -1,4 +1,4 @@
-//! A step of 0 s, of a host that is paused.
+//! A step of 0 s: the host is paused.
 
 use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
@@ -12,7 +12,7 @@ use crate::workspace::Workspace;
 /// displacements and events are zero or empty; the states at the end are the input states.
 ///
 /// # Errors
-/// As any step.
+/// The errors of any other step.
 pub(crate) fn pause(
     model: &Model,
     memory: &Memory,
@@ -39,7 +39,8 @@ pub(crate) fn pause(
     results.displacements.resize(count, Displacement::default());
     results.states_after.clear();
     results.states_after.extend_from_slice(states);
-    // States at the end are results of settled bodies too: the next step computes all bodies anew.
+    // For settled bodies, the states at the end are kept from step to step. They are now overwritten, so the next step
+    // must compute all bodies anew.
     dynamics.invalidate();
     Ok(())
 }

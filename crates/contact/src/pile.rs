@@ -1,43 +1,45 @@
-//! Piles that hold bodies to their places: the law of one pile, and how it takes a step.
+//! Piles that hold bodies to their places: the law of one pile, and its motion in a step.
 //!
-//! With e the elastic deflection, the pile's force on its body is −K e − C v, as long as K |e| is at most the yield load.
-//! Beyond it the pile yields: the deflection grows at the yield load, and what was plastic stays.
+//! With the elastic deflection e, the pile's force on its body is −K e − C v, as long as K |e| is at most the yield
+//! load. Beyond this the pile yields: the deflection grows while the spring's force stays at the yield load, and the
+//! plastic part stays.
 //!
-//! A step of length κ takes both implicitly by the midpoint rule, which is stable for any κ and adds no energy:
+//! The midpoint rule takes spring and damping implicitly over a step of length κ. The rule is stable for any κ and adds
+//! no energy:
 //!
 //! m (v⁺ − v) = κ (F − K (e + κ v̄ / 2) − C v̄), v̄ = (v + v⁺)/2, e⁺ = e + κ v̄.
 //!
-//! So for any force F on the body, v⁺ = v + κ (F − K (e + κ v / 2) − C v)/m′ with m′ = m + κ² K / 4 + κ C / 2. The period is
-//! too long by (ωκ)²/12 of itself. Where K |e⁺| exceeds the yield load, e⁺ returns to it along its radius, and the energy
-//! between the two is lost: that is never negative. From then on the force is the yield load, as long as the body moves
-//! outward.
+//! So for any force F on the body, v⁺ = v + κ (F − K (e + κ v / 2) − C v)/m′ with m′ = m + κ² K / 4 + κ C / 2. The
+//! relative error of the period is (ωκ)²/12. If K |e⁺| exceeds the yield load, e⁺ is brought back to the yield load
+//! along its radius. The energy between the two is lost; this loss is never negative. From then on the force is the
+//! yield load, as long as the body moves outward.
 
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// A load nearer to the yield load than this share of it is at it.
+/// A load that differs from the yield load by less than this share of it counts as at the yield load.
 const AT_LIMIT: f64 = 1e-9;
 
 /// A pile, or a group of piles, that holds a body to its place: a spring with damping and a yield load, the same in all
-/// horizontal directions. It does not let the body turn.
+/// horizontal directions. The pile does not let the body turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pile {
-    /// Where the body stands without load, north and east (m).
+    /// Position of the body without load, north and east (m).
     pub place_m: Vec2,
     /// Stiffness at the height of the load (N/m).
     pub stiffness_npm: f64,
     /// Damping (N·s/m).
     pub damping_nspm: f64,
-    /// The load at which the pile yields (N); infinite for one that does not.
+    /// The load at which the pile yields (N); infinite for a pile that does not yield.
     pub yield_n: f64,
 }
 
-/// What a pile did in a step.
+/// Motion, forces and energies of a pile in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PileMotion {
     /// Deflection at the end of the step, the permanent part included (m).
     pub deflection_m: Vec2,
-    /// The permanent part (m).
+    /// The permanent part of the deflection (m).
     pub offset_m: Vec2,
     /// The spring's force on the body at the end of the step (N).
     pub force_n: Vec2,
@@ -45,11 +47,11 @@ pub struct PileMotion {
     pub peak_deflection_m: f64,
     /// Largest load on the spring in the step (N).
     pub peak_load_n: f64,
-    /// Energy in the spring at the end of the step (J), and the largest in the step.
+    /// Energy in the spring at the end of the step (J).
     pub stored_j: f64,
-    /// The largest in the step (J).
+    /// Largest energy in the spring in the step (J).
     pub peak_stored_j: f64,
-    /// Work of the pile on its body in the step (J): less the change of `stored_j`, less `damping_j` and `yield_j`.
+    /// Work of the pile on its body in the step (J): −(change of `stored_j` + `damping_j` + `yield_j`).
     pub work_j: f64,
     /// Energy lost to damping in the step (J).
     pub damping_j: f64,
@@ -57,12 +59,12 @@ pub struct PileMotion {
     pub yield_j: f64,
 }
 
-/// The state of a pile: deflections at the time of its body's velocity.
+/// The state of a pile. Deflections are those at the time to which the body's velocity belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PileState {
     /// Deflection (m).
     pub(crate) deflection_m: Vec2,
-    /// Its permanent part (m).
+    /// The permanent part of the deflection (m).
     pub(crate) offset_m: Vec2,
 }
 
@@ -73,7 +75,8 @@ impl PileState {
 }
 
 impl Pile {
-    /// The direction in which it yields, if it does at the start of a step: at the yield load, and the body moves on.
+    /// The direction in which the pile yields at the start of a step. The pile yields if it is at the yield load and
+    /// the body moves on outward.
     fn flows_to(&self, state: &PileState, velocity_mps: Vec2) -> Option<Vec2> {
         let elastic_m = state.elastic_m();
         let length_m = elastic_m.length();
@@ -82,7 +85,7 @@ impl Pile {
         flows.then(|| elastic_m * (1.0 / length_m))
     }
 
-    /// m′, and the force of the pile at the start of a step of κ, to be applied to it (kg, N).
+    /// The mass m′ (kg), and the force of the pile at the start of a step of length κ, to be applied to m′ (N).
     pub(crate) fn begin(
         &self,
         state: &PileState,
@@ -100,7 +103,8 @@ impl Pile {
         (damped_kg + by_spring_kg, half_way_m * -self.stiffness_npm + damping_n)
     }
 
-    /// The state after a step of κ in which the body's velocity went from one to the other, and what the pile did.
+    /// The state after a step of length κ, in which the body's velocity went from one value to the other, and the
+    /// pile's motion in it.
     pub(crate) fn advance(
         &self,
         state: &mut PileState,
@@ -117,10 +121,10 @@ impl Pile {
         let stored_j = |m: Vec2| 0.5 * self.stiffness_npm * m.length_squared();
         let limit_m = self.yield_n / self.stiffness_npm;
         let (to_m, taken_j) = match outward {
-            // The force was that of the limit throughout.
+            // The force was the yield load throughout.
             Some(outward) => {
                 let taken_j = self.yield_n * outward.dot(by_m);
-                // Back already: what it gave came from the spring.
+                // The body is already back within the limit. The energy that the pile gave came from the spring.
                 let least_m2 = limit_m * limit_m + 2.0 * taken_j / self.stiffness_npm;
                 let length_m = lesser(limit_m, libm::sqrt(greater(least_m2, 0.0)));
                 (tried_m * (length_m / tried_m.length()), taken_j)
@@ -144,7 +148,7 @@ impl Pile {
 }
 
 impl PileMotion {
-    /// At the start of a step.
+    /// The report of a pile at the start of a step.
     pub(crate) fn begin(pile: &Pile, state: &PileState) -> PileMotion {
         let mut motion = PileMotion::default();
         motion.note(pile, state, state.elastic_m());

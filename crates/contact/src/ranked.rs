@@ -18,31 +18,31 @@ use crate::number::{greater, lesser};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranked {
     bodies: Vec<RankedBody>,
-    /// The first of each body's pieces, and the one after the last. A list of its own, so that the narrow phase reads few lines of
-    /// the processor's cache.
+    /// For each body, the first of its pieces and the one after the last. Stored apart, so that the narrow phase reads
+    /// few lines of the processor's cache.
     piece_ranges: Vec<[u32; 2]>,
     rests: Vec<Rest>,
-    /// The boxes about the outlines, in their bodies' axes.
+    /// The boxes around the outlines, each in its body's axes.
     boxes: Vec<Extent>,
     /// Area of the smallest body (m²).
     smallest_m2: f64,
-    /// The convex pieces of all outlines. Bodies with equal outlines share theirs.
+    /// The convex pieces of all outlines. Bodies with equal outlines share the same pieces.
     pieces: Vec<ConvexPolygon>,
     /// Trees over the pieces of outlines that have many.
     trees: Vec<BoxTree>,
 }
 
-/// What steps often read of a body: one line of the processor's cache.
+/// The data of a body that steps often read. These data fill one line of the processor's cache.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct RankedBody {
-    /// Its mass is the same in all directions and in all sub-steps.
+    /// Whether the body's mass is the same in all directions and in all sub-steps.
     pub(crate) is_alike: bool,
-    /// It stands on the ground: fixed, or on a pile.
+    /// Whether the body stands on the ground: it is fixed, or on a pile.
     pub(crate) stands: bool,
     /// Largest distance of a vertex from the centre of gravity (m).
     pub(crate) radius_m: f64,
-    /// The same including the body's fenders (m).
+    /// Largest distance of a point of the body or its fenders from the centre of gravity (m).
     pub(crate) reach_m: f64,
     /// 1/m (1/kg); 0 for a fixed body.
     pub(crate) inverse_mass: f64,
@@ -50,28 +50,29 @@ pub(crate) struct RankedBody {
     pub(crate) inverse_inertia: f64,
     /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// The inverse yaw inertia by the full matrix (1/(kg·m²)).
+    /// Inverse yaw inertia, from the full matrix (1/(kg·m²)).
     pub(crate) inverse_of_turning: f64,
 }
 
-/// What steps seldom read of a body.
+/// The data of a body that steps seldom read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rest {
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
     pub(crate) area_m2: f64,
-    /// About half of its width: a convex body's area is about its length times its width (m).
+    /// About half of the body's width (m), from the area: a convex body's area is about its length times its width.
     pub(crate) half_width_m: f64,
-    /// For a body whose momentum the engine turns with it.
+    /// Kirchhoff's equations, for a body whose momentum the engine turns with the body.
     pub(crate) kirchhoff: Option<Kirchhoff>,
-    /// The first of its fenders in `Model::faces`, and the one after the last.
+    /// The first of the body's fenders in `Model::faces`, and the one after the last.
     faces: (u32, u32),
-    /// In `Ranked::trees`.
+    /// Index in `Ranked::trees`.
     tree: Option<u32>,
 }
 
 impl Ranked {
-    /// Of these bodies in the order of their ranks. `fenders` are sorted by the ranks of their hosts.
+    /// The data of these bodies, given in the order of their ranks. `fenders` are sorted by the ranks of the bodies
+    /// that carry them.
     pub(crate) fn new<'b>(
         bodies: impl Iterator<Item = &'b Body>,
         fenders: &[RankedFender],
@@ -117,13 +118,13 @@ impl Ranked {
         self.bodies.len()
     }
 
-    /// What steps seldom read of a body.
+    /// The data of a body that steps seldom read.
     #[inline]
     pub(crate) fn rest(&self, rank: usize) -> &Rest {
         &self.rests[rank]
     }
 
-    /// The box about a body's outline, in its axes.
+    /// The box around a body's outline, in the body's axes.
     #[inline]
     pub(crate) fn extent(&self, rank: usize) -> Extent {
         self.boxes[rank]
@@ -142,7 +143,7 @@ impl Ranked {
         &self.pieces[from as usize..to as usize]
     }
 
-    /// The same with the tree over them, if there is one.
+    /// The convex pieces of a body's outline, with the tree over them, if there is one.
     #[inline]
     pub(crate) fn shapes(&self, rank: usize) -> Shapes<'_> {
         let tree = self.rests[rank].tree.map(|index| &self.trees[index as usize]);
@@ -158,7 +159,7 @@ impl Ranked {
         }
     }
 
-    /// Its fenders, from and to, in `Model::faces`.
+    /// A body's fenders, as a range (from, to) of `Model::faces`.
     #[inline]
     pub(crate) fn faces(&self, rank: usize) -> (u32, u32) {
         self.rests[rank].faces
@@ -181,7 +182,7 @@ impl RankedBody {
     }
 }
 
-/// What is known of a body with this reach of its fenders.
+/// The data of a body. `fenders_reach_m` is how far its fenders reach.
 fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
     let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
         Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),

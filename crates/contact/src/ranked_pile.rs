@@ -6,10 +6,10 @@ use crate::body::{Body, Mobility};
 use crate::material::BodyId;
 use crate::pile::Pile;
 
-/// A pile and the mass on it.
+/// A pile, and the mass of the body on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RankedPile {
-    /// Of its body.
+    /// Rank of the body on the pile.
     pub(crate) rank: u32,
     pub(crate) mass_kg: f64,
     pub(crate) pile: Pile,

@@ -5,23 +5,22 @@ use alloc::vec::Vec;
 use crate::error::ModelError;
 use crate::number::{bounded, greater};
 
-/// Reaction R from deflection δ.
+/// The law that gives the reaction R from the deflection δ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FenderLaw {
-    /// The paper's law, an elastic foundation: N = k S with the material's k. It stores ½ k ∫ d² ds, where
-    /// d(s) is the depth of the hull behind the face; δ is the largest d.
+    /// The paper's law, an elastic foundation: N = k S with the material's k. The stored energy is ½ k ∫ d² ds, where
+    /// d(s) is the depth of the hull behind the face. δ is the largest d.
     Area,
-    /// Points (δ (m), R (N)) from (0, 0) on, with straight lines between them. Beyond the last point a
-    /// rising last line is extended; after a falling one the reaction stays constant.
-    /// δ is the mean of d(s) over the width of the face, which is the deflection of the fender's axis
-    /// where a flat side covers the face. It stores ∫ R dδ.
+    /// Points (δ (m), R (N)), from (0, 0) on, with straight lines between them. Beyond the last point, a rising last
+    /// line is extended; after a falling last line the reaction stays constant. δ is the mean of d(s) over the width of
+    /// the face. If a flat side covers the face, δ is the deflection of the fender's axis. The stored energy is ∫ R dδ.
     Curve(Vec<[f64; 2]>),
 }
 
-/// The end of a fender's travel: beyond `from_m` a further spring acts.
+/// The end of a fender's travel: beyond `from_m` a second spring acts in addition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// Deflection at which it begins (m).
+    /// Deflection at which the stop begins (m).
     pub from_m: f64,
     /// Stiffness (N/m).
     pub stiffness_npm: f64,
@@ -34,8 +33,8 @@ impl FenderLaw {
         FenderLaw::Curve(alloc::vec![[0.0, 0.0], [1.0, stiffness_npm]])
     }
 
-    /// R at a deflection, without factors and stop (N); 0 for [`FenderLaw::Area`], whose force does not
-    /// depend on δ alone.
+    /// R at a deflection, without factors and stop (N). 0 for [`FenderLaw::Area`], because its force does not depend on
+    /// δ alone.
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> f64 {
         match self {
@@ -76,8 +75,8 @@ pub(crate) fn integral(points: &[[f64; 2]], x: f64) -> f64 {
     sum + 0.5 * (last + on_line(points, x)) * (x - end)
 }
 
-/// Straight lines between points. Beyond the last point a rising last line is extended; after a falling one the
-/// value stays.
+/// The value on straight lines between points. Beyond the last point a rising last line is extended; after a falling
+/// line the value stays.
 pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     let index = points[1..points.len() - 1].iter().take_while(|p| p[0] < x).count();
     let [[x0, y0], [x1, y1]] = [points[index], points[index + 1]];
@@ -87,7 +86,7 @@ pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     y0 + (y1 - y0) * ((x - x0) / (x1 - x0))
 }
 
-/// Straight lines between points, constant beyond both ends; 1 where there are no points.
+/// The value on straight lines between points, constant beyond both ends. 1 if there are no points.
 pub(crate) fn held(points: &[[f64; 2]], x: f64) -> f64 {
     match points {
         [] => 1.0,
@@ -96,7 +95,8 @@ pub(crate) fn held(points: &[[f64; 2]], x: f64) -> f64 {
     }
 }
 
-/// Checks the points of a curve from (0, 0) on. `owner` names the fender in errors, `fields` the curve and its deflections.
+/// Checks the points of a curve, from (0, 0) on. In errors, `owner` names the fender and `fields` the curve and its
+/// deflections.
 pub(crate) fn check_curve(
     owner: &str,
     [curve, deflection]: [&'static str; 2],
@@ -110,7 +110,7 @@ pub(crate) fn check_curve(
     check_points(owner, deflection, points, 0.0..=1e15)
 }
 
-/// Checks that abscissae rise and ordinates lie within bounds; `owner` names the fender in errors.
+/// Checks that abscissae rise and that ordinates lie within bounds. In errors, `owner` names the fender.
 pub(crate) fn check_points(
     owner: &str,
     field: &'static str,

@@ -1,17 +1,19 @@
-//! Renewal of slices: a host changes the outline that a fender meets of a hull, because her height at the fender has
-//! changed (docs/contact_model.md, section 8).
+//! Renewal of slices: a host changes the outline of a hull that a fender meets, because the hull's height at the fender
+//! has changed (docs/contact_model.md, section 8).
 //!
-//! The contact lives on: shear, tops of rubber and reference speed stay. What the change stores in the fender or takes out
-//! of it is no work of the bodies' motion in the plane; the host books it as work of tide, heave, roll and pitch. The
-//! contact may return it. Its damper answers the change of the area, as it does any other.
+//! The contact continues: shear, tops of rubber and reference speed stay. The change stores energy in the fender or
+//! takes energy out. This energy is no work of the bodies' motion in the plane: the host books it as work of tide,
+//! heave, roll and pitch. The contact may return it. The damper reacts to the change of the area as to any other
+//! change.
 //!
-//! The forces of a (sub-)step act for half a step before its start and half a step after it (section 6.7). So the change
-//! counts from half a step before the start: there the energies before and after it are compared. With those at the
-//! start, a ship that closes in while the tide takes her side away would gain k δ̇² h/2 for ever.
+//! The forces of a sub-step act from half a step before its start to half a step after it (section 6.7). So the change
+//! counts from half a step before the start, and the energies before and after the change are compared at that time. If
+//! the energies were compared at the start, a ship that closes in while the tide takes her side away would gain k δ̇²
+//! h/2 again and again.
 //!
-//! A fender with an unloading law follows the net change of its deflection from the start of the last (sub-)step to this
-//! one. So the work is the energy that this takes, less what the motion gives: its force at the last start for half a step,
-//! and that at this one for another half.
+//! A fender with an unloading law follows the net change of its deflection from the start of the last sub-step to the
+//! start of this one. So the work of the change is the energy for this net change, less the work of the motion: the
+//! force at the last start acting for half a step, and the force at this start acting for another half.
 
 use alloc::vec::Vec;
 
@@ -32,18 +34,18 @@ use crate::state::BodyState;
 use crate::touch::{Movers, Scene, touch};
 use crate::vec2::Pose;
 
-/// What a renewal did.
+/// The result of a renewal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Renewal {
-    /// The energy that it put into the fender (J), negative where it took some out.
+    /// The energy that the renewal put into the fender (J), negative if it took some out.
     pub work_j: f64,
     /// The slice that was replaced.
     pub before: Option<Slice>,
 }
 
 impl Model {
-    /// Sets the outline that a fender meets of a body with outlines by height, from the next step on; `None`: the body has no
-    /// side at that height. `states` are those at which that step begins.
+    /// Sets the outline that a fender meets of a body with outlines by height, from the next step on. `None`: the body
+    /// has no side at that height. `states` are the states at which the next step begins.
     ///
     /// # Panics
     /// If the builder did not declare the body with [`crate::ModelBuilder::outlines_by_height`], or an id does not exist.
@@ -59,7 +61,7 @@ impl Model {
             return Renewal { work_j: 0.0, before: slice };
         }
         let is_near = self.is_near(&candidate, states);
-        // By the time before the start, in halves of the last (sub-)step.
+        // The held energy, by the time before the start in halves of the last step or sub-step.
         let held = |model: &Model, memory: &Memory, halves: f64| {
             if is_near { model.held(memory, &candidate, states, halves) } else { Held::default() }
         };
@@ -90,9 +92,10 @@ impl Model {
         *self.slices.slot(place) = before;
     }
 
-    /// The side of a body with outlines by height before a fender's face: where they touch, or where she is nearest. Where
-    /// she flares out upwards, the fender pushes her up with the slope's share of the contact's normal force. `None` for a
-    /// body with one outline, and where no side of hers is before the face.
+    /// The side of a body with outlines by height that is before a fender's face: where body and fender touch, or where
+    /// the body is nearest. If the side flares out upwards, the fender pushes the body up with a force of the slope
+    /// times the contact's normal force. `None` for a body with one outline, and if no side of the body is before the
+    /// face.
     ///
     /// # Panics
     /// If an id does not exist.
@@ -107,7 +110,7 @@ impl Model {
         let number = self.face_of(Some(fender));
         let face = &self.faces[number as usize - 1];
         let pose = |rank: u32| states[self.id_of[rank as usize].0 as usize].pose();
-        // Relative to the host, so that no digits are lost far from the origin.
+        // Computed relative to the host, so that no digits are lost far from the origin.
         let hull = pose(face.host).to(pose(rank));
         self.side_met(face, number, rank, hull, Pose::IDENTITY)
     }
@@ -135,7 +138,7 @@ impl Model {
         !found.patches.is_empty()
     }
 
-    /// The candidate of a fender and a body with outlines by height, and the place of its slice.
+    /// The candidate of a fender and a body with outlines by height, and the index of its slice.
     fn met(&self, fender: FenderId, body: BodyId) -> (Candidate, usize) {
         let number = self.face_of(Some(fender));
         let face = &self.faces[number as usize - 1];
@@ -145,7 +148,7 @@ impl Model {
         (Candidate { a, b, face: number, material: face.material }, place)
     }
 
-    /// Does the circle about the fender's zone meet that about the body?
+    /// Does the circle around the fender's zone meet the circle around the body?
     fn is_near(&self, candidate: &Candidate, states: &[BodyState]) -> bool {
         let Some(face) = candidate.fender(self) else { return false };
         let other = if face.host == candidate.a { candidate.b } else { candidate.a };
@@ -155,7 +158,7 @@ impl Model {
         (center_m - state(other).position_m).length_squared() <= reach_m * reach_m
     }
 
-    /// Poses by rank, of which only those of a candidate's bodies are set.
+    /// Poses by rank. Only the poses of a candidate's two bodies are set.
     fn poses_of(&self, candidate: &Candidate, state: impl Fn(u32) -> BodyState) -> Bodies {
         let mut bodies = Bodies::with_capacity(0);
         bodies.poses = alloc::vec![Pose::IDENTITY; self.ranked.len()];
@@ -171,8 +174,8 @@ impl Model {
         let _ = overlap(self, bodies, &[pairing], 0, Hints::new(&[], &mut hints), &mut clip, found);
     }
 
-    /// What the contacts of a candidate hold, some halves of the last (sub-)step before these states, with the memory of
-    /// that step.
+    /// Energy and force that the contacts of a candidate hold at a time before these states, with the memory of the
+    /// last step. The time is given in halves of the last step or sub-step.
     fn held(
         &self,
         memory: &Memory,

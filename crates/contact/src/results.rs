@@ -27,18 +27,18 @@ pub(crate) struct Results {
     pub(crate) panels: Vec<PanelMotion>,
     /// Chains that have parted, before and in this step.
     pub(crate) parted: Vec<u32>,
-    /// What piles did, by rank.
+    /// Motion of the piles, by rank.
     pub(crate) piles: Vec<PileMotion>,
-    /// By the coupled method: states at the end of the step.
+    /// In the coupled method: states at the end of the step.
     pub(crate) states_after: Vec<BodyState>,
-    /// By the coupled method: how far each body moved in the step.
+    /// In the coupled method: how far each body moved in the step.
     pub(crate) displacements: Vec<Displacement>,
-    /// By the coupled method: greatest wrenches of bodies whose contacts took several sub-steps.
+    /// In the coupled method: greatest wrenches of bodies whose contacts took several sub-steps.
     pub(crate) peaks: Vec<PeakWrench>,
 }
 
 impl Results {
-    /// For `count` bodies, with room for so many contacts.
+    /// Results for `count` bodies, with room for this number of contacts.
     pub(crate) fn new(count: usize, contacts: usize) -> Results {
         Results {
             layout: None,
@@ -55,7 +55,7 @@ impl Results {
         }
     }
 
-    /// Results before the first step. Whether contacts are reported stays.
+    /// Resets to the results before the first step. The setting whether contacts are reported stays.
     pub(crate) fn forget(&mut self) {
         self.layout = None;
         self.clear_forces(self.wrenches.len());
@@ -66,7 +66,7 @@ impl Results {
         self.displacements.clear();
     }
 
-    /// Clears contacts and wrenches for `count` bodies. Events stay: stage 1 writes them before.
+    /// Clears contacts and wrenches for `count` bodies. Events stay, because stage 1 has already written them.
     pub(crate) fn clear_forces(&mut self, count: usize) {
         self.contacts.clear();
         self.panels.clear();

@@ -1,4 +1,4 @@
-//! Lists whose memory is there before the first step.
+//! Lists whose memory is reserved and written before the first step.
 
 use alloc::vec::Vec;
 use core::mem::MaybeUninit;
@@ -6,20 +6,21 @@ use core::mem::MaybeUninit;
 use crate::geometry::convex::ConvexPolygon;
 use crate::model::Model;
 
-/// An empty list with room for `count` entries. All of its memory is written once: a system gives pages when they are first
-/// written, and the first step of many contacts would else wait for thousands of them.
+/// An empty list with room for `count` entries. All memory of the list is written once. A system provides a page of
+/// memory only when the page is first written; the first step of many contacts would otherwise wait for thousands of
+/// pages.
 pub(crate) fn room_for<T>(count: usize) -> Vec<T> {
-    // Unseen by the compiler, which would else ask the system for memory that is zero unwritten.
+    // Hidden from the compiler, which would otherwise ask the system for zeroed memory and write nothing.
     let mut list = core::hint::black_box(Vec::with_capacity(count));
     list.spare_capacity_mut().fill_with(MaybeUninit::zeroed);
     list
 }
 
-/// Fewer contacts than this wait for a page or two: their lists begin empty.
+/// With fewer contacts than this, the lists begin empty: their first step waits for only a page or two.
 const LEAST_WITH_ROOM: usize = 64;
 
-/// How many contacts get room before the first step: one a floating body and one a fender, none for a few. Lists grow where there
-/// are more.
+/// How many contacts get room before the first step: one per floating body and one per fender, and none if these are
+/// few. Lists grow if there are more.
 pub(crate) fn expected_contacts(model: &Model) -> usize {
     let floating = (0..model.ranked.len()).filter(|&rank| !model.ranked[rank].is_fixed()).count();
     let contacts = floating + model.fenders().len();

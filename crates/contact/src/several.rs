@@ -1,4 +1,5 @@
-//! The overlap of bodies of several convex pieces: a lens for each two pieces, and patches of lenses that share seams.
+//! The overlap of bodies with several convex pieces: a lens for each pair of pieces, and patches of lenses that share
+//! seams.
 
 use crate::candidates::Candidate;
 use crate::geometry::clip::{self, ClipBuffers, Corners};
@@ -11,8 +12,8 @@ use crate::model::Model;
 use crate::patch::{NOWHERE, Patch, Place};
 use crate::vec2::{Pose, Vec2};
 
-/// Corners nearer than this are one corner of two lenses that share a seam (m). Seam corners are computed twice, to about
-/// 1e-12 m; features of a hull are centimetres.
+/// Corners nearer to each other than this are one corner of two lenses that share a seam (m). Each seam corner is
+/// computed twice, to about 1e-12 m; features of a hull are centimetres.
 const SAME_CORNER_M: f64 = 1e-7;
 
 /// A candidate, its place among the candidates, and the pose of B in A's frame.
@@ -46,12 +47,12 @@ pub(crate) fn clip_several(
     found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = of);
 }
 
-/// Is the fender of a candidate one with a panel?
+/// Does the fender of a candidate have a panel?
 fn is_panel(model: &Model, candidate: &Candidate) -> bool {
     candidate.fender(model).is_some_and(|face| face.panel.is_some())
 }
 
-/// Clips every piece of A against every piece of B that is near it.
+/// Clips every piece of A against every piece of B near it.
 fn clip_pieces(
     model: &Model,
     PosedPair { candidate, b_in_a, .. }: PosedPair<'_>,
@@ -83,12 +84,12 @@ fn clip_pieces(
     }
 }
 
-/// Joins the lenses of a pair that share a seam into patches. The seams' parts of the chords
-/// cancel, so that a patch's area, centroid and chord are those of the whole outlines.
+/// Joins the lenses of a pair that share a seam into patches. The parts of the chords along the seam cancel, so a patch
+/// has the area, centroid and chord of the whole outlines.
 fn connect(candidate: Candidate, b_in_a: Pose, first: usize, found: &mut Overlap) {
     let end = found.lenses.len();
     number_by_seams(found, first);
-    // In the order of the pieces within a patch: its sums are taken in that order.
+    // Within a patch the lenses are in the order of the pieces, and the patch's sums are taken in that order.
     found.lenses[first..].sort_unstable_by_key(|l| (l.patch, l.piece_a, l.piece_b));
     let mut start = first;
     let mut number = 0;
@@ -101,8 +102,8 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, found: &mut Overlap
     }
 }
 
-/// Gives the lenses of a pair that are connected by seams the number of the first of them. They are compared in a sweep
-/// along the longer side of the box about them all: only lenses whose boxes meet can share a corner.
+/// Numbers the lenses of a pair. Lenses that seams connect all get the number of the first of them. A sweep along the
+/// longer side of the box around all lenses compares them: only lenses whose boxes meet can share a corner.
 fn number_by_seams(found: &mut Overlap, first: usize) {
     let Overlap { lenses, outline_m, by_low_end, .. } = found;
     let lenses = &mut lenses[first..];
@@ -141,18 +142,20 @@ fn number_by_seams(found: &mut Overlap, first: usize) {
 fn first_of(lenses: &mut [PieceLens], mut number: u32) -> u32 {
     while lenses[number as usize].patch != number {
         let next = lenses[number as usize].patch;
-        // Halves the way for the next search.
+        // This halves the path for the next search.
         lenses[number as usize].patch = lenses[next as usize].patch;
         number = lenses[number as usize].patch;
     }
     number
 }
 
-/// Do two lenses lie on both sides of a seam? Then they share the two ends of their common edge.
+/// Do two lenses lie on the two sides of a seam? Lenses on the two sides of a seam share both ends of their common
+/// edge.
 ///
-/// If one of the two pieces is the same, one common corner is enough, however short the edge: a convex piece that reaches
-/// a common corner of two others lies on the seam that starts there. If both differ, the seams of both bodies would have
-/// to lie on one another. Two corners are needed to distinguish that from four lenses that meet where seams cross.
+/// If the two lenses have a piece in common, one common corner is enough, however short the edge is: a convex piece
+/// that reaches a common corner of two other pieces lies on the seam that starts there. If both pieces differ, the
+/// seams of both bodies would have to lie on one another. Two common corners are then needed, to tell this case from
+/// four lenses that meet where two seams cross.
 fn share_a_seam(outline_m: &[Vec2], one: &PieceLens, two: &PieceLens) -> bool {
     let corners = |lens: &PieceLens| lens.corners_m(outline_m);
     let same_piece = one.piece_a == two.piece_a || one.piece_b == two.piece_b;
@@ -172,7 +175,7 @@ fn share_a_seam(outline_m: &[Vec2], one: &PieceLens, two: &PieceLens) -> bool {
     false
 }
 
-/// Adds a patch of several pieces' lenses, with its place.
+/// Adds a patch made of the lenses of several pieces, and its place.
 fn new_patch(
     candidate: Candidate,
     b_in_a: Pose,

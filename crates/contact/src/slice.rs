@@ -1,8 +1,9 @@
-//! Outlines of a hull at the heights of fenders, and the slope of her side there (docs/contact_model.md, section 8).
+//! Outlines of a hull at the heights of fenders, and the slope of the hull's side at these heights
+//! (docs/contact_model.md, section 8).
 //!
-//! A body with outlines by height has no one outline for fenders: each fender meets the one at its own height. The host
-//! cuts these slices, and renews them between steps where tide, heave, roll or pitch have changed them: see
-//! [`crate::Model::renew_slice`].
+//! A body with outlines by height has no single outline for fenders: each fender meets the outline at its own height.
+//! The host cuts these slices. The host renews the slices between steps when tide, heave, roll or pitch have changed
+//! them: see [`crate::Model::renew_slice`].
 
 use alloc::vec::Vec;
 
@@ -13,7 +14,8 @@ use crate::number::{greater, lesser};
 use crate::outline::{Outline, OutlineError};
 use crate::vec2::{Pose, Vec2};
 
-/// Where a hull does not reach a fender's face yet, her slope is that within this depth of her nearest point (m).
+/// If a hull does not yet reach a fender's face, the slope is taken from the sides within this depth of the hull's
+/// nearest point (m).
 const NEAREST_M: f64 = 1e-6;
 
 /// The outline of a body at the height of a fender.
@@ -26,8 +28,8 @@ pub struct Slice {
 /// The side of a hull before a fender's face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideMet {
-    /// The tangent of the angle by which the side leans out over the fender: how fast the overlap grows with height, over how
-    /// fast it grows with the hull's motion along the force. Positive where the side flares out upwards.
+    /// The tangent of the angle by which the side leans out over the fender. The tangent is the growth of the overlap
+    /// with height, over its growth with the hull's motion along the force. Positive if the side flares out upwards.
     pub slope: f64,
     /// The middle of the side, in the hull's frame (m).
     pub place_m: Vec2,
@@ -41,8 +43,8 @@ struct Edge {
 }
 
 impl Slice {
-    /// A slice from its vertices in the body's frame (m), in either direction, and the rate at which each moves as the
-    /// height rises (m/m). Missing rates are zero: a vertical side.
+    /// A slice from its vertices in the body's frame (m), in either direction, and the rate at which each vertex moves
+    /// as the height rises (m/m). Missing rates are zero: a vertical side.
     ///
     /// # Errors
     /// As [`Outline::new`].
@@ -60,17 +62,17 @@ impl Slice {
         Ok(Slice { pieces, edges: (0..count).map(edge).collect() })
     }
 
-    /// Its edges, by their ends (m).
+    /// The edges of the slice, by their ends (m).
     pub(crate) fn edges_m(&self) -> impl Iterator<Item = [Vec2; 2]> {
         self.edges.iter().map(|edge| edge.ends_m)
     }
 
-    /// The hull's side before a fender's face: where they touch, or where the hull is nearest. `None` where no side of hers
-    /// is before the face.
+    /// The hull's side before a fender's face: where hull and face touch, or where the hull is nearest. `None` if no
+    /// side of the hull is before the face.
     ///
-    /// With p the pressure on the face, the slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face: the ratio of
-    /// the two gradients of the stored energy, by height and in the plane. p is uniform for a reaction curve, and grows
-    /// with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
+    /// The slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face, with the pressure p on the face. The slope
+    /// is the ratio of two gradients of the stored energy: by height, and in the plane. p is uniform for a reaction
+    /// curve, and grows with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
     pub(crate) fn side(
         &self,
         face: &RankedFender,
@@ -82,7 +84,7 @@ impl Slice {
         let turned = |v: Vec2| frame.turned_to_face(hull.rotation.apply(v));
         let place = |v: Vec2| frame.to_face(hull.apply(v));
         let half_m = 0.5 * face.width_m;
-        // Sides that face the fender, cut to the strip before it.
+        // Sides that face the fender, cut to the strip before the fender.
         let sides = || {
             self.edges.iter().filter_map(|edge| {
                 let ends_m = edge.ends_m.map(place);
@@ -128,7 +130,7 @@ struct Part {
 }
 
 impl Part {
-    /// What of it has a coordinate from `low_m` to `high_m`; `None` for nothing.
+    /// The piece of the part whose coordinate lies from `low_m` to `high_m`; `None` if there is none.
     fn within(&self, coordinate: impl Fn(Vec2) -> f64, low_m: f64, high_m: f64) -> Option<Part> {
         let [from_m, to_m] = self.ends_m.map(coordinate);
         let (mut first, mut last) = (0.0, 1.0);
@@ -143,8 +145,8 @@ impl Part {
         (first < last).then(|| Part { ends_m: at(self.ends_m), rates: at(self.rates) })
     }
 
-    /// ∫ p v′·n ds and ∫ p n ds with p = 1, or p = x. Exact: the integrands are polynomials of the second degree at most,
-    /// for which Simpson's rule holds.
+    /// ∫ p v′·n ds and ∫ p n ds with p = 1, or p = x. Simpson's rule is exact here: the integrands are polynomials of
+    /// the second degree at most.
     fn gradients(&self, by_depth: bool) -> (f64, Vec2) {
         let [from, to] = self.ends_m;
         let normal = (to - from).quarter_turn_back();
@@ -164,16 +166,17 @@ impl Part {
 /// The slices of a model.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Slices {
-    /// By rank: the number of the body among those with outlines by height, from 1; 0 for the others. Empty without any.
+    /// For each body by rank: its number among the bodies with outlines by height, from 1; 0 for other bodies. Empty if
+    /// there are no such bodies.
     numbers: Vec<u32>,
-    /// Number of these bodies.
+    /// Number of bodies with outlines by height.
     count: u32,
-    /// For each face and each of these bodies; `None`: the body has no side at that height.
+    /// The slice for each face and each body with outlines by height. `None`: the body has no side at that height.
     slots: Vec<Option<Slice>>,
 }
 
 impl Slices {
-    /// For the bodies of these ranks and a number of faces.
+    /// Slices for the bodies of these ranks and for this number of faces.
     pub(crate) fn new(bodies: usize, ranks: &[u32], faces: usize) -> Slices {
         if ranks.is_empty() {
             return Slices::default();
@@ -197,14 +200,15 @@ impl Slices {
         (0..).zip(&self.numbers).filter(|&(_, &number)| number > 0).map(|(rank, _)| rank)
     }
 
-    /// The place of the slice that a face (by its number, from 1) meets of a body; `None` for a body with one outline.
+    /// The index of the slice of a body that a face meets; `None` for a body with one outline. `face` is the number of
+    /// the face, from 1.
     #[inline]
     pub(crate) fn place(&self, face: u32, rank: u32) -> Option<usize> {
         let number = self.numbers.get(rank as usize)?.checked_sub(1)?;
         Some(((face - 1) * self.count + number) as usize)
     }
 
-    /// The slice at a place.
+    /// The slice at an index.
     #[inline]
     pub(crate) fn at(&self, place: usize) -> Option<&Slice> {
         self.slots[place].as_ref()

@@ -60,7 +60,7 @@ impl Record for Hint {
 }
 
 impl Memory {
-    /// All of this memory as bytes.
+    /// This memory as bytes.
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
         let mut out = Writer::new(MAGIC);
@@ -85,7 +85,7 @@ impl Memory {
         out.sealed()
     }
 
-    /// Becomes what [`Memory::snapshot`] saved, for the same model.
+    /// Restores what [`Memory::snapshot`] saved, for the same model.
     ///
     /// # Errors
     /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the memory
@@ -124,7 +124,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     for _ in 0..patches {
         let (patch, place): (PatchMemory, Place) = input.get();
         memory.contacts.patches.push(patch);
-        // All zeros where it has none.
+        // A patch without a place has zeros here.
         if place != Place::default() {
             let PatchMemory { a, b, face, patch, .. } = patch;
             memory.contacts.places.push(PlaceMemory { a, b, face, patch, place });
@@ -140,7 +140,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     Ok(memory)
 }
 
-/// What the check sum cannot tell: a snapshot written by somebody else.
+/// Checks the values. The checksum alone cannot show that another program wrote impossible values.
 fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let bodies = model.ranked.len();
     let known = |(a, b, face): (u32, u32, u32)| {
@@ -150,7 +150,7 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
                 model.faces.get(index as usize).is_some_and(|f| f.host == a || f.host == b)
             })
     };
-    // `Memory::set_elapsed` takes parts of a step.
+    // `Memory::set_elapsed` may set a part of a step.
     let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
     let in_time = |behind_s: f64| {
         behind_s.to_bits() == NOT_BEHIND.to_bits() || (0.0..=LONGEST_STEP_S).contains(&behind_s)

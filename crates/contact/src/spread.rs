@@ -1,4 +1,4 @@
-//! A sort for many entries whose keys are spread evenly, as places and ranks are: by as many buckets as entries.
+//! A sort for many entries with evenly spread keys, such as places and ranks. The sort uses as many buckets as entries.
 
 use alloc::vec::Vec;
 
@@ -8,22 +8,24 @@ use crate::room::room_for;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SpreadSort<T> {
     copy: Vec<T>,
-    /// By bucket: where it begins in the sorted list.
+    /// For each bucket, where it begins in the sorted list.
     starts: Vec<u32>,
 }
 
 impl<T: Copy> SpreadSort<T> {
-    /// With room for lists of so many entries.
+    /// Buffers with room for lists of this number of entries.
     pub(crate) fn with_room(count: usize) -> SpreadSort<T> {
         SpreadSort { copy: room_for(count), starts: room_for(count) }
     }
 
-    /// Sorts by keys, none greater than `most`, entries of equal keys in any order. Takes time in proportion to the entries where
-    /// keys are spread evenly up to `most`, and that of a sort by comparison where they are not.
+    /// Sorts by keys. No key may be greater than `most`; entries with equal keys come in any order. If the keys are
+    /// evenly spread up to `most`, the time is proportional to the number of entries; otherwise it is that of a sort by
+    /// comparison.
     pub(crate) fn sort(&mut self, list: &mut [T], most: u64, key: impl Fn(&T) -> u64) {
         let SpreadSort { copy, starts } = self;
         let count = list.len() as u64;
-        // Buckets a key, in 2⁻⁶⁴: less than 1, and the greatest key is in the last bucket.
+        // Buckets per unit of key, in units of 2⁻⁶⁴. The ratio is less than 1, and the greatest key falls into the last
+        // bucket.
         let share = ((u128::from(count) << 64) / (u128::from(most.max(count)) + 1)) as u64;
         let bucket = |entry: &T| ((u128::from(key(entry)) * u128::from(share)) >> 64) as usize;
         starts.clear();
@@ -64,7 +66,7 @@ mod tests {
 
     use super::SpreadSort;
 
-    /// Keys spread evenly, in one bucket, all equal, and as large as can be.
+    /// The keys are spread evenly, all in one bucket, all equal, and as large as possible.
     #[test]
     fn it_sorts_as_a_sort_by_comparison() {
         let mut state = 3_u64;

@@ -2,7 +2,7 @@
 
 use crate::vec2::{Pose, Vec2};
 
-/// Largest position (m). A larger one is a mistake, and forces could overflow.
+/// Largest position (m). A larger position is a mistake of the host, and forces could overflow.
 pub(crate) const FURTHEST_M: f64 = 1e9;
 
 /// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn (m/s, rad/s).
@@ -55,7 +55,7 @@ impl BodyState {
     /// Whether the body neither moves nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
-        // All bits but the signs are zero; one test for all three numbers.
+        // At rest, all bits but the signs are zero. One test covers all three numbers.
         let Vec2 { x, y } = self.velocity_mps;
         (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }

@@ -27,13 +27,13 @@ use crate::touch::{Movers, Scene, arms_m, touch, touch_again};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
-/// Contact forces between all bodies for the step of `step_s` seconds that begins at `states`, by the paper's method.
-/// `states` are in the order in which the bodies were added.
+/// Computes the contact forces between all bodies by the paper's method, for the step of `step_s` seconds that begins
+/// at `states`. `states` are in the order in which the bodies were added.
 ///
-/// Results are in `work`: [`Workspace::contacts`], [`Workspace::wrenches`], [`Workspace::events`]. `memory` becomes that
-/// of the next step. A step of 0 s, of a host that is paused, changes neither `memory` nor the results, except that it
-/// clears events and work. The order in which bodies were added changes no bit of any force: all sums run in the order of
-/// the bodies' keys.
+/// Results are in `work`: [`Workspace::contacts`], [`Workspace::wrenches`], [`Workspace::events`]. `memory` becomes the
+/// memory of the next step. A step of 0 s means that the host is paused: it changes neither `memory` nor the results,
+/// except that it clears events and work. The order in which bodies were added changes no bit of any force, because all
+/// sums run in the order of the bodies' keys.
 ///
 /// # Errors
 /// [`StepError`] for input that is not finite or out of range. `memory` is unchanged then, and `work` keeps the results
@@ -81,7 +81,7 @@ pub fn step(
         stage.add(patch, inherited, inherited.of(past.patches, &inheritance.shares));
     }
 
-    // The step is done: its memory becomes that of the next.
+    // The step is done. The new memory becomes the memory of the next step.
     next_memory.exchange(&mut memory.contacts, keeps_hints);
     memory.parted.clone_from(&results.parted);
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
@@ -91,7 +91,7 @@ pub fn step(
     Ok(())
 }
 
-/// Stage 1: input states and poses in the order of the ranks, and the bodies that were teleported.
+/// Stage 1: puts input states and poses in the order of the ranks, and finds the bodies that were teleported.
 fn place(
     model: &Model,
     memory: &Memory,
@@ -116,13 +116,14 @@ fn place(
     }
 }
 
-/// Stages 4 to 6, for one patch at a time: what they read and write.
+/// Stages 4 to 6, for one patch at a time: the data that they read and write.
 struct Stage<'w> {
     scene: Scene<'w>,
     clip: &'w mut ClipBuffers,
     results: &'w mut Results,
     next_memory: &'w mut ContactMemory,
-    /// Length of this step, and time since the last one began (s): the backward difference of eq. 3 is over the latter.
+    /// Length of this step, and the time since the last step began (s). The backward difference of eq. 3 is taken over
+    /// the time since the last step began.
     step_s: f64,
     elapsed_s: f64,
 }
@@ -148,7 +149,7 @@ impl Stage<'_> {
         self.add_contact(patch, Some(face), inherited, old);
     }
 
-    /// Law and limit of one patch, its contact and its memory.
+    /// Applies law and limit to one patch, and adds its contact and its memory.
     #[inline(always)]
     fn add_contact(
         &mut self,
@@ -244,7 +245,8 @@ impl Stage<'_> {
     }
 }
 
-/// Adds a contact to the wrenches of its bodies. The force on body 2 is exactly the opposite of that on body 1 (eq. 1).
+/// Adds a contact to the wrenches of its bodies. The force on body 2 is exactly the opposite of the force on body 1
+/// (eq. 1).
 #[inline(always)]
 fn add_wrenches(contact: &Contact, wrenches: &mut [Wrench]) {
     let force_n: Vec2 = contact.force_on_body_1_n();

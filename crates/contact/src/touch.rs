@@ -20,9 +20,10 @@ pub(crate) struct Touch {
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// Where the force acts, in A's frame (m): C, or a point of the line of a fender's force.
+    /// The point at which the force acts, in A's frame (m): C or, at a fender, a point on the line of the fender's
+    /// force.
     pub(crate) point_in_a_m: Vec2,
-    /// About each body's centre of gravity.
+    /// Levers of the force about each body's centre of gravity.
     pub(crate) levers_a: Levers,
     pub(crate) levers_b: Levers,
     /// δ (m).
@@ -32,7 +33,7 @@ pub(crate) struct Touch {
     pub(crate) stop_n: f64,
     /// Energy stored in a fender, before factors (J); 0 between two outlines, whose law has no potential.
     pub(crate) stored_j: f64,
-    /// dS by the distance that the bodies close along n (m).
+    /// Growth of S per distance that the bodies close along n (m).
     pub(crate) chord_m: f64,
     /// Angle between a fender's face and the hull (rad).
     pub(crate) tilt_rad: f64,
@@ -43,20 +44,20 @@ pub(crate) struct Touch {
     pub(crate) shear_m: f64,
 }
 
-/// Which bodies of a contact move: floating ones, and fixed ones with a velocity, such as lock gates.
+/// The bodies of a contact that move: floating bodies, and fixed bodies with a velocity, such as lock gates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Movers {
     /// Only A: B is fixed and at rest.
     A,
-    /// Only B.
+    /// Only B: A is fixed and at rest.
     B,
-    /// Both, or unknown.
+    /// Both bodies move, or it is not known which of them moves.
     #[default]
     Both,
 }
 
 impl Movers {
-    /// From whether A and B move. At least one of them does.
+    /// Made from whether A moves and whether B moves. At least one of the two bodies moves.
     #[inline(always)]
     pub(crate) fn of([a_moves, b_moves]: [bool; 2]) -> Movers {
         match (a_moves, b_moves) {
@@ -67,7 +68,7 @@ impl Movers {
     }
 
     /// V_n and V_t of two bodies (eq. 10) (m/s), from n and the levers of n and t about each centre of gravity. The
-    /// velocity of a body at rest is not read.
+    /// function does not read the velocity of a body at rest.
     #[inline(always)]
     pub(crate) fn speeds(
         self,
@@ -100,17 +101,17 @@ impl Movers {
     }
 }
 
-/// What the contacts of a (sub-)step are computed from. Lists are by rank.
+/// The data from which the contacts of a step or sub-step are computed. Lists are by rank.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'w> {
     pub(crate) model: &'w Model,
     pub(crate) overlap: &'w Overlap,
     pub(crate) poses: &'w [Pose],
-    /// States at the start of the (sub-)step.
+    /// States at the start of the step or sub-step.
     pub(crate) states: &'w [BodyState],
 }
 
-/// Kinematics of a patch. `face` is its fender, if it has one, and `old` its memory.
+/// Computes the kinematics of a patch. `face` is the patch's fender, if it has one, and `old` the patch's memory.
 #[inline(always)]
 pub(crate) fn touch(
     scene: &Scene<'_>,
@@ -126,7 +127,7 @@ pub(crate) fn touch(
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
     let normal = scene.poses[patch.candidate.a as usize].rotation.apply(normal_in_a);
-    // In A's frame, where the arms are given.
+    // Computed in A's frame, in which the arms are given.
     let levers_a = Levers::new(point_in_a_m, normal_in_a);
     let levers_b = Levers::new(point_in_a_m - patch.b_in_a.position_m, normal_in_a);
     let velocity_of = |rank: u32| scene.states[rank as usize].velocity();
@@ -136,16 +137,16 @@ pub(crate) fn touch(
         (normal, levers_a, levers_b),
     );
     let shear_m = old.map_or(0.0, |m| {
-        // How far the material points that were at C have moved apart (eq. 4). In A's frame, where no digits are lost far
-        // from the origin.
+        // How far the material points that were at C have moved apart (eq. 4). Computed in A's frame, so that no digits
+        // are lost far from the origin.
         let apart = m.point_in_a_m - patch.b_in_a.apply(m.point_in_b_m);
         m.shear_m + apart.dot(normal_in_a.quarter_turn())
     });
     Touch { normal, levers_a, levers_b, v_normal_mps, v_tangential_mps, shear_m, ..pressed }
 }
 
-/// As [`touch`], once more for the same patch, as where a chain of its panel has parted. Seldom, so that the code of `touch` is
-/// not there twice.
+/// Does [`touch`] again for the same patch, after a chain of its panel has parted. This is rare; a function of its own
+/// keeps a second copy of `touch` out of the caller.
 #[cold]
 #[inline(never)]
 pub(crate) fn touch_again(
@@ -159,7 +160,8 @@ pub(crate) fn touch_again(
     touch(scene, clip, patch, face, old, movers)
 }
 
-/// Outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections 1 and 2).
+/// The press of outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections
+/// 1 and 2).
 #[inline(always)]
 fn press_outline(
     scene: &Scene<'_>,
@@ -179,7 +181,7 @@ fn press_outline(
     }
 }
 
-/// An outline against a fender: by the fender's law.
+/// The press of an outline against a fender, by the fender's law.
 #[inline(never)]
 fn press_fender(
     scene: &Scene<'_>,
@@ -188,7 +190,7 @@ fn press_fender(
     face: &RankedFender,
 ) -> Touch {
     let press = overlap::press(scene.model, scene.overlap, clip, patch, face);
-    // The hull pushes towards the fender: that is A's outward normal if the hull is A's.
+    // The hull pushes towards the fender. If the hull is A's, this is A's outward normal.
     let hull_is_a = face.host != patch.candidate.a;
     Touch {
         normal_in_a: if hull_is_a { press.push } else { -press.push },
@@ -203,7 +205,8 @@ fn press_fender(
     }
 }
 
-/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed (m).
+/// The arms r of both bodies of a patch: from the body's centre of gravity to the point where the force acts,
+/// earth-fixed (m).
 #[inline]
 pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [Vec2; 2] {
     let rotation = scene.poses[patch.candidate.a as usize].rotation;
@@ -211,7 +214,7 @@ pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [V
 }
 
 impl Touch {
-    /// With this normal and these arms of A and B.
+    /// A touch with this normal and these arms of A and B.
     #[cfg(test)]
     pub(crate) fn at(normal: Vec2, [arm_a_m, arm_b_m]: [Vec2; 2]) -> Touch {
         Touch {
@@ -222,8 +225,8 @@ impl Touch {
         }
     }
 
-    /// The report of this patch of bodies A and B, without forces. Body 1 is the one that was added first: if that is B, n
-    /// and t are reversed.
+    /// The report of a patch of bodies A and B, without forces. Body 1 is the body that was added first. If this is B,
+    /// n and t are reversed.
     #[inline]
     pub(crate) fn contact(
         &self,

@@ -1,31 +1,31 @@
 //! The unloading law of a fender: rubber returns less energy than it absorbs.
 //!
-//! A fender's loading force is the gradient of an energy U of the hull's position (`face.rs`). On unloading the force
-//! falls to a lower curve, the gradient of another energy U_u that is nowhere steeper: ∇U_u = (R_u/R) ∇U. In between
+//! A fender's loading force is the gradient of an energy U, which depends on the hull's position (`face.rs`). On
+//! unloading, the force falls to a lower curve. The lower curve is the gradient of another energy U_u that is nowhere
+//! steeper: ∇U_u = (R_u/R) ∇U. Between the two curves
 //!
 //! F = ∇U_u + z ∇D,  D = U − U_u ≥ 0,  0 ≤ z ≤ 1,
 //!
-//! where z depends on D alone: z = Σ q_i z_i over a few *play operators*, each with one state, its top T_i:
+//! where z depends on D alone: z = Σ q_i z_i over a few *play operators*. Each play has one state, its top T_i:
 //!
 //! z_i = (D − (1 − w_i) T_i)/(w_i T_i), where D moves T_i so that 0 ≤ z_i ≤ 1.
 //!
-//! During loading D = T_i and z = 1. On unloading z falls to 0 while D loses the share w_i of T_i; on reloading z
-//! rises the same way. From this form it follows:
+//! During loading D = T_i and z = 1. On unloading, z falls to 0 while D loses the share w_i of T_i. On reloading, z
+//! rises in the same way. This form has these consequences:
 //!
-//! - With T_i constant the force is the gradient of the energy that the fender can still return,
-//!   V = U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i). As for an elastic fender, the path and the tilt of the face do
-//!   not matter.
-//! - Along any path dW = dV + heat, and there is heat only where a top rises: q_i (1 − w_i/2) dT_i ≥ 0. So the law is
-//!   passive. Within the plays, and where a top falls, nothing is dissipated.
+//! - With T_i constant the force is the gradient of the energy that the fender can still return, V = U_u + Σ q_i (D −
+//!   (1 − w_i)T_i)²/(2 w_i T_i). As with an elastic fender, the path and the tilt of the face do not matter.
+//! - Along any path dW = dV + heat. There is heat only when a top rises: q_i (1 − w_i/2) dT_i ≥ 0. So the law is
+//!   passive. Within the plays, and when a top falls, nothing is dissipated.
 //! - The law does not contain time: results depend neither on the speed nor on Δt.
-//! - It has no scale but the load itself: a loop from zero to any deflection and back returns U_u + c D of the absorbed
-//!   U, c = Σ q_i w_i/2. With R_u = r R that is the same share of U for any deflection and any reaction law, and
-//!   r = (η − c)/(1 − c) makes that share η.
-//! - A ship under a steady load rests where she stops: any deflection between the two curves carries the load, and she
+//! - The law has no scale except the load itself. A loop from zero to any deflection and back absorbs U. The loop
+//!   returns U_u + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same for any deflection and
+//!   any reaction law. r = (η − c)/(1 − c) makes this share η.
+//! - A ship under a steady load rests where she stops. Any deflection between the two curves carries the load. The ship
 //!   does not creep, because the plays are springs there.
 //!
-//! Parallel plays are the Prandtl-Ishlinskii model of hysteresis. Several widths round the turn between the curves,
-//! and let small oscillations decay that a single play would sustain. Widths and shares are our choice.
+//! Parallel plays are the Prandtl-Ishlinskii model of hysteresis. Several widths make the turn between the curves
+//! round, and let small oscillations decay that a single play would sustain. Widths and shares are our choice.
 
 use alloc::vec::Vec;
 
@@ -33,27 +33,27 @@ use crate::error::ModelError;
 use crate::number::{greater, lesser};
 use crate::reaction::{FenderLaw, check_curve, integral, on_line};
 
-/// How a fender's reaction falls when the hull moves away. The coupled method uses it; the paper's method has
+/// How a fender's reaction falls when the hull moves away. Used by the coupled method; the paper's method has
 /// restitution instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unloading {
-    /// Returned share of the absorbed energy, for a loop from zero to any deflection and back, with any law:
-    /// between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits one such fender leaves with the square root
-    /// of this share of its speed.
+    /// Returned share of the absorbed energy, for a loop from zero to any deflection and back, with any reaction law.
+    /// The share is between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits one such fender leaves with the
+    /// square root of this share of its speed.
     ReturnedEnergy(f64),
-    /// Points (δ (m), R (N)) of the lower curve from (0, 0) on, with straight lines between them, for a
-    /// [`FenderLaw::Curve`] and nowhere above it. Beyond the last point, and in the stop, the reaction falls to the
-    /// same share of the loading curve as at the last point.
+    /// Points (δ (m), R (N)) of the lower curve, from (0, 0) on, with straight lines between them. The lower curve
+    /// needs a [`FenderLaw::Curve`], and lies nowhere above that curve. Beyond the last point, and in the stop, the
+    /// reaction falls to the same share of the loading curve as at the last point.
     Curve(Vec<[f64; 2]>),
 }
 
 /// Number of play operators.
 pub(crate) const PLAYS: usize = 3;
 
-/// w_i: width of each play in D, over its top.
+/// w_i: width of each play in D, as a share of the play's top.
 const WIDTHS: [f64; PLAYS] = [1.0 / 10.0, 1.0 / 80.0, 1.0 / 640.0];
 
-/// q_i: shares of the plays in z. They are proportional to the widths, so that each play adds the same stiffness.
+/// q_i: shares of the plays in z. The shares are proportional to the widths, so that each play adds the same stiffness.
 const SHARES: [f64; PLAYS] = [
     WIDTHS[0] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[1] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
@@ -65,11 +65,11 @@ const RETURNED_BY_PLAYS: f64 =
     0.5 * (SHARES[0] * WIDTHS[0] + SHARES[1] * WIDTHS[1] + SHARES[2] * WIDTHS[2]);
 
 impl Unloading {
-    /// The smallest returned share: the force needs some distance to fall.
+    /// The smallest returned share. This share is not 0, because the force needs some distance to fall.
     pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
     /// The share of ∫ R dδ that a loop to a deflection and back returns, without the stop. For
-    /// [`Unloading::ReturnedEnergy`] it does not depend on the deflection.
+    /// [`Unloading::ReturnedEnergy`] this share does not depend on the deflection.
     #[must_use]
     pub fn returned_share(&self, law: &FenderLaw, deflection_m: f64) -> f64 {
         match self {
@@ -95,8 +95,8 @@ impl Unloading {
         }
     }
 
-    /// The first point (δ, R) where an unloading curve lies above a loading curve by more than rounding. It is a
-    /// vertex of one of them, because both are straight in between.
+    /// The first point (δ, R) at which an unloading curve lies above a loading curve by more than rounding. This point
+    /// is a vertex of one of the two curves, because both are straight between vertices.
     #[must_use]
     pub fn first_point_above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
         let end_m = unloading.last().map_or(0.0, |p| p[0]);
@@ -106,7 +106,7 @@ impl Unloading {
             .find(|&[at_m, lower_n]| lower_n > on_line(loading, at_m) * (1.0 + 1e-9) + 1e-9)
     }
 
-    /// Checks the values; `name` is the fender's, for errors, and `law` its loading law.
+    /// Checks the values. `name` is the fender's name for errors, and `law` the fender's loading law.
     pub(crate) fn check(&self, name: &str, law: &FenderLaw) -> Result<(), ModelError> {
         let bad = |field, value, must| {
             Err(ModelError::OutOfRange { owner: name.into(), field, value, must })
@@ -146,7 +146,7 @@ impl Unloading {
     }
 }
 
-/// r of R_u = r R where a loop returns this share.
+/// The factor r in R_u = r R with which a loop returns this share.
 fn lower_share(returned: f64) -> f64 {
     greater((returned - RETURNED_BY_PLAYS) / (1.0 - RETURNED_BY_PLAYS), 0.0)
 }
@@ -173,20 +173,20 @@ fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Loading {
     pub(crate) deflection_m: f64,
-    /// Of the reaction curve (N).
+    /// Force of the reaction curve (N).
     pub(crate) spring_n: f64,
-    /// Of the stop (N).
+    /// Force of the stop (N).
     pub(crate) stop_n: f64,
-    /// U, of both (J).
+    /// Energy U of reaction curve and stop (J).
     pub(crate) stored_j: f64,
 }
 
 /// Force and energy of a contact by the unloading law of its fender, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Unloaded {
-    /// Force over the loading force.
+    /// Force by the unloading law, over the loading force.
     pub(crate) share: f64,
-    /// V (J).
+    /// Energy V that the fender can still return (J).
     pub(crate) recoverable_j: f64,
     /// Energy dissipated since the given tops (J).
     pub(crate) lost_j: f64,
@@ -194,8 +194,8 @@ pub(crate) struct Unloaded {
     pub(crate) tops_j: [f64; PLAYS],
 }
 
-/// Applies the unloading law to a contact, from the tops that it remembers. `None` for a new contact, whose loading is
-/// unknown: it has dissipated nothing yet.
+/// Applies the unloading law to a contact, starting from the tops that the contact remembers. `None` stands for a new
+/// contact: its loading is not known, so it has dissipated nothing yet.
 pub(crate) fn unload(
     unloading: &Unloading,
     law: &FenderLaw,
@@ -212,7 +212,8 @@ pub(crate) fn unload(
             let deflection_m = loading.deflection_m;
             let (energy_j, reaction_n) = lower_of_curve(points, law, deflection_m);
             let loading_n = law.reaction_n(deflection_m);
-            // The share of the reaction, not the reaction itself: a tilted face has a larger force than R.
+            // The share of the reaction is used, not the reaction itself, because a tilted face has a larger force than
+            // R.
             let of_spring = if loading_n > 0.0 { reaction_n / loading_n } else { 1.0 };
             let of_stop = share_beyond(law, points[points.len() - 1]);
             let stop_j = greater(loading.stored_j - law.energy_j(deflection_m), 0.0);
@@ -250,7 +251,7 @@ impl Plays {
             if between_j > before_j {
                 plays.lost_j += weight * (1.0 - 0.5 * width) * (between_j - before_j);
             }
-            // Between 0 and 1; 1 before any loading.
+            // z is between 0 and 1; it is 1 before any loading.
             let z = if top_j > 0.0 { 1.0 - (top_j - between_j) / (width * top_j) } else { 1.0 };
             let z = greater(z, 0.0);
             plays.z += weight * z;
@@ -267,7 +268,7 @@ mod tests {
     use super::*;
     use alloc::vec;
 
-    /// A curve that buckles, as that of a cone fender.
+    /// A curve that buckles, like that of a cone fender.
     fn cone() -> FenderLaw {
         FenderLaw::Curve(vec![[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]])
     }
@@ -339,7 +340,7 @@ mod tests {
             let share = unloading.returned_share(&law, top_m);
             assert!((given_j / taken_j - share).abs() < 1e-4, "{top_m}: {given_j} of {taken_j}");
         }
-        // Curves that meet at the end of a measured loop coincide beyond it.
+        // Unloading and loading curves that meet at the end of a measured loop coincide beyond it.
         let far = unloading.reaction_n(&law, 0.9, law.reaction_n(0.9));
         assert_eq!(far, law.reaction_n(0.9));
     }
@@ -358,7 +359,7 @@ mod tests {
         assert_eq!(Unloading::first_point_above(&[[0.0, 0.0], [0.7, 5.0]], &loading), None);
     }
 
-    /// Random walks: work is recoverable energy plus heat, and heat never decreases.
+    /// On random walks, work equals recoverable energy plus heat, and heat never decreases.
     #[test]
     fn on_any_path_heat_grows_and_energy_balances() {
         let law = cone();
@@ -397,7 +398,7 @@ mod tests {
         }
     }
 
-    /// A steady load with gusts: between the curves the same oscillation reaches the same force each time.
+    /// A steady load with gusts. Between the curves, the same oscillation reaches the same force each time.
     #[test]
     fn oscillations_between_the_curves_do_not_ratchet() {
         let (law, unloading) = (cone(), Unloading::ReturnedEnergy(0.55));

@@ -7,7 +7,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use crate::angle::sin_cos;
 
-/// A vector in the horizontal plane; the unit is the one its name states.
+/// A vector in the horizontal plane; its name states the unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2 {
     /// North, or forward in a body's frame.
@@ -52,14 +52,14 @@ impl Vec2 {
         vec2(-omega * self.y, omega * self.x)
     }
 
-    /// Rotated by +90° (from x to y).
+    /// The vector rotated by +90° (from x to y).
     #[must_use]
     #[inline]
     pub fn quarter_turn(self) -> Vec2 {
         vec2(-self.y, self.x)
     }
 
-    /// Rotated by −90°: the outward side of a boundary walked in the positive sense.
+    /// The vector rotated by −90°: it points to the outward side of a boundary walked in the positive sense.
     #[must_use]
     #[inline]
     pub fn quarter_turn_back(self) -> Vec2 {
@@ -80,7 +80,7 @@ impl Vec2 {
         libm::sqrt(self.length_squared())
     }
 
-    /// True when neither component is infinite or NaN.
+    /// True if neither component is infinite or NaN.
     #[must_use]
     #[inline]
     pub fn is_finite(self) -> bool {
@@ -164,14 +164,14 @@ impl Rotation {
         Rotation { cos, sin }
     }
 
-    /// From the body's frame to the earth's.
+    /// Transforms a vector from the body's frame to the earth's.
     #[must_use]
     #[inline]
     pub fn apply(self, v: Vec2) -> Vec2 {
         vec2(self.cos * v.x - self.sin * v.y, self.sin * v.x + self.cos * v.y)
     }
 
-    /// From the earth's frame to the body's.
+    /// Transforms a vector from the earth's frame to the body's.
     #[must_use]
     #[inline]
     pub fn apply_inverse(self, v: Vec2) -> Vec2 {
@@ -189,7 +189,7 @@ impl Rotation {
     }
 }
 
-/// Where a body is and how it is turned: the map from its frame to the earth's.
+/// Position and attitude of a body: the map from the body's frame to the earth's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// Position of the body's centre of gravity (m).
@@ -210,23 +210,23 @@ impl Pose {
         Pose { position_m, rotation: Rotation::from_angle(heading_rad) }
     }
 
-    /// A point of the body's frame in the earth's.
+    /// Transforms a point from the body's frame to the earth's.
     #[must_use]
     #[inline]
     pub fn apply(self, point_m: Vec2) -> Vec2 {
         self.position_m + self.rotation.apply(point_m)
     }
 
-    /// A point of the earth's frame in the body's.
+    /// Transforms a point from the earth's frame to the body's.
     #[must_use]
     #[inline]
     pub fn apply_inverse(self, point_m: Vec2) -> Vec2 {
         self.rotation.apply_inverse(point_m - self.position_m)
     }
 
-    /// The pose of `other` as seen from `self`. The difference of the positions is taken first, so
-    /// that nothing is lost far from the origin (at UTM coordinates, 1e7 m, a world-frame shoelace
-    /// is wrong by 1e-3 m²).
+    /// The pose of `other` as seen from `self`. The difference of the positions is taken first, so that no digits are
+    /// lost far from the origin. (At UTM coordinates, 1e7 m, an area computed from earth-fixed vertices is wrong by
+    /// 1e-3 m².)
     #[must_use]
     #[inline]
     pub fn to(self, other: Pose) -> Pose {

@@ -21,10 +21,10 @@ use crate::results::Results;
 use crate::room::{expected_contacts, most_corners};
 use crate::state::BodyState;
 
-/// Buffers that a step writes to, and its results. Nothing in it matters to the next step: it can be shared between runs,
-/// of one model or of several, or dropped at any time.
+/// Buffers that a step writes to, and the step's results. The next step does not depend on them: a workspace can be
+/// shared between runs, of one model or of several, or dropped at any time.
 ///
-/// Its parts are in the order in which a step computes them. Each stage takes the parts that it reads or writes.
+/// The parts are in the order in which a step computes them. Each stage takes the parts that it reads or writes.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     /// Stage 1: input states and poses.
@@ -46,9 +46,9 @@ pub struct Workspace {
     pub(crate) constraints: Constraints,
     /// The coupled method: the islands that are in their sub-steps.
     pub(crate) group: Group,
-    /// The coupled method: what is kept between sub-steps.
+    /// The coupled method: buffers kept between sub-steps.
     pub(crate) kept: Kept,
-    /// The coupled method: what the last step left of an island, if that is not contiguous in the memory.
+    /// The coupled method: the memory that the last step left for an island, if it is not contiguous.
     pub(crate) gathered: ContactMemory,
     /// The memory of the next step.
     pub(crate) next_memory: ContactMemory,
@@ -57,8 +57,8 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Buffers for a model. Lists of its bodies are made at once, and where these are many those of contacts too, one a floating
-    /// body and one a fender, so that the first step does not wait for their memory.
+    /// Buffers for a model. Lists of the model's bodies are made at once. If there are many contacts to expect (one per
+    /// floating body and one per fender), their lists are made too, so that the first step does not wait for memory.
     #[must_use]
     pub fn new(model: &Model) -> Workspace {
         let (count, contacts) = (model.bodies().len(), expected_contacts(model));
@@ -82,63 +82,66 @@ impl Workspace {
         }
     }
 
-    /// Becomes a workspace whose results are those before the first step, and keeps its buffers.
+    /// Resets the results to those before the first step. The buffers are kept.
     pub fn forget_results(&mut self) {
         self.results.forget();
     }
 
-    /// States at the end of the last step by [`crate::advance`], one a body. A host that lets the engine move its bodies
-    /// takes these as its next input. Empty after [`crate::advance_in_place`]. Velocities belong to the middle of the last
-    /// sub-step.
+    /// States at the end of the last step by [`crate::advance`], one per body. A host that lets the engine move its
+    /// bodies passes these states to the next step. Empty after [`crate::advance_in_place`]. Velocities belong to the
+    /// middle of the last sub-step.
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.results.states_after
     }
 
-    /// Displacement of each body in the last step by [`crate::advance`], one a body: what a load does work along.
+    /// Displacement of each body in the last step by [`crate::advance`], one per body: the work of a load is the load
+    /// times this displacement.
     #[must_use]
     pub fn displacements(&self) -> &[Displacement] {
         &self.results.displacements
     }
 
-    /// Whether steps report their contacts one by one in [`Workspace::contacts`]; they do by default. Without, a step is
-    /// somewhat faster. Wrenches, states, displacements, events and memory are the same to the bit either way.
+    /// Sets whether steps report their contacts one by one in [`Workspace::contacts`]. By default they do. Without the
+    /// report a step is somewhat faster. Wrenches, states, displacements, events and memory are the same to the bit
+    /// either way.
     pub fn report_contacts(&mut self, report: bool) {
         self.results.reports_contacts = report;
     }
 
-    /// Contacts of the last step, sorted by the bodies' keys and patch. Empty if they are not reported.
+    /// Contacts of the last step, sorted by the bodies' keys and patch. The list is empty if contacts are not reported.
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         &self.results.contacts
     }
 
-    /// The panels that hulls pressed in the last step, one entry a panel and hull.
+    /// The panels that hulls pressed in the last step, one entry per panel and hull.
     #[must_use]
     pub fn panels(&self) -> &[PanelMotion] {
         &self.results.panels
     }
 
-    /// What the piles of bodies did in the last step, in the order of these bodies' keys.
+    /// Motion of the piles in the last step, in the order of the keys of the bodies on them.
     #[must_use]
     pub fn piles(&self) -> &[PileMotion] {
         &self.results.piles
     }
 
-    /// Sum of the contact forces on each body, one a body: the mean over the last step, by which bodies are moved. See
-    /// [`Workspace::peak_wrenches_into`] for the greatest within it.
+    /// Sum of the contact forces on each body, one per body: the mean over the last step. Move bodies with this sum.
+    /// For the greatest value within the step see [`Workspace::peak_wrenches_into`].
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.results.wrenches
     }
 
-    /// Writes the greatest sum of the contact forces on each body within the last step into a list, one a body: the wrench
-    /// of the sub-step in which the force was greatest. By the paper's method, and if the step was one sub-step, that is
-    /// [`Workspace::wrenches`].
+    /// Writes a list with the greatest sum of the contact forces on each body within the last step, one per body: the
+    /// wrench of the sub-step in which the force was greatest. In the paper's method, and if the step was one sub-step,
+    /// this is [`Workspace::wrenches`].
     ///
-    /// Use it to size fenders and structures, not to move bodies: a force that falls off within a long step is this large
-    /// for a part of it only. On a fixed body that several floating bodies touch, which do not touch each other, it is the
-    /// wrench as if their greatest forces acted at one time.
+    /// Use this wrench to size fenders and structures, not to move bodies: a force that falls off within a long step is
+    /// this large only for a part of the step. Several floating bodies that do not touch each other may touch one fixed
+    /// body. The wrench on the fixed body is then computed as if the greatest forces of these bodies acted at the same
+    /// time.
     pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::write(&self.results.peaks, &self.results.wrenches, into);
     }

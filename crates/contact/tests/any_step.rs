@@ -1,5 +1,5 @@
-//! The coupled method at long time steps against its own converged solution: peak force, peak depth,
-//! and final speeds.
+//! The coupled method at long time steps, compared with its own converged solution: peak force, peak depth and final
+//! speeds.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -9,7 +9,7 @@ use fenderline_contact::BodyState;
 use small_host::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};
 use small_host::{Host, Method, Scene};
 
-/// Δt of the converged solution (s).
+/// Time step of the converged solution (s).
 const CONVERGED_S: f64 = 1e-3;
 
 /// Allowed relative deviation.
@@ -21,8 +21,8 @@ struct Outcome {
     /// Peak normal force and peak depth of every contact, in a fixed order.
     peaks: Vec<(String, f64, f64)>,
     after: Vec<BodyState>,
-    /// Largest speed of each body in the run, and the larger of its largest rate of turn and the rate with the
-    /// same energy in yaw: the scales for final velocities.
+    /// For each body, the scales for final velocities: its largest speed in the run, and the larger of two rates of
+    /// turn. One is its largest rate; the other is the rate with the same energy in yaw.
     fastest: Vec<(f64, f64)>,
 }
 
@@ -41,8 +41,8 @@ fn outcome(scene: Scene) -> Outcome {
         let gyradius_m = (mass.yaw_inertia_kgm2 / mass.mass_kg).sqrt();
         most.1 = most.1.max(most.0 / gyradius_m);
     }
-    // The quay's contacts are compared by fender: a sum over the pair would add peaks from different times
-    // of a long step.
+    // Contacts with the quay are compared by fender. In a long step, a sum over the pair would add peaks of different
+    // times.
     let has_fenders = !host.scene.fenders.is_empty();
     let is_quay = |bodies: [usize; 2]| has_fenders && bodies[0] == 0;
     let pairs = host.pairs.iter().filter(|(bodies, _)| !is_quay(*bodies));
@@ -56,16 +56,17 @@ fn outcome(scene: Scene) -> Outcome {
     Outcome { peaks, after: host.states.clone(), fastest }
 }
 
-/// A final velocity below this share of the run's largest counts as zero.
+/// A final velocity below this share of the largest velocity in the run counts as zero.
 const NEXT_TO_ZERO: f64 = 0.05;
 
-/// The scale of a deviation from `right`: `right` itself or, where that counts as zero, the run's largest
-/// value. What remains of a swing on undamped springs has any phase after ten minutes.
+/// The scale of a deviation from `right`: `right` itself, or the largest value in the run if `right` counts as zero.
+/// After ten minutes, the rest of a swing on undamped springs may have any phase.
 fn scale(right: f64, largest: f64) -> f64 {
     if right < NEXT_TO_ZERO * largest { largest } else { right }
 }
 
-/// Compares peaks relative to the largest of their kind in the scene: the eighth fender of a row is barely touched.
+/// Compares peaks relative to the largest peak of the same kind in the scene, because the eighth fender of a row is
+/// barely touched.
 fn assert_close(what: &str, ours: &Outcome, converged: &Outcome) {
     let largest =
         |of: fn(&(String, f64, f64)) -> f64| converged.peaks.iter().map(of).fold(0.0, f64::max);
@@ -116,8 +117,8 @@ fn oblique_berthing_converges_at_any_time_step() {
 
 #[test]
 fn oblique_tug_impact_converges_at_any_time_step() {
-    // Not 2 s: the Coriolis terms of her added mass are loads, constant over a step; they alone change her
-    // speed by 3.6 % there.
+    // The steps leave out 2 s. The Coriolis terms of her added mass are loads, constant over a step. At 2 s these terms
+    // alone change her speed by 3.6 %.
     assert_any_step("20° off square", |step_s| oblique_tug_impact(2.06, step_s), &STEPS_S[..3]);
 }
 
@@ -126,7 +127,7 @@ fn tug_push_converges_at_any_time_step() {
     assert_any_step("push", tug_push, &STEPS_S);
 }
 
-/// The sum of mean force times Δt was up to 0.8 % off where the length of the sub-steps changes within a contact.
+/// The sum of mean force times Δt was wrong by up to 0.8 % where the length of the sub-steps changed within a contact.
 #[test]
 fn the_impulse_of_a_pair_equals_the_change_of_momentum() {
     for (method, damping_nspm2) in
@@ -140,7 +141,7 @@ fn the_impulse_of_a_pair_equals_the_change_of_momentum() {
             let mass_kg = ship.mass_kg
                 + match method {
                     Method::Coupled => ship.added_sway_kg,
-                    // The paper's method has one mass for all directions.
+                    // In the paper's method a body has one mass for all directions.
                     Method::Paper => ship.added_surge_kg,
                 };
             let mut host = Host::new(scene);
@@ -148,7 +149,7 @@ fn the_impulse_of_a_pair_equals_the_change_of_momentum() {
                 host.step();
             }
             let [(_, pair)] = *host.pairs else { panic!("one pair") };
-            // Head-on: the ship, at rest before, gets all of it.
+            // In a head-on impact the ship, which was at rest, gets the whole impulse.
             let right_ns = mass_kg * host.states[0].velocity_mps.length();
             let off = pair.impulse_ns / right_ns - 1.0;
             let case = format!("{method:?}, {damping_nspm2} N·s/m², Δt {step_s}");

@@ -1,5 +1,5 @@
-//! Mistakes of a host. Non-finite numbers are errors that name body and field and change nothing;
-//! impossible positions give finite, bounded forces and an event.
+//! Mistakes of a host. Numbers that are not finite give errors that name body and field, and change nothing. Impossible
+//! positions give finite, bounded forces and an event.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -26,7 +26,7 @@ const FIELDS: [Field; 6] = [
     ("yaw rate", |s| &mut s.yaw_rate_radps),
 ];
 
-/// A ship pressed on its fenders and sliding, after a few steps.
+/// A ship after a few steps: she is pressed on her fenders and slides along them.
 fn at_berth() -> (Model, Memory, Workspace, Vec<BodyState>) {
     let model = scene::berth(500e3);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
@@ -164,8 +164,8 @@ impl Squares {
         }
     }
 
-    /// Takes one step with the floating square at `position_m`, checks that forces are finite and within the
-    /// bounds of the material and the smaller body, and returns the events.
+    /// Takes one step with the floating square at `position_m` and returns the events. Checks that forces are finite
+    /// and within the bounds that follow from the material and the smaller body.
     fn step_at(&mut self, position_m: Vec2, velocity_mps: Vec2) -> Vec<EventKind> {
         let tug = BodyState { position_m, velocity_mps, ..BodyState::default() };
         let states = [tug, BodyState::default()];
@@ -204,7 +204,8 @@ fn a_teleport_out_of_contact_and_back_is_reported_and_begins_anew() {
     assert_eq!(squares.work.contacts()[0].shear_m, 0.0);
 }
 
-/// A teleport from one side of a body to the other: with the old memory the shear would be metres.
+/// A body is teleported from one side of another body to its opposite side. With the old memory the shear would be
+/// metres.
 #[test]
 fn a_teleport_within_a_contact_drops_its_memory() {
     let mut squares = Squares::new(10.0, 40.0, 0.1);
@@ -237,7 +238,7 @@ fn full_containment_is_bounded_and_reported_once() {
     let events = squares.step_at(vec2(-19.95, 7.01), velocity_mps);
     assert_eq!(events, []);
 
-    // Either of the two may be inside the other.
+    // Each of the two squares is inside the other in one case.
     let mut squares = Squares::new(400.0, 4.0, 0.1);
     let events = squares.step_at(vec2(20.0, -7.0), velocity_mps);
     assert!(events.contains(&EventKind::Contained), "{events:?}");
@@ -254,18 +255,18 @@ fn identical_bodies_at_the_same_position_get_finite_forces() {
 #[test]
 fn thousands_of_metres_of_overlap_are_bounded_and_reported() {
     let mut squares = Squares::new(5_000.0, 9_000.0, 1.0);
-    // 3 km deep, and so fast that the limiter does not reduce kS.
+    // The square is 3 km deep, and so fast that the limiter does not reduce the force k·S.
     let events = squares.step_at(vec2(-4_000.0, 100.0), vec2(1e6, 1e3));
     assert!(events.contains(&EventKind::DeepOverlap), "{events:?}");
     let contact = squares.work.contacts()[0];
     assert!((contact.area_m2 - 3_000.0 * 5_000.0).abs() < 1e-3, "{}", contact.area_m2);
     assert!((contact.depth_m - 3_000.0).abs() < 1e-6, "{}", contact.depth_m);
-    // At walking speed the limiter reduces it to the force that stops the body in one step.
+    // At walking speed the limiter reduces the force to the value that stops the body in one step.
     let mut squares = Squares::new(5_000.0, 5_000.0, 1.0);
     squares.step_at(vec2(-2_000.0, 0.0), vec2(1.0, 0.0));
     let largest_n = 2.0 * MASS_KG * 1.0 / STEP_S;
     assert!(squares.work.contacts()[0].normal_force_n <= largest_n * (1.0 + 1e-12));
-    // At the largest coordinates that the engine accepts.
+    // The squares are at the largest coordinates that the engine accepts.
     let mut squares = Squares::new(1e8, 1e8, 1.0);
     let events = squares.step_at(vec2(-5e7, 3e6), vec2(1e6, -1e6));
     assert!(events.contains(&EventKind::ContactBegan), "{events:?}");

@@ -1,4 +1,4 @@
-//! The length of the sub-steps changes during contact: later forces follow from conservation of energy.
+//! The length of the sub-steps changes during contact. The later forces must follow from conservation of energy.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -7,13 +7,13 @@ use std::f64::consts::PI;
 use fenderline_contact::*;
 
 const MASS_KG: f64 = 1e6;
-/// Stiffness of the fenders together, and of what is behind them.
+/// Stiffness of all fenders together, and stiffness of the hard part behind them.
 const SOFT_NPM: f64 = 4e5;
 const HARD_NPM: f64 = 4e8;
-/// Deflection of the fenders at which that begins.
+/// Deflection of the fenders at which the hard part begins.
 const TRAVEL_M: f64 = 0.5;
 
-/// What is behind the soft part of the fenders.
+/// The hard part behind the soft part of the fenders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Behind {
     Nothing,
@@ -74,8 +74,8 @@ fn model(behind: Behind, restitution: f64) -> Model {
     builder.build().expect("a good model")
 }
 
-/// Peak force of what is behind the fenders by conservation of energy, for a barge with this kinetic energy at first
-/// touch and this load: ½ m v² + W(d + y) = ½ k (d + y)² + ½ K y².
+/// Peak force of the hard part by conservation of energy: ½ m v² + W(d + y) = ½ k (d + y)² + ½ K y². The barge has the
+/// kinetic energy `kinetic_j` at first touch, and is under a steady load.
 fn hard_peak_n(kinetic_j: f64, load_n: f64) -> f64 {
     let left_j = kinetic_j + load_n * TRAVEL_M - 0.5 * SOFT_NPM * TRAVEL_M * TRAVEL_M;
     let (a, b) = (0.5 * (SOFT_NPM + HARD_NPM), SOFT_NPM * TRAVEL_M - load_n);
@@ -91,7 +91,7 @@ struct Run {
 }
 
 impl Run {
-    /// A barge at this distance, with this speed towards the fenders, under this load.
+    /// A barge at this distance from the fenders, with this speed towards them, under this load.
     fn new(model: Model, gap_m: f64, speed_mps: f64, load_n: f64) -> Run {
         let barge = BodyState {
             position_m: vec2(-5.0 - gap_m, 0.0),
@@ -116,7 +116,7 @@ impl Run {
     }
 }
 
-/// The largest force of what is behind the fenders.
+/// The largest force of the hard part.
 fn hard_n(behind: Behind, contacts: &[Contact]) -> f64 {
     let of_contact = |c: &Contact| match behind {
         Behind::Stop => c.peak_normal_force_n - 0.5 * SOFT_NPM * c.peak_depth_m,
@@ -126,7 +126,7 @@ fn hard_n(behind: Behind, contacts: &[Contact]) -> f64 {
     contacts.iter().map(of_contact).sum()
 }
 
-/// The velocities were half of a fender's long sub-step old while the concrete's short sub-steps followed: the second
+/// During the short sub-steps of the concrete, the velocities were half of a fender's long sub-step old. The second
 /// peak was up to 6.4 % too high.
 #[test]
 fn peak_force_on_concrete_behind_a_fender_conserves_energy() {
@@ -137,7 +137,7 @@ fn peak_force_on_concrete_behind_a_fender_conserves_energy() {
         (Behind::Concrete, 0.4, 0.0),
         (Behind::Concrete, 0.4, 1e5),
         (Behind::Concrete, 1.0, 0.0),
-        // Starting at rest.
+        // The barge starts at rest.
         (Behind::Concrete, 0.0, 1e5),
         (Behind::Stop, 0.0, 3e5),
     ] {
@@ -160,7 +160,7 @@ fn peak_force_on_concrete_behind_a_fender_conserves_energy() {
     }
 }
 
-/// Likewise for the reported impulse: it is the change of momentum.
+/// The reported impulse must equal the change of momentum.
 #[test]
 fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum() {
     for (behind, step_s) in [Behind::Nothing, Behind::Stop, Behind::Concrete]
@@ -182,7 +182,7 @@ fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum() {
     }
 }
 
-/// Steps like a game's frames, some of them long.
+/// Steps like the frames of a game. Some of them are long.
 fn frames(seed: u32) -> impl Iterator<Item = f64> {
     let mut state = seed;
     core::iter::from_fn(move || {
@@ -192,13 +192,13 @@ fn frames(seed: u32) -> impl Iterator<Item = f64> {
     })
 }
 
-/// A swing on a linear spring conserves energy however the steps change.
+/// A swing on a linear spring conserves energy, however the length of the steps changes.
 #[test]
 fn a_swing_on_a_fender_conserves_energy_with_varying_steps() {
     for seed in 1..20 {
         let load_n = 2e5;
         let depth_m = load_n / SOFT_NPM;
-        // From the uncompressed fender to twice her static depth and back.
+        // The barge swings from the uncompressed fender to twice her static depth and back.
         let mut run = Run::new(model(Behind::Nothing, 1.0), 0.0, 0.0, load_n);
         let (mut deepest_m, mut t) = (0.0_f64, 0.0);
         for step_s in frames(seed) {
@@ -214,7 +214,7 @@ fn a_swing_on_a_fender_conserves_energy_with_varying_steps() {
     }
 }
 
-/// At rest the load and the fender's force act over the same time, whatever the steps.
+/// At rest the load and the fender's force act over the same time, for all steps.
 #[test]
 fn a_barge_at_rest_on_a_fender_stays_at_rest_with_varying_steps() {
     for seed in 1..20 {

@@ -1,5 +1,5 @@
-//! The clip of two convex polygons against rational arithmetic. The oracle gets the second
-//! polygon's vertices after the clip's own transform, so that only the clip's rounding is compared.
+//! The clip of two convex polygons, compared with rational arithmetic. The oracle gets the second polygon's vertices
+//! after the clip's own transform. The comparison therefore shows only the clip's rounding.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -14,7 +14,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// The overlap by the clip and by the oracle.
+/// The overlap, as computed by the clip and by the oracle.
 fn both(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> (Option<Clip>, ExactOverlap) {
     let (first, second) = (ConvexPolygon::new(a), ConvexPolygon::new(b));
     let b_in_a = a_pose.to(b_pose);
@@ -23,7 +23,8 @@ fn both(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> (Option<Clip>, Ex
     (found, exact_overlap(first.vertices(), &placed))
 }
 
-/// Area to a relative 1e-11, centroid and chord to 1e-11 m times the magnification by flat crossings.
+/// Checks the area to a relative 1e-11. Checks centroid and chord to 1e-11 m, times the factor by which flat crossings
+/// amplify errors.
 #[track_caller]
 fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     let (found, exact) = both(a, a_pose, b, b_pose);
@@ -35,7 +36,8 @@ fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     let allowed = 1e-11 * exact.area_m2 + NEGLIGIBLE_M2;
     assert!(error <= allowed, "area {} not {}: {error:e}", found.area_m2(), exact.area_m2);
     if let Some(centroid) = exact.centroid_m {
-        // A sliver ends where flat edges cross: its error is its length times rounding over its mean depth.
+        // A sliver ends where edges cross at a flat angle. The error of its centroid is its length times the rounding
+        // over its mean depth.
         let (off, extent) = ((found.centroid_m() - centroid).length(), extent_m(&exact));
         let allowed = extent * (1e-12 + 1e-12 * extent / exact.area_m2);
         assert!(off <= allowed, "centroid off by {off:e} of {extent} m");
@@ -65,7 +67,7 @@ fn least_sine(a: &[Vec2], b: &[Vec2], b_in_a: Pose) -> f64 {
 proptest! {
     #![proptest_config(config(150))]
 
-    /// Shallow and deep, corners and edges, hulls and fenders, a kilometre from the origin.
+    /// Shallow and deep overlaps, corners and edges, hulls and fenders, at a kilometre from the origin.
     #[test]
     fn random_pairs_have_the_exact_area_centroid_and_chord(
         a in any_convex(),
@@ -131,7 +133,7 @@ fn polygons_on_a_grid_have_the_exact_area() {
     assert!(touching > 3000);
 }
 
-/// Do edges of the same direction coincide? Then the chord has two values.
+/// True if edges with the same direction coincide. The chord then has two values.
 fn edges_coincide(a: &[Vec2], b: &[Vec2], at: Vec2) -> bool {
     let sides = |ring: &[Vec2], by: Vec2| -> Vec<(Vec2, Vec2)> {
         let next = ring.iter().cycle().skip(1);
@@ -161,7 +163,7 @@ fn stars_of_two_polygons_have_the_exact_area_and_chord() {
             assert!((found.chord_m() - exact.boundary_of_a_m).length() < 1e-11);
         }
     }
-    // A beam across a beam, a mast through a hull.
+    // A beam lies across another beam, or a mast across a hull.
     for (length, width, heading) in [(40.0, 0.5, 1.2), (400.0, 0.01, 0.9), (100.0, 30.0, 1.57)] {
         let (ship, beam) = (hull(298.0, 46.0, 24), rectangle(length, width));
         let a_pose = Pose::new(vec2(-650.0, 710.0), 0.4);
@@ -191,8 +193,8 @@ fn identical_polygons_overlap_wholly() {
     }
 }
 
-/// Depths of a contact that just begins. A vertex of a hull of 298 m is rounded by 3e-14 m, and so is the
-/// depth: the relative error of the area is a few times 3e-14 m / δ. At positions that need no rounding it
+/// Depths of a contact that has just begun. A vertex of a hull of 298 m is rounded by 3e-14 m, and the depth δ has the
+/// same error. The relative error of the area is a few times 3e-14 m / δ. At positions that need no rounding the error
 /// must be far smaller.
 #[test]
 fn corner_area_is_quadratic_and_flat_area_linear_in_the_depth() {
@@ -201,7 +203,7 @@ fn corner_area_is_quadratic_and_flat_area_linear_in_the_depth() {
     let still = Pose::new(vec2(700.0, 700.0), 0.0);
     for power in 0..31 {
         let depth_m = libm::ldexp(1.0, -power);
-        // In the wall's frame: its face is at y = 16.
+        // In the wall's frame, the wall's face is at y = 16.
         let (first, second) = (ConvexPolygon::new(&wall), ConvexPolygon::new(&corner));
         let mut pair = PairClip::default();
         let at = |y: f64| Pose::new(vec2(700.25, 700.0 + y), 0.0);
@@ -219,7 +221,7 @@ fn corner_area_is_quadratic_and_flat_area_linear_in_the_depth() {
         assert_eq!(found.area_m2(), 4.0 * depth_m, "flat at {depth_m:e} m");
         assert_eq!(found.chord_m(), vec2(-4.0, 0.0));
     }
-    // Likewise at arbitrary angles, where every vertex is rounded.
+    // The same at arbitrary angles, where every vertex is rounded.
     let heading = 0.7;
     let tilted = Pose::new(vec2(700.0, 700.0), heading);
     let out = tilted.rotation.apply(vec2(0.0, 1.0));
@@ -242,8 +244,8 @@ fn corner_area_is_quadratic_and_flat_area_linear_in_the_depth() {
 proptest! {
     #![proptest_config(config(150))]
 
-    /// Nearly parallel sides, of the same and of opposite direction, as of a ship alongside. The angle's effect
-    /// on the area must not be lost at any angle.
+    /// Nearly parallel sides with equal or opposite directions, like those of a ship alongside. At every angle, the
+    /// area must show the effect of the angle.
     #[test]
     fn nearly_parallel_sides_keep_their_area(
         a_count in 6usize..30,
@@ -278,8 +280,8 @@ fn touching_or_apart_is_no_contact() {
     }
 }
 
-/// Positions at which the clip was once wrong, from a comparison of millions of touching pairs: offset,
-/// cosine and sine of the second polygon in the frame of the first.
+/// A position at which the clip was once wrong: offset, cosine and sine of the second polygon in the frame of the
+/// first. A comparison of millions of touching pairs found these positions.
 struct Place(f64, f64, f64, f64);
 
 #[track_caller]
@@ -290,7 +292,7 @@ fn check_at(a: &[Vec2], b: &[Vec2], places: &[Place]) {
     }
 }
 
-/// The clip gave 6854 m² instead of 0.33 m²: by rounding, a corner was behind the one before it.
+/// The clip gave 6854 m² instead of 0.33 m². Rounding had put a corner behind the corner before it.
 #[test]
 fn nearly_parallel_sides_gave_half_a_ship() {
     let ship = rectangle(298.0, 46.0);
@@ -317,7 +319,7 @@ fn a_gap_gave_a_whole_ship() {
     check_at(&bent, &bent, &places);
 }
 
-/// Edges coincided from outside: the clip gave a whole polygon instead of no area.
+/// Edges coincided while the polygons lay outside each other. The clip gave a whole polygon instead of no area.
 #[test]
 fn touching_edges_gave_a_whole_polygon() {
     let needle = points(&[(0.0, 0.0), (30.0, 0.0), (30.0, 1e-3)]);
@@ -334,7 +336,7 @@ fn touching_edges_gave_a_whole_polygon() {
     check_at(&regular(10.0, 64), &rectangle(20.0, 0.3), &places);
 }
 
-/// A wedge of 300 m at 1e-10 rad: 22 N at the paper's stiffness were missing.
+/// The overlap is a wedge 300 m long at 1e-10 rad. At the paper's stiffness a force of 22 N was missing.
 #[test]
 fn sides_within_1e_9_of_parallel_had_no_contact() {
     let ship = rectangle(298.0, 46.0);

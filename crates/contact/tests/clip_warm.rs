@@ -1,4 +1,4 @@
-//! The warm clip against the cold one: the last step's result may speed up the clip, but not change its
+//! The warm clip, compared with the cold clip. The last step's result may speed up the clip, but must not change its
 //! result.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
@@ -14,7 +14,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// A pair that is clipped both warm and cold.
+/// A pair of polygons that is clipped both warm and cold.
 struct Twice {
     a: ConvexPolygon,
     b: ConvexPolygon,
@@ -31,10 +31,10 @@ impl Twice {
         Twice { a, b, warm, cold, touching: 0, placed: Vec::new() }
     }
 
-    /// Checks that both clips give the same bits, and the area of a plain clip.
+    /// Checks that both clips give the same bits, and the same area as a plain clip.
     ///
-    /// Where a vertex is on an edge to rounding, the two clips may attribute it to different edges: there
-    /// area and chord may differ by `SLACK_M`.
+    /// If a vertex lies on an edge to rounding, the two clips may attribute it to different edges. Area and chord may
+    /// then differ by `SLACK_M`.
     #[track_caller]
     fn clip(&mut self, a_pose: Pose, b_pose: Pose) -> Option<Clip> {
         self.cold.forget();
@@ -65,7 +65,7 @@ impl Twice {
         warm
     }
 
-    /// Checks a difference in bits, which is allowed only with a corner on an edge.
+    /// Checks a difference in bits. It is allowed only if a corner lies on an edge.
     fn check_difference(&self, warm: Option<Clip>, cold: Option<Clip>, b_in_a: Pose) {
         let (Some(w), Some(c)) = (warm, cold) else { return }; // no more area than rounding
         let on_an_edge = least_distance(self.a.vertices(), &self.placed) <= SLACK_M;
@@ -126,7 +126,7 @@ proptest! {
         }
     }
 
-    /// A pass through each other: apart, corner, across, contained, and apart again.
+    /// One body passes through the other: apart, at a corner, across, contained, and apart again.
     #[test]
     fn a_pass_right_through_is_the_same_warm_and_cold(
         a in any_convex(),
@@ -145,7 +145,8 @@ proptest! {
         }
     }
 
-    /// Turning inside and across: a second lens appears and disappears while the warm clip follows the first.
+    /// The bodies turn inside and across each other. A second lens appears and disappears while the warm clip follows
+    /// the first.
     #[test]
     fn four_crossings_that_appear_beside_a_lens_are_the_same_warm_and_cold(
         (length_a, width_a) in (5.0..60.0f64, 0.001..20.0f64),
@@ -165,7 +166,7 @@ proptest! {
         }
     }
 
-    /// Random jumps: the warm clip starts from unrelated edges.
+    /// The bodies jump at random. The warm clip then starts from unrelated edges.
     #[test]
     fn a_jump_to_any_place_is_the_same_warm_and_cold(
         a in any_convex(),
@@ -181,7 +182,7 @@ proptest! {
     }
 }
 
-/// Polygons with nearly all their turn at one place, which few of their vertices approximate badly.
+/// Polygons that turn nearly all their angle at one place. A few of their vertices approximate them badly.
 #[test]
 fn lopsided_polygons_are_the_same_warm_and_cold() {
     let mut drop = points(&[(40.0, 0.0)]);
@@ -205,7 +206,8 @@ fn lopsided_polygons_are_the_same_warm_and_cold() {
     }
 }
 
-/// A corner moves slowly along a face and past its end: 50,000 steps, cold only where the warm clip requires it.
+/// A corner moves slowly along a face and past its end, in 50,000 steps. The clip is cold only where the warm clip
+/// requires it.
 #[test]
 fn fifty_thousand_small_steps_round_a_hull_are_the_same_warm_and_cold() {
     let (ship, tug) = (hull(298.0, 46.0, 64), hull(32.0, 13.0, 24));
@@ -213,7 +215,7 @@ fn fifty_thousand_small_steps_round_a_hull_are_the_same_warm_and_cold() {
     for step in 0..50_000 {
         let t = f64::from(step) / 50_000.0;
         let (sin, cos) = libm::sincos(core::f64::consts::TAU * t);
-        // Round the ship along about its own shape, at times deeper, at times free.
+        // The corner moves round the ship along her own shape, sometimes deep and sometimes free.
         let sunk = 1.0 - 0.02 * libm::sin(300.0 * t).max(-0.5);
         let at = vec2((149.0 + 8.0) * cos, (23.0 + 6.5) * sin) * sunk;
         both.clip(Pose::new(vec2(2.0, 3.0), 0.1), Pose::new(at, 40.0 * t));

@@ -1,4 +1,4 @@
-//! The coupled method in every case of docs/contact_model.md, section 5, where the paper's method fails.
+//! The coupled method in every case of docs/contact_model.md, section 5. The paper's method fails in these cases.
 
 use crate::small_host;
 
@@ -9,7 +9,7 @@ use small_host::{
     spring, two,
 };
 
-/// A ship 200 m × 32 m, sideways at `gap_m` from `count` fenders 4 m wide along her side.
+/// A ship of 200 m × 32 m, `gap_m` sideways from `count` fenders along her side. Each fender is 4 m wide.
 fn ship_and_fenders(
     count: usize,
     gap_m: f64,
@@ -118,7 +118,7 @@ fn a_step_of_2_s_gives_the_peak_and_depth_of_0_01_s() {
         let (_, peaks) = host.pairs[0];
         (peaks.force_n, peaks.depth_m, -host.states[0].velocity_mps.x)
     };
-    // ω = √(5) rad/s: depth v/ω, force kw v/ω.
+    // With ω = √5 rad/s the depth is v/ω and the force is kw v/ω.
     let omega = 5.0_f64.sqrt();
     let (depth_m, force_n) = (2.06 / omega, 5e6 * 2.06 / omega);
     for step_s in [0.01, 0.1, 0.5, 1.0, 2.0] {
@@ -139,7 +139,7 @@ fn a_moored_ship_held_by_friction_does_not_creep() {
         let mut scene = ship_and_fenders(8, 0.0, rubber, step_s, 3600.0);
         scene.loads.push(steady(0, 800e3, 200e3));
         let mut host = Host::new(scene);
-        // By then her swing on the shear springs, damped by the rebound alone, has decayed.
+        // By this time her swing on the shear springs has decayed. Only the rebound damps it.
         let mut at_rest = None;
         while !host.is_done() {
             host.step();
@@ -210,7 +210,7 @@ fn a_restored_snapshot_replays_the_run_bit_for_bit() {
     let mut states = host.states.to_vec();
     let mut loads = vec![fenderline_contact::Wrench::default(); states.len()];
     loads[9].force_n = vec2(0.0, 400e3);
-    // The engine alone, from the restored and from the original memory, each with its own workspace.
+    // Runs the engine alone, from the restored memory and from the original memory. Each run has its own workspace.
     let mut other_memory = host.memory.clone();
     let mut other_work = fenderline_contact::Workspace::new(&model);
     let mut other_states = states.clone();
@@ -244,8 +244,8 @@ fn contacts_make_no_energy_at_a_busy_berth() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
-    /// Oblique impacts with friction at any time step, chord normals included: no energy is created, and the
-    /// solve converges within its iteration limit. (1e-9: rounding.)
+    /// Oblique impacts with friction at any time step, including those with chord normals. No energy is created, and
+    /// the solve converges within its iteration limit. The tolerance of 1e-9 is for rounding.
     #[test]
     fn an_impact_makes_no_energy_and_the_solve_converges(
         y in -40.0..40.0_f64,

@@ -1,4 +1,4 @@
-//! Bad input to the coupled method: bad loads, absurd positions, speeds and time steps.
+//! Bad input to the coupled method: impossible loads, positions, speeds and time steps.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -57,8 +57,8 @@ fn a_non_finite_load_names_body_and_field_and_changes_nothing() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-    /// Thousands of metres of overlap, teleports, absurd speeds, stiff fenders and steps of minutes give finite
-    /// forces and states in bounded time.
+    /// Overlaps of thousands of metres, teleports, absurd speeds, stiff fenders and steps of minutes. Forces and states
+    /// are finite, and the time for a step is bounded.
     #[test]
     fn forces_and_states_are_finite_for_any_input(
         log_stiffness in 3.0..12.0_f64,
@@ -87,7 +87,7 @@ proptest! {
                 prop_assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite());
                 sum += wrench.force_n;
             }
-            // Relative to the contacts' forces, which may nearly cancel in the ship's wrench.
+            // The tolerance is relative to the contacts' forces, because these may nearly cancel in the ship's wrench.
             let forces = work.contacts().iter().map(|c| c.force_on_body_1_n().length());
             let wrenches = work.wrenches().iter().map(|w| w.force_n.length());
             let largest = forces.chain(wrenches).fold(0.0, f64::max);
@@ -136,16 +136,16 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
         });
     }
     builder.all_other_pairs(rubber);
-    // Her side is a metre off the fenders' faces.
+    // The ship's side is 1 m off the faces of the fenders.
     let ship = BodyState { position_m: vec2(0.0, 11.0 + 23.0 + 1.0), ..BodyState::default() };
     (builder.build().expect("a good model"), vec![BodyState::default(), ship])
 }
 
-/// A ship placed in her fenders by less than a tenth of her half-length stayed there for ever, with or without load:
-/// fenders return absorbed energy, and these had absorbed none.
+/// A ship was placed in her fenders by less than a tenth of her half-length. She stayed there for ever, with or without
+/// load: fenders return absorbed energy, and these fenders had absorbed none.
 #[test]
 fn a_ship_placed_in_her_fenders_is_pressed_out_to_her_static_depth() {
-    // Depth and heading at which she is placed, those before, and the load.
+    // Depth and heading at which the ship is placed, her depth before, and the load.
     for (put_m, turned_rad, before_m, load_n) in [
         (0.4, 0.0, None, 0.0),
         (0.9, 0.0, None, 1e6),

@@ -1,4 +1,4 @@
-//! A damped head-on impact against its closed form, at any time step.
+//! A damped head-on impact at any time step, compared with its closed form.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -11,12 +11,12 @@ const STIFFNESS_NPM: f64 = 5e6;
 const WIDTH_M: f64 = 4.0;
 const SPEED_MPS: f64 = 0.5;
 
-/// What the barge hits.
+/// The thing that the barge hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Buffer {
     /// The outline of a quay.
     Outline,
-    /// A face that is an elastic foundation, one with a reaction curve, and several side by side.
+    /// A face: an elastic foundation, a face with a reaction curve, and several faces side by side.
     Foundation,
     Curve,
     Row,
@@ -81,7 +81,7 @@ fn model(buffer: Buffer, ratio: f64) -> Model {
     builder.build().expect("a good model")
 }
 
-/// Depth, peak force, share of energy lost, and impulse over change of momentum.
+/// Results of an impact: depth, peak force, share of energy lost, and impulse over change of momentum.
 #[derive(Clone, Copy, Debug)]
 struct Hit {
     depth_m: f64,
@@ -90,7 +90,8 @@ struct Hit {
     impulse: f64,
 }
 
-/// m ẍ = −k x − c ẋ from first touch until the force is zero, where a massless damper separates.
+/// Solution of m ẍ = −k x − c ẋ, from first touch until the force is zero. The bodies separate there, because the
+/// damper has no mass.
 fn closed_form(ratio: f64) -> Hit {
     let rate = (STIFFNESS_NPM / MASS_KG).sqrt();
     let damped = rate * (1.0 - ratio * ratio).sqrt();
@@ -109,7 +110,7 @@ fn closed_form(ratio: f64) -> Hit {
     Hit { depth_m, peak_n, lost: 1.0 - (speed(t) / SPEED_MPS).powi(2), impulse: 1.0 }
 }
 
-/// The same by the engine; the barge starts at `gap_m`.
+/// The engine's result for the same impact. The barge starts at `gap_m`.
 fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     let model = model(buffer, ratio);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
@@ -138,14 +139,14 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     found
 }
 
-/// Steps of the engine (s), and the initial gap as a share of the barge's way in a step, so that the first touch may
+/// Steps of the engine (s), and the initial gap as a share of the barge's way in a step. The first touch may therefore
 /// fall anywhere in a step.
 const STEPS_S: [f64; 8] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0];
 
-/// The energy lost was 25 % too small in steps with several sub-steps: the overlap's growth in the last sub-step was
-/// divided by the whole step. In steps with one sub-step the damper was half a step late. The remaining error is the
-/// leapfrog's at 0.15 rad per sub-step, (ωh)²/8 or 0.3 %, and as much again of the loss at the smallest damping,
-/// where a sixth of the energy is lost.
+/// In steps with several sub-steps the lost energy was 25 % too small: the growth of the overlap in the last sub-step
+/// was divided by the whole step. In steps with one sub-step the damper was half a step late. The error that remains is
+/// that of the leapfrog scheme at 0.15 rad per sub-step: (ωh)²/8, or 0.3 %. At the smallest damping, where a sixth of
+/// the energy is lost, the loss has the same error again.
 #[test]
 fn depth_force_and_loss_of_a_damped_impact_match_the_closed_form() {
     for buffer in [Buffer::Outline, Buffer::Foundation, Buffer::Curve, Buffer::Row] {
@@ -163,8 +164,8 @@ fn depth_force_and_loss_of_a_damped_impact_match_the_closed_form() {
     }
 }
 
-/// Where the length of the sub-steps changes, a force acts for another time than its sub-step: mean force times step
-/// was up to 0.8 % off.
+/// Where the length of the sub-steps changes, a force acts for a time that is not the length of its sub-step. The
+/// product of mean force and step was up to 0.8 % off.
 #[test]
 fn the_impulse_is_the_change_of_momentum_where_sub_steps_change() {
     for buffer in [Buffer::Outline, Buffer::Foundation, Buffer::Curve, Buffer::Row] {

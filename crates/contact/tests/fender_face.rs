@@ -49,7 +49,7 @@ fn cone() -> FenderLaw {
     FenderLaw::Curve(vec![[0.0, 0.0], [0.25, 6e5], [0.5, 5e5], [0.8, 6e5], [1.0, 9e5]])
 }
 
-/// A quay whose fender faces north, and a ship; `quay_first` decides whose frame the pair uses.
+/// A quay with a fender that faces north, and a ship. `quay_first` decides in whose frame the pair is computed.
 fn model(law: FenderLaw, quay_first: bool) -> (Model, BodyId, BodyId) {
     let mut builder = Model::builder();
     let quay = Body {
@@ -71,13 +71,13 @@ fn model(law: FenderLaw, quay_first: bool) -> (Model, BodyId, BodyId) {
     (builder.build().expect("a good model"), quay, ship)
 }
 
-/// Stored energy, and the trial force and moment on the ship about her centre of gravity, for depths up to the
-/// fender's projection; its zone is twice as deep.
+/// Stored energy, and the trial force and moment on the ship about her centre of gravity. The depth goes up to the
+/// fender's projection. The fender's zone is twice as deep.
 fn pressed(model: &Model, pose: [f64; 3], origin_m: Vec2) -> Option<(f64, [f64; 3])> {
     pressed_up_to(1.2, model, pose, origin_m)
 }
 
-/// [`pressed`] up to another depth.
+/// Computes [`pressed`] for depths up to `most_m` times the projection.
 fn pressed_up_to(
     most_m: f64,
     model: &Model,
@@ -96,7 +96,7 @@ fn pressed_up_to(
     step(model, &mut memory, &mut work, &states, 0.1).expect("a good step");
     let on_fender = |c: &&Contact| c.fender.is_some() && c.depth_m <= most_m;
     let contact = work.contacts().iter().find(on_fender)?;
-    // Body 1 is the quay: the force on the ship is +N n.
+    // Body 1 is the quay, so the force on the ship is +N n.
     let force = contact.normal * (contact.parts.spring_n + contact.parts.stop_n);
     let moment = contact.arm_2_m.cross(force);
     Some((contact.energy.stored_j, [force.x, force.y, moment]))
@@ -114,9 +114,9 @@ fn poses() -> impl Strategy<Value = [f64; 3]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6000))]
 
-    /// Central differences over 10 µm: their error is of the order of 1e-10 of the energy's third derivative, and
-    /// rounding of a stored 1e5 J gives 1e-6 of the force. A corner that crosses a side of the fender within the
-    /// difference makes a kink, which 1e-4 allows for.
+    /// Central differences over 10 µm. Their error is of the order of 1e-10 of the energy's third derivative. The
+    /// rounding of a stored energy of 1e5 J gives 1e-6 of the force. If a corner crosses a side of the fender within
+    /// the difference, the force has a kink; 1e-4 allows for it.
     #[test]
     fn the_force_is_the_gradient_of_the_stored_energy(
         pose in poses(),
@@ -136,11 +136,11 @@ proptest! {
             let stored = |sign: f64| {
                 let mut moved = pose;
                 moved[axis] += sign * by;
-                // A little deeper than the pose itself.
+                // The limit is a little deeper than the pose itself.
                 pressed_up_to(1.3, &model, moved, Vec2::ZERO).map_or(0.0, |(stored_j, _)| stored_j)
             };
             let gradient = -(stored(1.0) - stored(-1.0)) / (2.0 * by);
-            // The moment's lever is up to 30 m.
+            // The lever of the moment is up to 30 m.
             let scale = if axis == 2 { 30.0 } else { 1.0 } * (size + 1e3);
             prop_assert!(
                 (force[axis] - gradient).abs() <= 1e-4 * scale,
@@ -149,7 +149,7 @@ proptest! {
         }
     }
 
-    /// At UTM coordinates of 1e7 m, where positions are rounded to 2e-9 m.
+    /// The positions are UTM coordinates of 1e7 m, which are rounded to 2e-9 m.
     #[test]
     fn the_order_of_keys_and_the_charts_origin_do_not_matter(pose in poses()) {
         let (one, ..) = model(cone(), true);
@@ -171,10 +171,11 @@ proptest! {
 
 #[test]
 fn a_flat_side_gets_the_reaction_at_its_depth() {
-    // The ship's port side, y = −8, parallel to the face: north of her at heading 90°, south at −90°.
+    // The ship's port side at y = −8 is parallel to the face. At heading 90° the face lies to the north of her, at −90°
+    // to the south.
     let heading = -core::f64::consts::FRAC_PI_2;
     for depth_m in [0.05, 0.25, 0.4, 0.7, 0.95] {
-        // Her port side is at x_ship − 8, the face at 1.2.
+        // Her port side is at x_ship − 8, and the face at 1.2.
         let pose = [1.2 + 8.0 - depth_m, 0.0, heading];
         let expected = [
             (FenderLaw::Area, 400e3 * 3.0 * depth_m, 0.5 * 400e3 * 3.0 * depth_m * depth_m),

@@ -1,4 +1,4 @@
-//! Two floating bodies, one with fenders: properties that need no reference data.
+//! Two floating bodies, one of them with fenders. The properties in these tests need no reference data.
 
 use crate::small_host;
 
@@ -11,7 +11,7 @@ use small_host::{
     BodySetup, Host, Integrator, Method, PairSetup, Scene, floating, rectangle, spring,
 };
 
-/// A pontoon of `mass_kg` with five cone fenders on its west side, and a tug bow on to them.
+/// A pontoon of `mass_kg` with five cone fenders on its west side, and a tug with her bow at the fenders.
 fn pontoon_and_tug(mass_kg: f64, facing: Material, step_s: f64) -> Scene {
     let pontoon = floating("pontoon", rectangle(60.0, 20.0), mass_kg, 18.0);
     let mut boat = floating("tug", tug().outline, 1e6, 8.0);
@@ -96,7 +96,8 @@ fn a_ship_sideways_on_eight_fenders_rebounds_without_yaw() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// With fenders, friction and damping, at any time step. 1e-10 is rounding over some thousand sub-steps.
+    /// With fenders, friction and damping, at any time step. The tolerance of 1e-10 is for rounding in some thousand
+    /// sub-steps.
     #[test]
     fn momentum_of_a_free_pair_is_constant_to_rounding(
         log_mass in 5.5..8.0_f64,

@@ -1,12 +1,12 @@
-//! With friction of 3 and more many contacts did not converge: at a sliding contact the forces oscillated, as each change
-//! of the normal force changes friction, which in turn presses the bodies together or apart.
+//! At friction 3 and above, many contacts did not converge. At a sliding contact the forces oscillated: each change of
+//! the normal force changes friction, and friction presses the bodies together or apart.
 
 #![allow(clippy::disallowed_methods, reason = "they give random input, not results")]
 
 use fenderline_contact::*;
 
 /// Random impacts of a bar on walls and on another bar: eccentric, slender, at any angle, at time steps up to 2 s.
-/// Returns the number of steps that did not converge, and of steps with contact.
+/// Returns the number of steps that did not converge, and the number of steps with contact.
 fn not_converged(friction: f64, hits: u64) -> (u32, u32) {
     let (mut not_converged, mut touching) = (0, 0);
     for hit in 0..hits {
@@ -97,8 +97,8 @@ fn not_converged(friction: f64, hits: u64) -> (u32, u32) {
     (not_converged, touching)
 }
 
-/// Before sweeps took into account that friction follows the normal force, 1,614 of 66,799 steps with contact did not
-/// converge at friction 1, and 30,378 at friction 3.
+/// Formerly the sweeps did not take into account that friction follows the normal force. Of 66,799 steps with contact,
+/// 1,614 did not converge at friction 1, and 30,378 at friction 3.
 #[test]
 fn high_friction_converges() {
     for friction in [0.7, 1.0, 2.0, 3.0, 10.0] {
@@ -106,7 +106,7 @@ fn high_friction_converges() {
         println!(
             "friction {friction}: {not_converged} not converged in {touching} steps with contact"
         );
-        // The rest are several contacts of one body that wedge it.
+        // In the remaining cases several contacts of one body wedge it.
         let most = if friction > 1.5 { touching / 500 } else { 0 };
         assert!(not_converged <= most, "friction {friction}: {not_converged} in {touching}");
     }

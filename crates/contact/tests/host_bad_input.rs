@@ -1,5 +1,5 @@
-//! Mistakes of a co-simulation host: non-finite numbers, wrong counts, another model, teleports. Errors
-//! change nothing.
+//! Mistakes of a co-simulation host: numbers that are not finite, wrong counts, another model, teleports. Errors change
+//! nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 use crate::master;
@@ -13,7 +13,7 @@ use master::{Master, ship_on_two_fenders, tug_against_a_ship, tug_at_a_wall};
 const STEP_S: f64 = 0.1;
 const BAD_NUMBERS: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e300];
 
-/// A tug against a ship, some steps into the contact, with states one step late.
+/// A tug against a ship, some steps after the contact began. The states are one step late.
 fn in_contact() -> Master {
     let scene = tug_against_a_ship(0.5);
     let mut master = Master::known(scene, HostIntegration::ForwardEuler, 1);
@@ -78,7 +78,7 @@ fn bad_loads_counts_steps_and_models_are_errors_and_change_nothing() {
     assert_eq!(master.host, before);
 }
 
-/// Found by random calls from C: after a failed step the estimate of the host was that of the failed step.
+/// Random calls from C found this fault: after a failed step, the host's estimate was the estimate of the failed step.
 #[test]
 fn a_failed_step_leaves_the_estimate_unchanged() {
     let scene = tug_at_a_wall(1.0, 0.0, 0.1);
@@ -88,7 +88,7 @@ fn a_failed_step_leaves_the_estimate_unchanged() {
     host.step(&scene.model, &mut work, &scene.states, None, STEP_S).expect("good states");
     let (before, present, loads) =
         (host.clone(), work.estimated_states().to_vec(), work.loads().to_vec());
-    // Her motion in the step that the host has not reported yet leaves the accepted range.
+    // The host has not reported her motion in this step yet. It takes her out of the accepted range.
     let mut states = scene.states.clone();
     states[0].position_m = vec2(1e9, 0.0);
     states[0].velocity_mps = vec2(1e6, 0.0);
@@ -196,7 +196,8 @@ fn random_teleports_give_finite_wrenches() {
     }
 }
 
-/// 1e7 m from the chart's origin a position is rounded to 2e-9 m, a mean velocity over 0.1 s to 2e-8 m/s.
+/// At 1e7 m from the chart's origin, a position is rounded to 2e-9 m. A mean velocity over 0.1 s is then rounded to
+/// 2e-8 m/s.
 #[test]
 fn far_from_the_charts_origin_the_rebound_is_the_same() {
     for delay_steps in 0..=1 {

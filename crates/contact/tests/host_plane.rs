@@ -1,5 +1,5 @@
-//! Co-simulation hosts with old states and without loads, in the plane: bodies that turn in contact. The
-//! reference is the engine's own motion, which other tests compare with closed forms.
+//! Co-simulation hosts with old states and without loads, in the plane, with bodies that turn in contact. The reference
+//! is the engine's own motion, which other tests compare with closed forms.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -63,8 +63,8 @@ fn a_tug_that_turns_on_a_free_ship_rebounds_like_the_converged_solution() {
     });
 }
 
-/// With friction the engine's result depends on its sub-steps. A host follows the engine with the same step; 1e-6
-/// for rounding, which alternating friction amplifies.
+/// With friction the engine's result depends on its sub-steps. The host is therefore compared with the engine at the
+/// same step. The tolerance of 1e-6 is for rounding, which alternating friction amplifies.
 #[test]
 fn with_friction_a_host_follows_the_engine() {
     for scene in [ship_on_a_fender(0.5, 5e6), ship_on_a_fender(0.2, 5e6), tug_against_a_ship(0.5)] {
@@ -85,7 +85,7 @@ fn the_mean_wrench_alone_does_not_keep_a_forward_euler_host_with_the_engine() {
         let mut master = Master::new(scene.clone(), integration, 0, Service::Advance);
         master.run(step_s, 30.0);
         let off = difference(&scene, master.states(), &right);
-        // Five times the tolerance for `CoSimHost`.
+        // This is five times the tolerance for `CoSimHost`.
         assert!(off > 0.05, "Δt {step_s}: {off}");
     }
 }
@@ -98,8 +98,8 @@ fn a_load_ahead_of_midships_is_shared_by_two_fenders_by_its_lever() {
             for delay_steps in 0..=2 {
                 let mut master = Master::known(scene.clone(), integration, delay_steps);
                 master.run(step_s, 200.0);
-                // 1 MN and 20 MN·m on levers of 60 and −40 m: 600 and 400 kN, 0.15 and 0.10 m for 4 m of 1 MN/m². 1 %:
-                // she turns by 5e-4 rad, and slides 0.1 m along.
+                // The load of 1 MN and 20 MN·m on levers of 60 and −40 m gives 600 and 400 kN. On 4 m of 1 MN/m² these
+                // are 0.15 and 0.10 m. The 1 % is for her turn by 5e-4 rad and her slide by 0.1 m.
                 let who = format!("{integration:?}, Δt {step_s}, delay {delay_steps}");
                 for (contact, mean_depth_m) in master.work.contacts().iter().zip([0.15, 0.10]) {
                     let found_m = contact.area_m2 / 4.0;
@@ -125,11 +125,11 @@ fn two_free_bodies_get_opposite_forces_where_no_load_acts() {
         sum_n = sum_n.max((tug + ship).length());
     }
     assert!(largest_n > 1e6);
-    // The engine turns the ship's mass matrix within a step, by 1e-4 rad; the host at its end.
+    // The engine turns the ship's mass matrix within a step, by 1e-4 rad. The host turns it at the end of the step.
     assert!(sum_n < 1e-4 * largest_n, "{sum_n} of {largest_n} N");
 }
 
-/// A host with masses a tenth larger than the model's: the observer takes the difference for a load.
+/// A host whose masses are a tenth larger than the model's. The observer takes the difference for a load.
 #[test]
 fn a_host_with_other_masses_still_comes_to_rest() {
     let scene = ship_on_two_fenders(0.0);
@@ -139,7 +139,7 @@ fn a_host_with_other_masses_still_comes_to_rest() {
         master.run(0.1, 300.0);
         for (contact, mean_depth_m) in master.work.contacts().iter().zip([0.15, 0.10]) {
             let found_m = contact.area_m2 / 4.0;
-            // 2 %: as above, and she slides further.
+            // The 2 % are for the same reasons; she also slides further.
             assert!((found_m / mean_depth_m - 1.0).abs() < 0.02, "{delay_steps}: {found_m} m");
         }
     }

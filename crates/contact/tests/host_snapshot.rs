@@ -1,4 +1,4 @@
-//! A co-simulation host as bytes: saved during contact, restored, and replayed.
+//! A co-simulation host as bytes: it is saved during contact, restored, and replayed.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 use crate::master;

@@ -42,7 +42,7 @@ fn two_ships_and_a_tug(load_n: f64, stiffness_npm2: f64) -> Scene {
     }
 }
 
-/// Frames of 1/60 s to 0.5 s, pseudo-random by Knuth's generator, or all of 0.2 s.
+/// Frames from 1/60 s to 0.5 s, pseudo-random by Knuth's generator; without `jitter` all frames are 0.2 s.
 fn frames(jitter: bool) -> impl FnMut() -> f64 {
     let mut dice = 7_u64;
     move || {
@@ -52,8 +52,8 @@ fn frames(jitter: bool) -> impl FnMut() -> f64 {
     }
 }
 
-/// With `advance` and a host's own integration the tug's force alternated between 0 and 1.7 MN, with 1,400 events of
-/// beginning and end, as the host's position after a frame differed from the engine's.
+/// With `advance` and a host's own integration, the tug's force alternated between 0 and 1.7 MN, with 1,400 events of
+/// beginning and end. The host's position after a frame differed from the engine's.
 #[test]
 fn two_stiff_ships_and_a_pushing_tug_do_not_chatter() {
     for stiffness_npm2 in [1e6, 1e7] {
@@ -86,7 +86,7 @@ fn two_stiff_ships_and_a_pushing_tug_do_not_chatter() {
     }
 }
 
-/// A host that passes the engine's states back gets its bits.
+/// If a host passes the engine's states back, its results have the engine's bits.
 #[test]
 fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance() {
     let Scene { model, mut states, loads } = two_ships_and_a_tug(500e3, 1e7);
@@ -105,7 +105,7 @@ fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance() {
     }
 }
 
-/// A tug that is dragged into a ship without regard to forces: forces are those of the input states.
+/// A tug is dragged into a ship without regard to forces. The forces are those of the input states.
 #[test]
 fn a_body_that_ignores_wrenches_gets_the_forces_of_its_input_states() {
     let Scene { model, mut states, loads } = two_ships_and_a_tug(0.0, 1e6);

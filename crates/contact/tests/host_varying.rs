@@ -1,4 +1,4 @@
-//! Hosts with a varying step, like a game's frames: jitter, pauses, and single frames of seconds.
+//! Hosts with a varying step, like the frames of a game: jitter, pauses, and single frames of seconds.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -56,7 +56,7 @@ fn every_master(check: impl Fn(HostIntegration, u32)) {
     }
 }
 
-/// The force was 1.04, 2.44, 4.83, 9.84 and 24.1 MN: half an impulse of the longer step, returned in 1/60 s.
+/// The force was 1.04, 2.44, 4.83, 9.84 and 24.1 MN. Half an impulse of the longer step was returned in 1/60 s.
 #[test]
 fn a_longer_frame_gives_no_jolt_to_a_tug_under_an_unreported_push() {
     const PUSH_N: f64 = 305e3;
@@ -80,8 +80,8 @@ fn a_longer_frame_gives_no_jolt_to_a_tug_under_an_unreported_push() {
     });
 }
 
-/// A tug at rest at a soft wall, pushed from the first step on. The host's steps give her half a step of the load before
-/// her position; the engine added another half (sub-)step, and she went 2.8 % too deep.
+/// A tug at rest at a soft wall is pushed from the first step on. In the host's steps her position lags the load by
+/// half a step. The engine added another half (sub-)step, and she went 2.8 % too deep.
 #[test]
 fn a_tug_pushed_from_rest_reaches_the_right_depth() {
     const PUSH_N: f64 = 2e5;
@@ -125,7 +125,7 @@ fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Scene {
     }
 }
 
-/// Largest wrench, largest reported peak of the ship and of a contact (N), and the rebound speed (m/s).
+/// Largest wrench, largest reported peaks of the ship and of a contact (N), and the rebound speed (m/s).
 fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     let (mut largest_n, mut peak_n, mut of_contact_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     while time_s < 90.0 {
@@ -143,7 +143,7 @@ fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     [largest_n, peak_n, of_contact_n, -master.states()[0].velocity_mps.x]
 }
 
-/// Forward Euler hosts went up to 0.5 m too deep in a frame, and rebounded seven times too fast.
+/// Forward Euler hosts went up to 0.5 m too deep in a frame. They rebounded seven times too fast.
 #[test]
 fn a_berthing_with_jitter_and_frames_of_2_s_equals_one_with_fixed_steps() {
     for (mass_kg, restitution) in [(2e7, 0.1), (2e7, 0.5), (1e8, 0.1), (1e8, 0.5)] {
@@ -159,8 +159,8 @@ fn a_berthing_with_jitter_and_frames_of_2_s_equals_one_with_fixed_steps() {
                     let who = format!(
                         "{mass_kg} kg, γ {restitution}, {speed_mps} m/s, {integration:?}, delay {delay_steps}, seed {seed}"
                     );
-                    // The wrench is a mean over the frame, so that the impulse is right. Where the force falls within a
-                    // frame of 2 s, as for a light ship past the deepest point, it is less than the peak.
+                    // The wrench is a mean over the frame, so that the impulse is right. If the force falls within a
+                    // frame of 2 s, the mean is less than the peak. A light ship past her deepest point is such a case.
                     let wrench = largest_n / fixed_n;
                     assert!(wrench < 1.1, "{who}: wrench {wrench}");
                     let falls_off = single_every_s < 1e9 && mass_kg < 1e8;
@@ -174,7 +174,7 @@ fn a_berthing_with_jitter_and_frames_of_2_s_equals_one_with_fixed_steps() {
     }
 }
 
-/// A contact of half a second within frames of 2 s: the rebound speed is right, and never too high.
+/// A contact of half a second within frames of 2 s. The rebound speed is right, and never too high.
 #[test]
 fn a_tug_that_rebounds_within_a_frame_has_the_right_speed() {
     for restitution in [0.1, 0.5] {
@@ -192,7 +192,8 @@ fn a_tug_that_rebounds_within_a_frame_has_the_right_speed() {
     }
 }
 
-/// She drifted 0.95 m along the pier. The shear spring holds her, swinging by 17 mm: compare means.
+/// She drifted 0.95 m along the pier. The shear spring now holds her while she swings by 17 mm, so the test compares
+/// means.
 #[test]
 fn a_ship_under_wind_does_not_drift_in_an_hour_of_jitter() {
     for (longest_s, single_every_s) in [(0.2, 1e9), (0.5, 60.0)] {
@@ -230,7 +231,7 @@ fn a_ship_under_wind_does_not_drift_in_an_hour_of_jitter() {
     }
 }
 
-/// A mass that differs from the model's is reported once, and an equal one never.
+/// A mass that differs from the model's is reported once. An equal mass is never reported.
 #[test]
 fn a_host_with_another_mass_is_reported_once() {
     for (mass_factor, differs) in [(0.5, 1), (0.75, 1), (1.0, 0), (1.1, 0), (1.3, 1), (2.0, 1)] {
@@ -241,7 +242,7 @@ fn a_host_with_another_mass_is_reported_once() {
                 master.mass_factor = mass_factor;
                 let mut frames = Frames::new(5, 0.2, 1e9);
                 let (mut reported, mut events) = (0, 0);
-                // Against the wall, away from it, and pushed to rest by an unreported load.
+                // The tug moves against the wall, then away from it, and an unreported load pushes her to rest.
                 while frames.time_s < 240.0 {
                     scene.loads[0].force_n.x = if frames.time_s > 90.0 { push_n } else { 0.0 };
                     master.scene.loads.clone_from(&scene.loads);
@@ -253,7 +254,7 @@ fn a_host_with_another_mass_is_reported_once() {
                 let who = format!("{mass_factor}, {push_n} N, {integration:?}, {delay_steps}");
                 assert_eq!(reported, differs, "{who}");
                 assert!(events < 40, "{who}: {events}");
-                // Speeds of an impact that lasts half a second, in frames of up to 0.2 s.
+                // These are the speeds of an impact that lasts half a second, in frames of up to 0.2 s.
                 let left_mps = -master.states()[0].velocity_mps.x;
                 assert!(push_n > 0.0 || (0.1..0.5).contains(&left_mps), "{who}: {left_mps} m/s");
             });
@@ -261,7 +262,8 @@ fn a_host_with_another_mass_is_reported_once() {
     }
 }
 
-/// For any mass, if the contact lasts many frames: the engine then learns in time what it takes for a load.
+/// This holds for any mass if the contact lasts many frames: the engine then learns in time which part of the motion it
+/// takes for a load.
 #[test]
 fn a_ship_with_half_or_twice_her_mass_rebounds_at_the_right_speed() {
     for mass_factor in [0.5, 2.0] {
@@ -276,7 +278,7 @@ fn a_ship_with_half_or_twice_her_mass_rebounds_at_the_right_speed() {
     }
 }
 
-/// A pause was refused. It changes no bit for a host without delay.
+/// A pause was refused. For a host without delay it now changes no bit.
 #[test]
 fn a_pause_changes_nothing() {
     every_master(|integration, delay_steps| {
@@ -299,7 +301,7 @@ fn a_pause_changes_nothing() {
         if delay_steps == 0 {
             assert_eq!(run(false), run(true), "{integration:?}");
         }
-        // After a pause delayed states are newer, so that a load is known sooner.
+        // After a pause delayed states are newer, so the engine knows a load sooner.
         let apart_m = (without[0].position_m - with[0].position_m).length();
         assert!(apart_m < 1e-3, "{integration:?}, delay {delay_steps}: {apart_m} m");
     });

@@ -1,4 +1,4 @@
-//! Identities of docs/contact_model.md, section 7, by the paper's method: they need no reference data.
+//! Identities of docs/contact_model.md, section 7, with the paper's method. They need no reference data.
 
 use crate::small_host;
 
@@ -6,7 +6,7 @@ use fenderline_contact::{Vec2, vec2};
 use proptest::prelude::*;
 use small_host::{Host, Integrator, Scene, fixed, floating, rectangle, spring, two};
 
-/// A block 10 m wide, 1000 t, just before a head-on impact on a wall 40 m wide.
+/// A block of 1000 t and 10 m width, just before a head-on impact on a wall 40 m wide.
 fn head_on(speed_mps: f64, stiffness_npm2: f64, step_s: f64, duration_s: f64) -> Scene {
     let mut block = floating("block", rectangle(30.0, 10.0), 1e6, 8.0);
     block.velocity.surge_mps = speed_mps;
@@ -24,7 +24,7 @@ fn a_flat_contact_is_a_half_sine_with_omega_root_kw_over_m() {
     let duration_s = 3.3 / omega;
     let host = Host::run(head_on(speed, stiffness, step_s, duration_s));
     let (_, pair) = host.pairs[0];
-    // First-order in Δt: ωΔt is 2e-4 here.
+    // The error is of first order in Δt. Here ωΔt is 2e-4.
     let close =
         |ours: f64, exact: f64| assert!((ours / exact - 1.0).abs() < 5e-4, "{ours} {exact}");
     close(pair.depth_m, speed / omega);
@@ -37,8 +37,8 @@ fn a_flat_contact_is_a_half_sine_with_omega_root_kw_over_m() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// With semi-implicit integration Δ(x×mv) = x×FΔt exactly, so that angular momentum is conserved as well as
-    /// linear. Forward Euler conserves only linear momentum: it adds Δt² (v₁ − v₂)×F per step.
+    /// With semi-implicit integration Δ(x×mv) = x×FΔt holds exactly, so both linear and angular momentum are conserved.
+    /// Forward Euler conserves only linear momentum: it adds Δt² (v₁ − v₂)×F in each step.
     #[test]
     fn momentum_of_a_free_pair_is_constant_to_rounding(
         y in -18.0..18.0_f64,

@@ -32,8 +32,8 @@ fn tugs_at_a_quay_of(count: u64, material: Material) -> (Model, Vec<BodyState>) 
     (builder.build().expect("a good model"), states)
 }
 
-/// The same with a second quay on their other side. The quays' keys are lower than the tugs', so that the order of
-/// islands differs from that of pairs.
+/// The same tugs with a second quay on their other side. The keys of the quays are lower than those of the tugs, so
+/// that the order of islands differs from the order of pairs.
 fn tugs_between_quays(count: u64) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut states = Vec::new();
@@ -76,7 +76,7 @@ fn count(events: &[Event], kind: EventKind) -> usize {
     events.iter().filter(|event| event.kind == kind).count()
 }
 
-/// Teleports the quay along its side: its three contacts look the same, and begin anew.
+/// Teleports the quay along its side. Its three contacts look the same, but begin anew.
 fn teleport_the_quay(run: &mut Run) {
     run.states[3].position_m.x -= 60.0;
     let events = run.step();
@@ -86,7 +86,7 @@ fn teleport_the_quay(run: &mut Run) {
     assert_eq!(run.step(), []);
 }
 
-/// Only the first island noticed that the quay was teleported; the other tugs kept their memory.
+/// Only the first island noticed that the quay was teleported. The other tugs kept their memory.
 #[test]
 fn a_teleported_quay_begins_the_contacts_of_all_islands_anew() {
     let mut run = Run::new(tugs_at_a_quay(3));
@@ -95,20 +95,20 @@ fn a_teleported_quay_begins_the_contacts_of_all_islands_anew() {
     teleport_the_quay(&mut run);
 }
 
-/// Likewise where the order of islands differs from that of pairs.
+/// The same where the order of islands differs from the order of pairs.
 #[test]
 fn a_teleported_quay_leaves_contacts_with_another_quay_alone() {
     let mut run = Run::new(tugs_between_quays(3));
     assert_eq!(count(run.step(), EventKind::ContactBegan), 6);
     assert_eq!(run.step(), []);
     teleport_the_quay(&mut run);
-    // Both quays away, but for the end of one, where the first tug's contact begins anew.
+    // Both quays are moved away, except for the end of one quay. There the first tug's contact begins anew.
     run.states[3].position_m.x -= 340.0;
     run.states[4].position_m.x -= 5000.0;
     assert_eq!(count(run.step(), EventKind::ContactEnded), 6);
 }
 
-/// The end of a contact whose pair was no longer near was reported only if there was no other island.
+/// If a pair was no longer near, the end of its contact was reported only if there was no other island.
 #[test]
 fn a_contact_of_a_teleported_body_ends() {
     for gone in 0..3 {
@@ -131,7 +131,7 @@ fn a_contact_of_a_teleported_body_ends() {
     assert_eq!(count(alone.step(), EventKind::ContactEnded), 1);
 }
 
-/// Islands with the same number of sub-steps are stepped together; each has the result that it has alone.
+/// Islands with the same number of sub-steps are stepped together. Each has the result that it has alone.
 #[test]
 fn an_island_has_the_same_bits_for_any_sub_steps_of_its_neighbours() {
     let after = |speeds_mps: [f64; 3]| {
@@ -154,14 +154,14 @@ fn an_island_has_the_same_bits_for_any_sub_steps_of_its_neighbours() {
     assert!(size > 0);
 }
 
-/// A quay with a velocity moved once for each group of islands with the same number of sub-steps.
+/// A quay with a velocity moved once for each group of islands with the same number of sub-steps, and not once in all.
 #[test]
 fn a_moving_quay_moves_once_for_any_sub_steps_of_its_islands() {
     let after = |fast_mps: f64| {
         let mut run = Run::new(tugs_at_a_quay(3));
         run.states[3].velocity_mps = vec2(0.2, -0.3);
         run.states[3].yaw_rate_radps = 1e-3;
-        // Another number of sub-steps for the first island.
+        // The first island has another number of sub-steps.
         run.states[0].velocity_mps.y = fast_mps;
         run.step();
         (run.states.clone(), run.work.displacements()[3])
@@ -170,7 +170,7 @@ fn a_moving_quay_moves_once_for_any_sub_steps_of_its_islands() {
     let (apart, moved_apart) = after(40.0);
     let went_m = vec2(0.2, -0.3) * STEP_S;
     for (state, motion) in [(alike[3], moved), (apart[3], moved_apart)] {
-        // To rounding, as sub-steps are summed.
+        // The comparison is to rounding, because sub-steps are summed.
         assert!((state.position_m - went_m).length() < 1e-15, "{state:?}");
         assert!((motion.translation_m - went_m).length() < 1e-15, "{motion:?}");
         assert!((state.heading_rad - 1e-4).abs() < 1e-18);
@@ -178,7 +178,7 @@ fn a_moving_quay_moves_once_for_any_sub_steps_of_its_islands() {
     assert_eq!(alike[1..3], apart[1..3]);
 }
 
-/// It was refused for most of these headings: the rotation of momenta with their bodies diverged.
+/// For most of these headings the step was refused: the rotation of momenta with their bodies diverged.
 #[test]
 fn a_step_of_days_in_contact_is_finite() {
     let mobility = Mobility::SurgeSway { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
@@ -217,8 +217,8 @@ fn a_step_that_overflows_is_refused() {
     assert_eq!(again.to_string(), error.to_string());
 }
 
-/// Of two islands in another order than the pairs, the second had the moving quay where the first had left it, at the
-/// end of the step.
+/// If two islands were in another order than the pairs, the second island had the moving quay at the end of the step,
+/// where the first island had left it.
 #[test]
 fn every_island_has_a_moving_quay_at_its_input_position() {
     let pressed = |count: u64| {
@@ -240,7 +240,7 @@ fn every_island_has_a_moving_quay_at_its_input_position() {
     }
 }
 
-/// In a step of one sub-step the displacement of a quay with a velocity was that of h/2 + 1 s.
+/// In a step of one sub-step the reported displacement of a quay with a velocity was that of h/2 + 1 s.
 #[test]
 fn a_moving_quay_reports_where_it_went_in_one_sub_step() {
     let soft = Material { stiffness_npm2: 1e3, ..PAPER };
@@ -252,7 +252,7 @@ fn a_moving_quay_reports_where_it_went_in_one_sub_step() {
     assert!((motion.translation_m - vec2(0.2, -0.3) * STEP_S).length() < 1e-15, "{motion:?}");
 }
 
-/// A step takes one-sub-step islands in groups; the results do not show it.
+/// A step takes islands with one sub-step in groups. The results do not show it.
 #[test]
 fn a_tug_among_many_has_the_bits_that_it_has_alone() {
     let soft = Material { stiffness_npm2: 1e3, ..PAPER };

@@ -1,5 +1,5 @@
-//! Bodies that never meet can be stepped in models of their own, on as many threads as there are: the bits are those of one model. No
-//! body's result depends on bodies outside its island.
+//! Bodies that never meet can be stepped in separate models, on any number of threads. The bits are those of one model.
+//! No body's result depends on bodies outside its island.
 
 use std::thread;
 
@@ -46,7 +46,8 @@ impl Place {
     }
 }
 
-/// Pairs, a chain, a raft, and a ship on eight fenders. Their keys are mixed: no place has a range of its own.
+/// Pairs, a chain, a raft, and a ship on eight fenders. Their keys are mixed, so that no place has a range of keys of
+/// its own.
 fn harbour() -> Vec<Place> {
     const PLACES: u64 = 8;
     let place = |number: u64| Place { at_m: vec2(2e3 * number as f64, 0.0), parts: vec![] };
@@ -85,7 +86,7 @@ fn harbour() -> Vec<Place> {
     places
 }
 
-/// What is left of each body: its state and the wrench on it.
+/// The result for each body: its key, its state and the wrench on it.
 type Outcome = Vec<(u64, BodyState, Wrench)>;
 
 /// Steps bodies in one model.
@@ -152,7 +153,7 @@ fn models_on_1_2_and_8_threads_have_the_bits_of_one_model() {
     }
 }
 
-/// A model in which nothing can touch leaves the stages of contact out.
+/// In a model in which nothing can touch, a step leaves out the stages of contact.
 #[test]
 fn contacts_elsewhere_change_no_bit_of_bodies_that_do_not_touch_yet() {
     let mut alone = Place { at_m: Vec2::ZERO, parts: vec![] };

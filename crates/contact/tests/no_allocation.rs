@@ -1,5 +1,5 @@
-//! A warm step allocates nothing: 100,000 steps of a ship that touches eight fenders, slides along
-//! them and leaves, with a counting allocator.
+//! A warm step allocates nothing. The test runs 100,000 steps with a counting allocator: a ship touches eight fenders,
+//! slides along them and leaves.
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
@@ -14,18 +14,18 @@ use fenderline_contact::{
 
 const STEP_S: f64 = 0.1;
 const STEPS: usize = 100_000;
-/// Ten cycles of all three motions.
+/// Ten cycles of each of the three motions.
 const WARM_UP_STEPS: usize = 20_000;
 
 thread_local! {
-    /// Allocator calls of this thread, as the test harness has other threads.
+    /// Allocator calls of this thread. The test harness has other threads.
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
 struct Counting;
 
 fn count() {
-    // It fails only while the thread ends, after the test.
+    // This fails only while the thread ends, after the test.
     let _ = ALLOCATIONS.try_with(|n| n.set(n.get() + 1));
 }
 
@@ -59,8 +59,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Sways between 0.3 m clear of the fenders and 0.5 m into them, surges to slide both ways, and yaws so that
-/// fenders are touched unequally.
+/// The ship sways between 0.3 m clear of the fenders and 0.5 m into them. She surges to slide both ways, and yaws so
+/// that fenders are touched unequally.
 fn ship_at(step: usize) -> BodyState {
     let t = step as f64 * STEP_S;
     let swing = |amplitude: f64, period_s: f64| {
@@ -149,7 +149,7 @@ fn allocates_nothing(method: Method) {
     assert!(seen.sticking > 1_000 && seen.slipping > 10_000, "{seen:?}");
 }
 
-/// A star of 200 corners, every other one the tip of a ray.
+/// A star of 200 corners. Every second corner is the tip of a ray.
 fn star() -> Outline {
     let corner = |k: u32| {
         let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / 200.0);
@@ -158,7 +158,8 @@ fn star() -> Outline {
     Outline::new(&(0..200).map(corner).collect::<Vec<_>>()).expect("a good outline").0
 }
 
-/// Two stars with many pieces: their rays meet, part, and merge into other patches, as one rolls to and fro on the other.
+/// Two stars with many pieces. Their rays meet, part, and merge into other patches, as one star rolls to and fro on the
+/// other.
 #[test]
 fn warm_steps_of_outlines_of_many_pieces_allocate_nothing() {
     let mut builder = Model::builder();
@@ -195,8 +196,8 @@ fn warm_steps_of_outlines_of_many_pieces_allocate_nothing() {
     assert!(most >= 4 && splits > 10, "{most} {splits}");
 }
 
-/// A ship that a load pushes against the fenders and pulls off again, moved by forward Euler, with states two steps
-/// late.
+/// A load pushes a ship against the fenders and pulls her off again. Forward Euler moves her, and the states are two
+/// steps late.
 #[test]
 fn warm_steps_of_a_cosim_host_allocate_nothing() {
     let model = scene::berth(500e3);

@@ -1,4 +1,5 @@
-//! An oblique impact with static friction above dynamic: the loss of energy does not depend on the time step.
+//! An oblique impact where static friction is above dynamic friction. The loss of energy does not depend on the time
+//! step.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -81,17 +82,17 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
 }
 
-/// Angles from the line of the quay (rad).
+/// Angles between the velocity and the line of the quay (rad).
 const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
 
-/// She slides throughout: her momentum along the quay falls by μ_k times the normal impulse, 2 m v_n.
+/// She slides all the time. Her momentum along the quay falls by μ_k times the normal impulse, which is 2 m v_n.
 #[test]
 fn a_slide_has_dynamic_friction_at_any_time_step() {
     let (sin, cos) = libm::sincos(GRAZING_RAD);
     let velocity_mps = vec2(0.5 * sin, 0.5 * cos);
     let along = 0.5 * cos - 2.0 * 0.2 * 0.5 * sin;
     let right = 1.0 - ((0.5 * sin).powi(2) + along * along) / 0.25;
-    // At 1 ms it was 1.22 of that, as the shear spring was loaded to static friction again and again.
+    // At 1 ms the loss was 1.22 times this value: the shear spring was loaded to static friction again and again.
     for (on_fender, shear_npm) in [(true, 1e6), (true, 3e6), (false, 3e6), (false, 3e7)] {
         let model = model(on_fender, shear_npm, [0.3, 0.2]);
         for step_s in [0.001, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0] {
@@ -123,8 +124,8 @@ fn stick_and_slip_lose_the_same_energy_at_any_time_step() {
     }
 }
 
-/// She slides along a fender under 100 kN when a tug starts to push with 2 MN. While N rises, the shear force is below
-/// μ_k N; when it reaches that again she has never stopped, so that μ_s N must not hold her.
+/// She slides along a fender under 100 kN. Then a tug starts to push with 2 MN. While N rises, the shear force is below
+/// μ_k N. When the shear force reaches μ_k N again, she has never stopped, so μ_s N must not hold her.
 #[test]
 fn a_slide_is_not_held_by_static_friction_when_the_push_rises() {
     let model = model(true, 2e6, [0.3, 0.2]);
@@ -143,7 +144,7 @@ fn a_slide_is_not_held_by_static_friction_when_the_push_rises() {
         for index in 0..4 * rises {
             let loads = match index.cmp(&rises) {
                 Ordering::Less => load(1e5, 2e4),
-                // Velocities go from the middle of the last step to the middle of this one.
+                // Velocities go from the middle of the last step to the middle of this step.
                 Ordering::Equal => load(1.05e6, 2.1e5),
                 Ordering::Greater => load(2e6, 4e5),
             };
@@ -159,8 +160,8 @@ fn a_slide_is_not_held_by_static_friction_when_the_push_rises() {
     };
     let right_m = slid(0.001);
     for step_s in [0.002, 0.005, 0.01, 0.02, 0.05, 0.1] {
-        // A sliding spring has the stretch for the N of half a step ago: the difference may be no more than her way in
-        // a step.
+        // A sliding spring has the stretch for the force N of half a step ago. The difference may therefore be at most
+        // her way in a step.
         let (translation_m, of_a_step_m) = (slid(step_s), 0.3 * step_s);
         assert!(
             (translation_m - right_m).abs() < of_a_step_m,

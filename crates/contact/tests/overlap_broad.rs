@@ -1,4 +1,4 @@
-//! The broad phase against a test of every pair: the same contacts, bit for bit.
+//! The broad phase, compared with a test of every pair. The contacts are the same, bit for bit.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -71,7 +71,7 @@ fn all_other_pairs_find_the_contacts_of_explicit_pairs() {
         for state in &mut states {
             state.position_m += state.velocity_mps * 0.1;
             state.heading_rad += state.yaw_rate_radps * 0.1;
-            // Sometimes a teleport, back from the far end.
+            // At times the body is teleported back from the far end.
             if state.position_m.x.abs() > 140.0 {
                 state.position_m.x = -state.position_m.x.clamp(-120.0, 120.0);
             }

@@ -1,5 +1,5 @@
-//! Non-convex bodies in the whole engine: area against an integer-grid clipper, the normal against the
-//! area's derivative, and patches that split and merge.
+//! Bodies that are not convex in the whole engine: the area compared with an integer-grid clipper, the normal compared
+//! with the area's derivative, and patches that split and merge.
 
 use crate::support;
 
@@ -38,7 +38,7 @@ fn saw(depth_m: f64) -> Vec<Vec2> {
     ring
 }
 
-/// A star, every other corner the tip of a ray: it has so many pieces that they are found by a tree.
+/// A star. Every second corner is the tip of a ray. It has so many pieces that a tree finds them.
 fn star(rays: usize, ray_m: f64) -> Vec<Vec2> {
     let corner = |k: usize| {
         let (sin, cos) = libm::sincos(core::f64::consts::PI * k as f64 / rays as f64);
@@ -51,7 +51,8 @@ fn placed(ring: &[Vec2], pose: Pose) -> Vec<Vec2> {
     ring.iter().map(|&v| pose.apply(v)).collect()
 }
 
-/// Area by `geo`: its coordinates are on an integer grid, so that 1e-5 m² is the best for bodies of 100 m.
+/// Area by the crate `geo`. Its coordinates are on an integer grid, so its best accuracy for bodies of 100 m is 1e-5
+/// m².
 fn geo_area_m2(a: &[Vec2], b: &[Vec2]) -> f64 {
     let polygon = |ring: &[Vec2]| {
         let line: LineString = ring.iter().map(|v| Coord { x: v.x, y: v.y }).collect();
@@ -94,7 +95,7 @@ proptest! {
         prop_assert!((ours - right).abs() <= 2e-5 + 1e-7 * right, "{ours} not {right}");
     }
 
-    /// ∂S/∂x₁ = ℓ n, summed over the patches. The area is piecewise quadratic in the position, so that a
+    /// The gradient ∂S/∂x₁ = ℓ n, summed over the patches. The area is piecewise quadratic in the position, so a
     /// central difference is exact unless a corner crosses an edge within it.
     #[test]
     fn the_normal_is_the_gradient_of_the_area(
@@ -116,17 +117,17 @@ proptest! {
             let x = moved(vec2(h, 0.0)) - moved(vec2(-h, 0.0));
             vec2(x, moved(vec2(0.0, h)) - moved(vec2(0.0, -h))) * (0.5 / h)
         };
-        // Two widths: where their results differ, a corner crosses an edge.
+        // The test takes two widths. If their results differ, a corner crosses an edge.
         let (wide, narrow) = (gradient(1e-4), gradient(0.5e-4));
         prop_assume!((wide - narrow).length() < 1e-7 * (1.0 + wide.length()));
-        // ℓ is 0 for a body within another.
+        // ℓ is 0 for a body that lies within another body.
         prop_assume!(wide.length() > 0.1);
         let normal = wide * (1.0 / wide.length());
         prop_assert!((normal - contact.normal).length() < 1e-6, "{:?} not {normal:?}", contact.normal);
     }
 }
 
-/// A basin's two arms against a quay: two patches, each with its own centroid.
+/// The two arms of a basin touch a quay. They are two patches, each with its own centroid.
 #[test]
 fn two_arms_against_a_wall_give_two_patches() {
     let wall = rectangle(10.0, 200.0);
@@ -143,8 +144,8 @@ fn two_arms_against_a_wall_give_two_patches() {
 
 const DAMPED: Material = Material { damping_nspm2: 200e3, ..PAPER };
 
-/// A body with two feet is pressed into a quay until its middle touches too, and pulled out again. The
-/// memory (the shear) continues through merging and splitting.
+/// A body with two feet is pressed into a quay until its middle touches too, and is pulled out again. The memory of the
+/// shear continues while patches merge and split.
 #[test]
 fn patches_that_merge_and_split_keep_their_shear() {
     let feet = points(&[
@@ -161,7 +162,7 @@ fn patches_that_merge_and_split_keep_their_shear() {
     let bodies = vec![body(1, &feet, true), body(2, &wall, false)];
     let mut run = Run::new(model(bodies, Material { friction_static: 1e3, ..PAPER }));
     let quay = at(11.0, 0.0, 0.0);
-    // Sideways by 1 mm per step, while it moves in by 0.1 m per step and out again.
+    // The body moves sideways by 1 mm per step, while it moves in by 0.1 m per step and out again.
     let mut seen = Vec::new();
     for step in 0..20i32 {
         let depth_m = 0.55 + 0.1 * f64::from(10 - (step - 10).abs());
@@ -190,8 +191,8 @@ fn patches_that_merge_and_split_keep_their_shear() {
     assert_eq!(seen, ["merged", "split"]);
 }
 
-/// A split does not change the overlap: the damper, which follows the growth of the area, must not take half of
-/// the patch for a sudden loss of area.
+/// A split does not change the overlap. The damper follows the growth of the area, and must not take half of the patch
+/// for a sudden loss of area.
 #[test]
 fn a_split_does_not_change_the_damper_force() {
     let notched = points(&[
@@ -210,7 +211,7 @@ fn a_split_does_not_change_the_damper_force() {
     let mut forces = Vec::new();
     let mut patches = Vec::new();
     for step in 0..6 {
-        // Moves out by 5 mm per step; the notch is free between the third and the fourth.
+        // The body moves out by 5 mm per step. The notch becomes free between the third step and the fourth.
         let depth_m = 1.0125 - 0.005 * f64::from(step);
         let state = BodyState { velocity_mps: vec2(3.0, 0.0), ..at(depth_m, 0.0, 0.0) };
         let contacts = run.step(&[state, at(11.0, 0.0, 0.0)], 0.1);

@@ -1,5 +1,5 @@
-//! docs/contact_model.md, section 7: the same contact for swapped bodies, mirrored, far away and at any heading; and
-//! the same bits for any order of adding bodies.
+//! Properties of docs/contact_model.md, section 7. The contact is the same for swapped bodies, mirrored, far away and
+//! at any heading. The bits are the same for any order of adding bodies.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -19,7 +19,7 @@ const STEP_S: f64 = 0.0625;
 /// Largest effective mass of two bodies of 1,000 t.
 const EFFECTIVE_KG: f64 = 0.5e6;
 
-/// Five steps of two bodies at the given velocities; returns the contacts and wrenches of the last.
+/// Takes five steps of two bodies at the given velocities. Returns the contacts and wrenches of the last step.
 fn five_steps(
     a: (&[Vec2], BodyState),
     b: (&[Vec2], BodyState),
@@ -49,17 +49,17 @@ fn close(what: &str, one: f64, two: f64, scale: f64) {
     assert!((one - two).abs() <= 1e-12 * scale.max(one.abs()), "{what}: {one:e} and {two:e}");
 }
 
-/// Compares all results of two contacts. `back` maps vectors of `two` to those of `one`; `sign` is for values that
+/// Compares all results of two contacts. `back` maps the vectors of `two` to those of `one`. `sign` is for values that
 /// change sign in a mirror.
 #[track_caller]
 fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign: f64) {
-    // Relative to the rounding of ship lengths, 1e-14 m each.
+    // The tolerance is relative to the rounding of ship lengths, 1e-14 m each.
     let extent = one.arm_1_m.length().max(one.arm_2_m.length());
     let of_depth = extent / one.depth_m * 0.1;
     close("area", one.area_m2, two.area_m2, one.area_m2 * of_depth);
     close("depth", one.depth_m, two.depth_m, one.depth_m * of_depth);
-    // A limited force, (V_n + γ V_n⁰)/(K Δt), may nearly vanish: its accuracy is relative to the force that changes the
-    // bodies' velocity by 1 m/s, like that of the speeds below.
+    // A limited force (V_n + γ V_n⁰)/(K Δt) may nearly vanish. Its accuracy is relative to the force that changes the
+    // bodies' velocity by 1 m/s. The accuracy of the speeds below is of the same kind.
     let of_speeds_n = if one.limited { EFFECTIVE_KG / STEP_S } else { 0.0 };
     let of_force = (one.normal_force_n + of_speeds_n) * of_depth;
     close("normal force", one.normal_force_n, two.normal_force_n, of_force);
@@ -107,11 +107,11 @@ proptest! {
     #[test]
     fn swapped_bodies_have_the_same_contact((a, one, b, two) in meeting()) {
         let (first, first_wrenches) = five_steps((&a, one), (&b, two), [1, 2]);
-        // The same ranks, added in the opposite order: the same bits.
+        // The ranks are the same, and the bodies are added in the opposite order. The bits must be the same.
         let (second, second_wrenches) = five_steps((&b, two), (&a, one), [2, 1]);
         prop_assert_eq!(&first_wrenches[..], &[second_wrenches[1], second_wrenches[0]][..]);
         prop_assert_eq!(first.len(), second.len());
-        // Other ranks: the clip's polygons are swapped.
+        // With other ranks, the polygons of the clip are swapped.
         let (third, third_wrenches) = five_steps((&a, one), (&b, two), [2, 1]);
         prop_assert_eq!(first.len(), third.len());
         for (c, d) in first.iter().zip(&third) {
@@ -145,7 +145,7 @@ proptest! {
         }
     }
 
-    /// Positions are representable there: 1e7 m on a grid of 2⁻²⁰ m, with steps of 2⁻⁴ s.
+    /// At this distance positions are representable: 1e7 m on a grid of 2⁻²⁰ m, with steps of 2⁻⁴ s.
     #[test]
     fn ten_thousand_kilometres_away_the_contact_is_the_same((a, one, b, two) in meeting()) {
         let away = |s: BodyState| BodyState { position_m: s.position_m + vec2(1e7, -1e7), ..s };

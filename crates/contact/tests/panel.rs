@@ -1,4 +1,4 @@
-//! A panel on several cones: statics by hand, and the force as the gradient of the stored energy.
+//! A panel on several cones: statics by hand, and the force compared with the gradient of the stored energy.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -17,7 +17,7 @@ fn barge() -> Outline {
     outline(&[(-10.0, -30.0), (10.0, -30.0), (10.0, 30.0), (-10.0, 30.0)])
 }
 
-/// A hull with a corner at her origin, which points to the quay.
+/// A hull whose corner is at her origin and points to the quay.
 fn corner() -> Outline {
     outline(&[(0.0, 0.0), (8.0, 8.0), (16.0, 0.0), (8.0, -8.0)])
 }
@@ -30,8 +30,8 @@ fn linear() -> FenderLaw {
     FenderLaw::linear(STIFFNESS_NPM)
 }
 
-/// A fender 4 m wide on a quay, which faces north, with the middle of its face at the origin. West is to the right of one
-/// who looks at it.
+/// A fender 4 m wide on a quay faces north, with the middle of its face at the origin. To a person who looks at the
+/// fender, west is on the right.
 struct Case {
     law: FenderLaw,
     cones_m: Option<Vec<f64>>,
@@ -100,11 +100,11 @@ impl Case {
     }
 }
 
-/// What a panel does under a hull at rest at this position and heading.
+/// The state of the panel under a hull at rest at this position and heading.
 struct Pressed {
     contact: Contact,
     panel: Option<PanelMotion>,
-    /// On the hull, about her origin.
+    /// Force on the hull, and moment about her origin.
     force: [f64; 3],
 }
 
@@ -123,7 +123,7 @@ fn close(name: &str, is: f64, wanted: f64) {
     assert!((is - wanted).abs() <= 1e-9 * wanted.abs().max(1e-3), "{name}: {is}, by hand {wanted}");
 }
 
-/// A corner presses 0.6 m to the right of the middle, between cones at ±1.2 m: they bear 1/4 and 3/4 of the force.
+/// A corner presses 0.6 m to the right of the middle. The cones stand at ±1.2 m and bear 1/4 and 3/4 of the force.
 #[test]
 fn a_corner_off_the_middle_tilts_the_panel_by_statics() {
     let model = Case::new(linear(), &[-1.2, 1.2], corner()).model();
@@ -145,19 +145,20 @@ fn a_corner_off_the_middle_tilts_the_panel_by_statics() {
         contact.energy.stored_j,
         0.5 * STIFFNESS_NPM * (left_m.powi(2) + right_m.powi(2)),
     );
-    // Perpendicular to the panel: it pushes north, and towards the end that is pushed in more, in the west.
+    // The force is perpendicular to the panel. It pushes north, and towards the end that is pushed in more, which is
+    // the west end.
     close("push", force[0], force_n);
     close("push along", force[1], -tilt * force_n);
 }
 
-/// Beyond the outer cone the other one is stretched.
+/// If the corner is beyond the outer cone, the other cone is stretched.
 #[test]
 fn a_corner_beyond_the_cones_stretches_the_other_one() {
     let model = Case::new(linear(), &[-1.2, 1.2], corner()).model();
     let Pressed { panel, force, .. } = pressed(&model, [-0.25, -1.6, 0.0]).expect("it touches");
     let panel = panel.expect("a panel");
     let (left, right) = (-0.4 / 2.4, 2.8 / 2.4);
-    // Depth = N/k (left² + right²).
+    // The depth is N/k · (left² + right²).
     let force_n = 0.25 * STIFFNESS_NPM / (left * left + right * right);
     close("force", force[0], force_n);
     close("left cone", panel.least_deflections_m[0], left * force_n / STIFFNESS_NPM);
@@ -165,7 +166,7 @@ fn a_corner_beyond_the_cones_stretches_the_other_one() {
     close("moment", panel.moment_nm, 1.6 * force_n);
 }
 
-/// The right cone is beyond its peak at 0.4 m, with 540 kN; a corner at 0.6 m.
+/// The right cone is beyond its peak at 0.4 m, with 540 kN. The corner is at 0.6 m.
 #[test]
 fn a_cone_that_buckles_takes_its_share_by_its_curve() {
     let model = Case::new(buckling(), &[-1.2, 1.2], corner()).model();
@@ -190,7 +191,8 @@ fn a_side_turns_the_panel_parallel() {
     let angle_rad: f64 = 0.02;
     let Pressed { panel, force, .. } = pressed(&model, [9.7, 0.0, angle_rad]).expect("it touches");
     let panel = panel.expect("a panel");
-    // Heading 0.02 to starboard: the quay-side of the barge comes nearer in the east, the left end.
+    // A heading of 0.02 turns her to starboard: the side of the barge at the quay comes nearer in the east, at the left
+    // end.
     let middle_m = 10.0 / angle_rad.cos() - 9.7;
     close("tilt", panel.tilt_rad, -angle_rad.tan());
     close("middle", panel.deflection_m, middle_m);
@@ -224,15 +226,15 @@ fn a_parallel_side_finds_the_cones_as_one_fender() {
 const CHAIN: TensionChain =
     TensionChain { at_m: -1.8, slack_m: 0.02, stiffness_npm: 2e6, break_load_n: 1e5 };
 
-/// A corner at the right end turns the left end outwards: there the chain holds it beyond its slack.
+/// A corner at the right end turns the left end outwards. There a chain holds the panel once its slack is taken up.
 #[test]
 fn a_tension_chain_holds_the_free_edge() {
     let case = Case::new(linear(), &[-1.2, 1.2], corner());
     let model = Case { chains: vec![CHAIN], ..case }.model();
     let Pressed { contact, panel, force } = pressed(&model, [-0.3, -1.9, 0.0]).expect("it touches");
     let panel = panel.expect("a panel");
-    // By hand, with d the middle's deflection and θ the turn: d + 1.9 θ = 0.3, and the moment about the corner is zero:
-    // k(d − 1.2θ)·3.1 + k(d + 1.2θ)·0.7 + c(d − 1.8θ + 0.02)·3.7 = 0.
+    // By hand, d is the deflection of the middle and θ the turn. Then d + 1.9 θ = 0.3, and the moment about the corner
+    // is zero: k(d − 1.2θ)·3.1 + k(d + 1.2θ)·0.7 + c(d − 1.8θ + 0.02)·3.7 = 0.
     let (k, c) = (STIFFNESS_NPM, 2e6);
     let per_tilt = k * ((-1.9 - 1.2) * 3.1 + (-1.9 + 1.2) * 0.7) + c * (-1.9 - 1.8) * 3.7;
     let constant = k * 0.3 * 3.8 + c * (0.3 + 0.02) * 3.7;
@@ -249,7 +251,7 @@ fn a_tension_chain_holds_the_free_edge() {
     assert_eq!(panel.parted, [false; 4]);
 }
 
-/// It parts at its break load and stays parted, also in a snapshot; the energy that it stored is booked as lost.
+/// The chain parts at its break load and stays parted, also in a snapshot. The energy that it stored is booked as lost.
 #[test]
 fn a_tension_chain_parts_once() {
     for unloading in [None, Some(Unloading::ReturnedEnergy(0.6))] {
@@ -281,8 +283,8 @@ fn a_tension_chain_parts_once() {
                 parted += u32::from(panel.parted[0]);
             }
             if let Some(contact) = on_fender {
-                // At the start of the step, what the bodies gave is stored or lost. A step's work is that from half a step
-                // before its start to half a step after it.
+                // At the start of the step, the energy that the bodies gave is either stored or lost. The work of a
+                // step is counted from half a step before its start to half a step after it.
                 let energy = contact.energy;
                 let work_j = contact.work.limiter_j - contact.work.normal_j;
                 off_j = booked_j + 0.5 * work_j
@@ -292,7 +294,7 @@ fn a_tension_chain_parts_once() {
                 booked_j += work_j;
                 lost_j += energy.hysteresis_j;
             }
-            // A copy by way of bytes goes on like the original.
+            // A memory that was copied as bytes continues like the original.
             let bytes = memory.snapshot();
             let mut copy = Memory::new(&model);
             copy.restore(&model, &bytes).expect("a good snapshot");
@@ -301,7 +303,7 @@ fn a_tension_chain_parts_once() {
         assert_eq!(parted, 1);
         assert_eq!(peak_n, 2e4);
         assert_eq!(tension_after_n, 0.0);
-        // The rest is the error of steps of 10 ms. The chain stored T²/2k = 100 J.
+        // The remainder is the error of steps of 10 ms. The chain stored T²/2k = 100 J.
         assert!(lost_j > 99.0, "{lost_j}");
         assert!(off_j.abs() < 1e-3 * booked_j, "{off_j} of {booked_j}, {lost_j}");
     }
@@ -332,7 +334,7 @@ fn bad_panels_are_refused() {
     }
 }
 
-/// Speeds before and after an impact off the middle, askew, with and without hysteresis, at any step.
+/// Speeds before and after an impact off the middle, at an angle, with and without hysteresis, at any step.
 #[test]
 fn an_impact_returns_its_share_of_the_energy() {
     for (share, within) in [(1.0, 6e-3), (0.55, 6e-3)] {
@@ -373,7 +375,7 @@ fn an_impact_returns_its_share_of_the_energy() {
                     }
                     assert!(time_s < 100.0, "it stays");
                 }
-                // She keeps some energy at the largest deflection, in her turn.
+                // At the largest deflection she keeps some energy in her turn.
                 let lost_j = before_j - energy_j(&states[1]);
                 let off = lost_j / peak_j - (1.0 - share);
                 assert!(peak_tilt > 0.01, "{peak_tilt}");
@@ -392,7 +394,7 @@ fn poses() -> impl Strategy<Value = [f64; 3]> {
     prop_oneof![along, end_on]
 }
 
-/// The hull's corners in the face's frame: x inwards is south, y to the right is west.
+/// The hull's corners in the frame of the face: x points inwards, which is south; y points to the right, which is west.
 fn in_face(corners: &[Vec2], pose: [f64; 3]) -> Vec<Vec2> {
     let rotation = Rotation::from_angle(pose[2]);
     let earth = corners.iter().map(|&v| rotation.apply(v) + vec2(pose[0], pose[1]));
@@ -422,8 +424,8 @@ fn deepest_m(in_face: &[Vec2]) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
-    /// Central differences over 10 µm, as for other fenders. Where the panel changes from one point of the hull to
-    /// another within the difference, its quotient lies between the forces at both ends.
+    /// Central differences over 10 µm, as for other fenders. If the panel changes from one point of the hull to another
+    /// within the difference, the quotient lies between the forces at both ends.
     #[test]
     fn the_force_is_the_gradient_of_the_stored_energy(
         pose in poses(),
@@ -458,7 +460,7 @@ proptest! {
         }
     }
 
-    /// No turn of the panel stores less energy than the one that it takes.
+    /// No other turn of the panel stores less energy than the turn that the panel takes.
     #[test]
     fn no_other_pose_has_less_energy(
         pose in poses(),

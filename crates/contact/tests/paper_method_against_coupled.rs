@@ -1,4 +1,4 @@
-//! The table of docs/contact_model.md, section 5: the results of the paper's method, and the right ones. The wrong
+//! The table of docs/contact_model.md, section 5: the results of the paper's method, and the right results. The wrong
 //! results are tested too, so that the table stays true.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
@@ -13,7 +13,7 @@ use small_host::{
     spring, two,
 };
 
-/// A scene by the paper's method: forward Euler, each pair limited by itself.
+/// A scene with the paper's method: forward Euler, and a separate limit for each pair.
 fn by_the_papers_method(mut scene: Scene) -> Scene {
     scene.method = Method::Paper;
     scene.integrator = Integrator::Euler;
@@ -42,7 +42,7 @@ fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64
     }
 }
 
-/// A tug of 1,000 t, 10 m wide, bow on to a wall at `gap_m`.
+/// A tug of 1,000 t and 10 m width, with her bow at `gap_m` from a wall.
 fn tug_at_a_wall(gap_m: f64, speed_mps: f64, material: Material, step_s: f64) -> Scene {
     let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, 8.0);
     tug.velocity.surge_mps = speed_mps;
@@ -63,15 +63,15 @@ fn leaning_on_one_fender_for_a_quarter_of_an_hour() {
     let scene = pushed(ship_beside_fenders(1, 0.0, spring(500e3, 0.1), 0.1), 0.0, 500e3);
     let depth_m = Host::run(scene.clone()).states[0].position_m.y;
     assert!((depth_m / 0.25 - 1.0).abs() < 0.005, "{depth_m} m, F/(k·width) is 0.25 m");
-    // The limiter does not know the load: this program gives 0.94 m, and she still goes deeper.
+    // The limiter does not know the load. This program gives a depth of 0.94 m, and she still goes deeper.
     let paper = Host::run(by_the_papers_method(scene));
     let state = paper.states[0];
     assert!((state.position_m.y / 0.94 - 1.0).abs() < 0.1, "{state:?}");
     assert!(state.velocity_mps.y > 1e-5, "{state:?}");
 }
 
-/// The paper's equations with forward Euler and no limiter: one body on a spring of k·width. `start` is its depth
-/// and speed; returns the depth after each step, and the final speed.
+/// The paper's equations with forward Euler and no limiter, for one body on a spring of k·width. `start` is its depth
+/// and speed. Returns the depth after each step, and the final speed.
 fn bare_spring(
     mass_kg: f64,
     stiffness_npm: f64,
@@ -96,8 +96,8 @@ fn leaning_without_a_limiter_swings_ever_wider() {
     let (path_m, _) = bare_spring(1e8, 2e6, 500e3, (0.0, 0.0), 0.1, 900.0);
     let [first_m, last_m] = [&path_m[..1500], &path_m[7500..]]
         .map(|part| part.iter().fold(0.0_f64, |deepest, &x| deepest.max(x)));
-    // An undamped spring swings to 0.5 m. Each step multiplies the energy by 1 + (ωΔt)²: in ten minutes the
-    // swing about 0.25 m would grow by e^0.6 if she never left the fender.
+    // An undamped spring swings to 0.5 m. Each step multiplies the energy by 1 + (ωΔt)². If she never left the fender,
+    // the swing about 0.25 m would grow by e^0.6 in ten minutes.
     assert!(first_m > 0.5 && last_m > 1.3 * first_m, "{first_m} m, then {last_m} m");
 }
 
@@ -116,7 +116,8 @@ fn eight_stiff_fenders() {
     for rebound in rebounds(|scene| scene) {
         assert!((rebound / 0.1 - 1.0).abs() < 0.03, "{rebound} v₀");
     }
-    // Each pair allows γv₀ by itself, and these add up, the more so the later in a step they turn her.
+    // Each pair allows γv₀ for itself, and these speeds add up. The later in a step the pairs turn her, the larger is
+    // the sum.
     let worst = rebounds(by_the_papers_method).into_iter().fold(0.0, f64::max);
     assert!((worst / 0.47 - 1.0).abs() < 0.1, "0.47 v₀ as found with this program: {worst}");
 }
@@ -143,12 +144,12 @@ fn a_tug_pushing_on_a_wall_for_two_minutes() {
 
 #[test]
 fn forward_euler_without_a_limiter() {
-    // A tug of 1,000 t at 2.06 m/s on k·width of 6.5 MN/m, Δt 0.1 s. Each step multiplies the energy by 1 + (ωΔt)² = 1.065,
-    // and half a period has 12.3 steps: she leaves at 2.06 m/s · 1.065^(12.3/2) = 3.03 m/s.
+    // A tug of 1,000 t hits k·width = 6.5 MN/m at 2.06 m/s, with Δt = 0.1 s. Each step multiplies the energy by 1 +
+    // (ωΔt)² = 1.065. Half a period has 12.3 steps, so she leaves at 2.06 m/s · 1.065^(12.3/2) = 3.03 m/s.
     let (_, v_mps) = bare_spring(1e6, 6.5e6, 0.0, (-2.0, 2.06), 0.1, 10.0);
-    // 4 %: half a step more or less of contact makes 1.6 % at either end.
+    // The tolerance is 4 %: half a step more or less of contact makes 1.6 % at either end.
     assert!((v_mps / -3.03 - 1.0).abs() < 0.04, "{v_mps} m/s");
-    // γ = 1: only a speed above the approach speed is limited.
+    // With γ = 1, only a speed above the approach speed is limited.
     for step_s in [0.05, 0.1, 0.2] {
         let mut scene = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
         scene.integrator = Integrator::Euler;
@@ -157,24 +158,24 @@ fn forward_euler_without_a_limiter() {
         let left_mps = leaving_speed_as_cosim_host(step_s);
         assert!(left_mps <= 2.06 + 1e-9, "as a co-simulation host, Δt {step_s}: {left_mps} m/s");
     }
-    // A host that applies the mean force in long steps of its own departs from the engine's motion: it must be a
-    // co-simulation host.
+    // If a host applies the mean force in long steps of its own, its motion departs from the engine's. Such a host must
+    // be a co-simulation host.
     let left_mps = leaving_speed_as_cosim_host(0.5);
     assert!(left_mps <= 2.06 + 1e-9, "as a co-simulation host, Δt 0.5: {left_mps} m/s");
 }
 
 #[test]
 fn a_tug_with_steps_of_2_s() {
-    // v/ω of a half sine, ω = √(5 MN/m / 1e6 kg).
+    // The depth v/ω of a half sine, with ω = √(5 MN/m / 1e6 kg).
     let scene = tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), 2.0);
     let depth_m = Host::run(scene.clone()).pairs[0].1.depth_m;
     assert!((depth_m / 0.9213 - 1.0).abs() < 0.005, "{depth_m} m");
     let depth_m = Host::run(by_the_papers_method(scene)).pairs[0].1.depth_m;
-    // It first touches the wall after two steps, four metres inside it.
+    // The tug first touches the wall after two steps. She is then four metres inside it.
     assert!(depth_m > 3.0, "metres: {depth_m} m");
 }
 
-/// The speed at which the tug leaves, moved with forward Euler by a co-simulation host that reports no loads.
+/// The speed at which the tug leaves. A co-simulation host moves her with forward Euler and reports no loads.
 fn leaving_speed_as_cosim_host(step_s: f64) -> f64 {
     let scene = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
     let model = scene.model();

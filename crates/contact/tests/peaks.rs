@@ -1,4 +1,4 @@
-//! The largest wrench within a step, beside the mean.
+//! The largest wrench within a step, and the mean wrench.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 use crate::master;
@@ -14,7 +14,7 @@ fn peak_of_the_tug_n() -> f64 {
     0.5 * (6.5e6_f64 * 1e6).sqrt()
 }
 
-/// An impact of half a second within a step of 4 s: the mean is small.
+/// An impact lasts half a second within a step of 4 s, so the mean is small.
 #[test]
 fn the_peak_of_an_impact_within_a_step_is_reported_beside_its_mean() {
     let scene = tug_at_a_wall(1.0, 0.5, 1.0);
@@ -27,7 +27,7 @@ fn the_peak_of_an_impact_within_a_step_is_reported_beside_its_mean() {
     assert!((mean.x + 0.25e6).abs() < 0.01e6, "{mean:?}");
     assert!((peak.x / -peak_of_the_tug_n() - 1.0).abs() < 0.01, "{peak:?}");
     assert!((peaks[1].force_n + peak).length() < 1.0, "{peaks:?}");
-    // A pause reports the same again.
+    // A pause reports the same values again.
     let (states, before) = (work.states_after().to_vec(), peaks.clone());
     advance(&scene.model, &mut memory, &mut work, &states, &scene.loads, 0.0).unwrap();
     work.peak_wrenches_into(&mut peaks);
@@ -62,8 +62,8 @@ fn the_peak_of_a_short_step_equals_its_mean_bit_for_bit() {
     }
 }
 
-/// Two barges against one quay, where the light one needs more sub-steps: the times of their peaks are not compared, so
-/// that the quay's peak is the sum of both.
+/// Two barges lie against one quay, and the light barge needs more sub-steps. The times of their peaks are not
+/// compared, so the quay's peak is the sum of both peaks.
 #[test]
 fn the_peak_on_a_quay_is_the_sum_of_two_barges_peaks() {
     let free = |mass_kg: f64| Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 100.0 };

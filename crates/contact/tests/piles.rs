@@ -1,4 +1,5 @@
-//! Bodies on piles: closed forms, an independent integration of two masses, and the ledger, at steps of 0.01 to 2 s.
+//! Bodies on piles, at steps of 0.01 to 2 s, compared with closed forms, with an independent integration of two masses,
+//! and with the energy ledger.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -14,7 +15,7 @@ fn outline(points: &[(f64, f64)]) -> Outline {
     Outline::new(&vertices).expect("a good outline").0
 }
 
-/// ω of the dolphin (rad/s): its period is 0.77 s.
+/// Angular frequency ω of the dolphin (rad/s). Its period is 0.77 s.
 fn rate_radps() -> f64 {
     (STIFFNESS_NPM / MASS_KG).sqrt()
 }
@@ -64,7 +65,7 @@ impl Run {
     }
 }
 
-/// e^(−ζωt) (cos ω′t + ζω/ω′ sin ω′t): released at rest.
+/// A dolphin that is released at rest moves as e^(−ζωt) (cos ω′t + ζω/ω′ sin ω′t).
 #[test]
 fn a_released_pile_swings_with_its_period_and_its_damping() {
     let rate = rate_radps();
@@ -78,8 +79,8 @@ fn a_released_pile_swings_with_its_period_and_its_damping() {
                 let (sin, cos) = (damped * t_s).sin_cos();
                 let share = (-damping * rate * t_s).exp() * (cos + damping * rate / damped * sin);
                 let off_m = run.states[0].position_m - PLACE_M - vec2(0.3, -0.4) * share;
-                // Sub-steps have ωh = 0.02 at most: the period is too long by (ωh)²/12 of itself, and a position, which is half
-                // a sub-step ahead of the deflection, is off by (ωh/2)²/2.
+                // Sub-steps have ωh = 0.02 at most. The relative error of the period is (ωh)²/12. A position is half a
+                // sub-step ahead of the deflection, so its relative error is (ωh/2)²/2.
                 let most_m = 0.5 * (3.4e-5 * rate * t_s + 1e-4);
                 assert!(off_m.length() < most_m, "{damping} {step_s} {t_s}: {off_m:?}");
                 assert_eq!(run.states[0].heading_rad, 0.0);
@@ -104,8 +105,8 @@ fn a_loaded_pile_settles_at_load_over_stiffness() {
     }
 }
 
-/// ½ m v² = F²/2K + F p: what the spring cannot take goes into the permanent deflection p. The sub-step that passes the
-/// limit is elastic: 2 per mille of p.
+/// By ½ m v² = F²/2K + F p, the energy that the spring cannot take goes into the permanent deflection p. The sub-step
+/// that passes the limit is still elastic, which is 2 per mille of p.
 #[test]
 fn a_pile_that_yields_keeps_what_the_spring_cannot_take() {
     let yield_n = 1.2e6;
@@ -125,10 +126,10 @@ fn a_pile_that_yields_keeps_what_the_spring_cannot_take() {
         println!("{step_s}: {:?} for {wanted_m}", last.offset_m);
         assert!(off_m.length() < 2e-3 * wanted_m, "{step_s}: {:?} for {wanted_m}", last.offset_m);
         assert!((peak_n / yield_n - 1.0).abs() < 1e-9, "{peak_n}");
-        // The swing that is left is elastic.
+        // The remaining swing is elastic.
         let left_j = 0.5 * MASS_KG * run.states[0].velocity_mps.length_squared() + last.stored_j;
         assert!((left_j + yield_j - kinetic_j).abs() < 1e-9 * kinetic_j, "{step_s}: {left_j}");
-        // It may turn at the yield load with up to (ωh/2)² of the energy.
+        // If the motion turns at the yield load, up to (ωh/2)² of the energy may be left in addition.
         assert!(left_j < elastic_j * (1.0 + 1e-4), "{left_j} for {elastic_j}");
     }
 }
@@ -181,7 +182,7 @@ fn berthing(pile: Pile, speed_mps: f64) -> Run {
     Run::new(model, &[dolphin, barge])
 }
 
-/// Peaks of reaction, deflection of the pile and of the fender, by two masses at 1e-5 s.
+/// Peaks of the reaction and of the deflections of pile and fender, from two masses with steps of 1e-5 s.
 fn two_masses(pile: &Pile, speed_mps: f64) -> [f64; 3] {
     let h = 1e-5;
     let (mut ship_m, mut ship_mps, mut pile_m, mut pile_mps) = (-0.2, speed_mps, 0.0, 0.0);
@@ -235,7 +236,8 @@ fn kinetic_j(run: &Run) -> f64 {
     run.states.iter().zip(masses).map(|(s, kg)| 0.5 * kg * s.velocity_mps.length_squared()).sum()
 }
 
-/// Against two masses integrated at 1e-5 s, in all steps: 1 per mille by the phase of the sub-steps, ωh = 0.1.
+/// The peaks are compared with those of two masses integrated at 1e-5 s, for all steps. The tolerance of 1 per mille is
+/// for the phase of the sub-steps, ωh = 0.1.
 #[test]
 fn a_berthing_has_the_peaks_of_two_masses() {
     for damping in [0.02, 0.1] {
@@ -254,7 +256,8 @@ fn a_berthing_has_the_peaks_of_two_masses() {
     }
 }
 
-/// What the bodies lose, pile and contact take, and what the pile takes it stores or turns to heat: to rounding.
+/// The energy that the bodies lose equals the energy that pile and contact take. The pile stores its part or turns it
+/// to heat. Both hold to rounding.
 #[test]
 fn the_ledger_of_a_berthing_on_a_pile_closes() {
     for (damping, yield_n) in [(0.0, f64::INFINITY), (0.05, f64::INFINITY), (0.05, 4e5)] {
@@ -269,7 +272,7 @@ fn the_ledger_of_a_berthing_on_a_pile_closes() {
     }
 }
 
-/// R/K at rest, in series with R/k_f: energies as 1/K to 1/k_f.
+/// At rest, R/K and R/k_f are in series. The energies are in the ratio of 1/K to 1/k_f.
 #[test]
 fn fender_and_pile_share_the_energy_by_their_stiffness() {
     for step_s in STEPS_S {

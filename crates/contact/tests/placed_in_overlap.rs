@@ -1,4 +1,4 @@
-//! Bodies that a host places in others are pressed out slowly, for any host and depth.
+//! A host places bodies in others. They are pressed out slowly, for any host and depth.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -34,10 +34,11 @@ fn has_event(events: &[Event], kind: EventKind) -> bool {
     events.iter().any(|event| event.kind == kind)
 }
 
-/// Largest contact force beyond the loads: an acceleration of 0.02 m/s².
+/// Limit of the contact force, not counting the loads: an acceleration of 0.02 m/s².
 const LARGEST_N: f64 = 0.021 * MASS_KG;
 
-/// From 3 m the force was 1.15 GN and the speed 1.5 m/s, from 9 m 6.5 GN and 8.5 m/s, without an event.
+/// From a depth of 3 m the force was 1.15 GN and the speed 1.5 m/s. From 9 m the values were 6.5 GN and 8.5 m/s. There
+/// was no event.
 #[test]
 fn a_ship_placed_up_to_half_her_beam_in_a_quay_is_pressed_out_slowly() {
     for depth_m in [1.0, 3.0, 9.0, 0.5 * BEAM_M] {
@@ -66,7 +67,8 @@ fn a_ship_placed_up_to_half_her_beam_in_a_quay_is_pressed_out_slowly() {
     }
 }
 
-/// Likewise for hosts that move her themselves, with and without a mark, by less than a tenth of her radius and by more.
+/// The same for hosts that move her themselves, with and without a mark, by less and by more than a tenth of her
+/// radius.
 #[test]
 fn a_placed_ship_leaves_slowly_with_any_host() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
@@ -107,7 +109,8 @@ fn a_placed_ship_leaves_slowly_with_any_host() {
     }
 }
 
-/// Pressed out against a load, she rests at her static depth; placed there at 1 m/s, she is stopped without a shock.
+/// A ship that is pressed out against a load rests at her static depth. A ship that is placed there with 1 m/s is
+/// stopped without a shock.
 #[test]
 fn a_placed_ship_with_load_and_speed_comes_to_rest_at_her_static_depth() {
     for (load_n, speed_mps) in [(2e6, 0.0), (2e6, 1.0), (2e7, 0.3)] {
@@ -118,19 +121,19 @@ fn a_placed_ship_with_load_and_speed_comes_to_rest_at_her_static_depth() {
         for _ in 0..20_000 {
             advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1).unwrap();
             let wrench_n = work.wrenches()[0].force_n.length();
-            // She may leave and return at the same speed: v √(k m).
+            // She may leave and return at the same speed. The force is then v √(k m).
             let back_n = MAX_PUSH_OUT_MPS * (200e6 * MASS_KG).sqrt();
             let largest_n = load_n + LARGEST_N.max(back_n) + 0.51 * MASS_KG * speed_mps;
             assert!(wrench_n < largest_n, "{load_n} N, {speed_mps} m/s: {wrench_n} N");
         }
         let depth_m = states[0].position_m.x;
-        // The quay has 200 MN/m along her side.
+        // Along her side the quay has a stiffness of 200 MN/m.
         let right_m = load_n / 200e6;
         assert!((depth_m / right_m - 1.0).abs() < 0.01, "{load_n} N, {speed_mps} m/s: {depth_m} m");
     }
 }
 
-/// An impact that reaches the same depth is not affected: the whole energy by γ is returned.
+/// An impact that reaches the same depth is not affected. It returns the whole energy that γ allows.
 #[test]
 fn a_deep_impact_is_not_a_placement() {
     let Scene { model, mut states, loads } = ship_placed_in_quay(-1.0, 50e3, 0.9);
@@ -165,8 +168,8 @@ fn a_marked_body_begins_its_contacts_anew_once() {
     assert!(!teleported(&mut other, &mut states));
 }
 
-/// A ship of 200 m whose side is `depth_m` deep in fenders along a quay. They return 55 % of the absorbed energy, and have
-/// a cone's curve of 3 MN at 0.5 m, 2.7 MN at 0.8 m and 4 MN at 1 m, times a factor.
+/// A ship of 200 m whose side is `depth_m` deep in fenders along a quay. The fenders return 55 % of the absorbed
+/// energy. Their curve is that of a cone, 3 MN at 0.5 m, 2.7 MN at 0.8 m and 4 MN at 1 m, times a factor.
 #[derive(Clone, Copy, Debug)]
 struct Berth {
     fenders: u32,
@@ -254,7 +257,7 @@ impl Run {
 
 const OUT_MPS: f64 = MAX_PUSH_OUT_MPS + 1e-6;
 
-/// From 1 m the speed was 0.245 m/s: rubber returned energy that the host's placing had created.
+/// From 1 m the speed was 0.245 m/s: the rubber returned energy that the host had created by placing the ship.
 #[test]
 fn a_ship_placed_in_rubber_leaves_slowly() {
     for fenders in [1, 2, 4] {
@@ -275,7 +278,7 @@ fn a_ship_placed_in_rubber_leaves_slowly() {
                 let fastest_mps = run.go(step_s, 20.0 + depth_m / MAX_PUSH_OUT_MPS);
                 let who = format!("{berth:?}, Δt {step_s}");
                 assert!(fastest_mps < OUT_MPS, "{who}: {fastest_mps} m/s");
-                // It is reported where the contact would accelerate her to 0.08 m/s.
+                // An event reports the placing if the contact would accelerate her to 0.08 m/s.
                 let energy_j = 0.5 * mass_kg * MAX_PUSH_OUT_MPS * MAX_PUSH_OUT_MPS;
                 let held_j = 0.55 * f64::from(fenders) * stiffer * 3e6 * depth_m * depth_m;
                 if depth_m < 0.5 {
@@ -287,7 +290,7 @@ fn a_ship_placed_in_rubber_leaves_slowly() {
     }
 }
 
-/// Likewise by a host that moves her itself, with and without a mark.
+/// The same with a host that moves her itself, with and without a mark.
 #[test]
 fn a_ship_placed_in_rubber_leaves_slowly_with_any_host() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
@@ -315,7 +318,7 @@ fn a_ship_placed_in_rubber_leaves_slowly_with_any_host() {
                         master.step(step_s);
                         placements |= has_event(master.events(), EventKind::PlacedInOverlap);
                         let speed_mps = master.states()[0].velocity_mps.length();
-                        // A direct host gets its velocity correction within some seconds.
+                        // In some seconds a direct host gets the correction of its velocity.
                         assert!(speed_mps < 0.082, "{who}: {speed_mps} m/s");
                         time_s += step_s;
                         if time_s > 40.0 {
@@ -331,7 +334,7 @@ fn a_ship_placed_in_rubber_leaves_slowly_with_any_host() {
     }
 }
 
-/// Wind presses her on and dies: neither releases the energy that the placing created.
+/// The wind presses her on and then dies. It must not release the energy that the placing created.
 #[test]
 fn a_ship_placed_in_rubber_under_wind_leaves_slowly_when_it_dies() {
     for (wind_n, step_s) in [(5e5, 0.1), (2e6, 0.1), (2e6, 1.0), (6e6, 0.1), (6e6, 1.0)] {
@@ -352,7 +355,7 @@ fn a_ship_placed_in_rubber_under_wind_leaves_slowly_when_it_dies() {
     }
 }
 
-/// A centimetre per frame, like dragging in an editor.
+/// The ship is dragged by a centimetre per frame, as in an editor.
 #[test]
 fn a_ship_dragged_into_rubber_leaves_slowly() {
     for translation_m in [0.002, 0.01, 0.05] {
@@ -369,7 +372,7 @@ fn a_ship_dragged_into_rubber_leaves_slowly() {
     }
 }
 
-/// A ship that arrives under way gets the returned energy of rubber, though her host moves her slightly differently.
+/// A ship that arrives under way gets the returned energy of rubber, even if her host moves her slightly differently.
 #[test]
 fn an_impact_with_a_slightly_different_motion_is_not_a_placement() {
     let mut run = Run::new(ship_placed_in_rubber(Berth { depth_m: -0.5, ..TWO_FENDERS }));
@@ -387,7 +390,7 @@ fn an_impact_with_a_slightly_different_motion_is_not_a_placement() {
     assert_eq!(run.placements, 0);
 }
 
-/// Both bodies float: neither is thrown off.
+/// Both bodies float, and neither is thrown off.
 #[test]
 fn a_ship_placed_in_another_leaves_slowly() {
     let free = |mass_kg: f64| Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 2500.0 };
@@ -405,7 +408,7 @@ fn a_ship_placed_in_another_leaves_slowly() {
             run.go(step_s, 60.0 + depth_m / MAX_PUSH_OUT_MPS);
             let who = format!("{depth_m} m, γ {restitution}, Δt {step_s}");
             let [one, two] = [0, 1].map(|ship| run.scene.states[ship].velocity_mps);
-            // Off the middle of one of them, which is turned.
+            // The contact is off the middle of one body, which is turned.
             assert!((two - one).length() < 0.09, "{who}: {one:?}, {two:?}");
             assert_eq!((run.placements, run.work.contacts().len()), (1, 0), "{who}");
         }

@@ -61,7 +61,7 @@ impl Plan {
     }
 }
 
-/// A barge with cut corners, by half of her length and beam.
+/// A barge with cut corners, given by half of her length and half of her beam.
 fn barge(x: f64, y: f64) -> [(f64, f64); 8] {
     let cut = 1.0;
     [
@@ -76,7 +76,7 @@ fn barge(x: f64, y: f64) -> [(f64, f64); 8] {
     ]
 }
 
-/// Short barges in a row behind a quay to the north. Longer ones would buckle sideways under the load.
+/// Short barges in a row at a quay to the north. Longer barges would buckle sideways under the load.
 fn chain(barges: usize) -> Scene {
     let mut plan = Plan::default();
     let floating = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6e7 };
@@ -87,7 +87,8 @@ fn chain(barges: usize) -> Scene {
     plan.scene(0.5)
 }
 
-/// Barges with cut corners in `side` rows and columns, in the corner of two quays to the north and the east.
+/// Barges with cut corners in `side` rows and columns. They lie in the corner of two quays, to the north and to the
+/// east.
 fn raft(side: usize) -> Scene {
     let (x, y) = (20.0, 5.5);
     let floating = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 1.4e8 };
@@ -106,7 +107,7 @@ fn raft(side: usize) -> Scene {
 }
 
 impl Scene {
-    /// A step; returns the number of islands that did not converge.
+    /// Takes one step. Returns the number of islands that did not converge.
     fn step(&mut self, loads: &[Wrench]) -> usize {
         let Scene { model, memory, work, states } = self;
         advance_in_place(model, memory, work, states, loads, STEP_S).expect("a good step");
@@ -115,15 +116,15 @@ impl Scene {
     }
 }
 
-/// A load of 30 kN on each barge. At rest the contact ahead of the barge that is k-th from the end bears k · 30 kN, exactly: what
-/// the solver leaves open does not add up along the chain.
+/// Each barge has a load of 30 kN. At rest the contact ahead of the barge that is k-th from the end bears exactly k ·
+/// 30 kN: the solver's errors do not add up along the chain.
 #[test]
 fn a_chain_at_rest_bears_the_sum_of_its_loads() {
     const BARGES: usize = 30;
     let mut scene = chain(BARGES);
     let mut loads = vec![Wrench::default(); BARGES + 1];
     for step in 0..3000 {
-        // The water's drag brings them to rest.
+        // The drag of the water brings the barges to rest.
         for (load, state) in loads.iter_mut().zip(&scene.states).take(BARGES) {
             load.force_n = vec2(30e3, 0.0) - state.velocity_mps * 2e5;
             load.moment_nm = -1e7 * state.yaw_rate_radps;
@@ -144,7 +145,7 @@ fn a_chain_at_rest_bears_the_sum_of_its_loads() {
     }
 }
 
-/// A breeze that turns and gusts on a raft of barges.
+/// A turning wind with gusts acts on a raft of barges.
 fn rides_out_gusts(side: usize, steps: usize) {
     let mut scene = raft(side);
     let floating = side * side;
@@ -158,7 +159,7 @@ fn rides_out_gusts(side: usize, steps: usize) {
         }
         assert_eq!(scene.step(&loads), 0, "step {step}");
     }
-    // They lie where they were moored, but for the give of their sides.
+    // The barges lie where they were moored, except that their sides give a little.
     for (index, state) in scene.states.iter().take(floating).enumerate() {
         let wanted_m = vec2(-40.0 * (index / side) as f64, -11.0 * (index % side) as f64);
         let off_m = (state.position_m - wanted_m).length();
@@ -171,7 +172,7 @@ fn a_raft_of_25_barges_rides_out_gusts() {
     rides_out_gusts(5, 600);
 }
 
-/// Ten minutes. It takes a minute or two.
+/// The run lasts ten minutes of simulated time, and takes a minute or two.
 #[test]
 #[ignore = "long: cargo test --release -p fenderline-contact --test all rafts:: -- --ignored"]
 fn a_raft_of_100_barges_rides_out_ten_minutes_of_gusts() {

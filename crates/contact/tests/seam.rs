@@ -1,5 +1,4 @@
-//! Seams: a hull in several convex pieces is one hull. No result of a contact may depend on where the cuts
-//! are.
+//! Seams: a hull in several convex pieces is one hull. No result of a contact may depend on where the hull is cut.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -10,11 +9,11 @@ use proptest::prelude::*;
 use support::harbour::{PAPER, Run, at, body, model};
 use support::shapes::{any_convex, beside, hull, points, rectangle};
 
-/// A convex hull, and the same with a tiny notch in its far side. The notch forces diagonals across the hull,
-/// some of which end in vertices of the near side.
+/// A convex hull, and the same hull with a tiny notch in its far side. The notch forces diagonals across the hull. Some
+/// of these end in vertices of the near side.
 fn plain_and_notched() -> Vec<(Vec<Vec2>, Vec<Vec2>)> {
     let ship = hull(298.0, 46.0, 24);
-    // The far side is the last edge but one: from (0.7 · 149, 23) to (−149, 23).
+    // The far side is the second-last edge: from (0.7 · 149, 23) to (−149, 23).
     let with_notches = |places: &[f64]| {
         let mut ring = ship[..ship.len() - 1].to_vec();
         for &x in places {
@@ -30,7 +29,7 @@ fn plain_and_notched() -> Vec<(Vec<Vec2>, Vec<Vec2>)> {
     ]
 }
 
-/// Tolerance for the effect of notches of 1e-6 m² on the far side.
+/// Compares two values. The tolerance allows for notches of 1e-6 m² on the far side.
 #[track_caller]
 fn equal(what: &str, one: f64, two: f64, scale: f64, context: &str) {
     let limit = 1e-9 * scale.abs().max(one.abs());
@@ -52,7 +51,7 @@ fn same_contact(one: &Contact, two: &Contact, context: &str) {
     assert_eq!((one.friction, one.limited, one.patch), (two.friction, two.limited, two.patch));
 }
 
-/// Slides both hulls by the same states past a fender and compares every step.
+/// Slides both hulls past a fender with the same states and compares every step.
 fn slide(
     plain: &[Vec2],
     cut: &[Vec2],
@@ -87,7 +86,7 @@ fn a_hull_in_pieces_slides_along_a_fender_like_a_whole_one() {
         assert!(outline.pieces().len() > 1);
         for (fender, top) in fenders.iter().zip([0.75, 1.0]) {
             for material in [PAPER, slippery, damped] {
-                // Along the near side (y = −23) from aft of midships round the shoulder.
+                // The hulls slide along the near side (y = −23), from aft of midships round the shoulder.
                 slide(&plain, &cut, fender, material, &|step| {
                     let t = f64::from(step);
                     let depth_m = 0.2 + 0.1 * libm::sin(0.05 * t);
@@ -104,8 +103,7 @@ fn a_hull_in_pieces_slides_along_a_fender_like_a_whole_one() {
     }
 }
 
-/// A hull with a real knuckle: notches at different places make the same outline be cut along different
-/// diagonals.
+/// A hull with a real knuckle. With notches at different places, the same outline is cut along different diagonals.
 #[test]
 fn the_cuts_of_a_knuckled_hull_do_not_matter() {
     let knuckled = points(&[
@@ -133,12 +131,12 @@ fn the_cuts_of_a_knuckled_hull_do_not_matter() {
     }
 }
 
-/// Across a seam in ten thousand tiny steps: all results are continuous, and no contact ends or begins.
+/// The fender crosses a seam in ten thousand tiny steps. All results are continuous, and no contact ends or begins.
 #[test]
 fn a_contact_that_crosses_a_seam_slowly_continues() {
     let mut crossed = 0;
     for (_, cut) in plain_and_notched() {
-        // Not the corner of the stern, past which there is no side to slide along.
+        // The corner of the stern is left out: there is no side to slide along beyond it.
         let seams = seam_ends_on_the_near_side(&cut).into_iter().filter(|s| s.x > -149.0);
         let fender = points(&[(0.0, -1.0), (2.0, 1.0), (-2.0, 1.0)]); // a flat top, y = 1
         let corner = points(&[(0.0, 1.0), (-2.0, -1.0), (2.0, -1.0)]); // a corner on top, y = 1
@@ -151,7 +149,7 @@ fn a_contact_that_crosses_a_seam_slowly_continues() {
                 let mut run = Run::new(model(bodies, PAPER));
                 let mut last: Option<Contact> = None;
                 for step in 0..2000 {
-                    // 2 nm per step in the middle, where the corner's tip passes; coarser outside.
+                    // The steps are 2 nm in the middle, where the tip of the corner passes, and coarser elsewhere.
                     let s = f64::from(step - 1000) / 1000.0;
                     let x = 4.0 * depth_m * s * s * s;
                     let ship = BodyState { velocity_mps: vec2(0.0, -0.5), ..at(0.0, 0.0, 0.0) };
@@ -184,7 +182,7 @@ fn seam_ends_on_the_near_side(ring: &[Vec2]) -> Vec<Vec2> {
     near.filter(|v| outline.pieces().iter().filter(|p| p.contains(v)).count() > 1).collect()
 }
 
-/// The first touch on a seam's end, however light, is one contact, not two.
+/// The first touch on the end of a seam, however light, is one contact and not two.
 #[test]
 fn a_touch_of_a_nanometre_on_a_seam_is_one_contact() {
     for (_, cut) in plain_and_notched() {
@@ -209,7 +207,7 @@ proptest! {
         ..ProptestConfig::with_cases(1000)
     })]
 
-    /// Any convex body against the near side, from a millimetre to eight metres deep.
+    /// Any convex body touches the near side, from a millimetre to eight metres deep.
     #[test]
     fn a_hull_in_pieces_contacts_any_body_like_a_whole_one(
         which in 0usize..3,
@@ -231,7 +229,7 @@ proptest! {
         let (one, two) = (contacts(plain), contacts(cut));
         let far_side = |c: &Contact| ship.pose().apply_inverse(c.point_m).y + c.depth_m > 22.0;
         prop_assume!(!one.iter().chain(&two).any(far_side)); // the notches are real
-        // Without crossings the first normal is a choice, tested below.
+        // Without crossings the first normal is a choice. Another test checks it.
         let contained = one.iter().any(|c| c.area_m2 > (1.0 - 1e-9) * area_m2(&other));
         prop_assume!(!contained);
         prop_assert_eq!(one.len(), two.len(), "{:?} and {:?}", one, two);
@@ -245,8 +243,8 @@ fn area_m2(ring: &[Vec2]) -> f64 {
     Outline::new(ring).expect("a good outline").0.area_m2()
 }
 
-/// A body that is first found inside a hull is pushed out through the nearest side of the hull, not through
-/// the nearest seam.
+/// A body that is first found inside a hull is pushed out through the nearest side of the hull, and not through the
+/// nearest seam.
 #[test]
 fn a_body_found_inside_a_hull_is_not_pushed_through_a_seam() {
     for (plain, cut) in plain_and_notched() {

@@ -1,5 +1,5 @@
-//! The engine stays in parts of a readable size: no struct with more than 25 fields, no function with more than 7
-//! parameters. A tuple counts by what it holds, so that it hides no long list.
+//! The parts of the engine stay readable: no struct has more than 25 fields, and no function has more than 7
+//! parameters. A tuple counts as many values as it holds, so that it cannot hide a long list.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
 }
 
-/// The text up to the bracket that closes the one just before its start.
+/// The text up to the bracket that closes the bracket just before the start.
 fn within(text: &str) -> &str {
     let mut depth = 1;
     for (at, c) in text.char_indices() {
@@ -61,7 +61,7 @@ fn items(list: &str) -> Vec<&str> {
     all
 }
 
-/// The number of values in a type: a tuple has those of its parts.
+/// The number of values in a type. A tuple counts the values of its parts.
 fn values(kind: &str) -> usize {
     let kind = kind.trim().trim_start_matches('&').trim_start_matches("mut ").trim();
     match kind.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
@@ -72,7 +72,7 @@ fn values(kind: &str) -> usize {
 
 /// The number of values in a parameter.
 fn parameters(parameter: &str) -> usize {
-    // The pattern of a tuple has no colon within.
+    // In the pattern of a tuple no part contains a colon.
     parameter.rfind(": ").map_or(1, |colon| {
         let first = parameter.find(": ").unwrap_or(colon);
         let of_pattern = parameter.starts_with('(').then(|| parameter.find("): ")).flatten();

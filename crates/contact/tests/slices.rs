@@ -1,11 +1,11 @@
-//! Outlines that the host sets for each fender: the slope of the side is the gradient of the stored energy, and a renewal
-//! leaves the contact's memory alone.
+//! Outlines that the host sets for each fender. The slope of the side is the gradient of the stored energy. Setting an
+//! outline again leaves the contact's memory unchanged.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use fenderline_contact::*;
 
-/// A hull that floats, with a bow, and a fender on a quay that faces her; the hull is met by slices.
+/// A floating hull with a bow, and a fender on a quay that faces her. The fender meets slices of the hull.
 fn model(law: FenderLaw) -> (Model, FenderId, BodyId) {
     let mut builder = Model::builder();
     let square = [vec2(-50.0, -20.0), vec2(50.0, -20.0), vec2(50.0, 0.0), vec2(-50.0, 0.0)];
@@ -50,7 +50,7 @@ fn model(law: FenderLaw) -> (Model, FenderId, BodyId) {
     (builder.build().unwrap(), fender, hull)
 }
 
-/// The hull's vertices at a height, and their rates: flare that grows towards the bow.
+/// The hull's vertices at a height, and how they change with height. Flare grows towards the bow.
 fn at(height_m: f64) -> (Vec<Vec2>, Vec<Vec2>) {
     let (foot, rates): (Vec<Vec2>, Vec<Vec2>) = [
         ((-30.0, -8.0), (0.0, -0.1)),
@@ -76,8 +76,8 @@ fn states(along_m: f64, off_m: f64, heading_rad: f64) -> Vec<BodyState> {
     vec![BodyState::default(), hull]
 }
 
-/// The work of a small rise of the height is force times slope times rise: for both laws, on a side, across the shoulder and at
-/// the bow. Central differences over 2 mm are exact to 1e-6 here.
+/// If the height rises a little, the work is force times slope times rise. The test checks both laws, on a side, across
+/// the shoulder and at the bow. Here central differences over 2 mm are exact to 1e-6.
 #[test]
 fn the_slope_is_the_gradient_of_the_energy_by_height() {
     let curve = FenderLaw::Curve(vec![[0.0, 0.0], [0.4, 8e5], [1.2, 1e6]]);
@@ -109,7 +109,7 @@ fn the_slope_is_the_gradient_of_the_energy_by_height() {
     }
 }
 
-/// The factor by angle is that of the angle in space; without a slope it is that of the tilt, bit for bit.
+/// The factor by angle takes the angle in space. Without a slope this angle is the tilt, bit for bit.
 #[test]
 fn the_angle_in_space_combines_both_angles() {
     assert_eq!(combined_angle_rad(0.123, 0.0).to_bits(), 0.123_f64.to_bits());
@@ -117,7 +117,7 @@ fn the_angle_in_space_combines_both_angles() {
     assert!((combined_angle_rad(0.3, -0.4).tan() - 0.3_f64.tan().hypot(0.4)).abs() < 1e-15);
 }
 
-/// A hull that slides along the fender with friction: renewing her outline by the same one in each step changes no bit.
+/// A hull slides along the fender with friction. Setting the same outline again in each step changes no bit.
 #[test]
 fn a_renewal_by_the_same_outline_changes_nothing() {
     let play = |renews: bool| {

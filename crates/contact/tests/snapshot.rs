@@ -1,5 +1,5 @@
-//! Snapshots: saved during contact and replayed bit for bit; damaged or foreign ones are refused and change
-//! nothing.
+//! Snapshots are saved during contact and replayed bit for bit. Damaged snapshots and snapshots of another model are
+//! refused and change nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 use crate::scene;
@@ -13,7 +13,7 @@ use fenderline_contact::{
 const STEP_S: f64 = 0.1;
 const STIFFNESS_NPM2: f64 = 500e3;
 
-/// A ship that berths at 0.2 m/s, turning slightly and sliding ahead, held to the fenders by tugs.
+/// A ship that berths at 0.2 m/s, turns slightly and slides ahead. Tugs hold her to the fenders.
 struct Run {
     model: Model,
     memory: Memory,
@@ -68,14 +68,14 @@ fn a_restored_run_continues_bit_for_bit() {
         first.iter().flat_map(|(contacts, _)| contacts.iter().map(|c| c.friction)).collect();
     assert!(frictions.contains(&Friction::Stick) && frictions.contains(&Friction::Slip));
 
-    // Into a new memory, and into one that has run on, with a new workspace.
+    // Restores into a new memory, and into a memory that was used further. Each has a new workspace.
     for mut memory in [Memory::new(&run.model), run.memory.clone()] {
         memory.restore(&run.model, &saved).expect("a good snapshot");
         assert_eq!(memory.snapshot(), saved);
         let model = run.model.clone();
         let mut again = Run { work: Workspace::new(&model), model, memory, ship };
         let second = again.play(1_000);
-        // Debug text distinguishes −0 from 0, and every bit of a number.
+        // Debug text distinguishes −0 from 0, and shows every bit of a number.
         for (index, (one, two)) in first.iter().zip(&second).enumerate() {
             assert_eq!(format!("{one:?}"), format!("{two:?}"), "step {index}");
         }
@@ -91,7 +91,7 @@ fn a_snapshot_before_the_first_step_is_valid() {
     assert_eq!(memory, run.memory);
 }
 
-/// Restoring `bytes` over a memory in use fails and changes nothing.
+/// Checks that restoring `bytes` over a memory in use fails and changes nothing.
 fn refused(run: &mut Run, bytes: &[u8], before: &[u8]) -> RestoreError {
     let error = run.memory.restore(&run.model, bytes).expect_err("a bad snapshot");
     assert_eq!(run.memory.snapshot(), before, "{error}: memory changed");
@@ -142,12 +142,12 @@ fn another_model_and_another_version_are_refused() {
     assert_eq!(refused(&mut run, &newer, &before), RestoreError::Version { found });
 }
 
-/// A forged snapshot, with a valid check sum but impossible numbers.
+/// A forged snapshot has a valid check sum, but impossible numbers.
 #[test]
 fn a_forged_snapshot_is_refused() {
     let mut run = in_contact();
     let before = run.memory.snapshot();
-    // Δt of the last step, then the first state's position: bytes 20.. and 56..
+    // The numbers are Δt of the last step, at byte 20, and the position in the first state, at byte 56.
     for (place, value) in [
         (20, f64::NAN),
         (20, -0.1),
@@ -165,7 +165,7 @@ fn a_forged_snapshot_is_refused() {
     }
 }
 
-/// Writes the check sum, FNV-1a, as the table of bytes describes.
+/// Writes the check sum FNV-1a at the place that the table of bytes gives.
 fn sum_up(bytes: &mut [u8]) {
     let end = bytes.len() - 8;
     let sum = Fnv1a::of(&bytes[..end]);

@@ -1,4 +1,4 @@
-//! A restored snapshot continues a run with the same bits, and a workspace has no influence on it.
+//! A restored snapshot continues a run with the same bits. A workspace has no influence on the run.
 
 use crate::small_host;
 

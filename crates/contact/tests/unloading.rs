@@ -1,4 +1,4 @@
-//! Unloading of rubber fenders: the energy that they return, and the curve.
+//! Unloading of rubber fenders: the energy that they return, and the unloading curve.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -23,7 +23,7 @@ fn cone() -> FenderLaw {
     FenderLaw::Curve(vec![[0.0, 0.0], [0.25, 6e5], [0.5, 5e5], [0.8, 6e5], [1.0, 9e5]])
 }
 
-/// A fender on a quay that faces north, with its face at the origin, and a barge of 5,000 t, side on.
+/// A fender on a quay faces north, with its face at the origin. A barge of 5,000 t lies side on.
 fn model(law: FenderLaw, unloading: Unloading) -> Model {
     let mut builder = Model::builder();
     let quay = builder.body(Body {
@@ -67,7 +67,7 @@ struct Run {
 }
 
 impl Run {
-    /// Starts with her side at `gap_m` from the face, with a speed towards it.
+    /// The barge starts with her side at `gap_m` from the face, with a speed towards it.
     fn new(model: Model, gap_m: f64, speed_mps: f64) -> Run {
         let (memory, work) = (Memory::new(&model), Workspace::new(&model));
         let barge = BodyState {
@@ -105,8 +105,8 @@ fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64)
     (run.speed_mps() / speed_mps).powi(2)
 }
 
-/// Δt (s), and the tolerance for the share of energy returned. In long steps it is the error of sub-steps of 0.15 rad:
-/// 0.3 %, including a curve's corners and the change from one curve to the other.
+/// Time step (s), and the tolerance for the share of energy returned. In long steps the tolerance is the error of
+/// sub-steps of 0.15 rad, 0.3 %. It includes a curve's corners and the change from one curve to the other.
 const STEPS: [(f64, f64); 5] = [(0.02, 1e-4), (0.1, 1e-3), (0.5, 4e-3), (1.0, 4e-3), (2.0, 4e-3)];
 
 #[test]
@@ -134,7 +134,7 @@ fn an_impact_returns_the_energy_under_the_unloading_curve() {
     let unloading = Unloading::Curve(points);
     let law = cone();
     for speed_mps in [0.1, 0.3] {
-        // The largest deflection, by the energy of the loading curve.
+        // The largest deflection follows from the energy of the loading curve.
         let factor = 1.1;
         let taken_j = 0.5 * 5e6 * speed_mps * speed_mps / factor;
         let (mut low_m, mut high_m) = (0.0, 1.0);
@@ -150,8 +150,8 @@ fn an_impact_returns_the_energy_under_the_unloading_curve() {
     }
 }
 
-/// F·dr = dV + heat for any small displacement of the hull, sideways and rotation included: the returnable energy is the
-/// potential of the force while the peak deflection does not grow.
+/// F·dr = dV + heat holds for any small displacement of the hull, including sideways and rotation. While the peak
+/// deflection does not grow, the returnable energy is the potential of the force.
 fn gradient_holds(
     law: FenderLaw,
     unloading: Unloading,
@@ -185,7 +185,7 @@ fn gradient_holds(
     if look(&mut memory, pose).is_none() {
         return;
     }
-    // Some way back, within the hysteresis loop or beyond it.
+    // The hull moves back some way, within the hysteresis loop or beyond it.
     let back = [pose[0] - back_m, pose[1], pose[2]];
     let Some((before_j, _, force)) = look(&mut memory, back) else { return };
     let Some((after_j, heat_j, force_after)) =
@@ -221,12 +221,13 @@ proptest! {
             _ => (cone(), Unloading::Curve(vec![[0.0, 0.0], [0.2, 1e5], [0.8, share * 6e5]])),
         };
         let way = [1e-6 * way[0], 1e-6 * way[1], 1e-8 * way[2]];
-        // The depth at the face.
+        // `deep` is the depth at the face.
         gradient_holds(law, unloading, [deep + aside * tilt, aside, tilt], back * deep, way);
     }
 }
 
-/// Under a steady wind she rests where she stops and does not creep; in gusts the reaction stays between the two curves.
+/// Under a steady wind she rests where she stops and does not creep. In gusts the reaction stays between the two
+/// curves.
 #[test]
 fn under_wind_and_gusts_she_does_not_creep_and_keeps_her_fender() {
     let share = 0.55;
@@ -244,12 +245,12 @@ fn under_wind_and_gusts_she_does_not_creep_and_keeps_her_fender() {
             let loading_n = law.reaction_n(contact.depth_m);
             let lower_n = unloading.reaction_n(&law, contact.depth_m, loading_n) * contact.factor;
             let reaction_n = contact.parts.spring_n;
-            // The mean over the step, compared with the curve at the start of the step.
+            // Compares the mean over the step with the curve at the start of the step.
             if step_s < 0.1 {
                 assert!(reaction_n > 0.99 * lower_n, "{t_s} s: {reaction_n} N over {lower_n} N");
             }
         }
-        // A day of steady wind.
+        // Ten minutes of steady wind.
         for _ in 0..(600.0 / step_s) as u32 {
             run.step(3e5, step_s);
         }
@@ -283,7 +284,7 @@ fn a_run_continues_from_a_snapshot_within_a_loop_bit_for_bit() {
     assert_eq!(rest(run), rest(again));
 }
 
-/// A host with states one step late and without loads rebounds with the same share.
+/// A host with states one step late and without loads rebounds with the same share of energy.
 #[test]
 fn a_cosim_host_rebounds_with_the_root_of_the_returned_energy() {
     let model = model(FenderLaw::linear(2e6), Unloading::ReturnedEnergy(0.55));

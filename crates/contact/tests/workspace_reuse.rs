@@ -1,5 +1,5 @@
-//! The content of a workspace affects speed, never results: a run with a new workspace in each step gives the same bits
-//! as one that keeps its own, and so does a run without contact reports.
+//! The content of a workspace affects speed, but never results. A run with a new workspace in each step gives the same
+//! bits as a run that keeps its workspace. A run without contact reports gives the same bits too.
 
 use crate::support;
 
@@ -27,7 +27,7 @@ fn crowd() -> (Model, Vec<BodyState>, Vec<Wrench>) {
     for number in 0..30_u64 {
         let shape = if number % 10 == 7 { &stepped_ship() } else { &shapes[number as usize % 3] };
         let free = number % 11 != 5;
-        // Keys are in another order than bodies.
+        // The order of the keys differs from the order of the bodies.
         builder.body(body((number * 7) % 31, shape, free));
         let (row, column) = ((number / 6) as f64, (number % 6) as f64);
         let mut state =
@@ -72,12 +72,12 @@ type Found = (Vec<Contact>, Vec<Wrench>, Vec<Event>, Vec<BodyState>, Vec<u8>);
 /// A step, and the motion of the states.
 type OneStep = fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench]);
 
-/// The use of the workspace.
+/// How a run uses its workspace.
 #[derive(Clone, Copy, PartialEq)]
 enum Work {
     Kept,
     New,
-    /// Kept, without contact reports.
+    /// The workspace is kept, and there are no contact reports.
     Brief,
 }
 
@@ -101,7 +101,7 @@ fn run(one_step: OneStep, with: Work) -> Vec<Found> {
 fn same_bits(one_step: OneStep) {
     let (kept, renewed) = (run(one_step, Work::Kept), run(one_step, Work::New));
     for (index, (one, other)) in kept.iter().zip(&renewed).enumerate() {
-        // Debug text shows every bit of a float that is not NaN.
+        // Debug text shows every bit of a float, except for NaN.
         assert_eq!(format!("{one:?}"), format!("{other:?}"), "step {index}");
     }
     let contacts: usize = kept.iter().map(|found| found.0.len()).sum();
@@ -168,7 +168,7 @@ fn missing_contact_reports_change_no_bit_of_the_coupled_method() {
     same_bits_but_for_contacts(by_the_coupled_method);
 }
 
-/// Moves the fixed bodies: body 6 and the quay are at rest, move for a while, are at rest again, and are teleported.
+/// Moves the fixed bodies. Body 6 and the quay are at rest, move for a while, are at rest again, and are teleported.
 fn move_fixed_bodies(states: &mut [BodyState], index: usize) {
     let goes_mps = if (30..60).contains(&(index % 80)) { 0.3 } else { 0.0 };
     for body in [0, 6] {
@@ -181,8 +181,8 @@ fn move_fixed_bodies(states: &mut [BodyState], index: usize) {
     }
 }
 
-/// Other uses of a workspace: by the paper's method, with the fixed bodies at other positions, and a step that fails
-/// after some bodies were processed.
+/// Other uses of a workspace: with the paper's method, with the fixed bodies at other positions, and in a step that
+/// fails after some bodies were processed.
 fn use_otherwise(
     model: &Model,
     other: &mut Memory,
@@ -209,7 +209,7 @@ fn use_otherwise(
     }
 }
 
-/// The workspace keeps the values of bodies that have not moved, unless it was used otherwise in between.
+/// The workspace keeps the values of bodies that have not moved, unless it was used for something else in between.
 #[test]
 fn a_workspace_used_otherwise_in_between_changes_no_bit() {
     let (model, mut states, loads) = crowd();
@@ -235,7 +235,8 @@ fn a_workspace_used_otherwise_in_between_changes_no_bit() {
     }
 }
 
-/// Steps that move bodies in place alternate with others, so that each starts from the other's workspace.
+/// Steps that move bodies in place alternate with steps that do not. Each therefore starts from the workspace of the
+/// other.
 #[test]
 fn advance_in_place_moves_bodies_like_advance() {
     let (model, mut states, loads) = crowd();
@@ -257,8 +258,8 @@ fn advance_in_place_moves_bodies_like_advance() {
     }
 }
 
-/// A ship of 1000 t on two fenders of a quay, with bodies and materials added in this order or in reverse, and with
-/// `more` bodies adrift beside it.
+/// A ship of 1000 t on two fenders of a quay. Bodies and materials are added in this order or in reverse. `more` bodies
+/// drift beside the ship.
 fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut bodies = vec![
@@ -293,7 +294,7 @@ fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
     (builder.build().expect("a good model"), states)
 }
 
-/// A workspace made for fewer bodies had no room for the energy released by more contacts: a step panicked.
+/// A workspace for fewer bodies had no room for the energy that more contacts released. A step panicked.
 #[test]
 fn a_workspace_made_for_a_smaller_model_serves_a_larger_one() {
     let (small, _) = berth(false, 0);
@@ -319,7 +320,7 @@ fn a_workspace_made_for_a_smaller_model_serves_a_larger_one() {
 }
 
 /// Models that differ only in the order of adding bodies and materials have the same memories. A workspace used its
-/// values of one model for the other, and the quay was reported at the ship's position.
+/// values of one model for the other model, and the quay was reported at the ship's position.
 #[test]
 fn a_workspace_used_for_the_same_model_in_another_order_changes_no_bit() {
     let models = [berth(false, 2), berth(true, 2)];
@@ -345,7 +346,7 @@ fn a_workspace_used_for_the_same_model_in_another_order_changes_no_bit() {
     }
 }
 
-/// The first error kept the results of the last good step, the second changed its states.
+/// After the first error the results of the last good step were kept. The second error changed the states of this step.
 #[test]
 fn repeated_errors_keep_the_results_of_the_last_good_step() {
     let (model, states) = berth(false, 1);

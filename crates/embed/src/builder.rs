@@ -58,11 +58,12 @@ pub struct BodyDef<'a> {
 pub struct FenderDef<'a> {
     /// Unique name.
     pub name: &'a str,
-    /// Index of the body that carries it.
+    /// Index of the body that carries the fender.
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of the line where the fender is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction of the fender's outward normal, in the body's frame: 0 forward, positive to
+    /// starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
@@ -70,13 +71,15 @@ pub struct FenderDef<'a> {
     pub projection_m: f64,
     /// Reaction as a function of deflection.
     pub law: FenderLaw,
-    /// How its reaction falls as the hull moves back; `None`: by its material's restitution.
+    /// Law by which the reaction falls as the hull moves back; `None`: by the restitution of the
+    /// material.
     pub unloading: Option<Unloading>,
-    /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
+    /// Index of the fender's material: friction, restitution, damping and, for an area law,
+    /// stiffness.
     pub material: usize,
-    /// Rated deflection (m); `None`: its projection. Reaction curves only.
+    /// Rated deflection (m); `None`: the projection. Reaction curves only.
     pub rated_deflection_m: Option<f64>,
-    /// The stop where it goes solid; `None` for a law that stiffens by itself.
+    /// The stop at the end of the travel; `None` for a law that stiffens by itself.
     pub stop: Option<Stop>,
 }
 
@@ -92,7 +95,7 @@ impl EngineBuilder {
     pub fn new() -> EngineBuilder {
         EngineBuilder {
             setup: Setup {
-                // The engine uses neither: the host has its own.
+                // The engine does not use these values: the host has other values.
                 step_s: 1.0,
                 duration_s: 1.0,
                 integrator: Integrator::SemiImplicit,
@@ -111,7 +114,7 @@ impl EngineBuilder {
         }
     }
 
-    /// Adds a material; its numbers are checked by [`EngineBuilder::build`].
+    /// Adds a material; [`EngineBuilder::build`] checks the numbers.
     ///
     /// # Errors
     /// A name that is empty or already used.
@@ -122,7 +125,7 @@ impl EngineBuilder {
         Ok(materials.len() - 1)
     }
 
-    /// Adds a body; its masses are checked by [`EngineBuilder::build`].
+    /// Adds a body; [`EngineBuilder::build`] checks the masses.
     ///
     /// # Errors
     /// A name that is empty or already used, or an invalid outline.
@@ -147,7 +150,7 @@ impl EngineBuilder {
         Ok(bodies.len() - 1)
     }
 
-    /// Adds a fender; its numbers are checked by [`EngineBuilder::build`].
+    /// Adds a fender; [`EngineBuilder::build`] checks the numbers.
     ///
     /// # Errors
     /// A name that is empty or already used, no such body or material, or a rated deflection for an area law.

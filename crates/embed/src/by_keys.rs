@@ -11,8 +11,8 @@ use crate::error::EngineError;
 
 impl EngineBuilder {
     /// Adds a fender by the keys of a scenario's `[fender.NAME]`, one `KEY=VALUE` a line: the type and size of a catalogue,
-    /// temperature, cones of a panel, chains, everything that a scenario can say of a fender. `on` names the body that carries
-    /// it and `material` its material; both must have been added. Values carry units, as in scenarios.
+    /// temperature, cones of a panel, chains, all keys that a fender has in a scenario. `on` names the body that
+    /// carries the fender, and `material` the material; both must have been added. Values carry units, as in scenarios.
     ///
     /// ```
     /// # use fenderline_contact::{Material, vec2};
@@ -29,8 +29,8 @@ impl EngineBuilder {
     /// ```
     ///
     /// # Errors
-    /// A name that is empty or already used; no such body or material; any mistake that a scenario's reader finds, with the
-    /// line in which it is. After an error nothing is added.
+    /// A name that is empty or already used; no such body or material; any mistake that the reader of scenarios finds,
+    /// with its line. After an error nothing is added.
     pub fn fender_by_keys(&mut self, name: &str, keys: &str) -> Result<usize, EngineError> {
         let names = self.setup.fenders.iter().map(|other| other.name.as_str());
         check_name("fender", name, names)?;
@@ -55,7 +55,7 @@ impl EngineBuilder {
         let scenario = Scenario::parse_with(&text, name, &changes).map_err(keys_error)?;
         let mut made = scenario.setup;
         let own = made.fenders.swap_remove(0);
-        // A roller has a material of its own, made of that which it names.
+        // The reader makes a separate material for a roller, from the material that the roller names.
         let material = match made.materials.get(own.material) {
             Some(of_roller) if own.material != 0 => {
                 self.setup.materials.push(of_roller.clone());
@@ -85,7 +85,7 @@ impl EngineBuilder {
     }
 }
 
-/// The numbers of a material; those that [`EngineBuilder::build`] will refuse are left out.
+/// The numbers of a material, without numbers that [`EngineBuilder::build`] will refuse.
 fn material_keys(m: &Material) -> String {
     let numbers = [
         ("stiffness", m.stiffness_npm2),
@@ -102,7 +102,7 @@ fn material_keys(m: &Material) -> String {
     numbers.map(line).join("\n")
 }
 
-/// A name that TOML takes as a bare key, or a neutral one.
+/// The name, if TOML accepts it as a bare key; else a neutral name.
 fn shown(name: &str, otherwise: &str) -> String {
     let is_bare = name.len() <= 60
         && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');

@@ -154,7 +154,7 @@ impl<'a> Reader<'a> {
         Ok(Wrench { force_n: vec2(north_n, east_n), moment_nm })
     }
 
-    /// As many of a kind as the bytes say; never more than there are bytes for.
+    /// A list of as many items as the bytes say; never more items than the remaining bytes can hold.
     pub(crate) fn list<T>(&mut self, read: impl Fn(&mut Self) -> Read<T>) -> Read<Vec<T>> {
         let count = self.word32()?;
         (0..count).map(|_| read(self)).collect()

@@ -5,29 +5,31 @@ use fenderline_contact::{BodyId, Fender, FenderId, Rotation, Vec2, vec2};
 
 use crate::engine::Engine;
 
-/// A fender as it is drawn, in the frame of the body that carries it: x forward, y to starboard of the centre of gravity.
+/// Drawing data of a fender, in the frame of the body that carries the fender: x forward, y to starboard of the centre
+/// of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FenderView {
-    /// The body that carries it.
+    /// The body that carries the fender.
     pub body: BodyId,
-    /// The body that presses it; of several the one that presses deepest. `None`: it is not pressed.
+    /// The body that presses the fender; of several bodies, the body that presses deepest. `None`: no body presses the
+    /// fender.
     pub hull: Option<BodyId>,
-    /// The two ends of the line where it is mounted (m): left and right as seen when looking out from its body.
+    /// The two ends of the line where the fender is mounted (m): left and right as seen when looking out from the body.
     pub mount_m: [Vec2; 2],
-    /// The two ends of its face, compressed and turned as it is now (m), in the same order.
+    /// The two ends of the face in its present compression and turn (m), in the same order.
     pub face_m: [Vec2; 2],
-    /// Deflection in the last step (m); 0 if it is not pressed.
+    /// Deflection in the last step (m); 0 if no body presses the fender.
     pub deflection_m: f64,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Normal force in the last step, the sum over all that press it (N).
+    /// Normal force in the last step, the sum over all bodies that press the fender (N).
     pub normal_force_n: f64,
     /// Largest normal force of one body within the last step (N).
     pub peak_normal_force_n: f64,
     /// Largest deflection within the last step (m).
     pub peak_deflection_m: f64,
-    /// Turn of a panel on several cones about the vertical (rad); positive where the right end, as seen by one who looks at
-    /// the face, is deflected more. 0 for other fenders.
+    /// Turn of a panel on several cones about the vertical (rad); positive if the right end, as you look at the face,
+    /// is deflected more. 0 for other fenders.
     pub panel_turn_rad: f64,
 }
 
@@ -78,8 +80,8 @@ fn at_rest(fender: &Fender) -> FenderView {
     }
 }
 
-/// The ends of the face, the left one first as seen when looking out. The right end of one who looks at the face is the left
-/// one of one who looks out.
+/// The ends of the face, first the left end as seen when looking out. The right end as you look at the face is the
+/// left end as seen when looking out.
 fn face(fender: &Fender, deflection_m: f64, turn_rad: f64) -> [Vec2; 2] {
     let out = Rotation::from_angle(fender.facing_rad);
     let middle_m = fender.position_m + out.apply(vec2(fender.projection_m - deflection_m, 0.0));

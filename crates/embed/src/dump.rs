@@ -24,7 +24,8 @@ use fenderline_sim::Method;
 use crate::bytes::{Reader, Writer};
 use crate::engine::{Engine, Plan};
 use crate::error::EngineError;
-use crate::recording::{DONE, MARK, REFUSED, STEP, UNFINISHED, digest};
+use crate::recorded::digest;
+use crate::recording::{DONE, MARK, REFUSED, STEP, UNFINISHED};
 use crate::settings::{Host, MAX_DELAY_STEPS};
 use crate::snapshot::settings_words;
 
@@ -63,7 +64,7 @@ impl Engine {
     }
 }
 
-/// A dump that was read, and the engine that replays it.
+/// A dump that was read, and the engine that replays the dump.
 #[derive(Clone, Debug)]
 pub struct Dump {
     library: String,
@@ -75,24 +76,24 @@ pub struct Dump {
 /// How a recorded step ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DumpedOutcome {
-    /// It was taken; the hash of its results.
+    /// The step was taken; the hash of its results.
     Done(u64),
-    /// It was refused with an error.
+    /// The step was refused with an error.
     Refused,
-    /// It did not end: the library panicked, or the process ended.
+    /// The step did not end: the library panicked, or the process ended.
     Unfinished,
 }
 
 /// A step that was replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DumpedStep {
-    /// Its length (s).
+    /// Length of the step (s).
     pub step_s: f64,
-    /// How it ended when it was recorded.
+    /// How the step ended when it was recorded.
     pub outcome: DumpedOutcome,
     /// The error of the replay.
     pub error: Option<EngineError>,
-    /// Whether the replay ended as the recording did, with the same bits in all results.
+    /// Whether the replayed step ended like the recorded step, with the same bits in all results.
     pub is_same: bool,
 }
 
@@ -150,19 +151,19 @@ impl Dump {
         Ok(Dump { library, engine, entries, steps })
     }
 
-    /// The version of the library that wrote it.
+    /// The version of the library that wrote the dump.
     #[must_use]
     pub fn library_version(&self) -> &str {
         &self.library
     }
 
-    /// The engine: before the first step, or after the last that [`Dump::next_step`] took.
+    /// The engine: before the first step, or after the last step that [`Dump::next_step`] took.
     #[must_use]
     pub fn engine(&self) -> &Engine {
         &self.engine
     }
 
-    /// The engine, to go on from there.
+    /// The engine, to continue after the replayed steps.
     #[must_use]
     pub fn into_engine(self) -> Engine {
         self.engine
@@ -174,7 +175,7 @@ impl Dump {
         self.steps
     }
 
-    /// Whether the next step did not end when it was recorded. Its replay may panic.
+    /// Whether the next step did not end when it was recorded. The replay of such a step may panic.
     #[must_use]
     pub fn next_is_unfinished(&self) -> bool {
         let step = self.entries.iter().find_map(|entry| match entry {
@@ -189,7 +190,7 @@ impl Dump {
         loop {
             match self.entries.pop_front()? {
                 Entry::Mark(body) => {
-                    // Checked when it was read.
+                    // The index was checked when the dump was read.
                     let _ = self.engine.mark_teleported(body);
                 }
                 Entry::Step { step_s, states, loads, outcome } => {

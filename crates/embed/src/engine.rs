@@ -1,11 +1,10 @@
 //! The engine in one object.
 
-use std::mem;
 use std::sync::Arc;
 
 use fenderline_contact::{
-    self as contact, BodyId, BodyState, CoSimHost, DirectHost, HostWorkspace, MaterialId, Memory,
-    Mobility, Model, Pair, StepError, Workspace, Wrench,
+    BodyId, BodyState, CoSimHost, DirectHost, HostWorkspace, MaterialId, Memory, Model, Pair,
+    StepError, Workspace, Wrench,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Integrator, Method, PairSetup, Setup};
@@ -21,17 +20,17 @@ use crate::settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 pub struct Engine {
     pub(crate) plan: Arc<Plan>,
     pub(crate) core: Core,
-    spare: Core,
+    pub(crate) spare: Core,
     /// The input states, one per body.
     pub(crate) states: Vec<BodyState>,
     /// Which of them the host has set; a fixed body's need not be.
     pub(crate) is_set: Vec<bool>,
-    /// The loads, one per body; `None` where the host has set none.
+    /// The loads, one per body; `None` if the host has set no loads.
     pub(crate) loads: Option<Vec<Wrench>>,
     pub(crate) latest: Latest,
-    /// Zero loads, for a direct host that has set none.
-    no_loads: Vec<Wrench>,
-    /// The last steps, where [`Engine::record`] asked for them.
+    /// Zero loads, for a direct host that has set no loads.
+    pub(crate) no_loads: Vec<Wrench>,
+    /// The last steps, if [`Engine::record`] asked for a recording.
     pub(crate) recording: Option<Box<Recording>>,
 }
 
@@ -77,9 +76,9 @@ pub(crate) enum Latest {
 }
 
 impl Engine {
-    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes everything else
-    /// that acts on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names those
-    /// parts of the scenario.
+    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes all other forces
+    /// on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names the parts of the scenario
+    /// that the host must compute.
     ///
     /// # Errors
     /// [`EngineError`] for settings that conflict with each other or with the scenario.
@@ -164,14 +163,6 @@ impl Engine {
         }
     }
 
-    /// Returns to the start: forgets contacts, states and loads. The next step is the first.
-    pub fn reset(&mut self) {
-        let recording = self.recording.take();
-        *self = Engine::new(Arc::clone(&self.plan));
-        self.recording = recording;
-        self.restart_recording();
-    }
-
     /// The scenario's title; empty for an engine made by calls.
     #[must_use]
     pub fn title(&self) -> &str {
@@ -208,13 +199,13 @@ impl Engine {
         &self.plan.initial
     }
 
-    /// The states of the next step: those set last, or the initial ones.
+    /// The states of the next step: the states set last, or the initial states.
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
-    /// The loads that were set; `None` where none were.
+    /// The loads that were set; `None` without loads.
     #[must_use]
     pub fn loads(&self) -> Option<&[Wrench]> {
         self.loads.as_deref()
@@ -264,10 +255,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Marks a body as teleported: its state in the next step is a new position, not the result of motion. Its contacts
-    /// start anew, no load is observed from it, and where it overlaps another body it is pressed out slowly
-    /// ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the mark the engine detects a teleport where the body
-    /// is farther from where its velocities lead than a tenth of its radius.
+    /// Marks a body as teleported: the state of the body in the next step is a new position, not the result of
+    /// motion. The body's contacts start anew, no load is observed from the jump, and if the body overlaps
+    /// another body, it is pressed out slowly ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the
+    /// mark, the engine detects a teleport only if the new position differs from the position by the velocities
+    /// by more than a tenth of the body's radius.
     ///
     /// # Errors
     /// There is no such body.
@@ -288,9 +280,9 @@ impl Engine {
         Ok(())
     }
 
-    /// Sets all that acts on each body except contact, about its centre of gravity and earth-fixed, in the order
-    /// of the model. The loads hold until they are set again. `None`, as at the start: zero loads for a direct
-    /// host; those of a co-simulation host are observed.
+    /// Sets the loads: all forces on each body except contact, about the centre of gravity and earth-fixed, in
+    /// the order of the model. The loads hold until they are set again. `None`, as at the start, means zero
+    /// loads for a direct host; the loads of a co-simulation host are observed.
     ///
     /// # Errors
     /// As [`Engine::set_states`]; with the paper's method, which has no loads.
@@ -307,78 +299,6 @@ impl Engine {
         Ok(())
     }
 
-    /// One step of `step_s` seconds, from the states set last. A step of 0 s, of a paused host, changes nothing: the
-    /// results are those of the last step, without events and the contacts' work.
-    ///
-    /// # Errors
-    /// The state of a floating body was never set, or a step that is neither 0 nor from 1e-9 s to 1e6 s.
-    pub fn step(&mut self, step_s: f64) -> Result<(), EngineError> {
-        let mut bodies = self.plan.model.bodies().iter().zip(&self.is_set);
-        let unset = bodies.find(|(body, is_set)| !**is_set && body.mobility != Mobility::Fixed);
-        if let Some((body, _)) = unset {
-            return Err(EngineError::StateNotSet { body: body.name.clone() });
-        }
-        self.make_room_in_recording();
-        let Engine { plan, core, spare, states, is_set, loads, no_loads, recording, .. } = self;
-        if let Some(recording) = recording {
-            recording.begin_step(states, is_set, loads.as_deref(), step_s);
-        }
-        let done = spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s);
-        if let (Some(recording), Err(_)) = (recording, &done) {
-            recording.refuse_step();
-        }
-        done?;
-        mem::swap(core, spare);
-        self.keep_results(step_s);
-        self.end_step_of_recording();
-        Ok(())
-    }
-
-    /// [`Engine::set_states`], [`Engine::set_loads`] if loads are given, and [`Engine::step`] in one call; returns
-    /// the wrenches. If any of them fails, nothing changes.
-    ///
-    /// # Errors
-    /// Those of the three calls.
-    pub fn advance(
-        &mut self,
-        states: &[BodyState],
-        loads: Option<&[Wrench]>,
-        step_s: f64,
-    ) -> Result<&[Wrench], EngineError> {
-        self.check_states(states)?;
-        if let Some(loads) = loads {
-            self.check_loads(loads)?;
-        }
-        self.make_room_in_recording();
-        let step_loads = loads.or(self.loads.as_deref());
-        let Engine { plan, core, spare, no_loads, recording, .. } = self;
-        if let Some(recording) = recording {
-            recording.begin_step(states, &[], step_loads, step_s);
-        }
-        let done = spare.take_step(core, plan, states, step_loads, no_loads, step_s);
-        if let (Some(recording), Err(_)) = (recording, &done) {
-            recording.refuse_step();
-        }
-        done?;
-        mem::swap(core, spare);
-        self.states.copy_from_slice(states);
-        self.is_set.fill(true);
-        if loads.is_some() {
-            self.set_loads(loads)?;
-        }
-        self.keep_results(step_s);
-        self.end_step_of_recording();
-        Ok(self.results()?.wrenches)
-    }
-
-    /// After a step its results are in the workspace. A pause of a restored engine keeps the saved results.
-    fn keep_results(&mut self, step_s: f64) {
-        match &mut self.latest {
-            Latest::Saved(saved) if step_s == 0.0 => saved.pause(&self.states),
-            latest => *latest = Latest::InWorkspace,
-        }
-    }
-
     /// The results of the last step.
     ///
     /// # Errors
@@ -391,7 +311,7 @@ impl Engine {
         }
     }
 
-    fn check_states(&self, states: &[BodyState]) -> Result<(), EngineError> {
+    pub(crate) fn check_states(&self, states: &[BodyState]) -> Result<(), EngineError> {
         self.check_count(states.len())?;
         for (body, state) in states.iter().enumerate() {
             self.plan.model.check_state(body, state)?;
@@ -399,7 +319,7 @@ impl Engine {
         Ok(())
     }
 
-    fn check_loads(&self, loads: &[Wrench]) -> Result<(), EngineError> {
+    pub(crate) fn check_loads(&self, loads: &[Wrench]) -> Result<(), EngineError> {
         if self.plan.method == Method::Paper {
             return Err(EngineError::NotAvailable("the paper's method has no loads"));
         }
@@ -420,42 +340,8 @@ impl Engine {
 }
 
 impl Core {
-    /// A step from the state of `before`, which stays unchanged. After an error `self` is invalid until the next
-    /// step.
-    fn take_step(
-        &mut self,
-        before: &Core,
-        plan: &Plan,
-        states: &[BodyState],
-        loads: Option<&[Wrench]>,
-        no_loads: &[Wrench],
-        step_s: f64,
-    ) -> Result<(), EngineError> {
-        let model = &plan.model;
-        if step_s == 0.0 {
-            // The results stay those of the last step.
-            self.clone_from(before);
-        }
-        match (&mut *self, before) {
-            (Core::Paper { memory, work }, Core::Paper { memory: now, .. }) => {
-                memory.copy_from(now);
-                contact::step(model, memory, work, states, step_s)?;
-            }
-            (Core::Direct { host, work }, Core::Direct { host: now, .. }) => {
-                host.copy_from(now);
-                host.step(model, work, states, loads.unwrap_or(no_loads), step_s)?;
-            }
-            (Core::CoSimulation { host, work }, Core::CoSimulation { host: now, .. }) => {
-                host.copy_from(now);
-                host.step(model, work, states, loads, step_s)?;
-            }
-            _ => unreachable!("both cores are for the same kind of host"),
-        }
-        if self.results().are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
-    }
-
     /// The results of the step.
-    fn results(&self) -> Results<'_> {
+    pub(crate) fn results(&self) -> Results<'_> {
         match self {
             Core::Paper { work, .. } => of_paper(work),
             Core::Direct { work, .. } => of_direct(work),

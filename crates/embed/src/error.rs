@@ -27,7 +27,7 @@ pub enum EngineError {
         what: &'static str,
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// What is wrong with the name.
         why: &'static str,
     },
     /// An index beyond the last.
@@ -48,7 +48,7 @@ pub enum EngineError {
     },
     /// A state, a load or a time step out of range, or a wrong number of them.
     Input(StepError),
-    /// A step with non-finite forces or states: it is far too long for these states.
+    /// A step with non-finite forces or states: the step is far too long for these states.
     NotFinite,
     /// A step before the state of a floating body was set.
     StateNotSet {
@@ -76,9 +76,9 @@ pub enum EngineError {
     NotRecorded,
     /// Bytes that are not a complete, unchanged dump.
     Dump(RestoreError),
-    /// A dump of another version of the library whose format this one does not read.
+    /// A dump by another version of the library, with a format that this version does not read.
     DumpVersion {
-        /// The version of the library that wrote it.
+        /// The version of the library that wrote the dump.
         library: String,
     },
     /// Points from which no outline can be made.
@@ -113,7 +113,7 @@ impl fmt::Display for EngineError {
                 })
             }
             EngineError::NotRecorded => {
-                f.write_str("the engine is not recorded: ask for it before the steps")
+                f.write_str("the engine is not recorded: start the recording before the steps")
             }
             EngineError::Dump(RestoreError::NotASnapshot) => {
                 f.write_str("these bytes are not a dump of an engine")
@@ -125,7 +125,7 @@ impl fmt::Display for EngineError {
                 write!(f, "dumps of version {found} are not supported")
             }
             EngineError::Dump(RestoreError::Checksum) => {
-                f.write_str("the dump's checksum does not match: it was changed or cut")
+                f.write_str("the dump's checksum does not match: the dump was changed or cut")
             }
             EngineError::Dump(_) => f.write_str("the dump is truncated or has impossible content"),
             EngineError::DumpVersion { library } => {

@@ -2,8 +2,8 @@
 //! contains no physics.
 //!
 //! An [`Engine`] is made from a scenario ([`Engine::from_scenario`]) or by calls ([`EngineBuilder`]), for a direct or a
-//! co-simulation host ([`Settings`]). The host sets states, and loads where it has them, takes a step, and reads
-//! [`Results`]. It can save the engine as bytes at any time and restore it. A call that fails changes nothing.
+//! co-simulation host ([`Settings`]). The host sets states, and loads if it knows them, takes a step, and reads
+//! [`Results`]. It can save the engine as bytes at any time, and restore the engine. A call that fails changes nothing.
 //!
 //! ```
 //! use fenderline_embed::*;
@@ -34,10 +34,12 @@ mod dump;
 mod engine;
 mod error;
 mod outlines;
+mod recorded;
 mod recording;
 mod results;
 mod settings;
 mod snapshot;
+mod step;
 
 pub use builder::{BodyDef, EngineBuilder, FenderDef};
 pub use drawing::FenderView;
@@ -45,7 +47,7 @@ pub use dump::{Dump, DumpedOutcome, DumpedStep, is_dump};
 pub use engine::Engine;
 pub use error::EngineError;
 pub use outlines::{hull_of_points, mirrored_outline, simplified_outline};
-pub use recording::MOST_RECORDED_STEPS;
+pub use recorded::MOST_RECORDED_STEPS;
 pub use results::{HostEstimate, Results};
 pub use settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 

@@ -5,8 +5,8 @@ use fenderline_contact::number::bounded;
 
 use crate::error::EngineError;
 
-/// The convex hull of points (m), by Andrew's monotone chain: its corners in the positive sense, without those on a straight
-/// edge.
+/// The convex hull of points (m), by Andrew's monotone chain: the corners in the positive sense, without points on a
+/// straight edge.
 ///
 /// # Errors
 /// A point that is not finite, or points on one line.
@@ -41,9 +41,9 @@ fn chain(sorted: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
     side
 }
 
-/// The outline of a ship from the points of her starboard side (m), from the bow to the stern or the other way: the same points
-/// and their mirror images about the centreline. Points on the centreline are not repeated; those to port by less than
-/// `tolerance_m` count as on it.
+/// The outline of a ship from the points of the starboard side (m), from the bow to the stern or from the stern to the
+/// bow: these points and their mirror images about the centreline. Points on the centreline are not repeated; points to
+/// port by less than `tolerance_m` count as points on the centreline.
 ///
 /// # Errors
 /// A point that is not finite or farther to port, or no point to starboard of the centreline.
@@ -70,11 +70,11 @@ pub fn mirrored_outline(side_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Vec2>, 
     Ok(whole)
 }
 
-/// An outline with fewer vertices, of which no vertex of the given one is farther than `tolerance_m`, by Ramer's and Douglas and
-/// Peucker's method. The two vertices that are farthest apart along one axis stay.
+/// An outline with fewer vertices, by the method of Ramer and of Douglas and Peucker. No vertex of the given outline is
+/// farther than `tolerance_m` from the new outline. The two vertices that are farthest apart along one axis stay.
 ///
 /// # Errors
-/// A point that is not finite, a tolerance that is not, or fewer than three vertices.
+/// A point or a tolerance that is not finite, or fewer than three vertices.
 pub fn simplified_outline(outline_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Vec2>, EngineError> {
     check(outline_m)?;
     if !(tolerance_m.is_finite() && tolerance_m >= 0.0) {
@@ -84,7 +84,7 @@ pub fn simplified_outline(outline_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Ve
     if count < 3 {
         return Err(EngineError::Points("an outline has at least three vertices"));
     }
-    // The closed line is cut at two vertices that surely belong to it.
+    // The closed line is cut at two vertices that certainly belong to the new outline.
     let first = extreme(outline_m, |point| point.x);
     let ring: Vec<Vec2> = (0..=count).map(|step| outline_m[(first + step) % count]).collect();
     let far = extreme(&ring[..count], |point| (point - ring[0]).length_squared());

@@ -1,19 +1,11 @@
 //! The last steps of an engine, recorded so that they can be sent and replayed.
 //!
-//! Steps are kept in two segments, each with the saved engine at its start. When the second is full, the first is dropped: so
-//! between once and twice the wanted number of steps is there.
+//! Steps are kept in two segments, each with the saved engine at its start. When the second segment is full, the first
+//! is dropped. So the recording holds between once and twice the wanted number of steps.
 
-use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{BodyId, BodyState, Wrench};
 
 use crate::bytes::Writer;
-use crate::engine::Engine;
-use crate::error::EngineError;
-use crate::results::Results;
-use crate::snapshot::write_results;
-
-/// The most steps that [`Engine::record`] keeps.
-pub const MOST_RECORDED_STEPS: usize = 1_000_000;
 
 /// First word of an entry.
 pub(crate) const MARK: u32 = 1;
@@ -31,27 +23,27 @@ const OUTCOME: usize = 12;
 #[derive(Clone, Debug)]
 pub(crate) struct Recording {
     /// Steps of a full segment.
-    wanted: usize,
-    previous: Option<Segment>,
-    current: Segment,
+    pub(crate) wanted: usize,
+    pub(crate) previous: Option<Segment>,
+    pub(crate) current: Segment,
 }
 
 #[derive(Clone, Debug)]
-struct Segment {
-    /// The saved engine before its first step.
+pub(crate) struct Segment {
+    /// The saved engine before the first step of the segment.
     start: Vec<u8>,
     entries: Vec<u8>,
-    steps: usize,
+    pub(crate) steps: usize,
 }
 
 impl Segment {
-    fn new(start: Vec<u8>) -> Segment {
+    pub(crate) fn new(start: Vec<u8>) -> Segment {
         Segment { start, entries: Vec::new(), steps: 0 }
     }
 }
 
 impl Recording {
-    /// The saved engine at the start, and all entries from there on.
+    /// The saved engine at the start of the recording, and all entries since.
     pub(crate) fn parts(&self) -> (&[u8], [&[u8]; 2]) {
         match &self.previous {
             Some(previous) => (&previous.start, [&previous.entries, &self.current.entries]),
@@ -66,8 +58,8 @@ impl Recording {
         });
     }
 
-    /// Writes what goes into a step before it is taken, so that it is there if the step does not end. No flags: all states are
-    /// set.
+    /// Writes the input of a step before the step is taken, so the input is recorded even if the step does not end.
+    /// There are no flags, because all states are set.
     pub(crate) fn begin_step(
         &mut self,
         states: &[BodyState],
@@ -94,7 +86,7 @@ impl Recording {
         self.end(REFUSED, 0);
     }
 
-    fn end(&mut self, outcome: u32, digest: u64) {
+    pub(crate) fn end(&mut self, outcome: u32, digest: u64) {
         let entries = &mut self.current.entries;
         entries.truncate(entries.len() - OUTCOME);
         self.write(|out| {
@@ -107,58 +99,5 @@ impl Recording {
         let mut out = Writer(core::mem::take(&mut self.current.entries));
         write(&mut out);
         self.current.entries = out.0;
-    }
-}
-
-/// A hash of all results of a step.
-pub(crate) fn digest(results: &Results<'_>) -> u64 {
-    let mut out = Writer::default();
-    write_results(&mut out, results);
-    Fnv1a::of(&out.0)
-}
-
-impl Engine {
-    /// Records steps from now on, at least the last `steps` of them; 0 ends it. [`Engine::dump`] makes a file of them. A step
-    /// then takes longer, by the copy and the hash of its input and results.
-    ///
-    /// # Errors
-    /// More than [`MOST_RECORDED_STEPS`].
-    pub fn record(&mut self, steps: usize) -> Result<(), EngineError> {
-        if steps > MOST_RECORDED_STEPS {
-            return Err(EngineError::Settings("at most 1000000 steps can be recorded"));
-        }
-        self.recording = (steps > 0).then(|| {
-            let current = Segment::new(self.save());
-            Box::new(Recording { wanted: steps, previous: None, current })
-        });
-        Ok(())
-    }
-
-    /// Begins a new recording where one was asked for: the steps before do not lead here.
-    pub(crate) fn restart_recording(&mut self) {
-        if let Some(recording) = &self.recording {
-            let wanted = recording.wanted;
-            let current = Segment::new(self.save());
-            self.recording = Some(Box::new(Recording { wanted, previous: None, current }));
-        }
-    }
-
-    /// Begins a new segment where one is full.
-    pub(crate) fn make_room_in_recording(&mut self) {
-        if self.recording.as_ref().is_some_and(|own| own.current.steps >= own.wanted) {
-            let next = Segment::new(self.save());
-            if let Some(recording) = &mut self.recording {
-                recording.previous = Some(core::mem::replace(&mut recording.current, next));
-            }
-        }
-    }
-
-    /// Writes the hash of the results.
-    pub(crate) fn end_step_of_recording(&mut self) {
-        let Some(mut recording) = self.recording.take() else { return };
-        if let Ok(results) = self.results() {
-            recording.end(DONE, digest(&results));
-        }
-        self.recording = Some(recording);
     }
 }

@@ -5,16 +5,18 @@ use fenderline_contact::{
     Wrench,
 };
 
-/// Results of the last step, or those saved with the engine. Lists have one entry per body, in the order of the
-/// model, unless said otherwise.
+/// Results of the last step, or the results that were saved with the engine. Unless stated otherwise, lists have one
+/// entry per body, in the order of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Results<'a> {
     /// The wrench that the host adds to its forces for the step: earth-fixed, about the centre of gravity. For a
-    /// direct host it is the mean contact wrench over the step and, where the host moves the body itself, a correction
-    /// that keeps it with the engine. For a co-simulation host it is the wrench that takes it where the engine went.
+    /// direct host it is the mean contact wrench over the step; if the host moves the body itself, it includes a
+    /// correction that keeps the body on the engine's motion. For a co-simulation host it is the wrench that moves the
+    /// body to the position that the engine computed.
     pub wrenches: &'a [Wrench],
-    /// The largest contact wrench within the step, where `wrenches` are means: see
-    /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Size fenders by it, and move bodies by `wrenches`.
+    /// The largest contact wrench within the step; `wrenches` are means: see
+    /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Size fenders by the largest wrench, and move bodies by
+    /// `wrenches`.
     pub peak_wrenches: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
@@ -22,9 +24,9 @@ pub struct Results<'a> {
     pub panels: &'a [PanelMotion],
     /// The events of the step.
     pub events: &'a [Event],
-    /// The engine's states at the end of the step, for direct hosts that let it move the bodies; empty for
-    /// co-simulation hosts and with the paper's method, where the host moves them. As in a leapfrog scheme, velocities
-    /// are half a step older (half of the last sub-step, where contacts needed several).
+    /// The engine's states at the end of the step, for direct hosts that let the engine move the bodies; empty for
+    /// co-simulation hosts and with the paper's method, because the host moves the bodies. As in a leapfrog scheme,
+    /// velocities are half a step older (half of the last sub-step, if contacts needed several).
     pub states_after: &'a [BodyState],
     /// The engine's estimate of a co-simulation host; `None` for a direct host.
     pub host_estimate: Option<HostEstimate<'a>>,

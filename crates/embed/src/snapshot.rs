@@ -12,7 +12,7 @@
 //! | 4 + … | 1 if there are results, else 0; the results |
 //! | 8 | FNV-1a of all bytes before |
 //!
-//! Results are saved too, so that a restored engine reports those of the saved one.
+//! Results are saved too, so a restored engine reports the results of the saved engine.
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
@@ -30,7 +30,7 @@ const MAGIC: &[u8; 8] = b"fndrmbed";
 const VERSION: u32 = 4;
 
 impl Engine {
-    /// Everything of this engine that can change, as bytes.
+    /// The whole mutable state of this engine, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
         let plan = &*self.plan;
@@ -66,7 +66,8 @@ impl Engine {
     /// same order, and with the same settings. Any bytes may be given.
     ///
     /// # Errors
-    /// Bytes that are not a complete, unchanged save, or that of another engine. This one is then unchanged.
+    /// Bytes that are not a complete, unchanged save, or a save of another engine. This engine is
+    /// then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), EngineError> {
         let mut restored = self.clone();
         read(&mut restored, bytes)?;
@@ -201,7 +202,7 @@ pub(crate) fn write_results(out: &mut Writer, results: &Results<'_>) {
     }
 }
 
-/// The engine's settings decide which results there are.
+/// The engine's settings decide which results exist.
 fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreError> {
     let bodies = input.bodies;
     let mut saved = Saved {

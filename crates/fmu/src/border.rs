@@ -1,5 +1,5 @@
-//! Reading and writing memory of the master. Null and misaligned pointers are rejected; beyond that the master guarantees
-//! that a pointer is valid for its type and count during the call.
+//! Reading and writing memory of the master. Null and misaligned pointers are rejected; the master
+//! guarantees everything else: that a pointer is valid for its type and count during the call.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::{Path, PathBuf};
@@ -7,12 +7,11 @@ use std::path::{Path, PathBuf};
 use fenderline_scenario::read_text_of;
 
 use crate::bundle::Bundle;
-use crate::fmi2::Logger2;
-use crate::fmi3::Logger3;
 use crate::instance::{Instance, Outcome};
 use crate::library::STAMP;
+use crate::logger::{Logger2, Logger3};
 use crate::plan::Plan;
-use crate::registry::Status;
+use crate::status::Status;
 
 /// Limit of values per call; a longer array is an error.
 const MOST_VALUES: usize = 1 << 20;
@@ -31,8 +30,8 @@ pub(crate) enum Log {
 /// A pointer of the master, which is passed back and never dereferenced.
 pub(crate) struct Address(pub(crate) *mut c_void);
 
-// SAFETY: it is only passed back. The standard lets a master call an instance from any thread, with the
-// environment that it gave.
+// SAFETY: the address is only passed back. The standard lets a master call an instance from any
+// thread, with the environment that the master gave.
 unsafe impl Send for Address {}
 // SAFETY: as above.
 unsafe impl Sync for Address {}

@@ -1,4 +1,5 @@
-//! A scenario with all files that it names, as one text: the resource that an FMU's library reads.
+//! A scenario with all files that the scenario names, as one text: the resource that an FMU's library
+//! reads.
 
 use core::fmt;
 use std::collections::BTreeMap;
@@ -20,7 +21,7 @@ pub struct Bundle {
     /// Name of the scenario file, for messages and the default title.
     name: String,
     text: String,
-    /// Keys that replace those of the text, and their values.
+    /// Keys that replace keys of the text, and their values.
     changes: Vec<[String; 2]>,
     /// The named files' texts, by their names in the scenario.
     files: BTreeMap<String, String>,
@@ -33,7 +34,7 @@ pub enum BundleError {
     Unreadable(String),
     /// The scenario reader refuses it.
     Refused(ScenarioError),
-    /// The text is not a bundle: what it lacks.
+    /// The text is not a bundle: the missing part.
     NotABundle(&'static str),
 }
 
@@ -175,7 +176,8 @@ mod tests {
 
     #[test]
     fn the_content_does_not_depend_on_the_order_of_keys_in_the_json_text() {
-        // As a `serde_json` that keeps the order of insertion writes it, and one that sorts keys.
+        // The bundle as a `serde_json` writes it that keeps the order of insertion, and as a
+        // `serde_json` writes it that sorts keys.
         let orders = [
             r#"{"form":1,"kind":"engine","name":"tug.toml","text":"a","changes":[["k","v"]],
                 "files":{"c.toml":"c","b.toml":"b"}}"#,

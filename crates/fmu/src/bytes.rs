@@ -12,7 +12,7 @@ pub(crate) fn number(out: &mut Vec<u8>, number: f64) {
     word64(out, number.to_bits());
 }
 
-/// Reads bytes from the front; `None` where there are too few.
+/// Reads bytes from the front; `None` if there are too few bytes.
 pub(crate) struct Reader<'a>(pub(crate) &'a [u8]);
 
 impl<'a> Reader<'a> {

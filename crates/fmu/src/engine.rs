@@ -6,10 +6,11 @@ use fenderline_scenario::Scenario;
 use fenderline_sim::Method;
 
 use crate::inputs::Inputs;
-use crate::outputs::{View, read};
+use crate::outputs::read;
 use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::{FORWARD_EULER, Setting};
+use crate::view::View;
 
 /// An initialised engine. A clone continues independently.
 #[derive(Clone, Debug)]
@@ -84,7 +85,7 @@ impl EngineRun {
         Ok(EngineRun { engine, uses_loads, body_fixed, beginning, placed })
     }
 
-    /// True before its first step.
+    /// True before the engine's first step.
     pub(crate) fn waits(&self) -> bool {
         self.beginning != Beginning::Begun
     }
@@ -98,7 +99,8 @@ impl EngineRun {
                 return Ok(());
             }
             Beginning::Waiting(0) => {
-                // The host takes this step without a wrench; the engine starts from its end.
+                // The host takes this step without a wrench; the engine starts from the end of this
+                // step.
                 self.advance(plan, values, step_s)?;
                 self.beginning = Beginning::Begun;
             }
@@ -114,11 +116,11 @@ impl EngineRun {
         let mut loads = inputs.loads(states.len());
         if self.body_fixed {
             for (load, state) in loads.iter_mut().zip(&states) {
-                load.force_n = crate::inputs::earth_fixed(state, load.force_n);
+                load.force_n = crate::axes::earth_fixed(state, load.force_n);
             }
         }
         let nothing = loads.iter().all(|load| *load == Wrench::default());
-        // The paper's method takes no loads: pass none if all are zero.
+        // The paper's method takes no loads: pass no loads if all are zero.
         let use_loads = self.uses_loads && !(nothing && self.engine.method() == Method::Paper);
         let loads = use_loads.then_some(&*loads);
         let placed = self.newly_placed(&inputs);

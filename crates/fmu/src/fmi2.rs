@@ -11,18 +11,10 @@ use crate::border::{
     Address, Log, check_room, folder_of_uri, instance, none, read, read_bytes, text, write,
 };
 use crate::instance::{Instance, Outcome};
-use crate::registry::{Status, as_pointer, free, make, next_number, with};
+pub use crate::logger::Logger2;
+use crate::registry::{as_pointer, free, make, next_number, with};
+use crate::status::Status;
 use crate::table::Class;
-
-/// `fmi2CallbackLogger`.
-pub type Logger2 = unsafe extern "C" fn(
-    environment: *mut c_void,
-    instance_name: *const c_char,
-    status: c_int,
-    category: *const c_char,
-    message: *const c_char,
-    ...
-);
 
 /// `fmi2CallbackFunctions`. Only the logger is used: the library has its own memory, and no step is asynchronous.
 #[repr(C)]
@@ -217,7 +209,8 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mu
     }))
 }
 
-/// Number for a saved state: that of the state to overwrite, or a new one, which is written to the master's pointer.
+/// Number for a saved state: the number of the state to overwrite, or a new number, which is written to the
+/// master's pointer.
 ///
 /// # Safety
 /// The master's promise for one pointer.
@@ -388,7 +381,7 @@ pub unsafe extern "C" fn fmi2CancelStep(component: *mut c_void) -> c_int {
     }))
 }
 
-/// Writes a status value; Discard where there is none, as the standard requires.
+/// Writes a status value; Discard if there is no value, as the standard requires.
 fn status_value<T: Copy>(
     component: *mut c_void,
     name: &str,

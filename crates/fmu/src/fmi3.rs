@@ -14,18 +14,12 @@ use std::path::Path;
 use crate::border::{Address, Log, check_room, instance, none, read, text, write};
 use crate::fmi2::{deserialize, free_state, number_for, serialize};
 use crate::instance::{Instance, Outcome};
-use crate::registry::{Status, free, make, with};
+pub use crate::logger::Logger3;
+use crate::registry::{free, make, with};
+use crate::status::Status;
 use crate::table::Class;
 
 type Bool = u8;
-
-/// `fmi3LogMessageCallback`.
-pub type Logger3 = unsafe extern "C" fn(
-    environment: *mut c_void,
-    status: c_int,
-    category: *const c_char,
-    message: *const c_char,
-);
 
 fn code(status: Status) -> c_int {
     status as c_int

@@ -1,63 +1,17 @@
 //! Inputs: what a master sets at each communication point.
 
 use fenderline_contact::number::bounded;
-use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_contact::{BodyState, Wrench};
 use fenderline_sim::order::{Arguments, OrderName, Value};
 use fenderline_sim::{BodySetup, Setup};
 
+use crate::axes::earth_fixed;
+use crate::input::{Input, LoadComponent, StateComponent};
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
 /// The largest load that the engine takes (N, N·m).
 const LARGEST_LOAD: f64 = 1e15;
-
-/// What an input stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Input {
-    /// A component of a body's state.
-    State {
-        body: usize,
-        component: StateComponent,
-    },
-    /// A body's counter of repositionings.
-    Placed(usize),
-    /// A component of a load on a body.
-    Load {
-        body: usize,
-        component: LoadComponent,
-    },
-    /// True where the master controls a vessel.
-    ExternalControl(usize),
-    Rudder(usize),
-    Engine(usize),
-    Thruster(usize, usize),
-    AzimuthPower(usize, usize),
-    AzimuthDirection(usize, usize),
-    /// True where the master controls a vector tug.
-    ExternalTugControl(usize),
-    TugForce(usize),
-    TugDirection(usize),
-    TugPulls(usize),
-}
-
-/// Earth-fixed: x is north, y is east.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StateComponent {
-    X,
-    Y,
-    Heading,
-    VelocityX,
-    VelocityY,
-    YawRate,
-}
-
-/// Earth-fixed: x is north, y is east.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LoadComponent {
-    X,
-    Y,
-    Moment,
-}
 
 struct Row<'a> {
     name: String,
@@ -135,17 +89,18 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
-        let what = "counter of repositionings. Increase it when the master sets the body to a new position \
-                    instead of moving it there: the state of that step is then the new position, its \
-                    contacts start anew, and overlapping bodies are pushed apart slowly";
+        let what = "counter of repositionings. Increase the counter when the master sets the body \
+            to a new position instead of moving it there: the state of this step is then the new \
+            position, the body's contacts start anew, and overlapping bodies are pushed apart \
+            slowly";
         let input = Input::Placed(body);
         let range = Some([0.0, f64::from(i32::MAX)]);
         let name_of = format!("body.{name}.reposition_count");
         let row =
             Row { name: name_of, description: what, unit: Unit::One, start: 0.0, range, input };
         add(table, row);
-        let about = "all forces on the body other than contact; read where host.loads_connected is true or \
-                     host.following is false";
+        let about = "all forces on the body other than contact; read if host.loads_connected is \
+            true or host.following is false";
         add_loads(table, (body, of), "load", about);
     }
 }
@@ -213,7 +168,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
                 at_start,
                 Input::Rudder(index),
             );
-            let what = "revolutions ordered over full ones, positive ahead";
+            let what = "ordered revolutions over full revolutions, positive ahead";
             let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
             let at_start = if at_start.is_finite() { at_start } else { 0.0 };
             row(
@@ -227,7 +182,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         }
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {
             let field = format!("thruster.{}.order", thruster.name);
-            let what = "thrust ordered over the largest, positive to starboard";
+            let what = "ordered thrust over the largest thrust, positive to starboard";
             row(
                 &field,
                 what,
@@ -293,7 +248,7 @@ impl Inputs<'_> {
         self.value(wanted) != 0.0
     }
 
-    /// Writes the input states; fixed bodies have none and keep theirs.
+    /// Writes the input states; fixed bodies have no input and keep their states.
     pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
         for (input, value) in self.all() {
             let Input::State { body, component } = input else { continue };
@@ -340,7 +295,7 @@ impl Inputs<'_> {
         loads
     }
 
-    /// The orders that follow from what changed since `before`.
+    /// The orders that follow from the inputs that have changed since `before`.
     pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
         let changed = |input: Input| self.value(input).to_bits() != before.value(input).to_bits();
         let mut orders = Vec::new();
@@ -354,8 +309,8 @@ impl Inputs<'_> {
         orders
     }
 
-    /// The order that an input gives, with the input that says whether the master is in control, and the inputs whose
-    /// change gives a new order. `None`: the input gives no order of its own.
+    /// The order that an input gives, with the input that says whether the master is in control,
+    /// and the inputs whose change gives a new order. `None`: the input gives no order by itself.
     fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
         let none = Arguments::new();
         let of_vessel = |vessel, order, arguments| {
@@ -389,7 +344,7 @@ impl Inputs<'_> {
                     vec![Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
                 (Input::ExternalTugControl(tug), parts, self.tug_order(tug))
             }
-            // They are part of the order that the force gives.
+            // These inputs are part of the order that the force gives.
             Input::ExternalTugControl(_) | Input::TugDirection(_) | Input::TugPulls(_) => {
                 return None;
             }
@@ -417,15 +372,4 @@ pub(crate) struct InputOrder {
     /// Index of the vessel or tug.
     pub(crate) target: usize,
     pub(crate) arguments: Arguments,
-}
-
-/// Turns a vector from a body's axes to earth-fixed ones.
-pub(crate) fn earth_fixed(state: &BodyState, own: Vec2) -> Vec2 {
-    Rotation::from_angle(state.heading_rad).apply(own)
-}
-
-/// Turns an earth-fixed vector to a body's axes.
-pub(crate) fn body_fixed(state: &BodyState, vector: Vec2) -> Vec2 {
-    let own = Rotation::from_angle(state.heading_rad).apply_inverse(vector);
-    vec2(own.x, own.y)
 }

@@ -27,7 +27,7 @@ pub(crate) struct Instance {
     pub(crate) state: State,
     /// States saved by the master, by handle.
     pub(crate) saved: BTreeMap<usize, State>,
-    /// A panic left it in an unknown state: it can only be freed.
+    /// A panic left the instance in an unknown state: it can only be freed.
     pub(crate) broken: bool,
 }
 
@@ -117,7 +117,7 @@ impl Instance {
     pub(crate) fn get(&mut self, references: &[u32], class: Class) -> Outcome<Vec<f64>> {
         for &reference in references {
             let variable = self.check(reference, class)?;
-            // In initialization mode outputs are those of the inputs set so far.
+            // In initialization mode, outputs follow from the inputs set so far.
             let output = matches!(variable.stands_for, StandsFor::Output(_));
             if output && self.state.phase == Phase::Initializing {
                 self.start_run()?;

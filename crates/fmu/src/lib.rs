@@ -1,20 +1,22 @@
 //! Functional mock-up units (FMUs) for co-simulation: FMI 2.0 and FMI 3.0 from one table of variables.
 //!
-//! There are two kinds. [`Kind::Engine`] is the contact engine for ships that are simulated by other FMUs: its inputs are
-//! their states, its outputs are wrenches and fender data. [`Kind::Simulation`] is a whole scenario: its inputs are
-//! controls and external forces, its outputs states and forces, with the same bits as `fenderline run`.
+//! There are two kinds. [`Kind::Engine`] is the contact engine for ships that other FMUs simulate: inputs are the
+//! states of the ships, outputs are wrenches and fender data. [`Kind::Simulation`] is a whole scenario: inputs are
+//! controls and external forces, outputs are states and forces, with the same bits as `fenderline run`.
 //!
-//! A [`Bundle`] is a scenario with all files that it names, the only resource of an FMU. The [`Table`] is made from it: each
-//! variable with unit, start value and meaning. [`pack()`] writes the model description from the table and packs bundle,
-//! description and shared libraries, which [`try_library()`] has tried; an instance reads and writes values by the same table. The C functions (`fmi2`, `fmi3`)
-//! are a safe boundary, as in `fenderline-capi`: components and saved states are handles that are looked up and never
-//! dereferenced, and no panic crosses the boundary.
+//! A [`Bundle`] is a scenario with all files that the scenario names, the only resource of an FMU. The [`Table`] is
+//! made from the bundle: each variable with unit, start value and meaning. [`pack()`] writes the model description from
+//! the table and packs bundle, description and shared libraries, which [`try_library()`] has tried; an instance reads
+//! and writes values by the same table. The C functions (`fmi2`, `fmi3`) are a safe boundary, as in `fenderline-capi`:
+//! components and saved states are handles that are looked up and never dereferenced, and no panic crosses the
+//! boundary.
 
 #![allow(unsafe_code, reason = "masters give raw pointers; each block says why it is sound")]
 
 #[cfg(not(panic = "unwind"))]
 compile_error!("a panic must become a status: build this with panic = \"unwind\"");
 
+mod axes;
 mod border;
 mod bundle;
 mod bytes;
@@ -23,9 +25,11 @@ mod engine;
 pub mod fmi2;
 pub mod fmi3;
 mod hash;
+mod input;
 mod inputs;
 mod instance;
 mod library;
+mod logger;
 mod outputs;
 mod pack;
 mod parameters;
@@ -33,9 +37,11 @@ mod plan;
 mod registry;
 mod simulation;
 mod state;
+mod status;
 mod table;
 mod trial;
 mod unit;
+mod view;
 
 pub use bundle::{Bundle, BundleError};
 pub use library::{

@@ -11,7 +11,7 @@ pub fn file_name() -> String {
     format!("{DLL_PREFIX}fenderline_fmu{DLL_SUFFIX}")
 }
 
-/// A system and processor that an FMU can have a library for.
+/// A system and processor for which an FMU can have a library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Platform {
     /// Linux on x86-64.
@@ -36,15 +36,15 @@ impl Platform {
         Platform::Aarch64Darwin,
     ];
 
-    /// The platform that this program runs on, if an FMU can have a library for it.
+    /// The platform on which this program runs, if an FMU can have a library for this platform.
     #[must_use]
     pub fn own() -> Option<Platform> {
         let os = if OS == "macos" { "darwin" } else { OS };
         Platform::of_name(&format!("{ARCH}-{os}"))
     }
 
-    /// Whether this program can load libraries of the platform: they are of its own, and it is not a static program of Linux,
-    /// which cannot load any.
+    /// Whether this program can load libraries of the platform: the platform is the program's platform, and the
+    /// program is not a static program of Linux, which cannot load libraries.
     #[must_use]
     pub fn is_loadable(self) -> bool {
         let is_static = cfg!(target_os = "linux") && cfg!(target_feature = "crt-static");
@@ -119,8 +119,8 @@ impl fmt::Display for Platform {
 
 /// Path of a library within an FMU that has libraries for the platforms `all`.
 ///
-/// FMI 2.0 names the system and the width of a pointer only, and masters on 64-bit Arm look there. Where a library for
-/// x86-64 takes that place, the one for Arm gets the place that FMI 3.0 gives it.
+/// FMI 2.0 names the system and the width of a pointer only, and masters on 64-bit Arm look there. If a library for
+/// x86-64 takes that place, the library for Arm gets the place of FMI 3.0.
 pub(crate) fn place(fmi: Fmi, platform: Platform, all: &[Platform], identifier: &str) -> String {
     let shared = |x86_64: Platform, name| {
         if all.contains(&x86_64) { platform.name() } else { name }
@@ -136,8 +136,9 @@ pub(crate) fn place(fmi: Fmi, platform: Platform, all: &[Platform], identifier: 
     format!("binaries/{folder}/{identifier}{}", platform.suffix())
 }
 
-/// What every library carries, as text in its data: a message for masters has it. By it a library for another machine,
-/// which cannot be loaded here, is recognised. One that does not have it belongs to another version of this program.
+/// A text in the data of every library, as a part of a message for masters. By this text the program recognises
+/// a library for another machine, which cannot be loaded here. A library without this text belongs to another
+/// version of the program.
 pub const STAMP: &str = concat!("fenderline-fmu ", env!("CARGO_PKG_VERSION"), ", token form 2");
 
 /// Whether a library's file carries [`STAMP`].

@@ -1,70 +1,15 @@
 //! Outputs of both kinds of FMU, read after a step.
 
+use fenderline_contact::Contact;
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Contact, Wrench};
-use fenderline_sim::{PairSetup, Setup, Simulation};
+use fenderline_sim::{PairSetup, Setup};
 
-use crate::inputs::body_fixed;
 use crate::table::{Causality, Class, Output, StandsFor, Table, Variable};
 use crate::unit::Unit;
-
-/// The results of a run from which outputs are read.
-pub(crate) struct View<'a> {
-    pub(crate) states: &'a [BodyState],
-    /// Contact wrenches, one per body, earth-fixed.
-    pub(crate) wrenches: &'a [Wrench],
-    /// The largest wrench on each body within the last step; empty for a simulation.
-    pub(crate) peaks: &'a [Wrench],
-    pub(crate) contacts: &'a [Contact],
-    /// Report wrenches in the bodies' axes.
-    pub(crate) body_fixed: bool,
-    /// The simulation, where there is one.
-    pub(crate) simulation: Option<&'a Simulation>,
-}
-
-impl View<'_> {
-    fn wrench(&self, body: usize) -> Wrench {
-        self.reported(self.wrenches, body)
-    }
-
-    fn peak(&self, body: usize) -> Wrench {
-        self.reported(self.peaks, body)
-    }
-
-    fn reported(&self, wrenches: &[Wrench], body: usize) -> Wrench {
-        let wrench = wrenches.get(body).copied().unwrap_or_default();
-        if self.body_fixed {
-            let force_n = body_fixed(&self.states[body], wrench.force_n);
-            Wrench { force_n, ..wrench }
-        } else {
-            wrench
-        }
-    }
-
-    fn own_velocity(&self, body: usize) -> fenderline_contact::Vec2 {
-        body_fixed(&self.states[body], self.states[body].velocity_mps)
-    }
-
-    fn on_fender(&self, fender: usize) -> impl Iterator<Item = &Contact> {
-        let is = move |c: &&Contact| c.fender.is_some_and(|id| id.0 as usize == fender);
-        self.contacts.iter().filter(is)
-    }
-
-    /// Patches of two outlines.
-    fn of_pair(&self, bodies: [usize; 2]) -> impl Iterator<Item = &Contact> {
-        self.contacts.iter().filter(move |c| {
-            let own = [c.body_1.0 as usize, c.body_2.0 as usize];
-            c.fender.is_none() && (own == bodies || own == [bodies[1], bodies[0]])
-        })
-    }
-
-    fn of_simulation(&self, read: impl Fn(&Simulation) -> f64) -> f64 {
-        self.simulation.map_or(0.0, read)
-    }
-}
+use crate::view::View;
 
 type Read = fn(&View<'_>, [usize; 2]) -> f64;
-/// Name, description, unit, and how it is read.
+/// Name, description, unit, and the function that reads the value.
 type Column = (&'static str, &'static str, Unit, Read);
 
 fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec<usize> {
@@ -115,27 +60,35 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         ("deflection_m", "deflection at the start of the step", Metre, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |most, c| greater(most, c.depth_m))
         }),
-        ("reaction_n", "mean reaction along its axis over the step", Newton, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |sum, c| sum + c.normal_force_n * libm::cos(c.tilt_rad))
-        }),
+        (
+            "reaction_n",
+            "mean reaction along the fender's axis over the step",
+            Newton,
+            |v, [f, _]| {
+                v.on_fender(f).fold(0.0, |sum, c| sum + c.normal_force_n * libm::cos(c.tilt_rad))
+            },
+        ),
         (
             "peak_reaction_n",
-            "largest reaction along its axis within the step",
+            "largest reaction along the fender's axis within the step",
             Newton,
             |v, [f, _]| {
                 let along = |c: &Contact| c.peak_normal_force_n * libm::cos(c.tilt_rad);
                 v.on_fender(f).fold(0.0, |sum, c| sum + along(c))
             },
         ),
-        ("tangential_force_n", "friction force along its face", Newton, |v, [f, _]| {
+        ("tangential_force_n", "friction force along the fender's face", Newton, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.tangential_force_n)
         }),
         ("stored_j", "stored in spring and stop at the start of the step", Joule, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.energy.stored_j)
         }),
-        ("tilt_rad", "largest angle between its face and the hull", Radian, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |most, c| greater(most, c.tilt_rad.abs()))
-        }),
+        (
+            "tilt_rad",
+            "largest angle between the fender's face and the hull",
+            Radian,
+            |v, [f, _]| v.on_fender(f).fold(0.0, |most, c| greater(most, c.tilt_rad.abs())),
+        ),
     ];
     for (index, fender) in setup.fenders.iter().enumerate() {
         add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
@@ -173,8 +126,8 @@ pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     let columns: [Column; 3] = [
         (
             "peak_force_x_n",
-            "contact force at its largest within the step, north; forward where \
-             host.body_fixed. Size fenders by it, and move the body by force_x_n",
+            "contact force at its largest within the step, north; forward where host.body_fixed. \
+             Size fenders by this force, and move the body by force_x_n",
             Newton,
             |v, [b, _]| v.peak(b).force_n.x,
         ),
@@ -251,8 +204,8 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
 }
 
 /// Description of the velocities, which belong to another time than the positions.
-const NORTH_MPS: &str = "velocity, north; this and the velocities below by the coupled method with the integrator \
-                         semi_implicit of the middle of the scenario's last (sub-)step";
+const NORTH_MPS: &str = "velocity, north; by the coupled method with the integrator semi_implicit, \
+    this and the following velocities belong to the middle of the scenario's last (sub-)step";
 
 fn add_motion(table: &mut Table, setup: &Setup) {
     use Unit::{Joule, Metre, MetrePerSecond, One, Radian, RadianPerSecond};
@@ -336,7 +289,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
         v.of_simulation(|s| s.vessels()[i].thrusters[unit].value)
     })];
     let azimuth: [Column; 2] = [
-        ("power", "thrust over that at rest", One, |v, [i, unit]| {
+        ("power", "thrust over the thrust at rest", One, |v, [i, unit]| {
             v.of_simulation(|s| s.vessels()[i].azimuths[unit].power.value)
         }),
         ("direction_rad", "direction of the thrust from the bow", Radian, |v, [i, unit]| {
@@ -360,7 +313,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
                 libm::hypot(force.surge_n, force.sway_n)
             })
         }),
-        ("direction_rad", "its direction from the ship's bow", Radian, |v, [i, _]| {
+        ("direction_rad", "direction of the force from the ship's bow", Radian, |v, [i, _]| {
             v.of_simulation(|s| s.tugs()[i].state.direction_rad)
         }),
     ];

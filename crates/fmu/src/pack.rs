@@ -17,15 +17,15 @@ pub(crate) const BUNDLE_FILE: &str = "scenario.json";
 /// The licence of the libraries in an FMU.
 pub(crate) const LICENCE: &str = include_str!("license.txt");
 
-/// An FMU, and the file that goes beside it.
+/// An FMU, and the file beside the FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packed {
     /// The FMU's bytes: the same for the same scenario, program and libraries.
     pub fmu: Vec<u8>,
-    /// File name of the description for the Open Simulation Platform. Its masters look for it in the FMU's
-    /// folder.
+    /// File name of the description for the Open Simulation Platform. Masters of the platform look for this file in the
+    /// FMU's folder.
     pub osp_name: String,
-    /// The text of that description.
+    /// The text of the description for the Open Simulation Platform.
     pub osp: String,
 }
 
@@ -41,7 +41,8 @@ impl fmt::Display for PackError {
 
 impl std::error::Error for PackError {}
 
-/// Packs an FMU with a library for each of some platforms. `stem` is its file name without extension, and the model's name.
+/// Packs an FMU with a library for each of some platforms. `stem` is the FMU's file name without extension, and the
+/// model's name.
 ///
 /// # Errors
 /// A file that is too large for a zip.

@@ -6,10 +6,10 @@ use fenderline_sim::{FenderSetup, MassProperties, Setup};
 use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// Limit of masses and stiffnesses, in SI units. The engine has narrower limits of its own.
+/// Limit of masses and stiffnesses, in SI units. The engine has narrower limits.
 const LARGEST: f64 = 1e15;
 
-/// A field of a type: name, description, unit, and how it is read and written.
+/// A field of a type: name, description, unit, and the functions that read and write the value.
 struct Field<T> {
     name: &'static str,
     description: &'static str,

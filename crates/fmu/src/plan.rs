@@ -31,9 +31,9 @@ pub struct Plan {
 pub enum PlanError {
     /// The scenario is invalid.
     Bundle(BundleError),
-    /// It cannot be run, with the reason.
+    /// The scenario cannot be run, with the reason.
     Setup(String),
-    /// It starts other programs, which an FMU cannot.
+    /// The scenario starts other programs, which an FMU cannot.
     Providers,
 }
 
@@ -43,7 +43,7 @@ impl fmt::Display for PlanError {
             PlanError::Bundle(error) => error.fmt(f),
             PlanError::Setup(error) => write!(f, "error: {error}"),
             PlanError::Providers => f.write_str(
-                "error: the scenario starts providers, which an FMU cannot: leave them out and \
+                "error: the scenario starts providers, which an FMU cannot do: leave them out and \
                  connect their forces to the inputs `body.NAME.external_x_n` and so on",
             ),
         }
@@ -99,9 +99,9 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
     let rows = [
         (
             "following",
-            "true: the host integrates its bodies with the engine's wrenches, and the engine steers them along \
-             its own solution; false: wrenches are the mean contact forces of a step that starts at the \
-             input states",
+            "true: the host integrates its bodies with the engine's wrenches, and the engine keeps \
+             them on its solution; false: wrenches are the mean contact forces of a step that \
+             starts at the input states",
             Setting::Following,
             coupled,
         ),

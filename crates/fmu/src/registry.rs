@@ -9,8 +9,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::border::Log;
 use crate::instance::{Instance, Outcome};
+use crate::status::Status;
 
-/// An instance and where its messages go.
+/// An instance, and the receiver of its messages.
 struct Held {
     instance: Mutex<Instance>,
     log: Log,
@@ -19,18 +20,8 @@ struct Held {
 static ALL: Mutex<BTreeMap<usize, Arc<Held>>> = Mutex::new(BTreeMap::new());
 static NEXT: AtomicUsize = AtomicUsize::new(1);
 
-/// The status of a call; the numbers are those of `fmi2Status` and `fmi3Status`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(C)]
-pub(crate) enum Status {
-    Ok = 0,
-    Discard = 2,
-    Error = 3,
-    Fatal = 4,
-}
-
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // Panics are caught while the lock is held, so that the lock is never poisoned; the value would be valid anyway.
+    // Panics are caught while the lock is held, so the lock is never poisoned; the value would be valid even then.
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

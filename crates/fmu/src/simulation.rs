@@ -4,21 +4,22 @@ use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
 
 use crate::inputs::{InputOrder, Inputs};
-use crate::outputs::{View, read};
+use crate::outputs::read;
 use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::{StandsFor, Table};
+use crate::view::View;
 
 /// Tolerance for the end of a communication step to coincide with the end of a scenario step, in steps.
 const SLACK_STEPS: f64 = 1e-6;
 
-/// Limit of scenario steps per communication step, equal to hours. More is an error that would look like a hang.
+/// Limit of scenario steps per communication step, equal to hours. More steps would look like a hang, and are an error.
 const MOST_STEPS_A_CALL: u64 = 100_000;
 
 /// An initialised simulation. A clone continues independently.
 ///
-/// It advances in the scenario's own steps, whatever the communication step: at a communication point it is at the last
-/// step that does not end later.
+/// The simulation advances in the scenario's steps, whatever the communication step: at a communication point it is at
+/// the last step that does not end later.
 #[derive(Clone, Debug)]
 pub(crate) struct SimulationRun {
     simulation: Simulation,
@@ -64,7 +65,8 @@ impl SimulationRun {
         self.steps
     }
 
-    /// Advances to a time since the start. After an error it stays at the last good step and does not continue.
+    /// Advances to a time since the start. After an error the simulation stays at the last good step and does not
+    /// continue.
     pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
         let due = due(plan, t_s);
         if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {

@@ -1,4 +1,4 @@
-//! The state of an instance: everything of it that changes, and its byte format.
+//! The state of an instance: everything that changes, and the byte format.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -73,11 +73,11 @@ pub(crate) enum Run {
 pub(crate) struct State {
     pub(crate) phase: Phase,
     pub(crate) start_s: f64,
-    /// Infinity where the master gave none.
+    /// Infinity if the master gave no stop time.
     pub(crate) stop_s: f64,
     pub(crate) time_s: f64,
     pub(crate) values: Vec<f64>,
-    /// `None` before initialization, or where a value was set after the run was created.
+    /// `None` before initialization, or if a value was set after the run was created.
     pub(crate) run: Option<Run>,
 }
 
@@ -156,7 +156,7 @@ impl State {
             2 => Some(Run::Simulation(Box::new(read_simulation(plan, &state, &mut input)?))),
             _ => return Err(broken()),
         };
-        // In the stepping phase there is a run, and it is of the FMU's kind.
+        // In the stepping phase there is a run, of the FMU's kind.
         let own = match (&state.run, plan.bundle.kind) {
             (None, _) => state.phase != Phase::Stepping,
             (Some(Run::Engine(_)), kind) => kind == crate::Kind::Engine,

@@ -1,10 +1,10 @@
-//! The table of variables: their model description, and what they refer to.
+//! The table of variables: their model description, and the quantities for which they stand.
 
 use fenderline_sim::Setup;
 
-use crate::inputs::Input;
-use crate::outputs::View;
+use crate::input::Input;
 use crate::unit::Unit;
+use crate::view::View;
 
 /// What an FMU is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ pub(crate) static INTEGRATION: Enumeration = Enumeration {
     description: "how the host moves its bodies",
     items: &[
         ("forward_euler", "positions with the old velocities, then velocities"),
-        ("semi_implicit", "velocities, then positions with the new ones"),
+        ("semi_implicit", "velocities, then positions with the new velocities"),
     ],
 };
 
@@ -83,15 +83,15 @@ pub enum Causality {
 pub struct Variable {
     /// Unique name.
     pub name: String,
-    /// What it is.
+    /// What the variable is.
     pub description: String,
     /// Unit.
     pub unit: Unit,
     /// Type.
     pub class: Class,
-    /// Who sets it.
+    /// Who sets the variable.
     pub causality: Causality,
-    /// Start value; 0 for outputs, which have none in the model description.
+    /// Start value; 0 for outputs, which have no start value in the model description.
     pub start: f64,
     /// Smallest and largest allowed value.
     pub range: Option<[f64; 2]>,
@@ -160,7 +160,7 @@ pub(crate) struct Group {
 }
 
 impl Variable {
-    /// The names of its values, if it is an enumeration.
+    /// The names of the variable's values, if the variable is an enumeration.
     pub(crate) fn enumeration(&self) -> Option<&'static Enumeration> {
         match self.stands_for {
             StandsFor::Setting(Setting::Integration) => Some(&INTEGRATION),

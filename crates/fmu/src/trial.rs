@@ -11,16 +11,16 @@ use libloading::Library;
 use crate::pack::BUNDLE_FILE;
 use crate::plan::Plan;
 
-/// A library that an FMU of the plan cannot have.
+/// The reason why a library cannot go into an FMU of the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TrialError {
     /// The files for the trial cannot be written.
     Folder(String),
-    /// The system does not load it, with the system's reason.
+    /// The system does not load the library, with the system's reason.
     NotLoaded(String),
-    /// It lacks a function of the standard.
+    /// The library lacks a function of the standard.
     Lacks(&'static str),
-    /// It makes no instance, with its message.
+    /// The library makes no instance, with its message.
     Refused(String),
 }
 
@@ -39,7 +39,7 @@ impl fmt::Display for TrialError {
 
 impl std::error::Error for TrialError {}
 
-/// Loads the library `file` and makes an instance of the plan's FMU, in a temporary folder that is removed again.
+/// Loads the library `file` and makes an instance of the plan's FMU, in a temporary folder that is removed afterwards.
 ///
 /// # Errors
 /// [`TrialError`].

@@ -16,7 +16,7 @@ use crate::printable::printable_line;
 pub struct FileError {
     /// The file.
     pub path: PathBuf,
-    /// What is wrong with it.
+    /// What is wrong with the file.
     pub fault: FileFault,
 }
 
@@ -30,16 +30,16 @@ pub enum FileFault {
         /// Its text.
         text: String,
     },
-    /// It is not a regular file; says what it is, as "a named pipe".
+    /// The file is not a regular file; says what it is, as "a named pipe".
     NotRegular(&'static str),
-    /// It is larger than the caller allows.
+    /// The file is larger than the caller allows.
     TooLarge {
         /// The largest size allowed (bytes).
         largest_bytes: u64,
     },
-    /// It is not UTF-8 text.
+    /// The file is not UTF-8 text.
     NotText {
-        /// The first line that is not, from 1.
+        /// The first line that is not UTF-8 text, from 1.
         line: usize,
     },
 }
@@ -76,8 +76,8 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Opens a regular file of at most `largest_bytes` for reading, and never waits. The file may still grow after that:
-/// a caller that streams it must count the bytes.
+/// Opens a regular file of at most `largest_bytes` for reading, and never waits. The file may still grow after
+/// opening: a caller that streams the file must count the bytes.
 ///
 /// # Errors
 /// [`FileError`] for a file that does not exist, is not regular, or is larger.
@@ -93,7 +93,7 @@ pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> 
 /// The content of a regular file of at most `largest_bytes`.
 ///
 /// # Errors
-/// As [`open_regular`], and for a file that grows beyond that while it is read.
+/// As [`open_regular`], and for a file that grows beyond `largest_bytes` while it is read.
 pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
     bounded(open_regular(path, largest_bytes)?, path, largest_bytes)
 }

@@ -5,7 +5,7 @@ use fenderline_contact::Vec2;
 
 use crate::choices::Word;
 use crate::key_path;
-use crate::sources::Span;
+use crate::place::Span;
 use crate::spec::TableSpec;
 
 /// A table that has been read.
@@ -15,7 +15,7 @@ pub struct Table {
     pub spec: &'static TableSpec,
     /// Dotted path of the table; empty for the whole file.
     pub path: String,
-    /// Its header, or the whole of an inline table.
+    /// Header of the table, or the whole of an inline table.
     pub span: Span,
     /// The keys of the table, in the order of the declaration.
     pub items: Vec<Item>,
@@ -30,7 +30,7 @@ pub struct Item {
     pub key_span: Span,
     /// The span of the value; the table's span for a default.
     pub span: Span,
-    /// The file does not give it.
+    /// The value is the default: the file does not give the key.
     pub is_default: bool,
     /// The value.
     pub value: Value,
@@ -73,7 +73,7 @@ impl Table {
         key_path::join(&self.path, name)
     }
 
-    /// The key, where the file gives it or it has a default.
+    /// The key, if the file gives the key or the key has a default.
     pub fn item(&self, name: &str) -> Option<&Item> {
         debug_assert!(self.spec.key(name).is_some(), "{} has no key {name}", self.spec.what);
         self.items.iter().find(|item| item.name == name)
@@ -84,7 +84,7 @@ impl Table {
         self.item_if_any(name).map(|item| *item.number())
     }
 
-    /// The key, where this kind of table has it and the file gives it or it has a default.
+    /// The key, if this kind of table has the key, and the file gives the key or the key has a default.
     pub fn item_if_any(&self, name: &str) -> Option<&Item> {
         self.items.iter().find(|item| item.name == name)
     }

@@ -12,11 +12,9 @@ pub struct Choices<T: 'static>(pub &'static [Choice<T>]);
 pub struct Choice<T> {
     /// The word.
     pub word: &'static str,
-    /// What it stands for.
+    /// The value for which the word stands.
     pub value: T,
-    /// What it means, for the user.
-    /// What the word means.
-    /// What the word means.
+    /// Meaning of the word, for the user.
     pub doc: &'static str,
 }
 

@@ -23,7 +23,7 @@ pub struct Csv<'a> {
 pub struct Layout<'a> {
     /// Lines at the top that are not read.
     pub skip_lines: usize,
-    /// Names of the columns, for a file without a line of these names; [`NOT_READ`] for one that is not read.
+    /// Names of the columns, for a file without a line of these names; [`NOT_READ`] for a column to skip.
     pub columns: Option<&'a [String]>,
 }
 
@@ -61,7 +61,7 @@ pub struct Grid {
 }
 
 impl<'a> Csv<'a> {
-    /// Reads a file's text. `known` are the columns that it may have.
+    /// Reads a file's text. `known` are the columns that the file may have.
     ///
     /// # Errors
     /// No header, an unknown or repeated column, no rows, a row with too many or too few numbers, a cell that is not a
@@ -158,7 +158,7 @@ impl<'a> Csv<'a> {
                     };
                     return Err(sources.error(&span, key, message));
                 };
-                // Adding 0 turns -0 into 0: they are the same place, but have different bits.
+                // Adding 0 turns -0 into 0: the two are the same place, but have different bits.
                 row.numbers.push(number + 0.0);
                 row.cells.push(span);
             }
@@ -171,7 +171,7 @@ impl<'a> Csv<'a> {
     }
 
     /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub fn row_count(&self) -> usize {
         self.rows.len()
     }
 
@@ -188,7 +188,7 @@ impl<'a> Csv<'a> {
     /// The index of a column that the file must have.
     ///
     /// # Errors
-    /// It does not have it.
+    /// The file does not have the column.
     pub fn column(&self, column: &str) -> Read<usize> {
         self.columns
             .iter()
@@ -253,7 +253,7 @@ impl<'a> Csv<'a> {
             let each = (0..columns.len()).map(|axis| at(one, axis).total_cmp(&at(other, axis)));
             each.fold(core::cmp::Ordering::Equal, core::cmp::Ordering::then)
         };
-        // The sort is stable: of two equal rows the later one in the file comes second.
+        // The sort is stable: of two equal rows, the later row in the file comes second.
         rows.sort_by(|one, other| compare(*one, *other));
         if let Some(two) = rows.windows(2).find(|two| compare(two[0], two[1]).is_eq()) {
             let place = self.place(columns, |axis| at(two[1], axis));
@@ -381,7 +381,7 @@ mod tests {
     fn lines_may_end_with_a_carriage_return_alone() {
         let csv =
             Csv::parse("# old\ra,b,c\r1,2,3\r4,5,6\r", "f.csv", "key", &["a", "b", "c"]).unwrap();
-        assert_eq!(csv.len(), 2);
+        assert_eq!(csv.row_count(), 2);
         assert_eq!(csv.number(1, 2, [0.0, 9.0]), Ok(6.0));
         let message = refused("a,b,c\r1,2,3\r4,x,6\r");
         assert!(message.contains("f.csv:3:3") && message.contains("4,x,6"), "{message}");

@@ -3,45 +3,11 @@
 use core::fmt;
 
 use crate::origin::Origin;
+pub use crate::place::Place;
+use crate::place::Snippet;
 use crate::printable::printable_line;
 
-/// Where an error or a notice points.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// A place in a file.
-    File {
-        /// The name under which the caller passed the file.
-        name: String,
-        /// Line, from 1.
-        line: usize,
-        /// Column in characters, from 1.
-        column: usize,
-    },
-    /// A file as a whole.
-    WholeFile {
-        /// The name under which the caller passed the file.
-        name: String,
-    },
-    /// An option of the command line, as the user may have written it: `--set time.step=0.5`.
-    Option {
-        /// The option.
-        text: String,
-    },
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::File { name, line, column } => {
-                write!(f, "{}:{line}:{column}", printable_line(name))
-            }
-            Place::WholeFile { name } => f.write_str(&printable_line(name)),
-            Place::Option { text } => f.write_str(&printable_line(text)),
-        }
-    }
-}
-
-/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
+/// A scenario that cannot be run: one mistake, its place, and if possible what to write instead. Displays as
 /// several lines with the offending line of the file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
@@ -54,17 +20,6 @@ struct Content {
     help: Option<String>,
     note: Option<String>,
     snippet: Option<Snippet>,
-}
-
-/// A line of the file, cut to what a terminal shows.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Snippet {
-    /// The line as it was written.
-    pub line: String,
-    /// Characters of `line` before the marked ones.
-    pub before: usize,
-    /// Number of characters to mark.
-    pub marked: usize,
 }
 
 impl ScenarioError {
@@ -80,7 +35,7 @@ impl ScenarioError {
         }))
     }
 
-    /// A mistake in a row of a file that a campaign names; `key` is that of the campaign which names it.
+    /// A mistake in a row of a file that a campaign names; `key` is the campaign's key that names the file.
     #[must_use]
     pub fn in_row(origin: &Origin, key: &str, message: impl Into<String>) -> ScenarioError {
         ScenarioError::new(origin.place.clone(), Some(key.to_owned()), message.into())
@@ -113,7 +68,7 @@ impl ScenarioError {
         &self.0.place
     }
 
-    /// Line of the file, from 1; `None` where the mistake does not belong to one line.
+    /// Line of the file, from 1; `None` if the mistake does not belong to one line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.0.place {
@@ -122,7 +77,7 @@ impl ScenarioError {
         }
     }
 
-    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error
+    /// Dotted path of the key with the mistake, as `material.paper.stiffness`; `None` for a syntax error
     /// outside of any key.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
@@ -135,7 +90,7 @@ impl ScenarioError {
         &self.0.message
     }
 
-    /// What the place does not show, as the value that a campaign drew.
+    /// Information that the place does not show, such as the value that a campaign drew.
     #[must_use]
     pub fn note(&self) -> Option<&str> {
         self.0.note.as_deref()
@@ -180,9 +135,9 @@ impl std::error::Error for ScenarioError {}
 /// A warning about a scenario that can be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// Where it points.
+    /// Where the warning points.
     pub place: Place,
-    /// Dotted path of the key that it is about.
+    /// Dotted path of the key that the warning concerns.
     pub key: String,
     /// The warning, in one line.
     pub message: String,
@@ -192,8 +147,8 @@ pub struct Notice {
 pub const NO_EFFECT: &str = "no effect: ";
 
 impl Notice {
-    /// Whether it says that the key has no effect in this scenario, whatever happens in the run. `docs/design/files.md` has the
-    /// criterion.
+    /// Whether the warning says that the key has no effect in this scenario, whatever happens in the run.
+    /// `docs/design/files.md` has the criterion.
     ///
     /// ```
     /// # let tug = "outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]]\nmass = 1e5\ngyradius = 5";

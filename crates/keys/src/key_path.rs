@@ -1,8 +1,8 @@
 //! Dotted key paths, as messages show them.
 
-use crate::sources::first;
+use crate::place::first;
 
-/// `parent.name`, the name in quotes where TOML needs them; cut where it is very long.
+/// `parent.name`, with the name in quotes if TOML needs quotes; cut if the path is very long.
 pub fn join(parent: &str, name: &str) -> String {
     let (shown, is_cut) = first(name, 60);
     let bare = !shown.is_empty()

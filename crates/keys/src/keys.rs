@@ -1,7 +1,7 @@
 //! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
-//! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add it
-//! here, then use it in `assemble` of the crate `fenderline-scenario`.
+//! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add its
+//! row to this table, then use the key in `assemble` of the crate `fenderline-scenario`.
 
 pub mod anchor;
 mod approach;
@@ -117,7 +117,8 @@ pub static SCENARIO: TableSpec = TableSpec {
             "berthing",
             Kind::Table(&berthing::BERTHING),
             Means("no study"),
-            "Particulars for the berthing energy by formula beside that of the run.",
+            "Particulars for the berthing energy by formula, which the report compares with the \
+             energy of the run.",
             &[],
         ),
         key(
@@ -131,7 +132,7 @@ pub static SCENARIO: TableSpec = TableSpec {
             "chart",
             Kind::Table(&chart::CHART),
             Means("no chart"),
-            "What is drawn behind ships and quays: coast, depths, buoys, quays, names.",
+            "A chart that is drawn behind ships and quays: coast, depths, buoys, quays, names.",
             &["{ files = [\"harbour.geojson\"], coordinates = \"metres\" }"],
         ),
         key(

@@ -10,7 +10,7 @@
 //! | the keys of a scenario | [`keys`] |
 //! | text to checked values | [`syntax`], [`reader`], [`checked`] |
 //! | values with units | [`units`] |
-//! | where a value was written, and errors | [`sources`], [`origin`], [`error`] |
+//! | where a value was written, and errors | [`place`], [`sources`], [`origin`], [`error`] |
 //! | files of any kind, opened so that none can hang the program | [`bounded_file`] |
 //! | tables of numbers in CSV files | [`csv`] |
 #![forbid(unsafe_code)]
@@ -26,6 +26,7 @@ pub mod nesting;
 pub mod option_value;
 pub mod origin;
 pub mod overrides;
+pub mod place;
 pub mod printable;
 pub mod rating;
 pub mod reader;

@@ -1,11 +1,11 @@
 //! Finds where a TOML text is nested too deeply. The parser reports that it is, but not where.
 
-use crate::sources::Span;
+use crate::place::Span;
 
 /// The parser's limit, for brackets and braces as for names in a dotted key.
 const DEEPEST: usize = 80;
 
-/// The bracket, brace or dot that goes one level too deep; `None` where there is none.
+/// The bracket, brace or dot that goes one level too deep; `None` if there is none.
 pub fn too_deep(text: &str) -> Option<Span> {
     let bytes = text.as_bytes();
     let (mut at, mut depth, mut dots) = (0, 0_usize, 0);

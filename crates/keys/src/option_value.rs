@@ -2,7 +2,7 @@
 
 use crate::units::{self, Measure, measures as unit};
 
-/// A length, or a share of one that is known from elsewhere.
+/// A length, or a share of another length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LengthOrShare {
     /// In metres.
@@ -51,7 +51,7 @@ pub fn length_or_share(text: &str) -> Result<LengthOrShare, String> {
     length_m(text).map(LengthOrShare::Metres)
 }
 
-/// A number in a unit: `"95 t"` is 931.6 in `"kN"`; without a unit only where `unit` is empty.
+/// A number in a unit: `"95 t"` is 931.6 in `"kN"`; without a unit only if `unit` is empty.
 ///
 /// # Errors
 /// As [`length_m`].

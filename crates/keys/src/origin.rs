@@ -1,7 +1,6 @@
 //! Where a key or value that is set from outside of a scenario's file comes from.
 
-use crate::error::{Place, Snippet};
-use crate::sources::cut;
+use crate::place::{Place, Snippet, cut};
 
 /// Where a key or a value of an [`Override`](crate::overrides::Override) comes from: a line of a campaign's file, a row of a table. Errors about
 /// the override point there.
@@ -11,12 +10,13 @@ pub struct Origin {
     pub place: Place,
     /// The line of the value.
     pub snippet: Option<Snippet>,
-    /// What the place does not show, as the value that was drawn.
+    /// Information that the place does not show, such as the value that was drawn.
     pub note: Option<String>,
 }
 
 impl Origin {
-    /// Text in a line of a file: `text` is the whole line, `column` (from 1, in characters) and `length` are those of the text in it.
+    /// Text in a line of a file: `text` is the whole line, `column` (from 1, in characters) and `length` are the place
+    /// and length of the text in the line.
     #[must_use]
     pub fn line(name: &str, line: usize, column: usize, text: &str, length: usize) -> Origin {
         let start = |characters: usize| {

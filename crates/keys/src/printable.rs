@@ -48,7 +48,8 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped)
 }
 
-/// A number in the shortest form that reads back to it, in scientific notation where it would have many digits.
+/// A number in the shortest form that reads back to the same number, in scientific notation if it would have many
+/// digits.
 #[must_use]
 pub fn printable_number(value: f64) -> String {
     DisplayNumber(value).to_string()

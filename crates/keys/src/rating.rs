@@ -3,7 +3,7 @@
 use crate::printable::printable_number;
 
 /// Rated reaction over the square of the height (N/m²). Rubber and pneumatic fenders of catalogues have 60 to 1500 kN/m²
-/// for each metre of length, or for a cone; our choice is wide enough for soft ones and for long ones.
+/// for each metre of length, or for a cone; our choice is wide enough for soft fenders and for long fenders.
 const REACTION_OVER_HEIGHT_SQUARED: [f64; 2] = [10e3, 100e6];
 /// What is odd about a rated reaction for the size of a fender.
 pub fn odd_reaction(reaction_n: f64, size_m: f64, what: &str) -> Option<String> {

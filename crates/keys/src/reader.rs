@@ -193,7 +193,7 @@ fn as_table<'t, 'i>(
     }
 }
 
-/// How a table is written, with the keys that it must have, or else its first ones.
+/// The written form of a table, with the keys that it must have, or else with its first keys.
 fn as_written(name: &str, spec: &TableSpec) -> String {
     const SHOWN: usize = 3;
     let must = spec.keys.iter().filter(|key| matches!(key.absent, Absent::Refused));

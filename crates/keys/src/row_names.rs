@@ -5,7 +5,7 @@ pub fn name_in_row(row: &str, number: usize) -> String {
     format!("{row}_{number}")
 }
 
-/// The number of the member of a row that has this name.
+/// The number of the row's member with this name.
 pub fn number_in_row(row: &str, name: &str) -> Option<usize> {
     let digits = name.strip_prefix(row)?.strip_prefix('_')?;
     let is_number = !digits.starts_with('0') && digits.bytes().all(|byte| byte.is_ascii_digit());

@@ -1,16 +1,13 @@
 //! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then two positions for
-//! each override, of its key and of its value. The start of a span tells which of them it belongs to.
+//! each override, of its key and of its value. The start of a span shows to which text the span belongs.
 
 use core::cell::OnceCell;
-use core::ops::Range;
 
-use crate::error::{Place, ScenarioError, Snippet};
+use crate::error::ScenarioError;
 use crate::origin::Origin;
 use crate::overrides::Override;
-use crate::printable::printable_char;
-
-/// A range of positions: bytes of the file, or the position of an override's key or value.
-pub type Span = Range<usize>;
+use crate::place::{Place, Snippet, cut};
+pub use crate::place::{Span, quoted};
 
 /// The file and the overrides on top of it.
 #[derive(Clone)]
@@ -79,7 +76,7 @@ impl Sources<'_> {
         position..position
     }
 
-    /// The override that a span belongs to, and where its key or value comes from if it is known.
+    /// The override to which a span belongs, and the origin of its key or value if known.
     fn override_of(&self, span: &Span) -> Option<(&Override, Option<&Origin>)> {
         let position = span.start.checked_sub(self.text.len() + 1)?;
         let own = &self.overrides[position / 2];
@@ -130,7 +127,7 @@ impl Sources<'_> {
         ScenarioError::new(place, None, message.into())
     }
 
-    /// The line that a span starts in; `None` for an override, whose place shows all of it.
+    /// The line in which a span starts; `None` for an override, whose place shows the whole override.
     fn snippet(&self, span: &Span) -> Option<Snippet> {
         if span.start > self.text.len() {
             return None;
@@ -151,52 +148,9 @@ impl Sources<'_> {
     }
 }
 
-/// A line in three parts, cut on both sides so that the marked part fits a line of a terminal.
-pub fn cut(before: &str, marked: &str, after: &str) -> Snippet {
-    const BEFORE: usize = 40;
-    const MARKED: usize = 40;
-    const AFTER: usize = 30;
-    let mut line = String::new();
-    let kept: Vec<char> = before.chars().rev().take(BEFORE + 1).collect();
-    if kept.len() > BEFORE {
-        line.push('…');
-        line.extend(kept[..BEFORE].iter().rev().copied().map(printable_char));
-    } else {
-        line.extend(kept.iter().rev().copied().map(printable_char));
-    }
-    let before_count = line.chars().count();
-    let (marked, marked_cut) = first(marked, MARKED);
-    line.push_str(&marked);
-    let marked_count = line.chars().count() - before_count;
-    if marked_cut {
-        line.push('…');
-    } else {
-        let (after, after_cut) = first(after, AFTER);
-        line.push_str(&after);
-        if after_cut {
-            line.push('…');
-        }
-    }
-    Snippet { line: line.trim_end().to_owned(), before: before_count, marked: marked_count.max(1) }
-}
-
-/// The first `count` characters, safe to print, and whether there are more.
-pub fn first(text: &str, count: usize) -> (String, bool) {
-    let mut chars = text.chars();
-    let kept = chars.by_ref().take(count).map(printable_char).collect();
-    (kept, chars.next().is_some())
-}
-
-/// A user's text for a message: in quotes, shortened, safe to print.
-pub fn quoted(text: &str) -> String {
-    let (kept, is_cut) = first(text, 40);
-    if is_cut { format!("\"{kept}…\"") } else { format!("\"{kept}\"") }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{BETWEEN_MARKS, Sources, cut, marks, quoted};
-    use crate::error::Place;
+    use super::{BETWEEN_MARKS, Place, Sources, marks};
 
     #[test]
     fn a_place_agrees_with_counting_from_the_start() {
@@ -224,20 +178,5 @@ mod tests {
             assert!(longest.is_some_and(|bytes| bytes <= BETWEEN_MARKS + 4), "{longest:?}");
             assert!(marks.len() <= text.len() / 8 + 2, "{} marks", marks.len());
         }
-    }
-
-    #[test]
-    fn long_lines_are_cut_on_both_sides_of_the_mark() {
-        let snippet = cut(&"a".repeat(1_000_000), "key", &"b".repeat(1_000_000));
-        assert_eq!(snippet.line.chars().count(), 1 + 40 + 3 + 30 + 1);
-        assert_eq!((snippet.before, snippet.marked), (41, 3));
-        assert_eq!(cut("", &"k".repeat(99), "").line, format!("{}…", "k".repeat(40)));
-        assert_eq!(cut("x = ", "", "").marked, 1);
-    }
-
-    #[test]
-    fn control_characters_do_not_reach_the_terminal() {
-        assert_eq!(cut("a\tb\u{1b}[31m", "c\u{202e}", "").line, "a b\u{FFFD}[31mc\u{FFFD}");
-        assert_eq!(quoted("\u{7}x"), "\"\u{FFFD}x\"");
     }
 }

@@ -9,11 +9,11 @@ use crate::units::Measure;
 /// A table of keys.
 #[derive(Debug)]
 pub struct TableSpec {
-    /// What one such table describes, with its article, as `a material`.
+    /// The thing that such a table describes, with its article, as `a material`.
     pub what: &'static str,
-    /// What it is for.
+    /// What the table is for.
     pub doc: &'static str,
-    /// Its keys, in the order in which documentation shows them.
+    /// Keys of the table, in the order in which documentation shows them.
     pub keys: &'static [KeySpec],
     /// Rules between the keys, as JSON Schema keywords. `assemble` checks them in code, and a test compares the two.
     pub rules: Option<fn() -> Json>,
@@ -29,13 +29,13 @@ impl TableSpec {
 /// One key.
 #[derive(Clone, Copy, Debug)]
 pub struct KeySpec {
-    /// Its name.
+    /// Name of the key.
     pub name: &'static str,
-    /// What it holds.
+    /// What the key holds.
     pub kind: Kind,
-    /// What its absence means.
+    /// Meaning of the key's absence.
     pub absent: Absent,
-    /// What it is for.
+    /// What the key is for.
     pub doc: &'static str,
     /// Example values, as TOML.
     pub examples: &'static [&'static str],
@@ -61,7 +61,7 @@ pub enum Absent {
     Is(&'static str),
     /// What these words say.
     Means(&'static str),
-    /// An error unless these words hold. `assemble` checks it.
+    /// An error unless these words hold. `assemble` checks the condition.
     Unless(&'static str),
 }
 

@@ -4,7 +4,8 @@ use toml::de::DeTable;
 
 use crate::error::ScenarioError;
 use crate::nesting::too_deep;
-use crate::sources::{Sources, Span, quoted};
+use crate::place::{Span, quoted};
+use crate::sources::Sources;
 
 /// Largest file that is read, in bytes.
 const LARGEST_FILE: usize = 16 << 20;
@@ -13,7 +14,10 @@ const LARGEST_FILE: usize = 16 << 20;
 pub fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
     let bytes = sources.text.len();
     if bytes > LARGEST_FILE {
-        let message = format!("the file has {bytes} bytes; a scenario has at most {LARGEST_FILE}");
+        let message = format!(
+            "the file has {bytes} bytes; a scenario has at most {LARGEST_FILE} \
+            bytes"
+        );
         return Err(sources.file_error(message));
     }
     let document = DeTable::parse(sources.text).map_err(|error| broken(sources, &error))?;
@@ -69,7 +73,7 @@ fn first_line(before: &str, key: &str) -> Option<usize> {
             .position(|line| header(line).is_some_and(|it| it == key))
             .map(|i| i + 1);
     }
-    // A key is given twice in one table. Look only there: the tables of a list have the same keys.
+    // A key is given twice in one table. Search only this table, because the tables of a list have the same keys.
     let name = key.rsplit('.').next().unwrap_or(key);
     let own = above.lines().enumerate().collect::<Vec<_>>();
     let own = own.iter().rev().take_while(|(_, line)| header(line).is_none());

@@ -1,4 +1,4 @@
-//! The commands to the simulation. They are recorded.
+//! Commands to the simulation. A recording keeps them.
 
 use fenderline_sim::anchor::AnchorFaults;
 use fenderline_sim::environment::current::Current;
@@ -10,30 +10,31 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::approach::ApproachLimit;
-use crate::message::Pair;
 use crate::named_order::NamedOrder;
+use crate::pair::Pair;
 
-/// A command that changes the simulated world. It uses the names of the scenario and SI units. `web/src/protocol.ts`
-/// describes its JSON.
+/// A command that changes the simulated world. The command uses the scenario's names and SI units.
+/// `web/src/protocol.ts` describes its JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// An order of the table in `fenderline_sim`.
+    /// An order that the table of orders in `fenderline_sim` lists.
     Order(NamedOrder),
-    /// Any other command.
+    /// A command that is not in the table of orders.
     Other(OtherAction),
 }
 
-/// A command that is not an order of the table.
+/// A command that is not in the table of orders.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 #[allow(missing_docs, reason = "protocol.ts explains the fields")]
 pub enum OtherAction {
-    /// An order in words to a tug of either kind. The simulation resolves force, direction and place.
+    /// An order in words to a tug: a vector tug or a tug that is a vessel. The simulation works out the force, its
+    /// direction and the place.
     Tug {
         tug: String,
         #[serde(with = "crate::word")]
         order: TugWord,
-        /// Force over her bollard pull. A push and a pull need it.
+        /// Force as a share of the tug's bollard pull. An order to push or pull needs it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         power: Option<f64>,
         #[serde(default, with = "crate::word")]
@@ -41,49 +42,49 @@ pub enum OtherAction {
         #[serde(default, with = "crate::word")]
         place: SidePlace,
     },
-    /// Sets the mean wind, given at 10 m, at once or over a time. The gusts of the scenario go on, in proportion to it; a time
-    /// series becomes steady.
+    /// Sets the mean wind at a height of 10 m, at once or over a time. The scenario's gusts go on, in proportion to the
+    /// new mean wind. A wind from a time series becomes steady.
     Wind {
         speed_mps: f64,
         from_rad: f64,
         #[serde(default, skip_serializing_if = "is_zero")]
         over_s: f64,
     },
-    /// Replaces the current by a uniform one, at once or over a time.
+    /// Replaces the current by a uniform current, at once or over a time.
     Current {
         speed_mps: f64,
         to_rad: f64,
         #[serde(default, skip_serializing_if = "is_zero")]
         over_s: f64,
     },
-    /// A line parts.
+    /// Makes a line part.
     PartLine { line: String },
-    /// A fault of an anchor or its windlass begins or ends.
+    /// Begins or ends a fault of an anchor or of its windlass.
     AnchorFault { anchor: String, fault: AnchorFault, on: bool },
-    /// A vector tug drops out, or comes back.
+    /// Makes a vector tug drop out, or brings her back.
     TugOut { tug: String, on: bool },
-    /// Plans a change of the weather or a fault for a time.
+    /// Plans a change of the weather, or a fault, for a later time.
     Plan { at_s: f64, event: Box<OtherAction> },
-    /// Cancels a planned event, by its number.
+    /// Cancels a planned event. `id` is the number of the event.
     CancelPlanned { id: u64 },
-    /// Sets how far people see, at once or over a time; without a distance it is clear. Fog hides ships, and changes nothing in the
-    /// simulated world.
+    /// Sets the visibility, at once or over a time. Without a distance the air is clear. Fog hides ships from people;
+    /// it changes nothing in the simulated world.
     Visibility {
         #[serde(default)]
         distance_m: Option<f64>,
         #[serde(default, skip_serializing_if = "is_zero")]
         over_s: f64,
     },
-    /// A fault on a vessel begins or ends.
+    /// Begins or ends a fault of a vessel.
     Fault {
         vessel: String,
         #[serde(with = "crate::word")]
         fault: Fault,
         on: bool,
     },
-    /// One thruster or azimuth unit of a vessel trips, or comes back.
+    /// Makes one thruster or azimuth unit of a vessel trip, or brings it back.
     ThrusterOut { vessel: String, thruster: String, on: bool },
-    /// Places a vessel before the first step: her centre of gravity and heading, and her speed ahead where it is given.
+    /// Places a vessel before the first step: her centre of gravity, her heading and, if given, her speed ahead.
     Place {
         vessel: String,
         at_m: Pair,
@@ -91,11 +92,11 @@ pub enum OtherAction {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ahead_mps: Option<f64>,
     },
-    /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
+    /// Sets the speed limit at the fenders. A greater closing speed raises an alarm.
     ApproachLimit { speed_mps: f64 },
     /// Acknowledges the alarm with this key. The simulated world does not change.
     Acknowledge { key: String },
-    /// A note for the debriefing; without a text, a mark. The simulated world does not change.
+    /// A note for the debriefing. A note without a text is a mark. The simulated world does not change.
     Note {
         #[serde(default, skip_serializing_if = "String::is_empty")]
         text: String,
@@ -107,7 +108,7 @@ fn is_zero(number: &f64) -> bool {
 }
 
 impl OtherAction {
-    /// True for what happens by itself at a time: weather and faults.
+    /// True for commands that can be planned: changes of the weather, and faults.
     #[must_use]
     pub fn can_be_planned(&self) -> bool {
         match self {
@@ -130,10 +131,11 @@ impl OtherAction {
     }
 }
 
-/// The limits of commands that are not in the table of orders: least and greatest value. Pages get them in `hello`.
+/// Limits of the commands that are not in the table of orders: least and greatest value. Pages get the limits in
+/// `hello`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CommandLimits {
-    /// Force over a tug's bollard pull, in an order to a tug in words.
+    /// Force in an order in words to a tug, as a share of her bollard pull.
     pub tug_power: Pair,
     /// Speed of a wind (m/s).
     pub wind_mps: Pair,
@@ -143,11 +145,11 @@ pub struct CommandLimits {
     pub visibility_m: Pair,
     /// Speed limit at the fenders (m/s).
     pub approach_limit_mps: Pair,
-    /// Simulated time over wall time.
+    /// Pace: simulated time over wall time.
     pub pace: Pair,
     /// Time over which wind, current or visibility changes (s).
     pub over_s: Pair,
-    /// How far a trial looks ahead (s).
+    /// Time that a trial looks ahead (s).
     pub trial_s: Pair,
 }
 
@@ -206,18 +208,18 @@ impl<'de> Deserialize<'de> for Action {
     }
 }
 
-/// A fault of an anchor: see [`fenderline_sim::anchor::AnchorFaults`].
+/// A fault of an anchor. [`fenderline_sim::anchor::AnchorFaults`] describes the faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AnchorFault {
     /// The windlass has no power.
     WindlassFailed,
-    /// The anchor holds as a dragging anchor does.
+    /// The anchor does not dig in: it holds no better than a dragging anchor.
     DoesNotBite,
 }
 
 impl AnchorFault {
-    /// The faults of an anchor that are on.
+    /// Lists the faults of an anchor that are on.
     #[must_use]
     pub fn active(faults: &AnchorFaults) -> Vec<AnchorFault> {
         [

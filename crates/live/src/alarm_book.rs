@@ -1,20 +1,20 @@
-//! The list of alarms: those whose cause is active, and those whose cause ended before anybody acknowledged them. As on a
-//! ship's bridge, an alarm that nobody acknowledged stays when its cause ends.
+//! The list of alarms. An alarm is in the list while its cause is active, and after that until somebody acknowledges
+//! it, as on a ship's bridge.
 
 use crate::message::{AlarmNow, Role};
 use crate::refusal::Refusal;
 
-/// The beginning of the keys of contact alarms.
+/// First word of the keys of contact alarms.
 pub(crate) const TOUCH: &str = "touch";
-/// The beginning of the keys of alarms of fenders.
+/// First word of the keys of fender alarms.
 pub(crate) const FENDER: &str = "fender";
 
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Needs attention. It is removed when its cause ends.
+    /// A caution needs attention. The caution is removed when its cause ends.
     Caution,
-    /// Needs action. It stays until it is acknowledged.
+    /// An alarm needs action. The alarm stays until somebody acknowledges it.
     Alarm,
 }
 
@@ -27,16 +27,16 @@ impl Level {
     }
 }
 
-/// A cause that is active in this tick.
+/// An alarm whose cause is active in this tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alarm {
-    /// How urgent.
+    /// How urgent the alarm is.
     pub level: Level,
-    /// Kind and subject. The list holds at most one alarm of a key.
+    /// Kind and subject of the alarm. The list holds at most one alarm of each key.
     pub key: String,
-    /// The text for people.
+    /// The text that people read.
     pub text: String,
-    /// Names of the bodies, tugs and lines concerned.
+    /// Names of the bodies, tugs and lines that the alarm is about.
     pub about: Vec<String>,
 }
 
@@ -44,14 +44,14 @@ pub struct Alarm {
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     alarm: Alarm,
-    /// Time at which it began, or became more urgent (s).
+    /// Time at which the alarm began, or became more urgent (s).
     since_s: f64,
-    /// Its cause is active.
+    /// True while the cause of the alarm is active.
     active: bool,
     acknowledged: bool,
 }
 
-/// All alarms that are active or not acknowledged, in the order in which they began.
+/// All alarms that are active or that nobody acknowledged, in the order in which they began.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AlarmBook(Vec<Entry>);
 
@@ -77,7 +77,7 @@ impl AlarmBook {
     /// Checks that a role may acknowledge the alarm with this key, and returns its text.
     ///
     /// # Errors
-    /// There is no such alarm, somebody acknowledged it already, or the role may not acknowledge it.
+    /// There is no such alarm, somebody has acknowledged it already, or the role may not acknowledge it.
     pub fn may_acknowledge(&self, key: &str, role: &Role) -> Result<&str, Refusal> {
         let entry = self.0.iter().find(|entry| entry.alarm.key == key);
         let entry = entry.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
@@ -103,14 +103,14 @@ impl AlarmBook {
         Some(&entry.alarm.text)
     }
 
-    /// Level and text of the alarms that began, or became more urgent, at a time.
+    /// Level and text of the alarms that began, or became more urgent, at the given time.
     pub(crate) fn begun_at(&self, t_s: f64) -> impl Iterator<Item = (Level, &str)> {
         let begun = self.0.iter().filter(move |entry| entry.since_s == t_s);
         begun.map(|entry| (entry.alarm.level, entry.alarm.text.as_str()))
     }
 
-    /// Acknowledges the alarm with this key. Does nothing if there is none, so that a recording can be replayed by a version
-    /// whose alarms differ.
+    /// Acknowledges the alarm with this key. Does nothing if there is no such alarm: a version with other alarms can
+    /// then still replay a recording.
     pub(crate) fn acknowledge(&mut self, key: &str) {
         let Some(at) = self.0.iter().position(|entry| entry.alarm.key == key) else { return };
         self.0[at].acknowledged = true;
@@ -119,7 +119,7 @@ impl AlarmBook {
         }
     }
 
-    /// The list for pages: alarms before cautions, then in the order in which they began.
+    /// The list for pages: alarms before cautions, each in the order in which they began.
     #[must_use]
     pub fn messages(&self) -> Vec<AlarmNow> {
         let mut all: Vec<&Entry> = self.0.iter().collect();
@@ -128,7 +128,8 @@ impl AlarmBook {
         all.into_iter().map(Entry::message).collect()
     }
 
-    /// True if the list has an alarm of this fender that nobody has acknowledged: it is or was beyond its rating, or has failed.
+    /// True if the list has an alarm of this fender that nobody has acknowledged. The fender is or was loaded beyond
+    /// its rating, or has failed.
     pub(crate) fn has_open_fender(&self, fender: &str) -> bool {
         self.0.iter().any(|entry| {
             let Alarm { level, key, about, .. } = &entry.alarm;
@@ -139,7 +140,8 @@ impl AlarmBook {
         })
     }
 
-    /// True if the list has a contact alarm of `hull` with a body that `on` selects, which nobody has acknowledged.
+    /// True if the list has a contact alarm of `hull` with a body that `on` selects, and nobody has acknowledged this
+    /// alarm.
     pub(crate) fn has_open_touch(&self, hull: &str, on: impl Fn(&str) -> bool) -> bool {
         self.0.iter().any(|entry| {
             let about = &entry.alarm.about;
@@ -152,11 +154,12 @@ impl AlarmBook {
 }
 
 impl Entry {
-    /// The cause is active, still or again. An entry that nobody acknowledged keeps its greatest level.
+    /// Updates an entry whose cause is active, still or again. An entry that nobody acknowledged keeps its greatest
+    /// level.
     fn renew(&mut self, alarm: Alarm, t_s: f64) {
         self.active = true;
         if alarm.level > self.alarm.level {
-            // A greater level has to be acknowledged again.
+            // If the level rises, the alarm has to be acknowledged again.
             (self.acknowledged, self.since_s) = (false, t_s);
         }
         if self.acknowledged || alarm.level >= self.alarm.level {

@@ -1,4 +1,4 @@
-//! The berth of the docking board, and a ship relative to it as pages see her.
+//! The berth of the docking board, and the position of a ship relative to this berth, for pages.
 
 use fenderline_contact::{BodyState, Outline};
 use fenderline_sim::Setup;
@@ -6,11 +6,12 @@ use fenderline_sim::berth::{Berth, Lie};
 
 use crate::approach::Light;
 use crate::cast::Cast;
-use crate::info::pair;
 use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
+use crate::pair::pair;
 
-/// The berth with the most fenders; among equals, the one nearest to the pilot's own ship at the start. Fenders on the own ship
-/// and on tugs do not count. `None` without a ship or without such fenders.
+/// The berth of the docking board: the berth with the most fenders. Of several such berths it is the nearest to the
+/// pilot's own ship at the start. Fenders on the own ship and on tugs do not count. `None` without a ship or without
+/// such fenders.
 pub(crate) fn of(setup: &Setup, cast: &Cast) -> Option<Berth> {
     let vessels = &setup.world.vessels;
     let own = vessels[cast.own?].body;
@@ -20,14 +21,15 @@ pub(crate) fn of(setup: &Setup, cast: &Cast) -> Option<Berth> {
     Berth::of(setup, own, |body| body != own && !is_tug(body))
 }
 
-/// The message to pages.
+/// The berth as a message for pages.
 #[must_use]
 pub fn berth_info(berth: &Berth) -> BerthInfo {
     let [from, to, facing] = [berth.from_m, berth.to_m, berth.facing].map(pair);
     BerthInfo { body: berth.body, from, to, facing }
 }
 
-/// A ship relative to the berth on a body in state `on`. The docking board fills in lamps, limit and what each end is at.
+/// A ship relative to the berth. The body that carries the berth is in the state `on`. The docking board fills in the
+/// lamps, the limit and the contact of each end.
 pub(crate) fn seen_from(
     berth: &Berth,
     on: &BodyState,
@@ -71,7 +73,8 @@ mod tests {
 
     #[test]
     fn distances_speeds_and_angle_are_those_of_the_flat_of_the_side() {
-        // A quay to the east of her; she lies 5 m off, her bow 0.1 rad in, and turns in.
+        // A quay to the east of the ship. The ship lies 5 m off with her bow 0.1 rad towards the quay, and turns
+        // further towards it.
         let quay = BodyState::default();
         let berth = Berth {
             body: 1,
@@ -91,11 +94,11 @@ mod tests {
         let off = |x: f64| 30.0 - (10.0 + x * sin + 10.0 * cos);
         assert!((now.bow_m - off(30.0)).abs() < 1e-12 && (now.stern_m - off(-40.0)).abs() < 1e-12);
         assert!((now.angle_rad - 0.1).abs() < 1e-12);
-        // East speed of a point at (x, y): v + r times its northing from the centre.
+        // East speed of a point at (x, y): v plus r times the point's distance north of the centre.
         let speed = |x: f64| 0.2 + 0.002 * (x * cos - 10.0 * sin);
         assert!((now.bow_mps - speed(30.0)).abs() < 1e-12);
         assert!((now.stern_mps - speed(-40.0)).abs() < 1e-12);
-        // Turned round she has her port side to it, and her bow is the farther end.
+        // After half a turn the ship's port side faces the quay, and her bow is the farther end.
         let turned = BodyState { heading_rad: 0.1 + core::f64::consts::PI, ..state };
         let now = seen_from(&berth, &quay, &ship(), &turned);
         assert!((now.bow_m - off(-30.0)).abs() < 1e-9 && (now.angle_rad + 0.1).abs() < 1e-9);
@@ -105,7 +108,8 @@ mod tests {
 
     #[test]
     fn a_berth_on_a_ship_that_moves_is_seen_from_that_ship() {
-        // The larger one heads east at 2 m/s and turns; the smaller one keeps her place on her, and drifts in.
+        // The larger ship heads east at 2 m/s and turns. The smaller ship keeps her place beside her, and drifts
+        // towards her.
         let mother = BodyState {
             position_m: vec2(500.0, 200.0),
             heading_rad: core::f64::consts::FRAC_PI_2,
@@ -119,7 +123,8 @@ mod tests {
             facing: vec2(0.0, -1.0),
             apart_m: None,
         };
-        // 15 m of water between the fenders at her port side and the other's starboard side.
+        // There are 15 m of water between the fenders on the larger ship's port side and the smaller ship's starboard
+        // side.
         let arm_m = vec2(50.0, 0.0);
         let state = BodyState {
             position_m: mother.position_m + arm_m,

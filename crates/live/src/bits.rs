@@ -3,8 +3,8 @@
 use fenderline_contact::hash::Fnv1a;
 use fenderline_sim::Simulation;
 
-/// FNV-1a of the states of all bodies, the vessels' machinery, the lines, the anchors and the tugs. A replay that differs anywhere differs
-/// here within a step or two. No protection against malice.
+/// FNV-1a hash of the states of all bodies, the vessels' machinery, the lines, the anchors and the tugs. If a replay
+/// differs anywhere, its fingerprint differs within a step or two. The hash gives no protection against malice.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Fnv1a::default();
     let mut add = |number: f64| hash.word(number.to_bits());

@@ -1,27 +1,21 @@
-//! Carries commands out on the simulation.
+//! Carries out commands on the simulation.
 
-use std::collections::BTreeSet;
-
-use fenderline_sim::order::{Target, TugWord, TugWords, Word as _};
+use fenderline_sim::order::{TugWord, TugWords, Word as _};
 use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
 
 use crate::action::{Action, COMMAND_LIMITS, OtherAction};
 use crate::approach::ApproachLimit;
 use crate::cast::Cast;
 use crate::limits::LONGEST_NOTE;
+use crate::now::Now;
 use crate::refusal::Refusal;
-use crate::session::Now;
-use crate::{frozen, place, script, world_change};
+use crate::{happening, place, world_change};
 
-/// The vessels, tugs, lines and anchors under manual control: the scenario's later orders to them are cancelled.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct ManualControl(BTreeSet<Target>);
-
-/// Carries a command out; it takes effect at the next step. The first manual order to a vessel, tug or line drops the
-/// scenario's later timed orders to it; the result is true if there were any.
+/// Carries out a command, which takes effect at the next step. The first manual order to a vessel, tug, line or anchor
+/// drops the scenario's later timed orders to it. Returns true if there were such orders.
 ///
 /// # Errors
-/// The reason, for the person who gave the command. Nothing is changed then.
+/// The reason for the person who gave the command. Nothing is changed in this case.
 pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<bool, Refusal> {
     match action {
         Action::Order(named) => {
@@ -34,22 +28,12 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             let action = tug_order(tug, &words, cast, &now.simulation)?;
             order(action, now)
         }
-        Action::Other(OtherAction::AnchorFault { anchor, fault, on }) => {
-            let mut anchors = now.simulation.setup().world.anchors.iter();
-            let index = anchors.position(|setup| setup.gear.name == *anchor);
-            let index =
-                index.ok_or_else(|| Refusal::new(format_args!("there is no anchor `{anchor}`")))?;
-            let mut faults = now.simulation.anchors()[index].state.faults;
-            fault.switch(&mut faults, *on);
-            now.simulation.set_anchor_faults(index, faults).map_err(Refusal::new)?;
-            Ok(false)
-        }
         Action::Other(OtherAction::Place { vessel, at_m, heading_rad, ahead_mps }) => {
             let index = world_change::vessel_named(cast, vessel)?;
             place::place(index, (*at_m, *heading_rad), *ahead_mps, cast, now).map(|()| false)
         }
         Action::Other(OtherAction::Plan { at_s, event }) => {
-            script::plan(event, *at_s, cast, now).map(|()| false)
+            happening::plan(event, *at_s, cast, now).map(|()| false)
         }
         Action::Other(OtherAction::CancelPlanned { id }) => now.script.cancel(*id).map(|()| false),
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
@@ -64,20 +48,15 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
         }
         Action::Other(OtherAction::Note { text }) => check_note(text).map(|()| false),
         Action::Other(
-            change @ (OtherAction::Wind { .. }
+            event @ (OtherAction::Wind { .. }
             | OtherAction::Current { .. }
             | OtherAction::Visibility { .. }
             | OtherAction::Fault { .. }
             | OtherAction::ThrusterOut { .. }
             | OtherAction::PartLine { .. }
+            | OtherAction::AnchorFault { .. }
             | OtherAction::TugOut { .. }),
-        ) => {
-            if let Some(change) = world_change::resolve(change, cast, now.simulation.setup())? {
-                now.simulation.change(&change).map_err(Refusal::new)?;
-                frozen::renew(&mut now.frozen, &now.simulation);
-            }
-            Ok(false)
-        }
+        ) => happening::happen(event, cast, now).map(|()| false),
     }
 }
 
@@ -100,7 +79,7 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     Ok(dropped)
 }
 
-/// Resolves an order in words to a tug: a vector tug, or a vessel that assists the ship that she serves.
+/// Resolves an order in words to a tug. The tug is a vector tug, or a vessel that assists the ship that she serves.
 fn tug_order(
     name: &str,
     words: &TugWords,
@@ -117,7 +96,7 @@ fn tug_order(
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
 }
 
-/// The power of an order to a tug. It may be missing only where the order asks for no force.
+/// The power of an order to a tug. Only an order that asks for no force may leave the power out.
 fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
     match (word, power) {
         (_, Some(power)) => {

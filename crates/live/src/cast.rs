@@ -1,4 +1,5 @@
-//! The roles of a scenario's vessels: the pilot's own ship and the tugs; and the helm that a command belongs to.
+//! The roles of a scenario's vessels, which are the pilot's own ship, other ships and tugs, and the helm that a command
+//! belongs to.
 
 use fenderline_sim::order::{TargetKind, towline};
 use fenderline_sim::{LineEnd, Setup, VesselSetup};
@@ -7,15 +8,15 @@ use crate::action::{Action, OtherAction};
 use crate::named_order::NamedOrder;
 use crate::request::Control;
 
-/// A vessel counts as a tug if azimuth units alone propel her and she is at most this long (m). The longest harbour and
-/// escort tugs are about 50 m (recalled); our choice.
+/// A vessel counts as a tug if only azimuth units propel her and she is at most this long (m). The longest harbour and
+/// escort tugs are about 50 m long (recalled). The value is our choice.
 const LONGEST_TUG_M: f64 = 60.0;
 
 /// The vessels, tugs and lines of a scenario by name, with their roles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cast {
-    /// Index of the pilot's own ship among the vessels: the first that is not a tug, else the first; `None` without
-    /// vessels.
+    /// Index of the pilot's own ship among the vessels: the first vessel that is not a tug, or the first vessel if all
+    /// are tugs. `None` without vessels.
     pub own: Option<usize>,
     /// Names of the vessels, in the order of the set-up.
     pub vessels: Vec<String>,
@@ -25,12 +26,13 @@ pub struct Cast {
     pub tugs: Vec<String>,
     /// For each vector tug, the index of the vessel that she serves.
     pub tug_serves: Vec<usize>,
-    /// For each vessel that is a tug, the index of the ship that she serves: the first to which she has a towline, else the first
-    /// that she may touch, else the own ship. The own ship comes first, then the others in their order.
+    /// For each vessel that is a tug, the index of the ship that she serves. This ship is the first one to which she
+    /// has a towline, otherwise the first ship that she may touch, otherwise the own ship. The search begins with the
+    /// own ship and goes on with the other ships in their order.
     pub serves: Vec<Option<usize>>,
-    /// Name of each line, and the vessels at its ends.
+    /// Name of each line, and the vessels to which its ends are attached.
     lines: Vec<(String, Vec<usize>)>,
-    /// Name of each anchor, and the vessel that carries it.
+    /// Name of each anchor, and the vessel that carries the anchor.
     anchors: Vec<(String, usize)>,
 }
 
@@ -39,19 +41,19 @@ pub struct Cast {
 pub enum Helm {
     /// A vessel or a vector tug.
     Of(Control),
-    /// A line, with the vessels at its ends; an anchor, with the vessel that carries it.
+    /// A line, by the vessels at its ends, or an anchor, by the vessel that carries it.
     Line(Vec<String>),
     /// Weather, faults, and the places of ships before the start.
     World,
-    /// The docking board and the alarms of an approach.
+    /// The limit of the docking board and of the alarms of an approach.
     Board,
-    /// An alarm of the list: the alarm book decides who may acknowledge it.
+    /// An alarm in the list. The alarm book decides who may acknowledge it.
     Alarm,
     /// The notes for the debriefing.
     Notes,
 }
 
-/// The ship that a vessel serves if she is a tug.
+/// The ship that a vessel serves, if the vessel is a tug.
 fn serves(setup: &Setup, own: Option<usize>, is_tug: &[bool], tug: usize) -> Option<usize> {
     if !is_tug[tug] {
         return None;
@@ -109,7 +111,7 @@ impl Cast {
         vessels.chain(self.tugs.iter().cloned().map(Control::Tug)).collect()
     }
 
-    /// Names of all tugs: those that are vessels, then vector tugs.
+    /// Names of all tugs: the tugs that are vessels, then the vector tugs.
     #[must_use]
     pub fn tug_names(&self) -> Vec<String> {
         let vessels = self.vessels.iter().zip(&self.is_tug);
@@ -117,7 +119,7 @@ impl Cast {
         vessels.chain(self.tugs.iter().cloned()).collect()
     }
 
-    /// Indices of the ships that can be conned: the own ship, then the others. Tugs are none.
+    /// Indices of the ships that can be conned: the own ship, then the others. Tugs are not among them.
     #[must_use]
     pub fn ships(&self) -> Vec<usize> {
         let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
@@ -125,14 +127,14 @@ impl Cast {
         self.own.into_iter().chain(others).collect()
     }
 
-    /// Names of the ships besides the own ship and the tugs: each can have a pilot of her own.
+    /// Names of the ships besides the own ship and the tugs. Each of these ships can have her own pilot.
     #[must_use]
     pub fn other_ships(&self) -> Vec<String> {
         let others = self.ships().into_iter().filter(|index| self.own != Some(*index));
         others.map(|index| self.vessels[index].clone()).collect()
     }
 
-    /// The name of a pilot's ship: the own ship, or the one that is named.
+    /// The name of the ship of a pilot: the own ship, or the ship that `pilot` names.
     #[must_use]
     pub fn ship_of<'a>(&'a self, pilot: &'a Option<String>) -> Option<&'a str> {
         match pilot {
@@ -158,7 +160,8 @@ impl Cast {
         index.is_some_and(|index| self.is_tug[index])
     }
 
-    /// The helm that a command belongs to. A name that does not exist is refused when the command is carried out.
+    /// The helm that a command belongs to. This function accepts names that do not exist; carrying out such a command
+    /// is refused.
     #[must_use]
     pub fn helm(&self, action: &Action) -> Helm {
         match action {

@@ -1,4 +1,4 @@
-//! The chart for pages.
+//! The chart as pages get it.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::chart::{Chart, ChartFeature, ChartShape};
@@ -31,7 +31,7 @@ fn places(line: &[Vec2]) -> Vec<Pair> {
     line.iter().copied().map(place).collect()
 }
 
-/// Rounded to a centimetre: a chart is drawn, and short numbers make a short message.
+/// Rounds a position to a centimetre. Centimetres are enough for drawing, and short numbers make a short message.
 fn place(at_m: Vec2) -> Pair {
     [at_m.x, at_m.y].map(|coordinate| libm::round(coordinate * 100.0) / 100.0)
 }

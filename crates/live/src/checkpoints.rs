@@ -1,25 +1,26 @@
-//! States that are kept so that a rewind need not start from the beginning.
+//! Checkpoints: states that are kept, so that a rewind need not start from the beginning.
 
-/// First number of ticks between two checkpoints; it doubles when there are too many of them.
+/// Number of ticks between two checkpoints at first. The number doubles whenever there are too many checkpoints.
 const FIRST_INTERVAL: u64 = 100;
-/// Largest number of checkpoints. A state of a harbour scene takes some 100 kB.
+/// Largest number of checkpoints. The state of a harbour scene takes some 100 kB.
 const MOST: usize = 48;
 
-/// States of one or more branches, bounded in number: the longer the session, the greater the intervals.
+/// Checkpoints of one or more branches. The number of checkpoints is limited: in a long session the intervals between
+/// them grow.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoints<S> {
     interval: u64,
-    /// Branch, tick, state before the commands of that tick.
+    /// For each checkpoint its branch, its tick and the state before the commands of that tick.
     kept: Vec<(usize, u64, S)>,
 }
 
 impl<S: Clone> Checkpoints<S> {
-    /// With the state at the start, which is never dropped.
+    /// Begins with the state at the start, which is never dropped.
     pub(crate) fn new(start: S) -> Checkpoints<S> {
         Checkpoints { interval: FIRST_INTERVAL, kept: vec![(0, 0, start)] }
     }
 
-    /// Keeps a state if one is due at its tick.
+    /// Keeps the state if a checkpoint is due at its tick.
     pub(crate) fn offer(&mut self, branch: usize, tick: u64, state: &S) {
         if !tick.is_multiple_of(self.interval)
             || self.kept.iter().any(|(b, t, _)| (*b, *t) == (branch, tick))

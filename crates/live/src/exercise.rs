@@ -1,4 +1,4 @@
-//! The exercise of a session, as pages see it.
+//! The exercise of a session, for pages.
 
 use fenderline_sim::Setup;
 use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, State};
@@ -6,29 +6,8 @@ use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, St
 use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
 };
-use crate::session::Session;
 
-impl Session {
-    /// The exercise, if the scenario has one.
-    #[must_use]
-    pub fn exercise(&self) -> Option<&Assessment> {
-        self.now().exercise.as_ref()
-    }
-
-    /// The constant part of the exercise, for pages.
-    #[must_use]
-    pub fn exercise_info(&self) -> Option<ExerciseInfo> {
-        self.exercise().map(|exercise| info(exercise, self.simulation().setup()))
-    }
-
-    /// The marks so far, for the instructor's page.
-    #[must_use]
-    pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
-        self.exercise().map(|exercise| marks(exercise, self.simulation().setup()))
-    }
-}
-
-/// How an exercise ended, without its score; `None` while it goes on.
+/// The text of how an exercise ended, without its score. `None` while the exercise goes on.
 pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
     match exercise.state() {
         State::Running => None,
@@ -37,7 +16,7 @@ pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
     }
 }
 
-/// The constant part of an exercise.
+/// The data of an exercise that do not change.
 pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
     let of = exercise.setup();
     let ship = setup.world.vessels[of.vessel].body;
@@ -65,7 +44,7 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
     }
 }
 
-/// The present state of an exercise: what everybody sees.
+/// The present state of an exercise that everybody sees.
 pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
     let conditions = exercise.conditions().iter();
     ExerciseNow {
@@ -78,7 +57,7 @@ pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
     }
 }
 
-/// Score and limits of an exercise: what the instructor sees.
+/// Score and limits of an exercise, which only the instructor sees.
 pub(crate) fn marks(exercise: &Assessment, setup: &Setup) -> ExerciseMarks {
     let deductions: Vec<Deduction<'_>> = exercise.deductions().collect();
     let limits = exercise.setup().limits.iter().zip(exercise.marks()).map(|(limit, mark)| {

@@ -1,4 +1,4 @@
-//! The constant data of a scenario for pages: hulls, machinery, fenders, lines, anchors, tugs, orders.
+//! The data of a scenario that do not change, for pages: hulls, machinery, fenders, lines, anchors, tugs, orders.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
@@ -15,48 +15,50 @@ use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
     AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo,
-    OrderInfo, Pair, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
+    OrderInfo, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
+use crate::pair::pair;
 
-/// The working load of a cable over its breaking load; our choice, as the guideline for ropes has none for cables.
+/// The working load of a cable over its breaking load. The guideline for ropes gives no value for cables; the value is
+/// our choice.
 const CABLE_WORKING_SHARE: f64 = 0.5;
-/// Rate of a manual order to a winch that can go as fast (m/s): a usual speed for warping under load.
+/// Rate of a winch in a manual order, if the winch can go as fast (m/s): a usual speed for warping under load.
 const MANUAL_WINCH_MPS: f64 = 0.15;
 
-/// The constant data of a scenario.
+/// The data of a scenario that do not change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Info {
-    /// As in [`crate::message::Hello`].
+    /// The field `bodies` of [`crate::message::Hello`].
     pub bodies: Vec<BodyInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `vessels` of [`crate::message::Hello`].
     pub vessels: Vec<VesselInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `fenders` of [`crate::message::Hello`].
     pub fenders: Vec<FenderInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `lines` of [`crate::message::Hello`].
     pub lines: Vec<LineInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `anchors` of [`crate::message::Hello`].
     pub anchors: Vec<AnchorInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `bollards` of [`crate::message::Hello`].
     pub bollards: Vec<BollardInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `tugs` of [`crate::message::Hello`].
     pub tugs: Vec<TugInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `traffic` of [`crate::message::Hello`].
     pub traffic: Vec<TrafficInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `orders` of [`crate::message::Hello`].
     pub orders: Vec<OrderInfo>,
-    /// As in [`crate::message::Hello`].
+    /// The field `telegraph` of [`crate::message::Hello`].
     pub telegraph: Vec<TelegraphInfo>,
-    /// The berth to which distances are measured.
+    /// The berth from which distances are measured.
     pub berth: Option<Berth>,
     /// Depth of the water (m).
     pub depth_m: Option<f64>,
-    /// As in [`crate::message::Hello`].
+    /// The field `chart` of [`crate::message::Hello`].
     pub chart: Vec<ChartInfo>,
 }
 
 impl Info {
-    /// The data of a set-up.
+    /// Collects the data of a set-up.
     #[must_use]
     pub fn of(setup: &Setup, cast: &Cast) -> Info {
         let world = &setup.world;
@@ -96,10 +98,6 @@ impl Info {
     }
 }
 
-pub(crate) fn pair(of: Vec2) -> Pair {
-    [of.x, of.y]
-}
-
 fn traffic_info(ship: &PassingSetup) -> TrafficInfo {
     let outline = ship.outline_m.iter().map(|&at| pair(at)).collect();
     TrafficInfo { name: ship.name.clone(), outline }
@@ -118,7 +116,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
     let name = setup.bodies[vessel.body].name.clone();
     let title = if vessel.origin.title.is_empty() { &name } else { &vessel.origin.title };
     let propelled = vessel.ship.propulsion.is_some();
-    // From midship to the centre of gravity, which is the body's origin.
+    // Distance of the centre of gravity ahead of midship. The body's origin is its centre of gravity.
     let ahead_m = hull.centre_of_gravity_m;
     let thrusters = vessel.thrusters.iter().map(|thruster| ThrusterInfo {
         name: thruster.name.clone(),
@@ -149,7 +147,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
     }
 }
 
-/// Places at a ship's side, the nearest first.
+/// Named places at a ship's side, the nearest first.
 fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
     let (outline, length_m) = (&setup.bodies[ship.body].outline, ship.ship.particulars.length_m);
     let has_side =

@@ -1,15 +1,16 @@
 //! A simulation that people steer: a deterministic session without clock, threads, sockets or files.
 //!
-//! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. These two
-//! determine every state, bit for bit. So a session can be rewound, branched from any tick, recorded line by line
-//! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
-//! requests ([`Request`]).
+//! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. The
+//! scenario and the log determine every state, bit for bit. A session can therefore be rewound, branched from any tick,
+//! recorded line by line ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages
+//! ([`message`]) and reads the requests of pages ([`Request`]).
 //!
-//! After it, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms, acknowledgements, notes and events.
+//! When the session is over, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms,
+//! acknowledgements, notes and events.
 //!
-//! A run that nobody steers gives the same messages by [`Watched`].
+//! [`Watched`] gives the same messages for a run that nobody steers.
 //!
-//! The owner of a session decides when it steps: `fenderline serve` paces it to wall time.
+//! The owner of a session decides when it steps. `fenderline serve` paces the session to wall time.
 #![forbid(unsafe_code)]
 
 mod action;
@@ -24,13 +25,17 @@ mod checkpoints;
 mod exercise;
 mod frame;
 mod frozen;
+mod happening;
 mod info;
 mod library_info;
 mod limits;
+mod manual_control;
 pub mod message;
 mod named_order;
+mod now;
 mod order_info;
 mod outlook;
+mod pair;
 mod past;
 mod place;
 mod prediction;
@@ -42,7 +47,9 @@ mod replay;
 mod request;
 mod script;
 mod session;
+mod shown;
 mod source;
+mod speeds;
 mod trial;
 mod watched;
 mod word;
@@ -54,8 +61,6 @@ pub use approach::{ApproachLimit, Light};
 pub use berth::berth_info;
 pub use cast::{Cast, Helm};
 pub use fenderline_sim::Fault;
-pub use frame::Speeds;
-pub use frozen::Shown;
 pub use info::Info;
 pub use library_info::library_info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};
@@ -75,6 +80,8 @@ pub use repeat::{
 pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Creation, Request};
 pub use session::{Branch, Session, SessionError, StepError};
+pub use shown::Shown;
 pub use source::Source;
+pub use speeds::Speeds;
 pub use trial::Trial;
 pub use watched::Watched;

@@ -1,4 +1,4 @@
-//! What a new exercise can be made of, for the instructor's page.
+//! The choices for a new exercise, for the instructor's page.
 
 use std::sync::OnceLock;
 

@@ -1,5 +1,5 @@
-//! Limits of a session and of its recording. The writer stops at them and the reader refuses beyond them, so that every
-//! recording can be replayed.
+//! Limits of a session and of its recording. The writer stops at the limits and the reader refuses what is beyond them.
+//! Every recording can therefore be replayed.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use std::fmt;
 pub const LARGEST_RECORDING_BYTES: u64 = 512 << 20;
 /// The longest first line (bytes): a scenario with all files that it names.
 pub(crate) const LONGEST_HEADER_BYTES: u64 = 64 << 20;
-/// The longest of the other lines (bytes); the message of a page is at most a quarter of that.
+/// The longest of the other lines (bytes). The message of a page is at most a quarter of this.
 pub(crate) const LONGEST_LINE_BYTES: u64 = 64 << 10;
 /// Largest number of commands of a session: ten a second for a day.
 pub(crate) const MOST_COMMANDS: usize = 864_000;
@@ -15,16 +15,16 @@ pub(crate) const MOST_COMMANDS: usize = 864_000;
 pub(crate) const MOST_BRANCHES: usize = 1000;
 /// Largest number of ticks of all branches together: eleven days at 0.1 s.
 pub(crate) const MOST_TICKS: u64 = 10_000_000;
-/// Ticks from one `reached` line of a branch to the next. There are never more ticks between two lines of a branch, so that a
-/// short file cannot cause a long run.
+/// Number of ticks from one `reached` line of a branch to the next. There are never more ticks than this between two
+/// lines of a branch. A short file therefore cannot cause a long run.
 pub(crate) const MARKS: u64 = 10;
 
-/// Most orders of a trial, and most that are given together.
+/// Largest number of orders in a trial, and of orders that are given together.
 pub(crate) const MOST_TRIAL_ORDERS: usize = 16;
 
-/// Most planned events that wait.
+/// Largest number of planned events that wait.
 pub(crate) const MOST_PLANNED: usize = 100;
-/// How far ahead an event can be planned (s).
+/// The longest time from now to a planned event (s).
 pub(crate) const LONGEST_PLAN_S: f64 = 86_400.0;
 
 /// The longest name of a person (characters).
@@ -32,12 +32,12 @@ pub const LONGEST_NAME: usize = 30;
 
 /// The longest note (characters).
 pub(crate) const LONGEST_NOTE: usize = 300;
-/// Most notes of a branch within [`NOTE_TICKS`].
+/// Largest number of notes in a branch within [`NOTE_TICKS`].
 pub(crate) const MOST_NOTES: usize = 20;
-/// Ticks within which notes are counted: ten seconds at 0.1 s.
+/// The span of ticks in which notes are counted: ten seconds at steps of 0.1 s.
 pub(crate) const NOTE_TICKS: u64 = 100;
 
-/// The limit that a session has reached. It can still be displayed, rewound and saved, but not continued.
+/// The limit that a session has reached. The session can still be displayed, rewound and saved, but it cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Full {
     /// Size of the recording.

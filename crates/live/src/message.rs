@@ -1,18 +1,16 @@
-//! Messages to pages, with the fields of `web/src/protocol.ts`, where each is explained. `tests/protocol.rs` compares the
-//! names.
+//! Messages to pages. `web/src/protocol.ts` has the same fields and explains each of them. `tests/protocol.rs` compares
+//! the names.
 #![allow(missing_docs, reason = "protocol.ts explains every field")]
 
 use serde::{Deserialize, Serialize};
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
 use crate::approach::Light;
+pub use crate::pair::Pair;
 use crate::request::Control;
 
-/// Number of the protocol. A page with another number asks the user to reload it.
+/// Version number of the protocol. A page with another number asks the user to reload it.
 pub const PROTOCOL: u32 = 5;
-
-/// A position, a vector or a range.
-pub type Pair = [f64; 2];
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "hello")]
@@ -44,12 +42,12 @@ pub struct Hello<'a> {
     pub links: Option<&'a [Link]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub library: Option<&'a LibraryInfo>,
-    /// What was deleted and can be put back; for instructors only.
+    /// Deleted files that can be put back. Only instructors get the list.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deleted: Option<&'a [GalleryEntry]>,
 }
 
-/// What a new exercise can be made of.
+/// The choices for a new exercise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LibraryInfo {
     pub vessels: Vec<LibraryVessel>,
@@ -93,7 +91,7 @@ pub struct ExerciseInfo {
     pub place: Option<PlaceInfo>,
 }
 
-/// A place of a goal, with how far from it is good enough.
+/// A place that a goal asks for, and the distance from this place that is still good enough.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaceInfo {
     pub at_m: Pair,
@@ -109,7 +107,7 @@ pub struct LimitInfo {
     pub fails: bool,
 }
 
-/// One order of the table in `fenderline_sim`.
+/// One order from the table of orders in `fenderline_sim`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OrderInfo {
     pub name: &'static str,
@@ -141,7 +139,7 @@ pub struct ArgumentInfo {
 #[serde(tag = "name", rename_all = "snake_case")]
 pub enum Role {
     Instructor,
-    /// Of the scenario's own ship, or of another ship by her name.
+    /// The pilot of the scenario's own ship, or of another ship that `vessel` names.
     Pilot {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         vessel: Option<String>,
@@ -169,11 +167,12 @@ pub struct GalleryEntry {
     pub file: String,
     pub title: String,
     pub text: String,
-    /// The berth that a new exercise can take, in words.
+    /// The berth of this scenario in words, if a new exercise can use it.
     pub berth: Option<String>,
-    /// When the file of a recording was last written (seconds since the start of 1970); `None` for a scenario.
+    /// Time at which the file of a recording was last written (seconds since the start of 1970). `None` for a scenario.
     pub written_unix_s: Option<u64>,
-    /// Whether the instructor can rename and delete it: a recording, or an exercise that was saved from the page, in the server's folders.
+    /// True if the instructor can rename and delete this file. The file is a recording or an exercise saved from the
+    /// page, and lies in the server's folders.
     pub changeable: bool,
 }
 
@@ -262,14 +261,15 @@ pub struct LineInfo {
     pub name: String,
     pub ship: usize,
     pub fairlead_m: Pair,
-    /// Where it is made fast by itself; `null` for a line that is on board until it is sent to a bollard.
+    /// The place where the line is made fast without an order. `null` for a line that stays on board until it is sent
+    /// to a bollard.
     pub end: Option<LineEndInfo>,
     pub breaking_n: f64,
     pub working_n: f64,
     pub winch_mps: Option<f64>,
-    /// The farthest bollard to which it can be sent (m).
+    /// Distance to the farthest bollard that the line can reach (m).
     pub reach_m: f64,
-    /// What reaches no farther: the rope, or a heaving line where there is no boat.
+    /// The thing that limits the reach: the rope, or a heaving line where there is no boat.
     pub reach_by: &'static str,
 }
 
@@ -312,14 +312,14 @@ pub struct TugInfo {
     pub pull_at_m: Pair,
 }
 
-/// A ship that passes on a track of her own: no order moves her, and she touches nothing.
+/// A ship that passes on a track of her own. No order moves her, and she touches nothing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrafficInfo {
     pub name: String,
     pub outline: Vec<Pair>,
 }
 
-/// A frame without its `events`, which differ between clients.
+/// A frame without its `events`: clients get different events.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "frame")]
 pub struct Frame {
@@ -327,7 +327,7 @@ pub struct Frame {
     pub t_s: f64,
     pub at_ms: u64,
     pub run: RunState,
-    /// `None`: hidden by fog.
+    /// State of each body; `None` if fog hides it.
     pub bodies: Vec<Option<[f64; 6]>>,
     pub vessels: Vec<VesselNow>,
     pub fenders: Vec<FenderNow>,
@@ -335,7 +335,7 @@ pub struct Frame {
     pub lines: Vec<LineNow>,
     pub anchors: Vec<AnchorNow>,
     pub tugs: Vec<TugNow>,
-    /// `None`: hidden by fog.
+    /// State of each passing ship; `None` if fog hides her.
     pub traffic: Vec<Option<[f64; 6]>>,
     pub passages: Vec<PassageNow>,
     pub wind: WindNow,
@@ -348,7 +348,7 @@ pub struct Frame {
     pub exercise: Option<ExerciseNow>,
 }
 
-/// The state of an exercise that everybody sees.
+/// The state of an exercise, for everybody.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExerciseNow {
     pub state: &'static str,
@@ -363,7 +363,7 @@ pub struct ConditionNow {
     pub now: String,
 }
 
-/// The marks of an exercise: a part of the frames of instructors only.
+/// The marks of an exercise. Only instructors' frames contain them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExerciseMarks {
     pub score: f64,
@@ -475,7 +475,7 @@ pub struct AssistNow {
     pub force_n: f64,
 }
 
-/// How far a tug that is a vessel has carried out her order.
+/// How much of her order a tug that is a vessel has carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AssistState {
@@ -502,7 +502,8 @@ pub struct BerthNow {
     pub angle_rad: f64,
 }
 
-/// The signal of the docking board for an end of a ship: the worse of the signals for her speed and for the position of the end.
+/// The signal of the docking board for an end of a ship: the worse of two signals, one for the speed of the end and one
+/// for its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Lamp {
     pub light: Light,
@@ -551,11 +552,11 @@ pub struct LineNow {
     pub state: &'static str,
     pub tension_n: f64,
     pub over_working: bool,
-    /// Index of the bollard at which it is or to which it was sent.
+    /// Index of the bollard to which the line is fast or was sent.
     pub bollard: Option<usize>,
-    /// Unstretched length outboard (m).
+    /// Unstretched length of the line outboard (m).
     pub length_m: Option<f64>,
-    /// Time until it is fast (s); `null` while it waits for line handlers or is not under way.
+    /// Time until the line is fast (s). `null` while the line waits for line handlers or is not under way.
     pub fast_in_s: Option<f64>,
     pub winch: &'static str,
 }
@@ -563,21 +564,21 @@ pub struct LineNow {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AnchorNow {
     pub state: &'static str,
-    /// Where it lies; `null` unless it is on the bottom.
+    /// Position of the anchor on the bottom; `null` if the anchor is not on the bottom.
     pub place_m: Option<Pair>,
     pub chain_m: f64,
     pub tension_n: f64,
     pub holding_n: f64,
     pub on_bottom_m: f64,
-    /// Direction of the chain from the bow; `null` where it leads straight down.
+    /// Direction of the chain from the bow; `null` if the chain leads straight down.
     pub lead_rad: Option<f64>,
     pub dragging: bool,
     pub dragged_m: f64,
     pub windlass: &'static str,
-    /// The chain that shall be out (m); `null` while the brake holds.
+    /// Length of chain that the windlass shall put out (m); `null` while the brake holds.
     pub to_m: Option<f64>,
     pub stalled: bool,
-    /// As it is reported from the forecastle.
+    /// The report from the forecastle.
     pub report: String,
     pub faults: Vec<AnchorFault>,
 }
@@ -640,11 +641,11 @@ pub struct EventNow {
     pub text: String,
 }
 
-/// The past up to the present tick, column by column.
+/// The past up to the present tick. Each field is a column.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "history")]
 pub struct History {
-    /// Index of the vessel of which speeds and distances are.
+    /// Index of the vessel that the speeds and distances belong to.
     pub vessel: Option<usize>,
     pub t_s: Vec<f64>,
     pub bow_mps: Vec<Option<f64>>,
@@ -660,7 +661,7 @@ pub struct History {
     pub events: Vec<Then>,
 }
 
-/// An event of the past, or an alarm that began, with its level.
+/// An event of the past, or an alarm that began, with the level of the alarm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Then {
     pub t_s: f64,
@@ -699,7 +700,7 @@ pub enum Reply {
     },
 }
 
-/// An event that the instructor has planned, and what became of it.
+/// A planned event of the instructor, and what became of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlannedNow {
     pub id: u64,
@@ -709,7 +710,7 @@ pub struct PlannedNow {
     pub reason: Option<String>,
 }
 
-/// The path of a vessel: time (s), position (m), heading (rad).
+/// The predicted path of a vessel. Each point has time (s), north and east (m), and heading (rad).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShipPath {
     pub vessel: usize,
@@ -719,14 +720,14 @@ pub struct ShipPath {
 /// The JSON text of a message.
 ///
 /// # Panics
-/// Never: all maps in these types have text keys, and a number that is not finite becomes `null`.
+/// Never. All maps in these types have text keys, and a number that is not finite becomes `null`.
 #[must_use]
 pub fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
 }
 
-/// The text of a frame with the events since the client's last frame, and for an instructor with the text of the marks of the
-/// exercise.
+/// The text of a frame with the events since the client's last frame. For an instructor the text includes the text
+/// `marks`, the marks of the exercise.
 #[must_use]
 pub fn with_events(frame: &str, events: &[EventNow], marks: Option<&str>) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);

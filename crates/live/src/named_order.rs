@@ -1,4 +1,4 @@
-//! An order of the table with the names of the scenario, as pages send it and recordings store it.
+//! An order from the table of orders with names of the scenario, as pages send it and recordings store it.
 
 use fenderline_contact::vec2;
 use fenderline_sim::order::{
@@ -9,15 +9,15 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::refusal::Refusal;
 
-/// An order with names in place of indices. Its JSON is `{"do": WORD, TARGET: NAME, ARGUMENT_UNIT: VALUE, …}`, by the
-/// words of the table in `fenderline_sim`; an argument that is `null` or missing has its default.
+/// An order with names in place of indices. Its JSON is `{"do": WORD, TARGET: NAME, ARGUMENT_UNIT: VALUE, …}` with the
+/// words of the table in `fenderline_sim`. An argument that is `null` or missing has its default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedOrder {
     /// The order.
     pub order: OrderName,
-    /// Name of the vessel, tug, line or anchor that it is for.
+    /// Name of the vessel, tug, line or anchor that gets the order.
     pub to: String,
-    /// The arguments that are given.
+    /// The arguments with given values.
     given: Vec<(&'static Argument, Given)>,
 }
 
@@ -36,7 +36,7 @@ impl NamedOrder {
         NamedOrder { order, to: to.to_owned(), given: Vec::new() }
     }
 
-    /// Adds a number, by the argument's name in the table.
+    /// Adds a number. `name` is the argument's name in the table.
     ///
     /// # Panics
     /// If the order has no such argument.
@@ -45,7 +45,7 @@ impl NamedOrder {
         self.with(name, Given::Number(value))
     }
 
-    /// Adds a position, by the argument's name in the table.
+    /// Adds a position. `name` is the argument's name in the table.
     ///
     /// # Panics
     /// If the order has no such argument.
@@ -54,7 +54,7 @@ impl NamedOrder {
         self.with(name, Given::Place(at_m))
     }
 
-    /// Adds a name, by the argument's name in the table.
+    /// Adds a name. `name` is the argument's name in the table.
     ///
     /// # Panics
     /// If the order has no such argument.
@@ -71,7 +71,7 @@ impl NamedOrder {
         self
     }
 
-    /// Reads the JSON of an order, without its word.
+    /// Reads an order from its JSON without the word of the order.
     ///
     /// # Errors
     /// A field that is missing, unknown or of the wrong kind.
@@ -108,14 +108,14 @@ impl NamedOrder {
         if let Some(missing) = missing {
             return Err(format!("missing field `{}`", missing.field()));
         }
-        // In the order of the table, so that equal orders have equal texts.
+        // Keeps the arguments in the order of the table, so that equal orders have equal texts.
         given.sort_by_key(|(argument, _)| {
             spec.arguments.iter().position(|other| other.name == argument.name)
         });
         Ok(NamedOrder { order, to, given })
     }
 
-    /// The order as JSON.
+    /// Writes the order as JSON.
     pub(crate) fn to_json(&self) -> Map<String, Json> {
         let spec = self.order.spec();
         let mut map = Map::new();
@@ -132,7 +132,7 @@ impl NamedOrder {
         map
     }
 
-    /// The action of the simulation, checked.
+    /// The simulation's action for this order, checked.
     ///
     /// # Errors
     /// A name that does not exist, or an order that the simulation refuses.

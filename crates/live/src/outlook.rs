@@ -1,7 +1,8 @@
-//! The latest prediction, which is continued while the run does what it said.
+//! Predictions one after the other. The latest prediction is continued as long as the run follows it.
 //!
-//! Nobody gives an order in most ticks. The run is then where the last prediction said that it would be, and the next prediction is the last
-//! one without its first tick and with one more at its end: one step in place of thousands. It has the same bits as one that is made anew.
+//! Nobody gives an order in most ticks. The run then reaches the state that the latest prediction has for this tick.
+//! The next prediction is the latest one without its first tick and with one more tick at its end. Continuing costs one
+//! step in place of thousands, and has the same bits as a prediction from the beginning.
 
 use std::collections::VecDeque;
 
@@ -18,25 +19,25 @@ pub struct Outlook {
 /// The latest prediction.
 #[derive(Debug)]
 struct Latest {
-    /// It has been run to the end of the paths.
+    /// The prediction after its last step, at the end of the paths.
     at_end: Prediction,
-    /// Tick of the first of `ticks`.
+    /// Number of the first tick in `ticks`.
     first: u64,
     ticks: VecDeque<Tick>,
 }
 
-/// What the prediction says of one tick.
+/// The predicted state of one tick.
 #[derive(Debug)]
 struct Tick {
-    /// Fingerprint of the state.
+    /// Fingerprint of the predicted state.
     bits: u64,
     /// Time (s), north (m), east (m) and heading (rad) of each vessel.
     positions: [[f64; 4]; MOST_PATHS],
 }
 
 impl Outlook {
-    /// The paths of a prediction over a number of seconds, with a position every `every_s`, the present one first. Ends early if `go_on` returns
-    /// false, which is asked at each position, or a step fails.
+    /// The paths of a prediction over `seconds`, with a position every `every_s`. The first position is the present
+    /// one. The prediction ends early if a step fails or `go_on` returns false. `go_on` is called at each position.
     pub fn run(
         &mut self,
         prediction: Prediction,
@@ -54,7 +55,7 @@ impl Outlook {
         Reply::Prediction { tick, paths }
     }
 
-    /// Forgets the latest prediction: the next one is made anew, as for another run.
+    /// Forgets the latest prediction. The next prediction starts from the beginning, as it must for another run.
     pub fn forget(&mut self) {
         self.latest = None;
     }
@@ -68,7 +69,8 @@ impl Latest {
         latest
     }
 
-    /// What is left of it from the state in which another prediction begins, if that is as it said.
+    /// The rest of this prediction from the first tick of another prediction on, if the state at that tick is as
+    /// predicted.
     fn from(mut self, other: &Prediction) -> Option<Latest> {
         let passed = usize::try_from(other.tick().checked_sub(self.first)?).ok()?;
         let is_as_said = other.may_continue(&self.at_end)
@@ -78,7 +80,7 @@ impl Latest {
         is_as_said.then_some(self)
     }
 
-    /// Runs until the paths have this many steps. False if it ends before.
+    /// Runs until the paths have this many steps. Returns false if the prediction ends before.
     fn reach(&mut self, steps: u64, every: u64, go_on: &mut impl FnMut() -> bool) -> bool {
         while (self.ticks.len() as u64) <= steps {
             if (self.ticks.len() as u64 - 1).is_multiple_of(every) && !go_on() {
@@ -92,7 +94,7 @@ impl Latest {
         true
     }
 
-    /// Keeps what it says of the tick that it has reached.
+    /// Keeps the predicted state of the tick that was reached.
     fn note(&mut self) {
         let mut positions = [[0.0; 4]; MOST_PATHS];
         for (position, vessel) in positions.iter_mut().zip(self.at_end.vessels()) {

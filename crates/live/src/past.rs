@@ -1,6 +1,7 @@
-//! What a page's strip charts and log show of the past. The session keeps it, so that a page that is loaded again, or opened
-//! late, shows what the others do. It is bounded: values once a second of simulated time with the peaks of loads in between, and
-//! the latest events. Each entry belongs to the branch that made it, so that a rewind loses nothing.
+//! The past of a session for the strip charts and the log of a page. The session keeps the past, so that a page that is
+//! opened late or loaded again shows what the other pages show. The past is limited: it has values once a second of
+//! simulated time, with the peaks of loads in between, and the latest events. Each entry belongs to the branch that
+//! made it, so that a rewind loses nothing.
 
 use std::collections::VecDeque;
 
@@ -10,31 +11,34 @@ use crate::message::{History, Then};
 
 /// Simulated time between two samples (s).
 const EVERY_S: f64 = 1.0;
-/// The time before the present tick that a page gets (s).
+/// A page gets this much time before the present tick (s).
 const SHOWN_S: f64 = 1800.0;
-/// Most samples of all branches: more than two hours of one.
+/// Largest number of samples of all branches: more than two hours of one branch.
 const MOST_SAMPLES: usize = 8000;
-/// Most events of all branches, and most that a page gets.
+/// Largest number of events of all branches, and the largest number that a page gets.
 const MOST_EVENTS: usize = 1000;
 const SHOWN_EVENTS: usize = 200;
 
-/// Values after a tick.
+/// Values for strip charts after a tick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) t_s: f64,
-    /// Of each ship that can be conned, as [`crate::Cast::ships`] has them; without a vessel of one body.
+    /// Values of each ship that can be conned, in the order of [`crate::Cast::ships`]. Without a vessel there is one
+    /// entry, for a body.
     pub(crate) ships: Vec<ShipSample>,
-    /// What is shown on board of those of them whose instruments are frozen: the place in `ships`, and the values.
+    /// Values that frozen instruments show, for each ship that has some: her index in `ships`, and the values.
     pub(crate) shown: Vec<(usize, ShipSample)>,
-    /// Greatest load of a fender over its rating, and of a line over its working load.
+    /// Greatest load of a fender over its rating: `of_energy` and `of_reaction`. Greatest load of a line over its
+    /// working load: `of_working`.
     pub(crate) of_energy: f64,
     pub(crate) of_reaction: f64,
     pub(crate) of_working: f64,
-    /// The sizes of all contact forces together (N).
+    /// Sum of the sizes of all contact forces (N).
     pub(crate) contact_n: f64,
 }
 
-/// Values of a ship. Distances and speeds at the ends are those at the berth if there is one; what she has not is `None`.
+/// Values of a ship. Distances and speeds of her ends are those at the berth, if there is a berth. A value that the
+/// ship does not have is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShipSample {
     pub(crate) bow_mps: Option<f64>,
@@ -46,7 +50,7 @@ pub(crate) struct ShipSample {
 }
 
 impl Sample {
-    /// With the greater loads of an earlier one.
+    /// This sample with the loads of an earlier sample where they are greater.
     fn with_peaks(self, before: &Sample) -> Sample {
         Sample {
             of_energy: greater(self.of_energy, before.of_energy),
@@ -58,18 +62,18 @@ impl Sample {
     }
 }
 
-/// The ship of which a past is.
+/// Selects the ship whose past is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Of {
-    /// Her place among those that can be conned.
+    /// Index of the ship among the ships that can be conned.
     pub(crate) place: usize,
-    /// Her index among the vessels.
+    /// Index of the ship among the vessels.
     pub(crate) vessel: Option<usize>,
-    /// As her instruments showed it, frozen ones too; else as it was.
+    /// True for the values that the ship's instruments showed, frozen ones included. False for the true values.
     pub(crate) as_shown: bool,
 }
 
-/// An entry: the branch and tick whose commands led to it, and the tick from which it is seen.
+/// An entry of the past: the branch and the tick of the commands that led to it, and the tick from which it is visible.
 #[derive(Clone, Debug, PartialEq)]
 struct Entry<T> {
     branch: usize,
@@ -78,24 +82,24 @@ struct Entry<T> {
     what: T,
 }
 
-/// The kept past of all branches of a session.
+/// The past of all branches of a session.
 #[derive(Clone, Debug)]
 pub(crate) struct Past {
     /// Ticks between two samples.
     every: u64,
     samples: VecDeque<Entry<Sample>>,
     events: VecDeque<Entry<Then>>,
-    /// By branch: the last tick that is kept. Steps that are repeated after a rewind change nothing.
+    /// For each branch, the last tick that is kept. Steps that are repeated after a rewind change nothing.
     reached: Vec<u64>,
-    /// The loads since the last sample.
+    /// The peaks of the loads since the last sample.
     peaks: Option<Sample>,
-    /// Counts changes.
+    /// Counts the changes of the past.
     version: u64,
 }
 
 impl Past {
     pub(crate) fn new(step_s: f64) -> Past {
-        // A step is at least a fraction of a second, so that this is a small whole number.
+        // A step is never extremely short, so this is a small whole number.
         let every = greater(libm::round(EVERY_S / step_s), 1.0) as u64;
         Past {
             every,
@@ -112,7 +116,7 @@ impl Past {
         self.version
     }
 
-    /// Keeps a step of a branch to `tick`, with its events. Does nothing if the step is kept already.
+    /// Keeps the step that led a branch to `tick`, with its events. Does nothing if the step is kept already.
     pub(crate) fn keep_step(
         &mut self,
         branch: usize,
@@ -161,7 +165,8 @@ impl Past {
         self.version += 1;
     }
 
-    /// The past of a tick, with the values of a ship. `branch_at`: the branch whose commands applied at a tick.
+    /// The past before a tick, with the values of one ship. `branch_at` gives the branch whose commands applied at a
+    /// tick.
     pub(crate) fn before(
         &self,
         tick: u64,
@@ -196,12 +201,12 @@ impl Past {
     }
 }
 
-/// Whether an entry is before a tick on the way to it.
+/// True if an entry lies on the way to a tick.
 fn is_of<T>(entry: &Entry<T>, tick: u64, branch_at: impl Fn(u64) -> usize) -> bool {
     entry.seen_tick <= tick && branch_at(entry.cause_tick) == entry.branch
 }
 
-/// To four decimals, which a chart does not show finer.
+/// Rounds to four decimals. A chart does not show more.
 fn short(value: f64) -> f64 {
     libm::round(value * 1e4) / 1e4
 }
@@ -236,7 +241,7 @@ mod tests {
         Then { t_s, text: text.into(), level: None }
     }
 
-    /// Steps of 0.1 s of a branch from one tick to another.
+    /// Steps of 0.1 s in a branch, for a range of ticks.
     fn run(past: &mut Past, branch: usize, ticks: std::ops::RangeInclusive<u64>) {
         for tick in ticks {
             let of_energy = if tick == 13 { 0.9 } else { 0.1 };
@@ -260,7 +265,7 @@ mod tests {
         let as_shown = |of: Of| past.before(40, 4.0, Of { as_shown: true, ..of }, |_| 0);
         assert_eq!(as_shown(other).ahead_mps, [7.0; 4]);
         assert_eq!(as_shown(FIRST), history);
-        // After a rewind only what is before, and repeated steps change nothing.
+        // After a rewind, the past has only entries before the tick. Repeated steps change nothing.
         assert_eq!(past.before(25, 2.5, FIRST, |_| 0).t_s, [1.0, 2.0]);
         let version = past.version();
         run(&mut past, 0, 26..=40);

@@ -1,4 +1,5 @@
-//! Placing vessels before the first step, by hand: never into another hull, a structure, a fender, or land.
+//! Placing vessels by hand before the first step. A vessel is never placed in another hull, a structure, a fender, or
+//! on land.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::chart::{Chart, ChartKind, ChartShape};
@@ -7,23 +8,23 @@ use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{BodyStart, FenderSetup, LineEnd, Simulation};
 
 use crate::cast::Cast;
-use crate::frame::Seen;
+use crate::frame::seen::Seen;
 use crate::frozen::Frozen;
-use crate::message::Pair;
+use crate::now::Now;
+use crate::pair::Pair;
 use crate::refusal::Refusal;
-use crate::session::Now;
 
-/// Farthest from the origin that a vessel can be placed (m).
+/// Greatest distance from the origin at which a vessel can be placed (m).
 const FARTHEST_M: f64 = 1e6;
-/// Greatest size of a heading that is accepted (rad).
+/// Greatest size of an accepted heading (rad).
 const LARGEST_ANGLE_RAD: f64 = 100.0;
-/// Greatest speed, ahead or astern, with which a vessel can begin (m/s).
+/// Greatest speed at which a vessel can begin, ahead or astern (m/s).
 const FASTEST_MPS: f64 = 15.0;
 
-/// Places a vessel. Tugs on lines to a ship come along, so that their lines stay as long as they are.
+/// Places a vessel. Tugs that lines join to a ship move with her, so that the lengths of their lines do not change.
 ///
 /// # Errors
-/// A step was taken; a number beyond its limits; a place where she cannot be, with what is there.
+/// A step was taken already, a number is beyond its limits, or something is in the way: the reason then names it.
 pub(crate) fn place(
     vessel: usize,
     (at_m, heading_rad): (Pair, f64),
@@ -99,7 +100,7 @@ fn companions(ship: usize, cast: &Cast, simulation: &Simulation) -> impl Iterato
     tugs.map(|(tug, _)| tug.body).filter(move |&body| joined(body))
 }
 
-/// What the placed bodies would lie in, in words; `None` where they are free.
+/// What the placed bodies would lie in, in words; `None` if nothing is in the way.
 fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<String> {
     let setup = simulation.setup();
     let pose = |body: usize| {
@@ -119,7 +120,7 @@ fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<
             }
         }
         for of in &setup.fenders {
-            // A fender of her own goes with her, into others too.
+            // A fender on the ship moves with her. It must not lie in another body either.
             if of.body != body && of_outlines_m(&own, &fender(of)) <= 0.0 {
                 return Some(format!("{name} would lie in the fender {}", of.name));
             }
@@ -139,7 +140,7 @@ fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<
     None
 }
 
-/// The coast or quay of a chart on which a hull would be.
+/// The coast or quay of the chart on which a hull would lie.
 fn ashore(chart: &Chart, hull: &[Vec2]) -> Option<String> {
     let overlaps = |outline: &[Vec2]| of_outlines_m(hull, outline) <= 0.0;
     let is_land = |kind: ChartKind| matches!(kind, ChartKind::Coast | ChartKind::Quay);
@@ -158,13 +159,13 @@ fn ashore(chart: &Chart, hull: &[Vec2]) -> Option<String> {
     })
 }
 
-/// True if a hull lies wholly in a basin.
+/// True if a hull lies wholly within a basin.
 fn lies_within(hull: &[Vec2], basin: &[Vec2]) -> bool {
     hull.iter().all(|&corner| contains(basin, corner))
         && !basin.iter().any(|&corner| contains(hull, corner))
 }
 
-/// The rectangle that a fender takes up, in its body's axes.
+/// The rectangle that a fender covers, in its body's axes.
 fn face(fender: &FenderSetup) -> [Vec2; 4] {
     let (out, along) = (
         vec2(libm::cos(fender.facing_rad), libm::sin(fender.facing_rad)),

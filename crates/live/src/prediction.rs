@@ -1,4 +1,4 @@
-//! Predictions of ships' paths, by a copy of the simulation.
+//! Predictions of ships' paths, made with a copy of the simulation.
 
 use fenderline_sim::{SimError, Simulation};
 
@@ -6,25 +6,27 @@ use crate::cast::Cast;
 use crate::message::{Reply, ShipPath};
 use crate::session::Session;
 
-/// Most ships whose paths a prediction has.
+/// Largest number of ships whose paths a prediction contains.
 pub const MOST_PATHS: usize = 3;
 
-/// A copy of the simulation that can be run ahead, also on another thread.
+/// A copy of the simulation that runs ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     simulation: Simulation,
-    /// The tick from which it begins.
+    /// Tick at which the prediction begins.
     tick: u64,
-    /// How often commands, events or going to another tick had changed the run.
+    /// How often something other than a step had changed the run before the prediction: commands, events, or going to
+    /// another tick.
     interventions: u64,
-    /// Number of orders of the scenario that were dropped.
+    /// Number of the scenario's orders that were dropped.
     dropped: usize,
     /// Indices of the vessels whose paths are kept.
     vessels: Vec<usize>,
 }
 
 impl Cast {
-    /// Indices of the vessels whose paths are predicted, at most [`MOST_PATHS`]: the own ship, the other ships, then the tugs.
+    /// Indices of the vessels whose paths are predicted, at most [`MOST_PATHS`]: the own ship, then the other ships,
+    /// then the tugs.
     #[must_use]
     pub fn predicted(&self) -> Vec<usize> {
         let tugs = (0..self.vessels.len()).filter(|index| self.is_tug[*index]);
@@ -45,14 +47,15 @@ impl Session {
 }
 
 impl Prediction {
-    /// A prediction that begins in a state. Later orders of the scenario are dropped; those that are due in the next step stay. The weather
-    /// stays as it is.
+    /// A prediction that begins in a state. The scenario's later orders are dropped; orders that are due in the next
+    /// step stay. The weather stays as it is.
     pub(crate) fn of(mut simulation: Simulation, tick: u64, vessels: Vec<usize>) -> Prediction {
         let end_s = simulation.time_s() + simulation.setup().step_s;
         let planned = simulation.pending_orders().len();
         simulation.retain_orders(|order| order.at_s < end_s);
         let dropped = planned - simulation.pending_orders().len();
-        // Setting the weather of now ends changes over a time: a pilot must not see the instructor's plan in a path.
+        // Setting the present weather ends changes that run over a time. Otherwise a pilot could see the instructor's
+        // plan in a path.
         let environment = &simulation.setup().world.environment;
         let (wind, current) = (environment.wind.clone(), environment.current.clone());
         simulation.set_wind(wind);
@@ -65,13 +68,14 @@ impl Prediction {
         self.vessels.retain(|vessel| !vessels.contains(vessel));
     }
 
-    /// The tick from which it begins.
+    /// Tick at which the prediction begins.
     pub(crate) fn tick(&self) -> u64 {
         self.tick
     }
 
-    /// Whether an earlier prediction of the same run can be continued in place of this one, if it has the same state at this tick: nothing but
-    /// steps has changed the run since, and no order is due that the earlier one dropped.
+    /// True if an earlier prediction of the same run can be continued in place of this one, provided that it has the
+    /// same state at this tick. Only steps have changed the run since then, and no order is due that the earlier
+    /// prediction dropped.
     pub(crate) fn may_continue(&self, earlier: &Prediction) -> bool {
         self.interventions == earlier.interventions
             && self.dropped == earlier.dropped
@@ -82,7 +86,7 @@ impl Prediction {
         &self.vessels
     }
 
-    /// Goes on by one step.
+    /// Takes one step.
     ///
     /// # Errors
     /// The step failed.
@@ -90,13 +94,13 @@ impl Prediction {
         self.simulation.step().map(|_| ())
     }
 
-    /// Steps in a time (s), and between two positions.
+    /// Number of steps in `seconds`, and number of steps between two positions.
     pub(crate) fn steps_of(&self, seconds: f64, every_s: f64) -> (u64, u64) {
         let steps = |time_s: f64| libm::round(time_s / self.simulation.setup().step_s) as u64;
         (steps(seconds), steps(every_s).max(1))
     }
 
-    /// Time (s), position (m) and heading (rad) of one of the vessels, as a path has them.
+    /// Time (s), position (m) and heading (rad) of one of the vessels, in the format of a path.
     pub(crate) fn position(&self, vessel: usize) -> [f64; 4] {
         let body = self.simulation.setup().world.vessels[vessel].body;
         let state = &self.simulation.states()[body];
@@ -107,7 +111,8 @@ impl Prediction {
         &self.simulation
     }
 
-    /// Runs for a number of seconds and returns the paths, with a position every `every_s`, the present one first.
+    /// Runs for a number of seconds and returns the paths, with a position every `every_s`. The first position is the
+    /// present one.
     #[must_use]
     pub fn run(
         mut self,
@@ -119,8 +124,8 @@ impl Prediction {
         Reply::Prediction { tick: self.tick, paths }
     }
 
-    /// As [`Prediction::run`]; returns the paths, and whether they reach the end. `go_on` sees the paths at each new position; the
-    /// run ends early if it returns false or a step fails.
+    /// Runs as [`Prediction::run`] does. Returns the paths, and whether they reach the end. `go_on` gets the paths at
+    /// each new position. The run ends early if `go_on` returns false or a step fails.
     pub(crate) fn advance(
         &mut self,
         seconds: f64,

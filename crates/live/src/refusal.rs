@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-/// The reason why a command was refused, for the person who gave it. Nothing was changed.
+/// The reason why a command was refused, for the person who gave the command. The command has changed nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal(String);
 
 impl Refusal {
-    /// A refusal with this reason.
+    /// Makes a refusal with this reason.
     #[must_use]
     pub fn new(reason: impl fmt::Display) -> Refusal {
         Refusal(reason.to_string())

@@ -1,5 +1,5 @@
-//! A branch of a session, stepped through again from its start, with the log of commands, alarms, acknowledgements, notes and events: what a report of
-//! the session is made of.
+//! Steps again through a branch of a session from its start, and keeps the log of commands, alarms, acknowledgements,
+//! notes and events. A report of the session is made from this log.
 
 use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{Simulation, StepRecord};
@@ -9,16 +9,16 @@ use crate::alarm_book::{Alarm, Level};
 use crate::refusal::Refusal;
 use crate::session::{Given, Session, StepError};
 
-/// An alarm whose cause comes back within this time is the same alarm: a speed that varies about its limit makes one line of the
-/// log, not a hundred (s).
+/// If the cause of an alarm comes back within this time, the log counts it as the same alarm (s). A speed that varies
+/// about its limit then makes one line of the log and not a hundred.
 const SAME_ALARM_S: f64 = 10.0;
 
 /// A command in the log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedCommand {
-    /// Time from which it took effect (s).
+    /// Time at which the command took effect (s).
     pub t_s: f64,
-    /// Who gave it.
+    /// The person who gave the command.
     pub who: String,
     /// The command.
     pub action: Action,
@@ -27,26 +27,26 @@ pub struct LoggedCommand {
 /// An alarm or caution in the log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedAlarm {
-    /// Time at which its cause began (s).
+    /// Time at which the cause of the alarm began (s).
     pub t_s: f64,
-    /// Time at which its cause ended (s); `None` while it is active.
+    /// Time at which the cause of the alarm ended (s); `None` while the cause is active.
     pub until_s: Option<f64>,
-    /// Kind and subject, as [`Alarm::key`].
+    /// Kind and subject, see [`Alarm::key`].
     pub key: String,
-    /// The greatest level that it had.
+    /// The greatest level of the alarm.
     pub level: Level,
-    /// Its text when it reached that level.
+    /// The text of the alarm when it reached that level.
     pub text: String,
-    /// When it was acknowledged at that level (s), and by whom; `None`: nobody did.
+    /// Time at which the alarm was acknowledged at that level (s), and the person who did it. `None` if nobody did.
     pub acknowledged: Option<(f64, String)>,
 }
 
 /// An acknowledgement in the log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedAcknowledgement {
-    /// When it was (s).
+    /// Time of the acknowledgement (s).
     pub t_s: f64,
-    /// Who acknowledged.
+    /// The person who acknowledged the alarm.
     pub who: String,
     /// The text of the alarm.
     pub text: String,
@@ -55,15 +55,15 @@ pub struct LoggedAcknowledgement {
 /// A note in the log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedNote {
-    /// When it was dropped (s).
+    /// Time of the note (s).
     pub t_s: f64,
-    /// Who dropped it.
+    /// The person who wrote the note.
     pub who: String,
-    /// Its text; empty for a mark.
+    /// The text of the note. The text is empty for a mark.
     pub text: String,
 }
 
-/// What was done and what happened, each list in the order of time.
+/// What people did and what happened. Each list is in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SessionLog {
     /// The commands that change the simulated world.
@@ -83,18 +83,18 @@ pub struct SessionLog {
 pub struct Repeat {
     session: Session,
     log: SessionLog,
-    /// Keys of all alarms so far, with their place in the log: the last of a key alone.
+    /// The keys of all alarms so far, and for each key the index of its last alarm in the log.
     known: Vec<(String, usize)>,
 }
 
-/// Who gives what was planned, in the log.
+/// The name in the log for the giver of planned changes.
 const PLAN: &str = "plan";
 
 impl Repeat {
-    /// A branch of `session` at its start. Nothing is added to the recording.
+    /// Opens a branch of `session` at its start. Nothing is added to the recording.
     ///
     /// # Errors
-    /// There is no branch of that number, or it has no steps.
+    /// There is no branch with this number, or the branch has no steps.
     pub fn of(mut session: Session, branch: usize) -> Result<Repeat, Refusal> {
         session.go_to_branch(branch)?;
         session.rewind(0)?;
@@ -133,10 +133,10 @@ impl Repeat {
     /// Takes one step and hands its record to `each`.
     ///
     /// # Errors
-    /// As [`Session::step`].
+    /// The errors of [`Session::step`].
     ///
     /// # Panics
-    /// At the end of the branch.
+    /// The branch is at its end.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         assert!(!self.is_done(), "the branch is at its end");
         self.note_given();
@@ -149,13 +149,13 @@ impl Repeat {
         self.log.events.extend(self.session.take_events());
         self.note_alarms(self.session.causes_for_alarm());
         if self.is_done() {
-            // What was given at the end, before anybody went on.
+            // The commands given at the end, before anybody went on.
             self.note_given();
         }
         Ok(())
     }
 
-    /// Adds what was given at the present tick to the log.
+    /// Adds the commands that were given at the present tick to the log.
     fn note_given(&mut self) {
         let t_s = self.simulation().time_s();
         for Given { who, action, .. } in self.session.given_now() {
@@ -163,10 +163,11 @@ impl Repeat {
             match action {
                 Action::Other(OtherAction::Acknowledge { key }) => {
                     let known = self.known.iter().find(|(other, _)| other == key);
-                    // None in a recording by a version whose alarms differ.
+                    // A recording by a version with other alarms may lack the alarm.
                     let Some((_, at)) = known else { continue };
                     let text = self.log.alarms[*at].text.clone();
-                    // With it those that ended earlier and waited; a caution does not wait.
+                    // This acknowledges earlier alarms of the key too, if they have ended and still wait. A caution
+                    // does not wait.
                     for (index, alarm) in self.log.alarms.iter_mut().enumerate() {
                         let waits = index == *at || alarm.level == Level::Alarm;
                         if alarm.key == *key && waits {
@@ -206,7 +207,7 @@ impl Repeat {
                     let alarm = &mut alarms[*at];
                     alarm.until_s = None;
                     if level > alarm.level {
-                        // A greater level has to be acknowledged again.
+                        // If the level rises, the alarm has to be acknowledged again.
                         (alarm.level, alarm.text, alarm.acknowledged) = (level, text, None);
                     }
                 }
@@ -218,15 +219,15 @@ impl Repeat {
 }
 
 impl LoggedAlarm {
-    /// True if it is active, or ended so lately that it continues when its cause comes back. One that was acknowledged and
-    /// ended is over.
+    /// True if the alarm is active, or ended so recently that it continues if its cause comes back. An alarm that was
+    /// acknowledged and has ended is over.
     fn is_within(&self, t_s: f64) -> bool {
         self.until_s
             .is_none_or(|until_s| self.acknowledged.is_none() && t_s - until_s < SAME_ALARM_S)
     }
 }
 
-/// Adds an alarm and returns its place.
+/// Adds an alarm and returns its index.
 fn begin(
     alarms: &mut Vec<LoggedAlarm>,
     t_s: f64,

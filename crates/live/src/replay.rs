@@ -1,4 +1,4 @@
-//! Replays a recording, a number of steps at a time.
+//! Replays a recording in portions of a given number of steps.
 
 use std::fmt;
 use std::io::BufRead;
@@ -7,15 +7,15 @@ use crate::limits::MOST_TICKS;
 use crate::recording::{Line, Outline, RecordingError, RecordingReader, Writer};
 use crate::session::{Session, SessionError};
 
-/// Largest number of steps that are repeated to change between branches.
+/// Largest number of steps that a replay repeats to change between branches.
 const MOST_REPEATED: u64 = MOST_TICKS;
 
 /// Why a recording cannot be replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ReplayError {
-    /// It cannot be read.
+    /// The recording cannot be read.
     Recording(RecordingError),
-    /// A session cannot be opened from its scenario.
+    /// The scenario of the recording cannot be opened as a session.
     Session(Box<SessionError>),
     /// A line cannot be replayed. Another version of the program may have made the recording.
     Line {
@@ -41,12 +41,13 @@ impl fmt::Display for ReplayError {
 
 impl std::error::Error for ReplayError {}
 
-/// A replayed session, ready to continue.
+/// A replayed session that is ready to continue.
 #[derive(Debug)]
 pub struct Replayed {
-    /// The session at the end of the recording. Its further lines follow those that [`crate::copy_kept`] copies.
+    /// The session at the end of the recording. New lines of the session follow the lines that [`crate::copy_kept`]
+    /// copies.
     pub session: Session,
-    /// Number of states whose bits equal the recorded ones.
+    /// Number of replayed states whose bits equal the recorded ones.
     pub same: u64,
 }
 
@@ -58,9 +59,9 @@ pub struct Replay<R> {
     session: Session,
     /// The line that is being replayed.
     line: Option<Line>,
-    /// While the session goes to an earlier tick: that tick.
+    /// The tick to which the session returns, while it goes back to an earlier tick.
     back_to: Option<u64>,
-    /// The bits at the end of each branch, where the replay left the branch there.
+    /// For each branch, the bits at its end, if the replay has left the branch there.
     left: Vec<Option<String>>,
     /// The branch of the last line.
     last_branch: usize,
@@ -71,7 +72,7 @@ pub struct Replay<R> {
 }
 
 impl<R: BufRead> Replay<R> {
-    /// Begins a replay. `input` is at its start, and `outline` was read from it.
+    /// Begins a replay. `input` must be at its start, and `outline` must come from the same input.
     ///
     /// # Errors
     /// A session cannot be opened from the first line.
@@ -115,13 +116,13 @@ impl<R: BufRead> Replay<R> {
         Ok(self.is_over)
     }
 
-    /// Number of ticks replayed, of those in the outline.
+    /// Number of ticks that have been replayed. The outline has the total.
     #[must_use]
     pub fn done(&self) -> u64 {
         self.done
     }
 
-    /// The session, when the replay is complete.
+    /// Returns the session when the replay is complete.
     ///
     /// # Errors
     /// The recording has changed since it was checked.
@@ -139,7 +140,7 @@ impl<R: BufRead> Replay<R> {
         Ok(Replayed { session, same: self.same })
     }
 
-    /// Branch and tick of the line; `None` for a state that was compared already when the replay left its branch.
+    /// Branch and tick of the line. `None` for a state that was compared already when the replay left its branch.
     fn goal(&mut self) -> Option<(usize, u64)> {
         let ends = |branch: usize| self.session.branches()[branch].ends_tick;
         match &self.line {
@@ -164,7 +165,7 @@ impl<R: BufRead> Replay<R> {
     fn go(&mut self, branch: usize, tick: u64, left: &mut u64) -> Result<bool, ReplayError> {
         let ends_tick = self.session.branches()[branch].ends_tick;
         let session = &mut self.session;
-        // Go back to another branch or an earlier tick. The session counts as rewound until it arrives.
+        // The session returns to another branch or to an earlier tick. It counts as rewound until it arrives.
         if self.back_to.is_none() && (branch != session.current_branch() || tick < session.tick()) {
             if !session.is_rewound() {
                 self.left[session.current_branch()] = Some(session.bits());
@@ -203,7 +204,7 @@ impl<R: BufRead> Replay<R> {
         Ok(true)
     }
 
-    /// Carries out the line; the session is at its tick.
+    /// Carries out the line. The session must be at the tick of the line.
     fn carry_out(&mut self) -> Result<(), ReplayError> {
         match self.line.take() {
             Some(Line::Command { branch, who, action, .. }) => {

@@ -1,4 +1,4 @@
-//! The requests of a page: a command to the simulation, or one to the session itself.
+//! The requests of a page: commands to the simulation, and commands to the session itself.
 
 use fenderline_author::NewExercise;
 use serde::{Deserialize, Serialize};
@@ -7,22 +7,22 @@ use serde_json::Value;
 use crate::action::Action;
 use crate::refusal::Refusal;
 
-/// A helm: a vessel by her name, a vector tug by hers, or the session.
+/// A helm: a vessel by her name, a vector tug by her name, or the session.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
-    /// A vessel's rudder, engine and thrusters.
+    /// A vessel: her rudder, engine and thrusters.
     Vessel(String),
     /// A vector tug.
     Tug(String),
-    /// Pause, rewind, weather and the like; always `true` in JSON.
+    /// The session: pause, rewind, weather and the like. The value is always `true` in JSON.
     Session(bool),
 }
 
-/// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that they cannot differ.
+/// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that both agree.
 macro_rules! conducts {
     ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty),* },)*) => {
-        /// A command to the session itself: claims, time, branches, files. The recording keeps only what follows from it.
+        /// A command to the session itself: claims, time, branches, files. The recording keeps only its consequences.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(tag = "do", deny_unknown_fields)]
         #[allow(missing_docs, reason = "the fields are those of protocol.ts")]
@@ -31,7 +31,7 @@ macro_rules! conducts {
         }
 
         impl Conduct {
-            /// The word in `do` of each variant.
+            /// For each variant, the word in the field `do`.
             pub const WORDS: &[&str] = &[$($word),*];
         }
     };
@@ -41,73 +41,77 @@ macro_rules! conducts {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Creation {
-    /// Name of its file, without its ending.
+    /// Name of the exercise's file, without the ending.
     pub name: String,
     /// The choices.
     pub exercise: NewExercise,
-    /// It may take the place of an exercise of this name.
+    /// True if the exercise may replace an exercise with this name.
     pub replace: bool,
 }
 
 conducts! {
-    /// Take a helm.
+    /// Takes a helm.
     Claim = "claim" { control: Control },
-    /// Give a helm back.
+    /// Gives a helm back.
     Release = "release" { control: Control },
-    /// Stop the simulated time.
+    /// Stops the simulated time.
     Pause = "pause" {},
-    /// Continue; while the run is rewound, the recorded ticks are played again.
+    /// Lets the simulated time go on. While the run is rewound, the recorded ticks are played again.
     Resume = "resume" {},
-    /// Take one step.
+    /// Takes one step.
     SingleStep = "single_step" {},
-    /// Set simulated time over wall time.
+    /// Sets the pace: simulated time over wall time.
     Pace = "pace" { pace: f64 },
-    /// Go to a tick of this branch.
+    /// Goes to a tick of this branch.
     Rewind = "rewind" { tick: u64 },
-    /// Begin a new branch at the tick that the run is rewound to.
+    /// Begins a new branch at the tick to which the run is rewound.
     Branch = "branch" {},
-    /// Go to the end of another branch.
+    /// Goes to the end of another branch.
     ShowBranch = "show_branch" { id: usize },
-    /// Open another scenario or a saved session; frames report the progress.
+    /// Opens another scenario or a saved session. Frames report the progress.
     Load = "load" { file: String },
-    /// Cancel the opening of a file.
+    /// Stops opening a file.
     StopOpening = "stop_opening" {},
-    /// Say the name of the person at this page, for labels and the recording.
+    /// Gives the name of the person at this page, for labels and the recording.
     Name = "name" { name: String },
-    /// Say which page this is, by a secret that it keeps over a reload: it gets back the controls that it left.
+    /// Identifies this page by a secret that the page keeps when it is reloaded. The page gets back the controls that
+    /// it left.
     Seat = "seat" { key: String },
-    /// See where orders would take the ships, on a copy of the run; the answers have the command's number.
+    /// Shows where orders would take the ships, by means of a copy of the run. The answers carry the number of this
+    /// command.
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
-    /// Give several orders at once: all of them or none.
+    /// Gives several orders at once. Either all orders are given or none.
     Give = "give" { orders: Vec<Action> },
-    /// Send what strip charts and log show of the past, of the own ship or of the one that is named.
+    /// Asks for the past that strip charts and log show. The past is that of the own ship, or of the ship that `vessel`
+    /// names.
     History = "history" { vessel: Option<String> },
-    /// Make the report of the session up to now; it can be fetched when this is acknowledged.
+    /// Makes the report of the session up to now. The report can be fetched when this command is acknowledged.
     Report = "report" {},
-    /// Save a copy of the recording under a name.
+    /// Saves a copy of the recording under a name.
     Save = "save" { name: String },
-    /// Save the present state as an exercise of the gallery, which may take the place of one of this name.
+    /// Saves the present state as an exercise of the gallery. With `replace` the new exercise may replace an exercise
+    /// with this name.
     SaveExercise = "save_exercise" { name: String, title: String, replace: bool },
-    /// Give a recording or a saved exercise of the gallery another name, without its ending.
+    /// Gives a recording or a saved exercise of the gallery another name. `name` has no ending.
     Rename = "rename" { file: String, name: String },
-    /// Move a recording or a saved exercise of the gallery to the folder of deleted ones.
+    /// Moves a recording or a saved exercise of the gallery to the folder of deleted files.
     Delete = "delete" { file: String },
-    /// Move it back from there.
+    /// Moves a deleted file back.
     PutBack = "put_back" { file: String },
-    /// Make a new exercise of choices and add it to the gallery.
+    /// Makes a new exercise from choices and adds it to the gallery.
     Create = "create" { of: Box<Creation> },
 }
 
 /// A request of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// A command to the simulation. It is recorded.
+    /// A command to the simulation. The session records it.
     Action(Action),
     /// A command to the session.
     Conduct(Conduct),
 }
 
-/// A message of a page whose action is not read yet.
+/// A message of a page whose field `action` is not yet read.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum Message {
@@ -115,7 +119,7 @@ enum Message {
 }
 
 impl Request {
-    /// Reads a message of a page: its number, if one could be read, and its request.
+    /// Reads a message of a page: its number, if it has a readable one, and its request.
     ///
     /// # Errors
     /// The reason for the page: text that is not JSON, a number that is not finite, a missing or unknown field.

@@ -4,104 +4,54 @@ use std::fmt;
 use std::ops::Range;
 
 use fenderline_scenario::ScenarioError;
-use fenderline_sim::exercise::{Assessment, ExerciseSetup};
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::action::{Action, OtherAction};
 use crate::alarm_book::{AlarmBook, Level};
-use crate::approach::ApproachLimit;
 use crate::bits::fingerprint;
-use crate::carry_out::{ManualControl, carry_out};
+use crate::carry_out::carry_out;
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
-use crate::exercise::ending;
-use crate::frame::{self, Seen};
-use crate::frozen::Frozen;
+use crate::exercise;
+use crate::frame;
+use crate::happening;
 use crate::info::Info;
 use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
     NOTE_TICKS,
 };
-use crate::message::{History, PlannedNow, Role, Then};
-use crate::past::{Of, Past, Sample};
+use crate::message::{ExerciseInfo, ExerciseMarks, History, PlannedNow, Role, Then};
+use crate::now::Now;
+use crate::past::{Of, Past};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
-use crate::script::{self, Script};
+use crate::script::Script;
 use crate::source::Source;
 
-/// A branch: the commands from a tick on. Before that tick the commands of its parent apply.
+/// A branch: the commands from a tick on. Before that tick the commands of the parent branch apply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// The branch from which it begins; `None` for the first.
+    /// The branch from which this branch begins; `None` for the first branch.
     pub parent: Option<usize>,
-    /// Its first tick.
+    /// First tick of the branch.
     pub from_tick: u64,
-    /// Its last tick so far.
+    /// Last tick of the branch so far.
     pub ends_tick: u64,
-    /// By increasing tick.
+    /// The commands of the branch, by increasing tick.
     commands: Vec<Given>,
 }
 
 /// A command that was given.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Given {
-    /// The tick from which it takes effect.
+    /// The tick at which the command takes effect.
     pub(crate) tick: u64,
     pub(crate) who: String,
     pub(crate) action: Action,
 }
 
-/// Everything that changes from tick to tick.
-#[derive(Clone, Debug)]
-pub(crate) struct Now {
-    pub(crate) simulation: Simulation,
-    pub(crate) manual: ManualControl,
-    pub(crate) approach: ApproachLimit,
-    /// For each vessel, what her frozen instruments show.
-    pub(crate) frozen: Vec<Frozen>,
-    pub(crate) seen: Seen,
-    pub(crate) alarms: AlarmBook,
-    /// The exercise, if the scenario has one.
-    pub(crate) exercise: Option<Assessment>,
-    pub(crate) script: Script,
-    /// Number of steps taken.
-    pub(crate) tick: u64,
-}
-
-impl Now {
-    pub(crate) fn before_the_first_step(
-        simulation: Simulation,
-        exercise: Option<ExerciseSetup>,
-    ) -> Now {
-        let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
-        let seen = Seen::before_the_first_step(&simulation);
-        let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        let frozen = Frozen::none(&simulation);
-        let (alarms, script) = (AlarmBook::default(), Script::default());
-        Now { simulation, manual, approach, frozen, seen, alarms, exercise, script, tick: 0 }
-    }
-
-    /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
-    pub(crate) fn mark_exercise(&mut self) -> Option<&'static str> {
-        let exercise = self.exercise.as_mut()?;
-        if exercise.state().ended_s().is_some() {
-            return None;
-        }
-        exercise.update(&self.simulation);
-        ending(exercise)
-    }
-
-    /// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
-    /// Returns the values for strip charts.
-    pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) -> Sample {
-        self.seen.note_passages(&self.simulation, info);
-        let (causes, sample) = frame::after_tick(self, cast, info);
-        self.alarms.update(causes, self.simulation.time_s());
-        sample
-    }
-}
-
-/// A simulation that people steer: see the documentation of the crate.
+/// A simulation that people steer. The documentation of the crate describes it.
 #[derive(Clone, Debug)]
 pub struct Session {
     source: Source,
@@ -119,9 +69,9 @@ pub struct Session {
     /// Time (s) and text of the events since the last call of [`Session::take_events`].
     events: Vec<(f64, String)>,
     past: Past,
-    /// The planned events that fired before the last step.
+    /// The planned events that happened before the last step.
     fired: Vec<OtherAction>,
-    /// How often something other than a step, or an order of the scenario, has changed the simulation.
+    /// How often the simulation was changed by something other than a step or an order of the scenario.
     interventions: u64,
 }
 
@@ -130,7 +80,7 @@ pub struct Session {
 pub enum SessionError {
     /// The scenario cannot be used.
     Scenario(Box<ScenarioError>),
-    /// The simulation refuses it.
+    /// The simulation refuses the set-up.
     Setup(SetupError),
     /// The scenario with all files that it names is too large for the first line of a recording.
     TooLarge,
@@ -173,21 +123,22 @@ impl fmt::Display for StepError {
 impl std::error::Error for StepError {}
 
 impl Session {
-    /// Opens a session before its first step. The first line of the recording can be taken.
+    /// Opens a session before its first step. The first line of the recording is ready to be taken.
     ///
     /// # Errors
     /// A scenario that is invalid, cannot be simulated, or is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
         let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
         let mut scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
-        // The instructor's script has the planned changes, so that they can be seen and cancelled.
+        // The instructor's script takes over the scenario's planned changes, so that the instructor can see and cancel
+        // them.
         let planned = std::mem::take(&mut scenario.setup.world.planned);
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
         let info = Info::of(simulation.setup(), &cast);
         let mut now = Now::before_the_first_step(simulation, scenario.exercise);
         now.script = Script::of_scenario(&planned, &cast, now.simulation.setup());
-        now.note_alarms(&cast, &info);
+        frame::note_alarms(&mut now, &cast, &info);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
             source,
@@ -226,7 +177,7 @@ impl Session {
         &self.cast
     }
 
-    /// What does not change while the session runs, for pages.
+    /// The data of the scenario that do not change, for pages.
     #[must_use]
     pub fn info(&self) -> &Info {
         &self.info
@@ -244,9 +195,27 @@ impl Session {
         self.now.script.messages()
     }
 
-    /// The planned events that fired before the last step.
+    /// The planned events that happened before the last step.
     pub(crate) fn fired(&self) -> &[OtherAction] {
         &self.fired
+    }
+
+    /// The exercise, if the scenario has one.
+    #[must_use]
+    pub fn exercise(&self) -> Option<&Assessment> {
+        self.now().exercise.as_ref()
+    }
+
+    /// The constant part of the exercise, for pages.
+    #[must_use]
+    pub fn exercise_info(&self) -> Option<ExerciseInfo> {
+        self.exercise().map(|exercise| exercise::info(exercise, self.simulation().setup()))
+    }
+
+    /// The marks so far, for the instructor's page.
+    #[must_use]
+    pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
+        self.exercise().map(|exercise| exercise::marks(exercise, self.simulation().setup()))
     }
 
     /// The simulation in its present state.
@@ -255,8 +224,8 @@ impl Session {
         &self.now.simulation
     }
 
-    /// How often something other than a step, or an order of the scenario, has changed the simulation: commands, events, going to
-    /// another tick.
+    /// How often the simulation was changed by something other than a step or an order of the scenario: by commands, by
+    /// events, or by going to another tick.
     pub(crate) fn interventions(&self) -> u64 {
         self.interventions
     }
@@ -295,10 +264,11 @@ impl Session {
         bits(&self.now.simulation)
     }
 
-    /// Carries out and records a command, which takes effect at the next step. Returns its tick. `at_ms` is only recorded.
+    /// Carries out and records a command, which takes effect at the next step. Returns the tick of the command. `at_ms`
+    /// is used for the recording only.
     ///
     /// # Errors
-    /// Why the command was refused. Nothing is changed then.
+    /// Why the command was refused. Nothing is changed in this case.
     pub fn command(&mut self, who: &str, at_ms: u64, action: Action) -> Result<u64, Refusal> {
         if self.is_rewound() {
             return Err(Refusal::new(
@@ -330,7 +300,7 @@ impl Session {
         Ok(tick)
     }
 
-    /// Checks that the limits allow some more commands.
+    /// Checks that the limits allow this number of further commands.
     pub(crate) fn has_room_for(&self, commands: usize) -> Result<(), Refusal> {
         if self.commands + commands <= MOST_COMMANDS {
             return Ok(());
@@ -338,7 +308,7 @@ impl Session {
         Err(Refusal::new(format_args!("a session has at most {MOST_COMMANDS} commands")))
     }
 
-    /// The event of an acknowledgement or a note.
+    /// The text of the event that an acknowledgement or a note makes.
     fn said_of(&self, who: &str, action: &Action) -> Option<String> {
         match action {
             Action::Other(OtherAction::Acknowledge { key }) => {
@@ -360,11 +330,12 @@ impl Session {
         self.events.push((t_s, text));
     }
 
-    /// What strip charts and log show of the last half hour before the present tick: of the own ship, or of another ship that can
-    /// be conned, by her index among the vessels. A pilot gets what the instruments showed, frozen ones too; everybody else what was.
+    /// The past that strip charts and log show: the last half hour before the present tick. It is the past of the own
+    /// ship, or of another ship that can be conned, given by her index among the vessels. A pilot gets the values that
+    /// the instruments showed, frozen ones included. Everybody else gets the true values.
     ///
     /// # Errors
-    /// A vessel that is a tug, or is not there: their past is not kept.
+    /// The vessel is a tug or does not exist. The session keeps no past of such a vessel.
     pub fn history(&self, vessel: Option<usize>, role: &Role) -> Result<History, Refusal> {
         let (tick, t_s) = (self.now.tick, self.now.simulation.time_s());
         let vessel = vessel.or(self.cast.own);
@@ -377,7 +348,7 @@ impl Session {
         Ok(self.past.before(tick, t_s, of, |tick| self.segment(self.current, tick).0))
     }
 
-    /// Differs after each change of [`Session::history`].
+    /// A value that differs after each change of [`Session::history`].
     #[must_use]
     pub fn history_version(&self) -> (usize, u64, u64) {
         (self.current, self.now.tick, self.past.version())
@@ -400,15 +371,15 @@ impl Session {
     /// Takes one step. While the session is rewound, the step repeats the recorded commands.
     ///
     /// # Errors
-    /// The simulation failed, or the session has reached a limit. The session is unchanged then.
+    /// The simulation failed, or the session has reached a limit. The session is unchanged in these cases.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.step_with(|_| ())
     }
 
-    /// As [`Session::step`]. `each` takes the record of the step.
+    /// Takes one step as [`Session::step`] does. `each` gets the record of the step.
     ///
     /// # Errors
-    /// As [`Session::step`].
+    /// The errors of [`Session::step`].
     pub fn step_with(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         let rewound = self.is_rewound();
         if rewound {
@@ -443,14 +414,14 @@ impl Session {
 
     /// Takes one step of the simulation and keeps its contacts and events.
     fn advance(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
-        let before = script::is_due(&self.now).then(|| self.now.clone());
-        self.fired = script::run(&self.cast, &mut self.now);
+        let before = happening::is_due(&self.now).then(|| self.now.clone());
+        self.fired = happening::run(&self.cast, &mut self.now);
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
         let record = match simulation.step() {
             Ok(record) => record,
             Err(error) => {
-                // What was due is not carried out in a step that failed.
+                // After a step that failed, the events that were due in it count as not carried out.
                 if let Some(before) = before {
                     self.now = before;
                 }
@@ -463,7 +434,7 @@ impl Session {
         *tick += 1;
         self.interventions += u64::from(!self.fired.is_empty());
         let ending = self.now.mark_exercise();
-        let sample = self.now.note_alarms(&self.cast, &self.info);
+        let sample = frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, alarms, tick, .. } = &self.now;
         let ending = ending.map(|text| (simulation.time_s(), text.to_owned()));
         let seen = seen.events(simulation.setup()).map(|text| (t_s, text));
@@ -499,7 +470,7 @@ impl Session {
         &self.branches[segment].commands[of_tick]
     }
 
-    /// The branch that has the commands of a tick of the current branch, and where they are in its list.
+    /// The branch that contains the commands of a tick of the current branch, and their range in its list of commands.
     fn given_at(&self, tick: u64) -> (usize, Range<usize>) {
         let (segment, _) = self.segment(self.current, tick);
         let commands = &self.branches[segment].commands;
@@ -508,8 +479,8 @@ impl Session {
         (segment, before..up_to)
     }
 
-    /// The branch whose commands apply at a tick of `branch`, which is itself or one of its ancestors, and the first tick of
-    /// that branch. At its first tick a branch's own commands apply.
+    /// The branch whose commands apply at a tick of `branch`, and the first tick of that branch. The result is `branch`
+    /// itself or one of its ancestors. At the first tick of a branch its own commands apply.
     fn segment(&self, branch: usize, tick: u64) -> (usize, u64) {
         let mut at = branch;
         loop {
@@ -524,7 +495,7 @@ impl Session {
     /// Goes to a tick of the current branch.
     ///
     /// # Errors
-    /// A tick beyond the end of the branch.
+    /// The tick is beyond the end of the branch.
     pub fn rewind(&mut self, tick: u64) -> Result<(), Refusal> {
         let ends_tick = self.branches[self.current].ends_tick;
         if tick > ends_tick {
@@ -537,7 +508,7 @@ impl Session {
         Ok(())
     }
 
-    /// Goes to a tick within the current branch, from the state of any branch.
+    /// Goes to a tick of the current branch. The present state may belong to any branch.
     fn go_to(&mut self, tick: u64) {
         self.restore(tick);
         while self.now.tick < tick {
@@ -548,14 +519,14 @@ impl Session {
         }
     }
 
-    /// For a replay: begins to go to a tick of a branch. The caller completes it with [`Session::step_again`] up to that tick,
-    /// and at the end of the branch with [`Session::apply_recorded`].
+    /// For a replay: begins to go to a tick of a branch. The caller completes the way with [`Session::step_again`] up
+    /// to that tick, and at the end of the branch with [`Session::apply_recorded`].
     pub(crate) fn begin_to_go_to(&mut self, branch: usize, tick: u64) {
         self.current = branch;
         self.restore(tick);
     }
 
-    /// Repeats a step, without reporting its events again.
+    /// Repeats a step. The events of the step are not reported again.
     pub(crate) fn step_again(&mut self) {
         let events = self.events.len();
         self.apply_recorded();
@@ -582,7 +553,8 @@ impl Session {
                 self.interventions += 1;
                 return;
             }
-            // The branch has no checkpoint: it begins with its parent's state before the commands of that tick.
+            // The branch has no checkpoint. Its first state is the parent's state at that tick, before the commands of
+            // the tick.
             let Some(parent) = self.branches[segment].parent else {
                 unreachable!("the start of the first branch is never dropped")
             };
@@ -593,7 +565,7 @@ impl Session {
     /// Begins a new branch at the present tick and returns its number.
     ///
     /// # Errors
-    /// The session is at the end of its branch, has too many branches, or the recording is full.
+    /// The session is at the end of its branch, it has too many branches, or the recording is full.
     pub fn branch(&mut self) -> Result<usize, Refusal> {
         if !self.is_rewound() {
             return Err(Refusal::new("the run is at its end: rewind it first"));
@@ -620,7 +592,7 @@ impl Session {
     /// Goes to the end of another branch.
     ///
     /// # Errors
-    /// There is no branch of that number.
+    /// There is no branch with this number.
     pub fn go_to_branch(&mut self, branch: usize) -> Result<(), Refusal> {
         if branch >= self.branches.len() {
             return Err(Refusal::new(format_args!("there is no branch {branch}")));
@@ -631,19 +603,19 @@ impl Session {
         Ok(())
     }
 
-    /// Takes the lines since the last call, to be appended to the recording's file.
+    /// Takes the lines since the last call. The caller appends the lines to the recording's file.
     pub fn take_lines(&mut self) -> String {
         self.writer.take()
     }
 
-    /// The line that would end the recording after all lines so far: for its file when the session is over, and for a copy at
-    /// any time.
+    /// The line that would end the recording after all lines so far. This line ends the file when the session is over,
+    /// and a copy at any time.
     #[must_use]
     pub fn end_line(&self) -> String {
         self.writer.end_line()
     }
 
-    /// Length of the recording so far, without its last line (bytes).
+    /// Length of the recording so far without the line that ends it (bytes).
     #[must_use]
     pub fn recorded_bytes(&self) -> u64 {
         self.writer.bytes()

@@ -1,26 +1,27 @@
-//! The start of a session: a scenario and the files that it names, as text.
+//! The source of a session: a scenario and the files that it names, as text.
 
 use std::collections::BTreeMap;
 
 use fenderline_scenario::{Override, Scenario, ScenarioError};
 use serde::{Deserialize, Serialize};
 
-/// A self-contained scenario: its text and the texts of the files that it names. A recording holds it, so that it can be
-/// replayed after those files have changed.
+/// A self-contained scenario: its text and the texts of the files that it names. A recording contains it. The recording
+/// can therefore be replayed after those files have changed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Name of the scenario's file, without folders.
     pub file: String,
-    /// The scenario.
+    /// The text of the scenario.
     pub text: String,
-    /// Texts of the files that it names, by their names in the scenario.
+    /// Texts of the files that the scenario names. The map's keys are the names in the scenario.
     pub files: BTreeMap<String, String>,
-    /// Overrides of keys, as `KEY=VALUE`.
+    /// Keys of the scenario to override, each as `KEY=VALUE`.
     pub set: Vec<String>,
 }
 
 impl Source {
-    /// Collects a scenario. `read` returns the text of a file that the scenario names, or why it cannot be read.
+    /// Collects a scenario and its files. `read` returns the text of a file that the scenario names, or the reason why
+    /// it cannot be read.
     ///
     /// # Errors
     /// The first mistake in the scenario.
@@ -42,15 +43,15 @@ impl Source {
     /// Parses the scenario.
     ///
     /// # Errors
-    /// The first mistake in it, such as a file that it names but that `files` lacks.
+    /// The first mistake in the scenario, such as a file that it names but that `files` lacks.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
         self.scenario_with(&[])
     }
 
-    /// As [`Source::scenario`], with more keys replaced.
+    /// Parses the scenario as [`Source::scenario`] does, with more keys overridden.
     ///
     /// # Errors
-    /// As [`Source::scenario`].
+    /// The errors of [`Source::scenario`].
     pub fn scenario_with(&self, more: &[Override]) -> Result<Scenario, ScenarioError> {
         let mut overrides = overrides(&self.set)?;
         overrides.extend_from_slice(more);
@@ -62,7 +63,7 @@ impl Source {
         })
     }
 
-    /// The comment above the first key, without comment signs: the author's description of the scenario.
+    /// The comment above the first key, without comment signs. In this comment the author describes the scenario.
     #[must_use]
     pub fn leading_comment(text: &str) -> String {
         let lines = text.lines().skip_while(|line| line.trim().is_empty());

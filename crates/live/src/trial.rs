@@ -1,4 +1,5 @@
-//! Trial manoeuvres: orders are given to a copy of the run, to see where they would take the ships. The run does not change.
+//! Trial manoeuvres. Orders are given to a copy of the run, to see where they would take the ships. The run itself does
+//! not change.
 
 use fenderline_sim::{Gravity, Simulation};
 
@@ -6,28 +7,29 @@ use crate::action::{Action, OtherAction};
 use crate::carry_out::carry_out;
 use crate::limits::MOST_TRIAL_ORDERS;
 use crate::message::{Reply, ShipPath};
+use crate::now::Now;
 use crate::prediction::Prediction;
 use crate::refusal::Refusal;
-use crate::session::{Now, Session};
+use crate::session::Session;
 
-/// Positions of a ship's path in a trial, besides the present one.
+/// Number of positions of a ship's path in a trial, not counting the present position.
 const POSITIONS: f64 = 60.0;
 
-/// A copy of the run in which orders were given. It can be run ahead, also on another thread.
+/// A copy of the run to which orders were given. The copy can run ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Trial {
     prediction: Prediction,
     horizon_s: f64,
-    /// What was found in the run before.
+    /// The findings of the run before the trial.
     known: Vec<String>,
 }
 
 impl Session {
-    /// A trial from the present state, also while the run is rewound: these orders are given at once to a copy of the run, by the
-    /// rules of real orders. It ends after `horizon_s`.
+    /// Begins a trial in the present state. The run may be rewound. The orders are given at once to a copy of the run,
+    /// by the rules of real orders. The trial ends after `horizon_s`.
     ///
     /// # Errors
-    /// A horizon beyond the limits; the reason why one of the orders was refused.
+    /// A horizon beyond the limits, or the reason why one of the orders was refused.
     pub fn trial(&self, orders: &[Action], horizon_s: f64) -> Result<Trial, Refusal> {
         let [least_s, most_s] = crate::COMMAND_LIMITS.trial_s;
         if !(least_s..=most_s).contains(&horizon_s) {
@@ -45,11 +47,11 @@ impl Session {
         })
     }
 
-    /// Checks that these orders can be given now one after the other, on a copy. Returns the copy, in which they are given.
+    /// Checks that these orders can be given now one after the other, by giving them to a copy. Returns the copy.
     ///
     /// # Errors
-    /// No orders or too many; a command that is no order; the reason why an order was refused, with its number where there are
-    /// several.
+    /// There are no orders, or too many, or one of the commands is not an order. If an order was refused, the reason,
+    /// with the number of the order if there are several.
     pub(crate) fn with_orders(&self, orders: &[Action]) -> Result<Now, Refusal> {
         if orders.is_empty() || orders.len() > MOST_TRIAL_ORDERS {
             return Err(Refusal::new(format_args!(
@@ -71,10 +73,10 @@ impl Session {
         Ok(now)
     }
 
-    /// Carries out and records these orders, all of them or none. Returns their tick.
+    /// Gives and records these orders. Either all orders are given or none. Returns their tick.
     ///
     /// # Errors
-    /// As [`Session::trial`] and [`Session::command`].
+    /// The errors of [`Session::trial`] and [`Session::command`].
     pub fn command_all(
         &mut self,
         who: &str,
@@ -91,8 +93,8 @@ impl Session {
 }
 
 impl Trial {
-    /// Runs to its horizon. `watch` gets the answer so far at each new position, and ends the run if it returns false. The answer
-    /// of a run that ended early is not complete.
+    /// Runs to the trial's horizon. `watch` gets the answer so far at each new position. If `watch` returns false, the
+    /// run ends and its answer is not complete.
     #[must_use]
     pub fn run(mut self, id: i64, mut watch: impl FnMut(&[ShipPath]) -> bool) -> Reply {
         let tick = self.prediction.tick();
@@ -103,32 +105,32 @@ impl Trial {
         Reply::Trial { id, tick, horizon_s, complete, paths, findings }
     }
 
-    /// Leaves out the paths of these vessels, as those that fog hides.
+    /// Leaves out the paths of these vessels, such as vessels that fog hides.
     pub fn leave_out(&mut self, vessels: &[usize]) {
         self.prediction.leave_out(vessels);
     }
 
-    /// The answer of a run that goes on: paths so far.
+    /// The answer of a trial that still runs: its paths so far.
     #[must_use]
     pub fn so_far(id: i64, tick: u64, horizon_s: f64, paths: &[ShipPath]) -> Reply {
         let (paths, findings) = (paths.to_vec(), Vec::new());
         Reply::Trial { id, tick, horizon_s, complete: false, paths, findings }
     }
 
-    /// The tick from which it begins.
+    /// The tick at which the trial begins.
     #[must_use]
     pub fn tick(&self) -> u64 {
         self.prediction.tick()
     }
 
-    /// How far ahead it looks (s).
+    /// The time that the trial looks ahead (s).
     #[must_use]
     pub fn horizon_s(&self) -> f64 {
         self.horizon_s
     }
 }
 
-/// What went wrong in a run, in sentences.
+/// The findings of a run about what went wrong, in sentences.
 fn findings(simulation: &Simulation) -> Vec<String> {
     let findings = simulation.findings();
     let grave = findings.iter().filter(|finding| {

@@ -1,4 +1,4 @@
-//! A run that nobody steers, with the messages to pages that a session has.
+//! A run that nobody steers. Pages get the same messages from it as from a session.
 
 use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{SimError, Simulation, StepRecord};
@@ -10,9 +10,9 @@ use crate::exercise;
 use crate::frame;
 use crate::info::Info;
 use crate::message::{self, EventNow, FenderNow, Hello, PROTOCOL, Role, RunState};
-use crate::session::Now;
+use crate::now::Now;
 
-/// A simulation that pages look at while it runs. It has no commands, recording or branches.
+/// A simulation that pages show while it runs. A watched simulation has no commands, recording or branches.
 #[derive(Clone, Debug)]
 pub struct Watched {
     title: String,
@@ -20,12 +20,12 @@ pub struct Watched {
     cast: Cast,
     info: Info,
     now: Now,
-    /// Since the last frame.
+    /// The events since the last frame.
     events: Vec<EventNow>,
 }
 
 impl Watched {
-    /// A simulation before its first step. Pages show the title and the file's name.
+    /// Takes a simulation before its first step. Pages show the title and the file's name.
     #[must_use]
     pub fn new(
         simulation: Simulation,
@@ -48,7 +48,7 @@ impl Watched {
     /// Takes one step and hands its record to `each`.
     ///
     /// # Errors
-    /// As [`Simulation::step`]. Nothing is changed then.
+    /// The errors of [`Simulation::step`]. Nothing is changed in this case.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let record = simulation.step()?;
@@ -61,17 +61,17 @@ impl Watched {
         Ok(())
     }
 
-    /// Notes alarms and events of the last step, for frames. Pages need it after every step: a touch of one step raises
-    /// an alarm too. A run without pages saves its cost.
+    /// Notes alarms and events of the last step, for frames. Pages need this after every step, because a contact during
+    /// a single step raises an alarm too. A run without pages can save the cost.
     pub fn note(&mut self) {
-        self.now.note_alarms(&self.cast, &self.info);
+        frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, .. } = &self.now;
         let t_s = simulation.time_s();
         let texts = seen.events(simulation.setup());
         self.events.extend(texts.map(|text| EventNow { t_s, text }));
     }
 
-    /// The message that a page is built from, as text.
+    /// The message `hello` from which a page is built, as text.
     #[must_use]
     pub fn hello(&self) -> String {
         let Watched { info, title, file, .. } = self;
@@ -105,8 +105,8 @@ impl Watched {
         })
     }
 
-    /// The present state as a page shows it, as text, with the events since the last frame. The run has neither pace
-    /// nor wall time: `at_ms` is 0 and `paused` is true.
+    /// The frame of the present state as text, with the events since the last frame. A watched run has no pace and no
+    /// wall time: `at_ms` is 0 and `paused` is true.
     #[must_use]
     pub fn frame(&mut self) -> String {
         let run = RunState {
@@ -133,7 +133,7 @@ impl Watched {
         self.now.exercise.as_ref()
     }
 
-    /// All fenders of the set-up in the present state.
+    /// The present state of all fenders of the set-up.
     #[must_use]
     pub fn fenders(&self) -> Vec<FenderNow> {
         self.now.seen.fenders(&self.now.simulation)
@@ -145,7 +145,7 @@ impl Watched {
         message::text(&frame::verdict(&self.now.simulation))
     }
 
-    /// The state's fingerprint, in hexadecimal: as [`crate::Session::bits`].
+    /// The state's fingerprint, in hexadecimal: see [`crate::Session::bits`].
     #[must_use]
     pub fn bits(&self) -> String {
         crate::session::bits(&self.now.simulation)

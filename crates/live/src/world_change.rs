@@ -1,4 +1,4 @@
-//! Changes of weather and faults: with the names of the scenario, as pages send them, and with the indices of the simulation.
+//! Changes of weather and faults. Pages send the changes with the names of the scenario; the simulation uses indices.
 
 use fenderline_sim::{Change, Setup};
 
@@ -6,7 +6,7 @@ use crate::action::OtherAction;
 use crate::cast::Cast;
 use crate::refusal::Refusal;
 
-/// The simulation's change of an action; `None` for an action of another kind.
+/// The simulation's change for an action. `None` if the action is no change of weather and no fault.
 ///
 /// # Errors
 /// A name that does not exist.
@@ -70,7 +70,7 @@ pub(crate) fn vessel_named(cast: &Cast, name: &str) -> Result<usize, Refusal> {
     index.ok_or_else(|| Refusal::new(format_args!("there is no vessel `{name}`")))
 }
 
-/// A change of the simulation with names.
+/// A change of the simulation, written with the names of the scenario.
 pub(crate) fn named(change: &Change, cast: &Cast, setup: &Setup) -> OtherAction {
     let vessel = |index: usize| cast.vessels[index].clone();
     match *change {

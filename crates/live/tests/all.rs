@@ -1,5 +1,5 @@
-//! All tests of the crate, as one program: cargo links it once. `cargo test -p fenderline-live --test all NAME::` runs those of one
-//! file.
+//! All tests of the crate in one program, so that cargo links only once. `cargo test -p fenderline-live --test all
+//! NAME::` runs the tests of one file.
 
 mod anchors;
 #[path = "support/damage.rs"]

@@ -7,7 +7,7 @@ use fenderline_live::{Action, AnchorFault, OtherAction, Session};
 use fenderline_sim::OrderName;
 use support::{command, go};
 
-/// The coaster of the example of a dredged anchor, with sternway, without its orders.
+/// The coaster from the example of a dredged anchor. She has sternway and no orders.
 fn roads() -> Session {
     support::open(
         "scenarios/environment/dredged_anchor.toml",
@@ -58,13 +58,14 @@ fn an_anchor_is_let_go_reported_veered_and_slipped_and_the_recording_replays() {
     assert_eq!((now(&session).state, now(&session).report.as_str()), ("lost", "gone: slipped"));
     let text = refused(&mut session, chain(OrderName::HeaveIn, 0.0));
     assert_eq!(text, "anchor `weather` is gone: its chain was slipped");
-    // Slipped by order: no alarm.
+    // An anchor that was slipped by order raises no alarm.
     assert!(alarms(&session).iter().all(|text| !text.contains("nchor")), "{:?}", alarms(&session));
     let text = support::saved(&mut session);
     support::replay(&text).expect("the same run again");
 }
 
-/// Two people at one windlass within a tick: the second gets the reason, and no event tells later that an order was refused.
+/// Two people give orders to one windlass within a tick. The second person gets the reason for the refusal. No event
+/// later reports a refused order.
 #[test]
 fn the_second_of_two_orders_for_one_anchor_in_one_tick_is_not_acknowledged_and_dropped() {
     let mut session = roads();
@@ -93,7 +94,7 @@ fn faults_of_windlass_and_anchor_and_the_alarm_that_it_drags() {
     assert!(alarms(&session).contains(&"Anchor weather: the windlass has no power".to_owned()));
     command(&mut session, fault(AnchorFault::WindlassFailed, false).into());
     command(&mut session, fault(AnchorFault::DoesNotBite, true).into());
-    // A gale on the beam takes her and the anchor along.
+    // A gale on the beam takes the ship and her anchor along.
     command(
         &mut session,
         OtherAction::Wind { speed_mps: 30.0, from_rad: 1.57, over_s: 0.0 }.into(),

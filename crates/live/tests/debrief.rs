@@ -1,4 +1,5 @@
-//! Acknowledgements and notes: recorded, kept over restart, rewinding and branches, and without effect on the ship.
+//! Acknowledgements and notes. They are recorded, they are kept over restart, rewinding and branches, and they have no
+//! effect on the ship.
 
 use crate::support;
 
@@ -21,13 +22,14 @@ fn note(text: &str) -> Action {
     OtherAction::Note { text: text.into() }.into()
 }
 
-/// The states of the alarms of that rudder: key, active, acknowledged.
+/// The states of the alarms of the stuck rudder: key, active, acknowledged.
 fn alarms(session: &Session) -> Vec<(String, bool, bool)> {
     let all = session.alarms().messages().into_iter().filter(|alarm| alarm.key == STUCK);
     all.map(|alarm| (alarm.key, alarm.stands, alarm.acknowledged)).collect()
 }
 
-/// A rudder sticks, is acknowledged, is repaired, sticks again, and is repaired before anybody has acknowledged that.
+/// A rudder sticks. The alarm is acknowledged and the rudder is repaired. The rudder sticks again, and is repaired
+/// before anybody acknowledges the second alarm.
 fn session() -> Session {
     let mut session = harbour();
     session.command("pilot 1", 0, rudder(0.2)).expect("an order");
@@ -55,12 +57,12 @@ fn acknowledgements_and_notes_survive_a_restart_and_do_not_change_the_bits() {
     let text = saved(&mut session);
     let mut again = replay(&text).expect("the same bits").session;
     assert_eq!((again.bits(), alarms(&again)), (session.bits(), waits));
-    // The next acknowledgement is a line after those that were read.
+    // The next acknowledgement is a line after the lines that were read.
     let by = again.alarms().may_acknowledge(STUCK, &Role::PILOT).expect("it waits");
     assert!(by.contains("rudder stuck"), "{by}");
     command(&mut again, acknowledge());
     assert_eq!(alarms(&again), []);
-    // The same without a note or an acknowledgement: the same states.
+    // The same session without a note or an acknowledgement has the same states.
     let mut plain = harbour();
     let steps = [
         (20, rudder(0.2)),

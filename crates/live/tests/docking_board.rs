@@ -1,22 +1,23 @@
-//! The docking board's report of each end of a ship over a sweep of poses: from contacts and the berth, not from distance
-//! alone.
+//! The docking board's report of each end of a ship over a sweep of poses. The report follows from the contacts and the
+//! berth, not from distance alone.
 
 use crate::support;
 
 use fenderline_live::message::{BerthEnd, BerthNow, Frame, Role, RunState};
 use fenderline_live::{Light, OtherAction, Session};
 
-/// The line of the fenders of the scenario is at this east coordinate (m), and the concrete 1.9 m behind it.
+/// East coordinate of the line of the fenders in the scenario (m). The concrete is 1.9 m behind this line.
 const FENDERS_M: f64 = 28.5;
-/// Midship is here when her parallel side lies at the eight fenders, which are 20 m apart from −98 m to 42 m.
+/// Position of midship along the quay when the ship's parallel side lies at the eight fenders. The fenders are 20 m
+/// apart, from −98 m to 42 m.
 const MIDDLE_M: f64 = 0.0;
 
-/// The ship at rest: midship at `along_m` along the quay, her parallel side `off_m` off the fenders.
+/// The ship at rest. Her midship is at `along_m` along the quay, and her parallel side is `off_m` off the fenders.
 fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
     lying_with(along_m, off_m, heading_deg, "{ surge = \"0 kn\" }")
 }
 
-/// The same with a velocity.
+/// The same ship with a velocity.
 fn lying_with(along_m: f64, off_m: f64, heading_deg: f64, velocity: &str) -> Session {
     let half_beam_m = {
         let setup_of = support::harbour();
@@ -33,7 +34,7 @@ fn lying_with(along_m: f64, off_m: f64, heading_deg: f64, velocity: &str) -> Ses
     )
 }
 
-/// A session with alarms that are updated every tick, as in the server.
+/// A session whose alarms are updated every tick, as in the server.
 struct Run {
     session: Session,
 }
@@ -143,8 +144,8 @@ fn the_docking_board_reports_the_position_of_each_end() {
     }
 }
 
-/// Whether the lamps of bow and stern may be green, found from the frame and from the geometry of the scenario, without the code of
-/// the board.
+/// True for each of bow and stern if its lamp may be green. The result follows from the frame and the geometry of the
+/// scenario, without the code of the board.
 fn may_be_green(frame: &Frame, session: &Session, heading_deg: f64) -> [bool; 2] {
     let setup = session.simulation().setup();
     let quay = setup.bodies.iter().position(|body| body.name == "quay").expect("a quay");
@@ -153,7 +154,8 @@ fn may_be_green(frame: &Frame, session: &Session, heading_deg: f64) -> [bool; 2]
     let touched = session.alarms().messages().iter().any(|alarm| {
         alarm.key == "touch ship quay" && alarm.level == "alarm" && !alarm.acknowledged
     });
-    // Fenders at -98 to 42 m, 20 m apart; the flat of her starboard side is where her outline is widest.
+    // The fenders stand from -98 to 42 m, 20 m apart. The flat of the ship's starboard side is where her outline is
+    // widest.
     let outline = setup.bodies[0].outline.vertices();
     let ys = outline.iter().map(|at| at.y);
     let widest_m = ys.max_by(f64::total_cmp).expect("corners");
@@ -167,7 +169,7 @@ fn may_be_green(frame: &Frame, session: &Session, heading_deg: f64) -> [bool; 2]
     let ways_m = [along_m(bow.x, bow.y), along_m(stern.x, stern.y)];
     std::array::from_fn(|end| {
         let is_off_the_berth = !(-118.0..=62.0).contains(&ways_m[end]);
-        // Fenders of this end's half.
+        // The fenders in the half of this end.
         let middle_m = 0.5 * (ways_m[0] + ways_m[1]);
         let is_over = setup.fenders.iter().zip(&frame.fenders).any(|(fender, now)| {
             let way_m = fender.position_m.x + setup.bodies[quay].position_m.x;
@@ -203,16 +205,17 @@ fn over_a_sweep_of_poses_the_board_is_never_green_where_it_must_not_be() {
             }
         }
     }
-    // The sweep has both.
+    // The sweep contains both cases.
     assert!(green > 50 && not_green > 50, "{green} green, {not_green} not");
 }
 
-/// The ship just off the fenders, moving towards them.
+/// The ship just off the fenders. She moves towards them.
 fn landing(speed_mps: f64) -> Run {
     Run::of(lying_with(MIDDLE_M, 0.02, 0.0, &format!("{{ sway = {speed_mps} }}")))
 }
 
-/// The run at the step in which both ends are at fenders beyond their rating; `None` if that does not happen in ten seconds.
+/// The run at the step in which both ends are at fenders beyond their rating. `None` if this does not happen within ten
+/// seconds.
 fn beyond_its_rating(mut run: Run) -> Option<Run> {
     let found = (0..100).any(|_| run.step().bow == BerthEnd::OverRated);
     found.then_some(run)
@@ -220,7 +223,7 @@ fn beyond_its_rating(mut run: Run) -> Option<Run> {
 
 #[test]
 fn a_fender_that_was_beyond_its_rating_is_amber_until_that_is_acknowledged() {
-    // As fast as needed for a load beyond the rating, and no faster: no fender is compressed to its stop.
+    // The speed is just large enough for a load beyond the rating, so that no fender is compressed to its stop.
     let speeds_mps = (0..40).map(|step| 0.2 + 0.01 * f64::from(step));
     let mut run = speeds_mps.map(landing).find_map(beyond_its_rating).expect("at some speed");
     let frame = run.session.frame(0, RunState::default());
@@ -236,7 +239,7 @@ fn a_fender_that_was_beyond_its_rating_is_amber_until_that_is_acknowledged() {
     assert!(now.bow < BerthEnd::Touched && now.bow_lamp.light < Light::Alarm, "{now:?}");
 }
 
-/// Steps until neither end reports this.
+/// Takes steps until neither end reports `what`.
 fn until_over(run: &mut Run, what: BerthEnd) {
     for _ in 0..6000 {
         let now = run.berth();
@@ -253,7 +256,7 @@ fn a_hull_on_the_concrete_is_red_on_the_docking_board() {
     let mut run = Run::of(lying(MIDDLE_M, -2.0, 0.0));
     let now = run.step();
     assert!(now.bow_m < 0.0 && now.bow == BerthEnd::Structure, "{now:?}");
-    // She is pushed off the concrete; the fenders have failed and stay failed.
+    // The contact pushes the ship off the concrete. The fenders have failed and stay failed.
     until_over(&mut run, BerthEnd::Structure);
     let now = run.berth();
     assert_eq!((now.bow, now.stern), (BerthEnd::OverRated, BerthEnd::OverRated), "{now:?}");
@@ -261,7 +264,7 @@ fn a_hull_on_the_concrete_is_red_on_the_docking_board() {
 
 #[test]
 fn a_contact_with_the_quay_stays_on_the_board_until_it_is_acknowledged() {
-    // At a part of the quay without fenders.
+    // The ship lies at a part of the quay without fenders.
     let mut run = Run::of(lying(190.0, -2.0, 0.0));
     let now = run.step();
     assert_eq!((now.bow, now.stern), (BerthEnd::Structure, BerthEnd::Structure), "{now:?}");

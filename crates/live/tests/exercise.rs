@@ -1,4 +1,4 @@
-//! The exercise of a session: over its end, rewinding, branches, and a recording that is played again.
+//! The exercise of a session: its end, rewinding, branches, and a recording that is played again.
 
 use crate::support;
 
@@ -6,7 +6,7 @@ use fenderline_live::message::{PlaceInfo, RunState, text};
 use fenderline_live::{Repeat, Session};
 use fenderline_sim::exercise::State;
 
-/// At rest 0.3 m off the fenders: alongside, until the goal has held for two seconds.
+/// The ship is at rest 0.3 m off the fenders. The goal is reached when she has been alongside for two seconds.
 fn alongside() -> Session {
     support::open(
         "scenarios/live/berthing.toml",
@@ -43,20 +43,20 @@ fn an_exercise_is_that_of_the_shown_time_and_of_the_recording() {
     let events = session.take_events();
     let ends = events.iter().filter(|(_, text)| text.contains("The exercise has ended"));
     assert_eq!(ends.count(), 1, "{events:?}");
-    // Rewound, it goes on as it did then; at the end it has ended again, without another event.
+    // After a rewind the exercise goes on as it did then. At the end it has ended again, without another event.
     session.rewind(15).expect("it is there");
     assert_eq!(reached_s(&session), None);
     session.rewind(25).expect("it is there");
     assert_eq!(reached_s(&session), Some(at_s));
     assert!(session.take_events().is_empty());
-    // A branch from before its end has an exercise of its own.
+    // A branch from before the end has an exercise of its own.
     session.rewind(10).expect("it is there");
     session.branch().expect("a branch");
     support::go(&mut session, 5);
     assert_eq!(reached_s(&session), None);
     support::go(&mut session, 10);
     assert_eq!(reached_s(&session), Some(at_s));
-    // A server that starts again from the recording, and the report.
+    // A server that starts again from the recording, and the report, have the same exercise.
     let recording = support::saved(&mut session);
     let again = support::replay(&recording).expect("a good recording").session;
     assert_eq!(again.exercise(), session.exercise());

@@ -1,4 +1,5 @@
-//! Frozen instruments: her pilot sees the old values, the instructor the true ones, and nobody else is told. A single thruster trips.
+//! Frozen instruments. The ship's pilot sees the old values, the instructor sees the true values, and nobody else is
+//! told. Also: a single thruster trips.
 
 use crate::support;
 
@@ -49,7 +50,7 @@ fn each_frozen_instrument_stays_for_her_pilot_alone() {
         assert!(frame.vessels[0].faults.is_empty());
         assert!(!frame.alarms.iter().any(|alarm| alarm.text.contains("frozen")));
         assert_eq!(seen(&session, &Role::Instructor).vessels[0].faults.len(), 1);
-        // Her predicted path would show where she is.
+        // The ship's predicted path would show where she is.
         assert_eq!(session.hidden_vessels(&Role::PILOT), [0]);
         assert!(session.hidden_vessels(&master).is_empty());
         fault(&mut session, of, false);
@@ -57,7 +58,7 @@ fn each_frozen_instrument_stays_for_her_pilot_alone() {
     }
 }
 
-/// Bow speed, speed ahead and rate of turn of her charts, at the times of the past that a role gets.
+/// Bow speed, speed ahead and rate of turn in the ship's charts, at the times of the past that a role gets.
 fn charts(session: &Session, role: &Role) -> Vec<[f64; 4]> {
     let past = session.history(None, role).expect("it is kept");
     let bow_mps = past.bow_mps.iter().map(|speed| speed.expect("she has a bow"));
@@ -65,7 +66,8 @@ fn charts(session: &Session, role: &Role) -> Vec<[f64; 4]> {
     all.map(|((t_s, bow_mps), (ahead_mps, turn))| [*t_s, bow_mps, *ahead_mps, *turn]).collect()
 }
 
-/// What her page would have drawn while the session went on, once a second, as the past has it.
+/// The values that the ship's page would have drawn while the session went on, once a second, as the past contains
+/// them.
 fn drawn(session: &mut Session, seconds: usize, role: &Role) -> Vec<[f64; 4]> {
     let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
     let second = |session: &mut Session| {
@@ -83,7 +85,7 @@ fn drawn(session: &mut Session, seconds: usize, role: &Role) -> Vec<[f64; 4]> {
     (0..seconds).map(|_| second(session)).collect()
 }
 
-/// After a reload the charts came from the true speeds, and showed what no instrument had shown.
+/// After a reload the charts showed the true speeds, which no instrument had shown.
 #[test]
 fn the_charts_of_the_past_show_what_frozen_instruments_showed() {
     for scenario in ["scenarios/live/berthing.toml", "scenarios/live/come_to_anchor.toml"] {
@@ -113,7 +115,7 @@ fn the_charts_of_the_past_show_what_frozen_instruments_showed() {
         for other in [Role::Observer, Role::Tugmaster { tug: "forward_tug".into() }] {
             assert_eq!(charts(&session, &other), truth, "{scenario}: {other:?}");
         }
-        // In a branch, and when the frozen time is played again.
+        // The same in a branch, and when the frozen time is played again.
         session.rewind(450).expect("it is there");
         session.branch().expect("a branch");
         page.truncate(45);
@@ -180,7 +182,7 @@ fn fog_comes_over_a_time_by_equal_ratios_and_clears_again() {
     let visibility = |distance_m, over_s| OtherAction::Visibility { distance_m, over_s };
     support::command(&mut session, visibility(Some(200.0), 60.0).into());
     support::go(&mut session, 300);
-    // Clear counts as 20 km: half-way to 200 m it is 2 km.
+    // Clear air counts as 20 km. Half-way to 200 m the visibility is 2 km.
     let half_m = seen(&session, &Role::PILOT).visibility_m.expect("fog");
     assert!((half_m - 2000.0).abs() < 1e-6, "{half_m}");
     support::go(&mut session, 300);

@@ -1,4 +1,4 @@
-//! Predictions that continue the one before: the same bits as predictions that are made anew.
+//! Predictions that continue the one before have the same bits as predictions from the beginning.
 
 use crate::support;
 
@@ -10,7 +10,8 @@ use support::{command, engine, go, harbour, open, rudder};
 const AHEAD_S: f64 = 20.0;
 const EVERY_S: f64 = 2.0;
 
-/// The next prediction of an outlook, which must be that which is made anew; whether it continued the one before.
+/// Makes the next prediction of an outlook, and checks that it equals a prediction from the beginning. Returns true if
+/// it continued the one before.
 fn is_continued(outlook: &mut Outlook, session: &Session) -> bool {
     let of_now = || session.prediction().expect("ships");
     let mut asked = 0;
@@ -63,7 +64,8 @@ fn a_continued_prediction_has_the_bits_of_one_that_is_made_anew() {
         }
         go(&mut session, 1);
     }
-    // The first, after each order, after the event of 15 s, and while the wind changes over 3 s.
+    // Predictions from the beginning: the first, after each order, after the event at 15 s, and while the wind changes
+    // over 3 s.
     let ramp = 200..=230;
     assert_eq!(anew, [0, 20, 21, 60, 90, 120, 151].into_iter().chain(ramp).collect::<Vec<_>>());
 }
@@ -74,7 +76,7 @@ fn a_prediction_after_rewinding_or_on_another_branch_is_made_anew() {
     let mut outlook = Outlook::default();
     go(&mut session, 100);
     assert!(!is_continued(&mut outlook, &session));
-    // Some ticks without a prediction, as on a slow machine.
+    // Some ticks pass without a prediction, as on a slow machine.
     go(&mut session, 7);
     assert!(is_continued(&mut outlook, &session));
     session.rewind(80).expect("a tick of the run");
@@ -102,7 +104,7 @@ fn an_order_of_the_scenario_that_comes_due_is_in_the_next_prediction() {
         }
         go(&mut session, 1);
     }
-    // The first, and that before the step in which the orders of 170 s are due.
+    // Predictions from the beginning: the first, and that before the step in which the orders of 170 s are due.
     assert_eq!(anew, [1695, 1700]);
 }
 

@@ -1,4 +1,4 @@
-//! A ship passes a moored one: she surges, lines part when they should, and the messages to people say why.
+//! A ship passes a moored ship. The moored ship surges, lines part when they should, and the messages say why.
 
 use crate::support;
 
@@ -8,7 +8,7 @@ use fenderline_sim::OrderName;
 use support::{command, go, open};
 
 const MOORED: &str = "scenarios/live/moored_while_a_ship_passes.toml";
-/// Abreast in the scenario (s).
+/// Time in the scenario at which the passing ship is abreast (s).
 const ABREAST_S: f64 = 480.0;
 
 fn until(session: &mut Session, t_s: f64) {
@@ -39,7 +39,8 @@ fn a_ship_that_passes_too_fast_parts_the_aft_spring_and_everybody_reads_why() {
     );
     assert!(session.frame(0, RunState::default()).passages.is_empty());
 
-    // Abreast: the gap is drawn between the sides, the force across is at its largest and that along near nothing.
+    // The ship is abreast. The gap is drawn between the sides. The force across is at its largest, and the force along
+    // is near zero.
     until(&mut session, ABREAST_S);
     let [passage] = session.frame(0, RunState::default()).passages[..] else { panic!("one") };
     let [from, to] = passage.between_m;
@@ -49,7 +50,7 @@ fn a_ship_that_passes_too_fast_parts_the_aft_spring_and_everybody_reads_why() {
     let text = caution(&session).expect("a caution");
     assert!(text.starts_with("Ship kcs passes ship 55 m off at 12.0 kn and pushes her "), "{text}");
 
-    // The aft spring parts after she has passed, and both log and alarm give the reason.
+    // The aft spring parts after the passage. Both log and alarm give the reason.
     until(&mut session, 560.0);
     assert_eq!(parted(&session), ["aft_spring"]);
     let alarms = session.alarms().messages();
@@ -74,7 +75,7 @@ fn a_ship_that_passes_too_fast_parts_the_aft_spring_and_everybody_reads_why() {
     let broke = at("LINE aft_spring HAS PARTED at 1204 kN (breaking load 1200 kN), as kcs ");
     assert!(announced < loaded && loaded < over && over < broke, "{log:#?}");
 
-    // The alarm keeps its reason, and the end of the passage has the largest forces.
+    // The alarm keeps its reason. The text at the end of the passage has the largest forces.
     until(&mut session, 600.0);
     let later = session.alarms().messages();
     assert!(later.iter().any(|other| other.text == alarm.text), "{later:?}");

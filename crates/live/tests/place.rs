@@ -1,4 +1,5 @@
-//! Placing ships before the start: refused with a reason where she cannot be, recorded like any command.
+//! Ships are placed before the start. A place where a ship cannot be is refused with a reason. Placing is recorded like
+//! any command.
 
 use crate::support;
 
@@ -26,10 +27,10 @@ fn a_ship_is_placed_and_begins_there_with_her_speed_along_her_new_heading() {
     let ahead = 1.5 * 1852.0 / 3600.0 * core::f64::consts::FRAC_1_SQRT_2;
     assert!((state.velocity_mps.x - ahead).abs() < 1e-12, "{state:?}");
     assert!((state.velocity_mps.y - ahead).abs() < 1e-12, "{state:?}");
-    // The tugs on her lines came along, each where it was beside her.
+    // The tugs on her lines came along. Each is at the same place beside her.
     let tug = session.simulation().states()[1];
     let beside = [tug.position_m.x - state.position_m.x, tug.position_m.y - state.position_m.y];
-    // Sine and cosine of the turn of 43°.
+    // Sine and cosine of the turn by 43°.
     let (sin, cos) = (0.681_998_360_062_498_5, 0.731_353_701_619_170_5);
     let before = [-125.0 + 180.0, -110.0 + 60.0];
     let expected = [before[0] * cos - before[1] * sin, before[0] * sin + before[1] * cos];
@@ -46,7 +47,7 @@ fn a_ship_is_placed_and_begins_there_with_her_speed_along_her_new_heading() {
     let speed_mps = session.simulation().states()[1].velocity_mps.length();
     assert!((speed_mps - 2.0).abs() < 1e-12);
     support::go(&mut session, 100);
-    // The order that was given before still holds.
+    // The order from before the placing still holds.
     assert_eq!(session.simulation().vessels()[0].orders.shaft, 0.3);
     let bits = session.bits();
     let text = support::saved(&mut session);
@@ -60,7 +61,7 @@ fn a_ship_is_placed_and_begins_there_with_her_speed_along_her_new_heading() {
 fn a_place_in_a_hull_a_quay_a_fender_or_the_past_is_refused_with_the_reason() {
     let mut session = support::open("scenarios/live/berthing.toml", &[]);
     for (action, why) in [
-        // A tug on the ship's deck, and in the middle of her, where no edges cross.
+        // One tug is placed across the ship's side, and one in the middle of the ship, where no edges cross.
         (
             place("forward_tug", [-150.0, -55.0], 90.0),
             "the hull of forward_tug would overlap that of ship",
@@ -70,7 +71,7 @@ fn a_place_in_a_hull_a_quay_a_fender_or_the_past_is_refused_with_the_reason() {
             "the hull of forward_tug would overlap that of ship",
         ),
         (place("ship", [0.0, 5.0], 0.0), "ship would be ashore on quay"),
-        // The fenders project 1.9 m; her side is 15 m from her axis.
+        // The fenders project 1.9 m. The ship's side is 15 m from her axis.
         (place("ship", [0.0, -16.0], 0.0), "ship would lie in the fender cone"),
         (place("nobody", [0.0, 0.0], 0.0), "no vessel `nobody`"),
         (place("ship", [f64::NAN, 0.0], 0.0), "within 1000 km"),
@@ -83,7 +84,7 @@ fn a_place_in_a_hull_a_quay_a_fender_or_the_past_is_refused_with_the_reason() {
     support::go(&mut session, 1);
     let late = refusal(&mut session, place("ship", [0.0, -50.0], 0.0));
     assert!(late.contains("before the start"), "{late}");
-    // At the start of another branch she is placed again.
+    // At the start of another branch the ship is placed again.
     session.rewind(0).expect("it is there");
     session.branch().expect("a branch");
     support::command(&mut session, place("ship", [0.0, -50.0], 0.0).into());

@@ -1,4 +1,5 @@
-//! The present state as a scenario file: it is the same state again, within what the file says it rounds and leaves out.
+//! The present state as a scenario file. The file gives the same state again, apart from what it says that it rounds
+//! and leaves out.
 
 use crate::support;
 
@@ -10,7 +11,7 @@ use fenderline_sim::{Change, OrderName, Verdict};
 
 use support::{command, engine, go, rudder};
 
-/// A session in a scenario of a folder, with the files that it names beside it.
+/// A session in a scenario of a folder. The files that the scenario names lie beside it.
 fn open_of(scenario: &str, text: Option<String>) -> Session {
     let path = support::repository(scenario);
     let text = text.unwrap_or_else(|| std::fs::read_to_string(&path).expect("a scenario"));
@@ -22,8 +23,8 @@ fn open_of(scenario: &str, text: Option<String>) -> Session {
     Session::open(source).expect("a good set-up")
 }
 
-/// Checks that bodies are where they were and go as they went. Positions are written to 0.1 mm, angles to 10⁻⁷ deg, speeds to
-/// 10⁻⁶ m/s: half a unit of the last digit in each coordinate.
+/// Checks that bodies are at the same places and have the same speeds. Positions are written to 0.1 mm, angles to 10⁻⁷
+/// deg, speeds to 10⁻⁶ m/s. The tolerance is half a unit of the last digit in each coordinate.
 fn same_places(before: &Session, after: &Session, scenario: &str) {
     let [before, after] = [before, after].map(Session::simulation);
     for (index, body) in before.setup().bodies.iter().enumerate() {
@@ -34,7 +35,7 @@ fn same_places(before: &Session, after: &Session, scenario: &str) {
         let off_mps = (one.velocity_mps - other.velocity_mps).length();
         assert!(off_m < 1e-4, "{scenario}: {} is {off_m} m off", body.name);
         assert!(off_rad.abs() < 1e-8, "{scenario}: {} is {off_rad} rad off", body.name);
-        // The heading turns the speed: 10⁻⁹ of some m/s.
+        // The heading turns the velocity: 10⁻⁹ of some m/s.
         assert!(off_mps < 1e-5, "{scenario}: {} is {off_mps} m/s off", body.name);
     }
 }
@@ -56,7 +57,7 @@ fn each_live_scenario_is_saved_and_begins_where_it_was() {
         let mut again = open_of(scenario, Some(file.text.clone()));
         assert_eq!(again.title(), "Saved");
         same_places(&session, &again, scenario);
-        // What is saved again from its start is the same file, but for its first comment.
+        // A file that is saved from the start of a saved file is the same, except for the first comment.
         let keys = |text: &str| text.split_once("title = ").expect("a title").1.to_owned();
         let twice = again.present_file("Saved").expect(scenario);
         assert_eq!(keys(&twice.text), keys(&file.text), "{scenario}");
@@ -80,8 +81,8 @@ fn a_ship_under_way_goes_on_as_she_would_have() {
     go(&mut session, 600);
     go(&mut again, 600);
     let [one, other] = [&session, &again].map(|of| of.simulation().states()[0]);
-    // Her rudder begins amidships and takes some seconds to its angle, and the gusts begin anew: within a minute she is less than
-    // a tenth of the way that she made off.
+    // The ship's rudder begins amidships and takes some seconds to its angle, and the gusts begin anew. Within a minute
+    // her place differs by less than a tenth of the way that she made.
     let way_m = 0.1 * 60.0 * one.velocity_mps.length();
     assert!((one.position_m - other.position_m).length() < way_m, "{one:?} {other:?}");
     assert!((one.velocity_mps - other.velocity_mps).length() < 0.1, "{one:?} {other:?}");
@@ -119,7 +120,7 @@ fn lines_weather_faults_and_what_is_planned_are_in_the_file() {
     assert!(of(&again, 1).has_parted() && !of(&again, 2).has_parted());
     for (line, name) in lines.iter().enumerate().skip(2) {
         let [one, other] = [&session, &again].map(|of_session| of(of_session, line).load.tension_n);
-        // A tenth of a second of motion changes the tension little.
+        // The motion during a tenth of a second changes the tension little.
         assert!((one - other).abs() < 0.02 * one + 2e3, "{name}: {one} N, {other} N");
     }
     let frame = again.frame(0, Default::default());
@@ -130,7 +131,7 @@ fn lines_weather_faults_and_what_is_planned_are_in_the_file() {
         let wind = of.simulation().setup().world.environment.wind.clone();
         wind.expect("a wind").mean_at(of.simulation().time_s())
     });
-    // A quarter of the way from 9 to 15 m/s; three more steps of the change.
+    // The wind has gone a quarter of the way from 9 to 15 m/s. Three more steps of the change follow.
     assert!((begun.0 - 10.5).abs() < 0.01 && (now.0 - begun.0 - 0.015).abs() < 0.01, "{now:?}");
     let waits: Vec<f64> =
         again.planned().iter().filter(|of| of.state == "waits").map(|of| of.at_s).collect();
@@ -158,7 +159,7 @@ fn a_run_without_a_session_carries_out_the_events_of_the_file_too() {
         let record = run.step().expect("a step");
         let kind = fenderline_sim::WorldEventKind::LineNotParted;
         not_parted += record.world_events.iter().filter(|event| event.kind == kind).count();
-        // The same states bit by bit, whoever carries the events out.
+        // The states are the same bit by bit, whether the session or the file carries out the events.
         assert_eq!(run.states(), session.simulation().states(), "{tick}");
         assert_eq!(run.vessels()[0].faults.engine_lost, tick >= 50, "{tick}");
     }

@@ -13,7 +13,7 @@ use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
 use fenderline_sim::order::Argument;
 use serde_json::Value;
 
-/// The interfaces in the file: each name with its fields, and whether a field is optional.
+/// The interfaces in the file: for each name its fields, and whether each field is optional.
 fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
     let mut all = BTreeMap::new();
     let mut rest = text;
@@ -23,7 +23,7 @@ fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
         let body = &rest[rest.find('{').expect("a body") + 1..];
         let mut fields = Vec::new();
         for line in body.lines().take_while(|line| !line.starts_with('}')) {
-            // The formatter indents the interface's own fields by two spaces, nested ones by more.
+            // The formatter indents the interface's own fields by two spaces, and nested fields by more.
             let Some((key, _)) = line.strip_prefix("  ").and_then(|line| line.split_once(':'))
             else {
                 continue;
@@ -52,7 +52,7 @@ fn orders(text: &str) -> BTreeMap<String, BTreeSet<String>> {
     .collect()
 }
 
-/// The words of all commands in the file that are not orders.
+/// The words of all commands in the file, except orders.
 fn other_commands(text: &str) -> BTreeSet<String> {
     let union = text.split("export interface Command {").nth(1).expect("the commands");
     let union = union.split("export type Fault").next().expect("their end");
@@ -147,9 +147,9 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
             "exercise={ vessel = \"ship\", goal = \"alongside\", limit = { fender = { most = 0, points = 1 } } }",
         ],
     );
-    // Until she lies at the fenders, so that every part of a frame is filled.
+    // The session runs until the ship lies at the fenders, so that every part of a frame is filled.
     support::go(&mut session, 21_000);
-    // So that there is an alarm in the frame.
+    // The fault puts an alarm in the frame.
     let fault = OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true };
     support::command(&mut session, fault.into());
     let fault = OtherAction::TugOut { tug: "aft".into(), on: true };
@@ -206,7 +206,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     assert_eq!(hello["exercise"]["place"], Value::Null, "her goal has none");
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
-    // Eight compressed fenders carry her, nearly at rest.
+    // Eight compressed fenders hold the ship, who is nearly at rest.
     assert!(berth["bow_m"].as_f64().is_some_and(|m| m < 0.0 && m > -1.0), "{berth}");
     let mut pressed = each(&frame, "fenders").filter_map(|fender| fender["reaction_n"].as_f64());
     assert!(pressed.any(|n| n > 0.0), "wind and lines press her on");

@@ -1,4 +1,4 @@
-//! Recordings that are large, torn, damaged or absurd.
+//! Recordings that are large, cut off, damaged or absurd.
 
 use crate::damage;
 use crate::support;
@@ -9,7 +9,7 @@ use damage::{damaged, forged, objects, sealed};
 use fenderline_live::{Ending, RecordingFault, Session, copy_kept};
 use support::{command, engine, go, harbour, outline, replay, rudder, saved};
 
-/// Longest time until a damaged recording is refused.
+/// Longest time to refuse a damaged recording.
 const LONGEST: Duration = Duration::from_secs(10);
 
 /// A number from an environment variable, for longer attacks.
@@ -36,7 +36,7 @@ fn recorded() -> (Session, String) {
     (session, text)
 }
 
-/// The fault of a recording that is refused before the replay.
+/// The fault of a recording that is refused before its replay.
 fn fault(text: &[u8]) -> (usize, RecordingFault) {
     let error = fenderline_live::Outline::read(text, |_| Ok(())).expect_err("it is refused");
     (error.line, error.fault)
@@ -62,7 +62,7 @@ fn a_torn_last_line_is_reported_and_dropped_and_the_session_continues() {
     let (_, text) = recorded();
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let all = lines.len();
-    // Within the last line, and within the line before.
+    // The recording is cut off within the last line, and within the line before it.
     for (torn, part) in [(all - 1, 1), (all - 1, 30), (all - 2, 1), (all - 2, 50)] {
         let kept: String = lines[..torn].concat();
         for part in [part, lines[torn].len() - 1] {
@@ -70,7 +70,7 @@ fn a_torn_last_line_is_reported_and_dropped_and_the_session_continues() {
             let outline_of_cut = outline(&cut).expect("its whole lines are sound");
             assert_eq!(outline_of_cut.ending, Ending::Torn { bytes: part as u64 });
             assert_eq!(outline_of_cut.kept_bytes as usize, kept.len());
-            // The kept lines and the further lines are one recording.
+            // The kept lines and the new lines form one recording.
             let mut again = replay(&cut).expect("the same bits").session;
             go(&mut again, 25);
             let mut more = Vec::new();
@@ -95,7 +95,7 @@ fn a_file_of_another_type_or_format_is_refused_with_the_reason() {
     {
         assert_eq!(fault(other), (1, RecordingFault::NoRecording), "{other:?}");
     }
-    // No text at all.
+    // This file is not text at all.
     assert_eq!(fault(png), (1, RecordingFault::Damaged));
     for number in ["2", "4", "31", "99999999999999"] {
         let other = text.replacen(
@@ -106,7 +106,7 @@ fn a_file_of_another_type_or_format_is_refused_with_the_reason() {
         let shown = &number[..number.len().min(10)];
         assert_eq!(fault(other.as_bytes()), (1, RecordingFault::Format(shown.to_owned())));
     }
-    // Of another version of the program: read, for only its bits may differ; those are compared.
+    // A recording by another version of the program is read, because only its bits may differ. The bits are compared.
     let mut header = objects(first).remove(0);
     let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
     assert!(header.contains(&version), "{header:.200}");
@@ -142,8 +142,8 @@ fn a_flipped_bit_in_a_title_a_name_or_a_time_is_detected() {
     }
 }
 
-/// `cargo test -p fenderline-live --test all recordings::damaged`, with `FENDERLINE_DAMAGED=100000` for more of them and
-/// `FENDERLINE_SEED=7` for other ones.
+/// `cargo test -p fenderline-live --test all recordings::damaged`. `FENDERLINE_DAMAGED=100000` makes more recordings,
+/// and `FENDERLINE_SEED=7` makes other recordings.
 #[test]
 fn a_thousand_damaged_recordings_are_all_detected() {
     let (_, text) = recorded();
@@ -170,7 +170,7 @@ fn a_thousand_damaged_recordings_are_all_detected() {
     assert!(slowest < LONGEST, "{slowest:?}");
 }
 
-/// `FENDERLINE_FORGED=10000` for more of them.
+/// `FENDERLINE_FORGED=10000` makes more recordings.
 #[test]
 fn recordings_with_absurd_numbers_and_correct_check_sums_are_refused_or_replayed_in_time() {
     let (_, text) = recorded();
@@ -186,7 +186,7 @@ fn recordings_with_absurd_numbers_and_correct_check_sums_are_refused_or_replayed
     assert!(slowest < LONGEST, "{slowest:?}");
 }
 
-/// A recording with these lines after the first one.
+/// A recording whose first line is followed by these lines.
 fn with_lines(lines: &[&str]) -> String {
     let header = objects(&harbour().take_lines()).remove(0);
     sealed([header.as_str()].into_iter().chain(lines.iter().copied()))
@@ -228,7 +228,7 @@ fn branches_from_far_ticks_and_too_many_branches_are_refused_before_the_replay()
     let (line, why) = refused(&lines);
     assert!(line == 1002 && why.contains("more than 1000 branches"), "line {line}: {why}");
     assert!(start.elapsed() < LONGEST);
-    // Likewise branches without a parent or with a wrong number.
+    // The same for branches without a parent or with a wrong number.
     for bad in [
         r#"{"line":"branch","id":2,"parent":0,"from_tick":0}"#,
         r#"{"line":"branch","id":1,"parent":1,"from_tick":0}"#,
@@ -269,7 +269,7 @@ fn a_forged_recording_is_refused_at_the_forged_line() {
 fn four_users_for_fifteen_minutes_are_recorded_and_replayed() {
     let mut session = harbour();
     let mut text = String::new();
-    // Thirty commands a second each, as the server permits.
+    // Each person gives thirty commands a second, as the server permits.
     for tick in 0..9000_u32 {
         for hand in 0..12 {
             let share = f64::from((tick * 12 + hand) % 1999) / 1999.0;

@@ -1,4 +1,5 @@
-//! What pages make rows and elements of has keys of its own, and orders that are refused cost a small part of a tick.
+//! Pages make rows and elements of some lists. The entries of these lists have unique keys. Refused orders cost a small
+//! part of a tick.
 
 use crate::support;
 
@@ -10,7 +11,7 @@ use fenderline_live::{Action, Fault, NamedOrder, OtherAction, Session};
 use fenderline_sim::OrderName;
 use support::{command, engine, go, open};
 
-/// Fails if a key comes twice.
+/// Fails if a key occurs twice.
 fn unique(what: &str, keys: impl IntoIterator<Item = String>) -> usize {
     let mut all = BTreeSet::new();
     for key in keys {
@@ -19,7 +20,7 @@ fn unique(what: &str, keys: impl IntoIterator<Item = String>) -> usize {
     all.len()
 }
 
-/// The rows of a frame.
+/// Checks the keys of all rows of a frame.
 fn check(session: &Session) -> usize {
     let frame = session.frame(0, RunState::default());
     unique("finding", frame.verdict.findings.iter().map(|f| format!("{} {}", f.key, f.text)));
@@ -30,7 +31,7 @@ fn check(session: &Session) -> usize {
 
 #[test]
 fn alarms_findings_and_names_have_keys_of_their_own() {
-    // Ahead along the quay's fenders and onto the concrete, everything that can be out of order.
+    // The ship goes ahead along the quay's fenders and onto the concrete, with every possible fault.
     let set = [
         "body.ship.position=[-10, -16.5]",
         "body.ship.heading=\"6 deg\"",
@@ -50,7 +51,7 @@ fn alarms_findings_and_names_have_keys_of_their_own() {
         for fault in [Fault::RudderStuck, Fault::EngineLost, Fault::ThrustersLost, Fault::Blackout]
         {
             let fault = OtherAction::Fault { vessel: vessel.clone(), fault, on: true };
-            // A tug without a rudder has no such fault.
+            // A tug without a rudder does not have this fault.
             let _ = session.command("test", 0, fault.into());
         }
     }
@@ -67,7 +68,7 @@ fn alarms_findings_and_names_have_keys_of_their_own() {
         go(&mut session, 1);
         most = check(&session).max(most);
     }
-    // Faults of three vessels, two lines, fenders and a touch: there is something to compare.
+    // There are faults of three vessels, two lines, fenders and a touch, so that there is something to compare.
     assert!(most >= 12, "{most} alarms at once");
 }
 
@@ -95,7 +96,8 @@ fn ten_thousand_orders_to_lines_that_cannot_be_change_nothing_and_cost_little() 
     }
     let each_ms = begun.elapsed().as_secs_f64() * 1e3 / 1e4;
     println!("{:.1} us for each order that is refused", each_ms * 1e3);
-    // A hundredth of a tick of 100 ms; it takes a thousandth of that where nothing else runs.
+    // The limit is a hundredth of a tick of 100 ms. On a machine without other work an order takes a thousandth of this
+    // limit.
     assert!(each_ms < 1.0, "{each_ms} ms");
     for session in [&mut session, &mut left_alone] {
         go(session, 50);

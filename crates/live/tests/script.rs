@@ -1,4 +1,4 @@
-//! What the instructor prepares: changes over a time, planned events, and faults by name.
+//! The instructor's script: changes over a time, planned events, and faults by name.
 
 use crate::support;
 
@@ -17,7 +17,7 @@ fn plan(at_s: f64, event: OtherAction) -> Action {
     OtherAction::Plan { at_s, event: Box::new(event) }.into()
 }
 
-/// Mean wind now: speed (m/s), and direction from which it comes (rad).
+/// The present mean wind: speed (m/s), and direction from which it comes (rad).
 fn mean(session: &Session) -> (f64, f64) {
     let wind = session.simulation().setup().world.environment.wind.as_ref().expect("a wind");
     wind.mean_at(session.simulation().time_s())
@@ -56,7 +56,8 @@ fn libm_remainder(angle_rad: f64) -> f64 {
 
 #[test]
 fn a_ramp_keeps_the_gusts() {
-    // The same gusts: at the end of a ramp the wind is that of a run in which it was set at once, to the bit.
+    // The gusts are the same. At the end of a ramp the wind equals, bit for bit, the wind of a run in which it was set
+    // at once.
     let mut ramp = open("scenarios/live/berthing.toml", &[]);
     let mut jump = ramp.clone();
     command(&mut ramp, wind(10.0, 4.0, 5.0));
@@ -87,7 +88,7 @@ fn planned_events_fire_at_their_time_or_are_cancelled_and_survive_a_restart() {
     go(&mut session, 20);
     assert!(session.simulation().tugs()[1].out || session.simulation().tugs()[0].out);
     assert!(!session.simulation().vessels()[0].faults.engine_lost);
-    // The recording of a server that was killed here goes on.
+    // The recording of a server that was killed here continues.
     let mut again = replay(&saved(&mut session)).expect("the same bits").session;
     for session in [&mut session, &mut again] {
         go(session, 1);

@@ -1,4 +1,4 @@
-//! Replay, rewind and branches give the same bits; a refused command changes nothing.
+//! Replay, rewinding and branches give the same bits. A refused command changes nothing.
 
 use crate::support;
 
@@ -41,7 +41,7 @@ fn commands() -> Vec<Action> {
     ]
 }
 
-/// A fault that is planned for a time.
+/// A fault that is planned for a given time.
 fn planned(at_s: f64, fault: Fault) -> Action {
     let event = Box::new(OtherAction::Fault { vessel: "ship".into(), fault, on: true });
     OtherAction::Plan { at_s, event }.into()
@@ -76,8 +76,8 @@ fn user_action() -> impl Strategy<Value = UserAction> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// The replay of any session gives the end of every branch, bit for bit, as does rewinding in any order. A refused
-    /// command leaves no trace.
+    /// The replay of any session gives the end of every branch, bit for bit. Rewinding in any order does so too. A
+    /// refused command leaves no trace.
     #[test]
     fn a_session_replays_to_the_same_bits(actions in prop::collection::vec(user_action(), 1..40)) {
         let mut session = harbour();
@@ -115,8 +115,8 @@ proptest! {
                 prop_assert_eq!(again.bits(), session.bits(), "branch {} tick {}", branch, tick);
             }
         }
-        // Both continue alike, so delayed orders of tugs and states of pilots are equal too. The recording continues where the
-        // first one ended.
+        // Both sessions continue alike, so the delayed orders of tugs and the states of pilots are equal too. The
+        // recording continues where the first session ended.
         for session in [&mut session, &mut again] {
             session.go_to_branch(0).expect("it is there");
             go(session, 120);
@@ -280,7 +280,7 @@ fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
 
 #[test]
 fn a_manual_order_drops_the_timed_orders_of_the_scenario_to_that_control() {
-    // At 90 s the scenario would engage the station pilot.
+    // The scenario would engage the station pilot at 90 s.
     let mut session = harbour();
     command(&mut session, rudder(0.0));
     command(&mut session, engine(0.1));
@@ -303,7 +303,7 @@ fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
     go(&mut session, 1800);
     go(&mut left_alone, 1800);
     let [pulled, alone] = [&session, &left_alone].map(towards_quay);
-    // Some 600 kN during more than a minute on 47,000 t and as much added mass give 0.4 m/s and more.
+    // About 600 kN during more than a minute, on 47,000 t and as much added mass, give at least 0.4 m/s.
     assert!(pulled < alone - 0.3, "{pulled} beside {alone} m/s");
 }
 
@@ -334,14 +334,14 @@ fn the_history_of_a_rewound_and_a_replayed_session_is_that_of_the_run() {
     let texts: Vec<&str> = whole.events.iter().map(|event| event.text.as_str()).collect();
     assert!(texts.iter().any(|text| text.starts_with("ALARM: ship: rudder stuck")), "{texts:?}");
     assert!(texts.iter().any(|text| text.ends_with("notes: late")), "{texts:?}");
-    // Back: only what was before. On again: the same.
+    // After going back, the past contains only what was before. After going on again it is the same.
     session.rewind(205).expect("it is there");
     let before = session.history(None, &Role::PILOT).expect("it is kept");
     assert_eq!(before.t_s, whole.t_s[..20]);
     assert!(before.events.iter().all(|event| event.t_s <= 20.5));
     session.rewind(405).expect("it is there");
     assert_eq!(session.history(None, &Role::PILOT).expect("it is kept"), whole);
-    // A branch has its own past from there on, and the first run keeps its own.
+    // From there on a branch has its own past, and the first run keeps its own past.
     session.rewind(205).expect("it is there");
     session.branch().expect("it is rewound");
     command(&mut session, engine(-0.7));
@@ -353,7 +353,7 @@ fn the_history_of_a_rewound_and_a_replayed_session_is_that_of_the_run() {
     session.go_to_branch(0).expect("there is one");
     assert_eq!(session.history(None, &Role::PILOT).expect("it is kept"), whole);
     session.go_to_branch(1).expect("there is one");
-    // After a restart of the server.
+    // The past is the same after a restart of the server.
     assert_eq!(
         replay(&saved(&mut session))
             .expect("a good recording")
@@ -376,14 +376,14 @@ fn the_history_has_every_ship_that_can_be_conned() {
     assert_eq!(session.history(None, &Role::PILOT), Ok(bulker.clone()));
     assert_eq!((bulker.vessel, coaster.vessel), (Some(0), Some(1)));
     assert_eq!((bulker.t_s.len(), &coaster.t_s), (30, &bulker.t_s));
-    // 7 and 8 knots at the start.
+    // The speeds at the start are 7 and 8 knots.
     let knots =
         |history: &fenderline_live::message::History| history.ahead_mps[0] * 3600.0 / 1852.0;
     assert!((knots(&bulker) - 7.0).abs() < 0.2 && (knots(&coaster) - 8.0).abs() < 0.2);
     assert_eq!(coaster.events, bulker.events);
     let again = replay(&saved(&mut session)).expect("a good recording").session;
     assert_eq!(again.history(Some(1), &Role::PILOT), Ok(coaster));
-    // A tug has none, and nobody has that of a ship that is not there.
+    // A tug has no past, and nobody gets the past of a ship that does not exist.
     let session = open("scenarios/live/berthing.toml", &[]);
     assert!(session.history(Some(0), &Role::PILOT).is_ok());
     for vessel in [1, 2, 3] {
@@ -392,7 +392,7 @@ fn the_history_has_every_ship_that_can_be_conned() {
     }
 }
 
-/// The harbour with a second ship beside the after tug, who has her line on her.
+/// The harbour with a second ship beside the after tug. The after tug has her line to this ship.
 fn two_ships_and_two_tugs() -> Session {
     let path = support::repository("scenarios/live/berthing.toml");
     let text = std::fs::read_to_string(path).expect("a scenario");
@@ -438,7 +438,7 @@ fn a_tug_that_is_a_vessel_assists_the_ship_on_her_line() {
     let assist = frame.vessels[after].assist.expect("her pilot works");
     assert_eq!((assist.order, assist.place), ("push", Some("starboard midships")), "{assist:?}");
     assert!(assist.force_n > 1e5, "{assist:?}");
-    // Westward, away from the tug.
+    // The velocity is westward, away from the tug.
     let body = session.simulation().setup().world.vessels[coaster].body;
     assert!(session.simulation().states()[body].velocity_mps.y < -0.05);
 }

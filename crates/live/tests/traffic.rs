@@ -1,4 +1,4 @@
-//! Traffic on tracks, and ships with pilots of their own.
+//! Traffic on tracks, and ships with their own pilots.
 
 use crate::support;
 
@@ -22,7 +22,7 @@ fn traffic_follows_its_track_at_its_speed_and_is_in_every_frame() {
     let container_ship = names.iter().position(|name| *name == "container_ship").expect("a ship");
     for _ in 0..3 {
         let t_s = session.simulation().time_s();
-        // On the first leg: straight north at 11 knots from the first waypoint.
+        // The container ship is on her first leg: straight north at 11 knots from the first waypoint.
         let [north_m, east_m, heading_rad, north_mps, east_mps, _] =
             traffic(&session)[container_ship];
         assert!((north_m - (-1500.0 + 11.0 * KNOT_MPS * t_s)).abs() < 1e-6, "{north_m}");

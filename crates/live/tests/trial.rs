@@ -1,4 +1,4 @@
-//! Trial manoeuvres: they show what the run would do, and change nothing of it.
+//! Trial manoeuvres show what the run would do, and do not change the run.
 
 use crate::support;
 
@@ -13,7 +13,7 @@ fn push(tug: &str, power: f64) -> Action {
     Action::tug(tug, TugWords { word: TugWord::Push, power, lead, place })
 }
 
-/// A trial that runs to its end: paths, and what was found.
+/// A trial that runs to its end: the paths and the findings.
 fn tried(session: &Session, orders: &[Action], horizon_s: f64) -> (Vec<ShipPath>, Vec<String>) {
     let trial = session.trial(orders, horizon_s).expect("good orders");
     match trial.run(7, |_| true) {
@@ -84,7 +84,7 @@ fn a_trial_refuses_what_a_real_order_refuses_and_in_its_words() {
         let reason = session.trial(&orders, horizon_s).expect_err(why).to_string();
         assert!(reason.contains(why), "{reason}");
     }
-    // Nothing of what was refused was given.
+    // None of the refused orders was given.
     go(&mut session, 20);
     go(&mut other, 20);
     assert_eq!(session.bits(), other.bits());
@@ -106,7 +106,7 @@ fn a_rewound_run_can_be_tried_and_not_ordered() {
 fn a_trial_says_what_would_be_struck() {
     let mut session = open("scenarios/live/berthing.toml", &[]);
     go(&mut session, 10);
-    // Full ahead past the quay's end, the rudder towards it.
+    // Full ahead past the end of the quay, with the rudder towards the quay.
     let (_, findings) = tried(&session, &[engine(1.0), rudder(0.1)], 300.0);
     assert!(findings.iter().any(|text| text.contains("quay")), "{findings:?}");
     let (_, findings) = tried(&session, &[engine(0.0)], 20.0);

@@ -1,4 +1,4 @@
-//! Fog: what is hidden from whom, and that it is a part of the session.
+//! Fog: what it hides from whom. The visibility is a part of the session.
 
 use crate::support;
 
@@ -26,7 +26,7 @@ fn fog_hides_ships_beyond_it_from_pilot_and_tugmasters_but_not_from_the_instruct
     let mut session = support::open("scenarios/live/berthing.toml", &[]);
     let master = |tug: &str| Role::Tugmaster { tug: tug.to_owned() };
     assert_eq!(hidden(&session, &Role::PILOT), [""; 0], "it is clear at first");
-    // The tugs are some 66 m from the ship's centre, her side is some 35 m from the tugs.
+    // The tugs are about 66 m from the ship's centre, and the ship's side is about 35 m from the tugs.
     set(&mut session, Some(50.0));
     assert_eq!(hidden(&session, &Role::PILOT), ["forward_tug", "after_tug"]);
     assert_eq!(hidden(&session, &Role::Observer), ["forward_tug", "after_tug"]);
@@ -34,7 +34,7 @@ fn fog_hides_ships_beyond_it_from_pilot_and_tugmasters_but_not_from_the_instruct
     assert_eq!(hidden(&session, &Role::Instructor), [""; 0]);
     let all = frame(&session);
     let seen = session.in_fog(&all, &Role::PILOT).expect("something is hidden");
-    // Own ship, quay and instruments stay.
+    // The own ship, the quay and the instruments stay visible.
     assert_eq!((&seen.bodies[0], &seen.fenders), (&all.bodies[0], &all.fenders));
     assert_eq!(seen.vessels[0], all.vessels[0]);
     assert_eq!(seen.vessels[2].berth, None);

@@ -25,7 +25,7 @@ pub struct PositionReport {
     pub heading_rad: f64,
     /// Second of the minute in UTC, 0 to 59.
     pub second: u8,
-    /// Radio status, 19 bits; without meaning where there is no radio.
+    /// Radio status, 19 bits; ignored where there is no radio.
     pub radio: u32,
 }
 
@@ -38,7 +38,7 @@ pub struct ShipData {
     pub imo: u32,
     /// Up to 7 characters.
     pub call_sign: String,
-    /// Up to 20 characters; those that AIS does not have become `?`.
+    /// Up to 20 characters; a character that AIS does not have becomes `?`.
     pub name: String,
     /// Type of ship and cargo: 52 a tug, 70 a cargo ship, 80 a tanker.
     pub kind: u8,
@@ -81,7 +81,7 @@ impl Bits {
         }
     }
 
-    /// The bits as characters of a sentence, and the number of fill bits in the last one.
+    /// The bits as characters of a sentence, and the number of bits that fill up the last character.
     fn armoured(&self) -> (String, usize) {
         let letter = |bits: &[bool]| {
             let value =
@@ -125,7 +125,7 @@ fn bearing(angle_rad: f64, per_deg: f64) -> u32 {
     libm::fmod(libm::round(turned * per_deg), 360.0 * per_deg) as u32
 }
 
-/// The sentences of a position report; `own`: of the own ship.
+/// The sentences of a position report; `own` marks the report as the own ship's.
 #[must_use]
 pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     let mut bits = Bits::default();
@@ -148,7 +148,7 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     sentences(&bits, own, 'B', 0)
 }
 
-/// The two sentences of static and voyage data. `sequence` links them and changes from message to message.
+/// The two sentences of static and voyage data. `sequence` links the two sentences and changes from message to message.
 #[must_use]
 pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     let mut bits = Bits::default();

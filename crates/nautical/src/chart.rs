@@ -11,11 +11,11 @@ pub struct GeoPoint {
     pub longitude_deg: f64,
 }
 
-/// The geographic position of a scenario's origin, with axes north and east.
+/// The geographic position of a scenario's origin. The scenario's axes point north and east.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartOrigin {
     at: GeoPoint,
-    /// Length of a degree of latitude and of longitude there (m).
+    /// Length of a degree of latitude and of longitude at the origin (m).
     metres_per_deg: [f64; 2],
 }
 
@@ -26,7 +26,7 @@ pub struct OutOfChart(pub GeoPoint);
 impl fmt::Display for OutOfChart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let GeoPoint { latitude_deg, longitude_deg } = self.0;
-        // Absurd values in powers of ten.
+        // Absurd values are printed in powers of ten.
         let text = |deg: f64| match deg.abs() < 1e6 {
             true => format!("{deg}"),
             false => format!("{deg:e}"),
@@ -53,7 +53,7 @@ impl Default for ChartOrigin {
 }
 
 impl ChartOrigin {
-    /// A scenario's origin at a position.
+    /// Puts a scenario's origin at a position.
     ///
     /// # Errors
     /// A latitude beyond 85°, where a plane chart is of little use, a longitude beyond 180°, or NaN.
@@ -65,7 +65,7 @@ impl ChartOrigin {
         Ok(ChartOrigin::at(at))
     }
 
-    /// The same without a check.
+    /// Puts the origin at a position without a check.
     fn at(at: GeoPoint) -> ChartOrigin {
         let latitude = at.latitude_deg.to_radians();
         let (sin, cos) = (libm::sin(latitude), libm::cos(latitude));
@@ -78,8 +78,8 @@ impl ChartOrigin {
         ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] }
     }
 
-    /// The geographic position of a point north and east of the origin, on the plane tangent to the ellipsoid there. At
-    /// middle latitudes the error is below 1 m at 5 km.
+    /// The geographic position of a point north and east of the origin, on the plane that touches the ellipsoid at the
+    /// origin. At middle latitudes the error is below 1 m at 5 km.
     #[must_use]
     pub fn place(&self, north_m: f64, east_m: f64) -> GeoPoint {
         let latitude_deg = self.at.latitude_deg + north_m / self.metres_per_deg[0];

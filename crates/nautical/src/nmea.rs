@@ -44,13 +44,13 @@ impl Moment {
 /// A propeller's shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaft {
-    /// Its number; 0 for the only one.
+    /// Number of the shaft; 0 for a ship with one shaft.
     pub number: u32,
     /// Revolutions, negative astern (1/s).
     pub rps: f64,
 }
 
-/// What the instruments of a ship measure.
+/// The values that the instruments of a ship measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instruments {
     /// Time of the measurements.
@@ -59,7 +59,7 @@ pub struct Instruments {
     pub place: GeoPoint,
     /// Heading from true north (rad).
     pub heading_rad: f64,
-    /// Course over ground from true north (rad). It counts only while she moves.
+    /// Course over ground from true north (rad). Used only while the ship moves.
     pub course_rad: f64,
     /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
@@ -73,9 +73,9 @@ pub struct Instruments {
     pub wind_over_deck: (f64, f64),
     /// True wind: direction it comes from, clockwise from the bow (rad), and speed (m/s).
     pub true_wind: (f64, f64),
-    /// Depth of water below the transducer, and of the keel below it (m); `None` in deep water.
+    /// Depth of water below the transducer, and depth of the keel below the transducer (m); `None` in deep water.
     pub depth_m: Option<(f64, f64)>,
-    /// Rudder, positive to starboard (rad); `None` without one.
+    /// Rudder, positive to starboard (rad); `None` without a rudder.
     pub rudder_rad: Option<f64>,
     /// Shafts.
     pub shafts: Vec<Shaft>,
@@ -114,7 +114,7 @@ pub fn instruments(of: &Instruments) -> Vec<String> {
         all.push(sentence('$', &format!("AGRSA,{:.1},A,,V", rudder_rad.to_degrees())));
     }
     for shaft in &of.shafts {
-        // Fixed pitch: 100 %.
+        // The propeller's pitch is fixed: 100 %.
         let body = format!("ERRPM,S,{},{:.1},100.0,A", shaft.number, 60.0 * shaft.rps);
         all.push(sentence('$', &body));
     }

@@ -2,7 +2,8 @@
 
 use core::fmt::Write as _;
 
-/// A sentence with its start, its checksum (the exclusive or of all between start and `*`) and its line end.
+/// A sentence with its start, checksum and line end. The checksum is the exclusive or of all characters between start
+/// and `*`.
 pub(crate) fn sentence(start: char, body: &str) -> String {
     let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
     let mut text = format!("{start}{body}*");

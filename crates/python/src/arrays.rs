@@ -1,7 +1,7 @@
 //! NumPy arrays that this package fills.
 //!
-//! NumPy owns the memory, so that no Python array can outlive it. A step reads its inputs from these arrays and writes its
-//! results into them. Results are given to Python as read-only views.
+//! NumPy owns the memory, so no Python array can outlive its memory. A step reads its inputs from these arrays and
+//! writes its results into them. Results are given to Python as read-only views.
 
 use fenderline_contact::{BodyState, Wrench, vec2};
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -49,7 +49,7 @@ pub(crate) struct ReadOnly {
 }
 
 impl ReadOnly {
-    /// Zeros. The view has a first axis of `rows` and the `others`; the memory has two axes.
+    /// An array of zeros. The view has a first axis of `rows` and then the axes `others`; the memory has two axes.
     pub(crate) fn zeros(py: Python<'_>, rows: usize, others: &[usize]) -> PyResult<ReadOnly> {
         let own = Shared::zeros(py, rows, others.iter().product());
         let mut shape = vec![rows];

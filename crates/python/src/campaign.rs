@@ -61,7 +61,7 @@ impl Campaign {
         )
     }
 
-    /// It is pickled by the path of its file, which the other process must see.
+    /// A campaign is pickled as the path of its file, which the other process must be able to read.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (PathBuf,))> {
         let class = py.import("fenderline.campaign")?.getattr("Campaign")?;
         Ok((class, (self.path.clone(),)))
@@ -94,7 +94,7 @@ impl Campaign {
         self.runs.heads().iter().map(named).collect()
     }
 
-    /// A number in hexadecimal that differs where two campaigns may have different rows.
+    /// A number in hexadecimal that differs if two campaigns may have different rows.
     #[getter]
     fn fingerprint(&self) -> String {
         format!("{:016x}", self.runs.fingerprint())
@@ -164,9 +164,9 @@ impl Campaign {
         store.finish(self.runs.count()).map_err(refused)
     }
 
-    /// Outputs at given probabilities of the variables: `probabilities` has a row a run and a column a variable, each number
-    /// between 0 and 1. Returns one array for each column of `outputs`; NaN where a run has no such number or was not made. This is
-    /// what methods for rare events and sensitivity call.
+    /// Outputs at given probabilities of the variables: `probabilities` has a row for each run and a column for each
+    /// variable, each number between 0 and 1. Returns one array for each column of `outputs`; NaN if a run has no such
+    /// number or was not made. Methods for rare events and sensitivity call this function.
     #[pyo3(signature = (probabilities, outputs, threads=None))]
     fn evaluate<'py>(
         &self,

@@ -138,7 +138,7 @@ impl StepEvent {
 /// Kind, subjects and fender of an event.
 type Parts = (String, Vec<String>, Option<String>);
 
-/// An event of its parts, for pickles.
+/// Makes an event from its parts, for pickles.
 #[pyfunction]
 #[pyo3(signature = (kind, subjects, fender))]
 pub(crate) fn step_event(kind: String, subjects: Vec<String>, fender: Option<String>) -> StepEvent {

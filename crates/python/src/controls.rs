@@ -15,14 +15,14 @@ enum Kind {
     AzimuthPower(usize),
     /// The direction of an azimuth unit, by its index.
     AzimuthDirection(usize),
-    /// The force of a vector tug, square to the ship: a push where it is positive, a pull where it is negative.
+    /// The force of a vector tug, square to the ship: a push if positive, a pull if negative.
     TugForce,
 }
 
 /// A control of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Control {
-    /// The user's name for it: `ship.rudder_rad`.
+    /// The user's name for the control: `ship.rudder_rad`.
     pub(crate) name: String,
     /// Index of the vessel, or of the tug.
     target: usize,
@@ -74,7 +74,7 @@ impl Control {
         }
     }
 
-    /// The order that sets this control to a value at a time. The simulation checks it as any other.
+    /// The order that sets this control to a value at a time. The simulation checks this order like any other order.
     pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Order {
         let of_unit =
             |unit, power, direction_rad| VesselAction::Azimuth { unit, power, direction_rad };

@@ -17,13 +17,13 @@ use crate::errors;
 use crate::scenario::Scenario;
 use crate::whole;
 
-/// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
-/// call `step`, add `wrenches` to your forces.
+/// The contact engine for a simulator that moves its bodies itself: write `states` and, if you know them, `loads`;
+/// call `step`; add `wrenches` to your forces.
 ///
-/// `method` is `"coupled"` or `"paper"`; by default the scenario's. With `host="direct"` you give the states at the
-/// start of each step and all loads; `coriolis` says whether the `"engine"` adds the Coriolis terms or your `"loads"`
-/// include them. With `host="cosimulation"` you move the bodies with the wrenches by `integration` (`"semi_implicit"`
-/// or `"forward_euler"`); states may be `delay_steps` old, and loads need not be given.
+/// `method` is `"coupled"` or `"paper"`; by default the method of the scenario. With `host="direct"` you give the
+/// states at the start of each step and all loads; `coriolis` says whether the `"engine"` adds the Coriolis terms or
+/// your `"loads"` include them. With `host="cosimulation"` you move the bodies with the wrenches by `integration`
+/// (`"semi_implicit"` or `"forward_euler"`); states may be `delay_steps` old, and loads need not be given.
 ///
 /// It can be copied and pickled: the copy goes on with the same bits.
 ///
@@ -53,7 +53,7 @@ pub(crate) struct Engine {
     load_rows: Vec<Wrench>,
 }
 
-/// What a pickle holds: version, arguments of `Engine(...)`, whether steps use loads, and what `save` gave.
+/// Contents of a pickle: version, arguments of `Engine(...)`, whether steps use loads, and what `save` gave.
 type Parts<'py> = (&'static str, Bound<'py, PyDict>, bool, Bound<'py, PyBytes>);
 
 /// What an engine was made of: the arguments of `Engine(...)`.
@@ -130,8 +130,8 @@ impl Engine {
     }
 
     /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads`: fills `wrenches`, and
-    /// `states_after` where the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and changes
-    /// nothing.
+    /// `states_after` if the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and
+    /// changes nothing.
     fn step(
         &mut self,
         py: Python<'_>,
@@ -150,8 +150,9 @@ impl Engine {
         self.show(py)
     }
 
-    /// Marks a body, by its name, as teleported: its next state is a new position, not the result of motion. Its contacts
-    /// start anew, and out of another body it is pressed slowly (event `placed_in_overlap`).
+    /// Marks a body, by its name, as teleported: its next state is a new position, not the result of motion. The
+    /// body's contacts start anew, and if the body overlaps another body, it is pressed out slowly (event
+    /// `placed_in_overlap`).
     fn mark_teleported(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
         let Engine { engine, .. } = self;
         let placed = engine.body_named(body).and_then(|index| engine.mark_teleported(index));
@@ -159,7 +160,7 @@ impl Engine {
     }
 
     /// States at the start of the next step, one row per body: north and east (m), heading (rad), velocity north and
-    /// east (m/s), rate of turn (rad/s). Write into it.
+    /// east (m/s), rate of turn (rad/s). Write into this array.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.states.array(py)
@@ -199,16 +200,16 @@ impl Engine {
         self.wrenches.view(py)
     }
 
-    /// The largest contact wrench on each body within the step, in rows as `wrenches`. Use it to size fenders; move the
-    /// bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has the peak of each
-    /// contact. Read-only; each step overwrites it.
+    /// The largest contact wrench on each body within the step, in rows as `wrenches`. Use this wrench to size
+    /// fenders; move the bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has
+    /// the peak of each contact. Read-only; each step overwrites it.
     #[getter]
     fn peak_wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.peak_wrenches.view(py)
     }
 
     /// The engine's states at the end of the step, in rows as `states`; for a direct host with the coupled method. As in
-    /// a leapfrog scheme, velocities are half a step older (half of the last sub-step, where contacts needed several):
+    /// a leapfrog scheme, velocities are half a step older (half of the last sub-step, if contacts needed several):
     /// pass them back unchanged. Read-only; each step overwrites it.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
@@ -279,7 +280,7 @@ impl Engine {
         self.states_after.write(py, |rows| write_states(self.engine.initial_states(), rows))
     }
 
-    /// Everything that can change, as bytes.
+    /// The whole mutable state of the engine, as bytes.
     fn save<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         // Values written into the arrays since the last step are saved too.
         let Engine { engine, state_rows, load_rows, .. } = self;

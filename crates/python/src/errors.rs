@@ -30,7 +30,7 @@ pub(crate) fn of_scenario(py: Python<'_>, error: &ScenarioError) -> PyErr {
     filled.map_or_else(|error: PyErr| error, |()| exception)
 }
 
-/// A file that cannot be read, or an error in it.
+/// The exception for a file that cannot be read, or for an error in a file.
 pub(crate) fn of_load(py: Python<'_>, error: &LoadError) -> PyErr {
     match error {
         LoadError::Refused(error) => of_scenario(py, error),
@@ -53,7 +53,7 @@ pub(crate) fn argument(py: Python<'_>, message: String) -> PyErr {
     exception(py, "ArgumentError", message)
 }
 
-/// As [`argument`], where no token of Python is at hand.
+/// As [`argument`], for code without a token of Python.
 pub(crate) fn bad_argument(message: impl Into<String>) -> PyErr {
     Python::attach(|py| argument(py, message.into()))
 }

@@ -13,8 +13,8 @@ use crate::scenario::Scenario;
 use crate::variants::{self, Common, NoRun};
 use crate::whole;
 
-/// Variants of one scenario, advanced in lockstep on `threads` threads. Their bodies, fenders and controls are those of the
-/// scenario. Results are those of single simulations, bit for bit.
+/// Variants of one scenario, advanced in lockstep on `threads` threads. All variants have the bodies, fenders and
+/// controls of the scenario. Results equal those of single simulations, bit for bit.
 ///
 /// >>> import fenderline
 /// >>> speeds = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0)]
@@ -78,7 +78,7 @@ impl Fleet {
         let wanted = self.runs.len() * self.common.controls.len();
         let values = self.controls.read(py, <[f64]>::to_vec)?;
         if values.len() != wanted {
-            return Err(errors::bad_argument("the array of controls has another shape"));
+            return Err(errors::bad_argument("the array of controls has a wrong shape"));
         }
         if let Some(reason) = Run::refused(&self.common.controls, &values) {
             return Err(errors::refused(py, reason));
@@ -131,7 +131,8 @@ impl Fleet {
         self.show(py)
     }
 
-    /// Values of the controls, (simulations, controls); NaN leaves a control to the scenario's orders and pilots. Write into it.
+    /// Values of the controls, (simulations, controls); NaN leaves a control to the scenario's orders and pilots.
+    /// Write into this array.
     #[getter]
     fn controls(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.controls.array(py)
@@ -162,7 +163,7 @@ impl Fleet {
         self.reactions.view(py)
     }
 
-    /// 1 where a fender was deflected beyond its travel, (simulations, fenders). Read-only; each step overwrites it.
+    /// 1 if a fender was deflected beyond its travel, (simulations, fenders). Read-only; each step overwrites it.
     #[getter]
     fn fenders_failed(&self, py: Python<'_>) -> Py<PyAny> {
         self.failed.view(py)
@@ -192,11 +193,11 @@ impl Fleet {
         self.common.base.setup.step_s
     }
 
-    /// A fleet is not sent to other processes: it fills their place.
+    /// A fleet cannot be sent to other processes: it replaces them.
     fn __reduce__(&self) -> PyResult<()> {
         Err(PyTypeError::new_err(
-            "a Fleet can be neither pickled nor copied: send its scenario and variants, and make a Fleet of them there; \
-             a Simulation can be pickled",
+            "a Fleet can be neither pickled nor copied: send the scenario and the variants, and \
+             make a Fleet of them there; a Simulation can be pickled",
         ))
     }
 

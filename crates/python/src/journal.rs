@@ -1,5 +1,5 @@
-//! The inputs of a simulation, in their order. The simulation and its inputs give the same bits again: that is how a simulation is
-//! pickled.
+//! The inputs of a simulation, in their order. The simulation and its inputs give the same bits again; a simulation is
+//! pickled in this way.
 
 use fenderline_contact::Wrench;
 
@@ -17,7 +17,7 @@ pub(crate) enum Input {
 /// All inputs since the start.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Journal {
-    /// Number of steps that were taken before, and the input.
+    /// Number of steps before the input, and the input.
     pub(crate) inputs: Vec<(u64, Input)>,
     /// The external wrenches now.
     pub(crate) external: Vec<Wrench>,
@@ -32,7 +32,7 @@ impl Journal {
         self.inputs.push((step, input));
     }
 
-    /// Whether these external wrenches are not those of now.
+    /// Whether these external wrenches differ from the present wrenches.
     pub(crate) fn differs(&self, wrenches: &[Wrench]) -> bool {
         self.external.iter().zip(wrenches).any(|(old, new)| bits(old) != bits(new))
     }

@@ -2,7 +2,7 @@
 //! `python/fenderline`, with types in `_native.pyi`.
 //!
 //! Mistakes of users are exceptions of `fenderline._errors`; bugs panic, which PyO3 turns into exceptions too. NumPy
-//! owns all memory that Python sees (`arrays`), so that no array outlives it and no `unsafe` is needed.
+//! owns all memory that Python sees (`arrays`), so no array outlives its memory and no `unsafe` is needed.
 #![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "private items; the classes have the documentation for Python")]
 
@@ -24,6 +24,7 @@ mod simulation;
 mod summaries;
 mod tables;
 mod totals;
+mod unpickled;
 mod variants;
 mod whole;
 
@@ -44,7 +45,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<campaign::Campaign>()?;
     module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
     module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;
-    module.add_function(wrap_pyfunction!(pickled::simulation_of_parts, module)?)?;
+    module.add_function(wrap_pyfunction!(unpickled::simulation_of_parts, module)?)?;
     module.add_function(wrap_pyfunction!(contacts::step_event, module)?)?;
     module.add_function(wrap_pyfunction!(many::run_variants, module)?)
 }

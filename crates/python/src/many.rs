@@ -25,13 +25,14 @@ type Done = (Vec<BodyState>, Summary);
 enum Failed {
     NoRun(NoRun),
     Step(SimError),
-    /// By the user; nobody sees it.
+    /// The user stopped the runs; this error is never shown.
     Stopped,
 }
 
-/// Runs every variant of a scenario to its end, on `threads` threads (by default all of the machine). The variants are a sequence of
-/// dictionaries, or a dictionary of columns. Returns the final states (runs, bodies, 6) and the tables of the summaries. The bits
-/// do not depend on the number of threads. `progress` is called now and then with the number of runs that are done.
+/// Runs every variant of a scenario to its end, on `threads` threads (by default all threads of the machine). The
+/// variants are a sequence of dictionaries, or a dictionary of columns. Returns the final states (runs, bodies, 6) and
+/// the tables of the summaries. The bits do not depend on the number of threads. `progress` is called now and then with
+/// the number of runs that are done.
 #[pyfunction]
 #[pyo3(signature = (scenario, variants, threads=None, progress=None))]
 pub(crate) fn run_variants<'py>(

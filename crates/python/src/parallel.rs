@@ -7,7 +7,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-/// The number of threads given, else that of the machine; at least one.
+/// The given number of threads, else the number of the machine; at least one.
 pub(crate) fn threads(given: Option<usize>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     given.unwrap_or_else(all).max(1)
@@ -86,7 +86,7 @@ pub(crate) fn each_elsewhere<T: Send>(
 
 /// The reason why not all of the work was done.
 pub(crate) enum Ended<E> {
-    /// The lowest index that failed: all below it were done.
+    /// The lowest index that failed: all lower indices were done.
     Failed(usize, E),
     /// `watch` said no.
     Stopped,

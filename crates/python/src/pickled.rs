@@ -7,7 +7,6 @@ use pyo3::types::PyDict;
 use crate::errors;
 use crate::journal::Input;
 use crate::scenario::Scenario;
-use crate::simulation::Simulation;
 
 /// A scenario, all inputs since the start, and how far the run has come.
 pub(crate) struct Pickled {
@@ -25,11 +24,23 @@ pub(crate) struct Pickled {
 type Row = (u64, String, usize, Vec<f64>, String);
 
 impl Pickled {
-    /// A simulation that has taken all the steps.
-    pub(crate) fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
-        let mut made = Simulation::new(py, self.scenario.clone_ref(py), self.is_recorded)?;
-        made.replay(py, self)?;
-        Ok(made)
+    /// Of a pickle's dictionary.
+    pub(crate) fn of_parts(parts: &Bound<'_, PyDict>) -> PyResult<Pickled> {
+        let item = |name: &str| {
+            let missing = || errors::bad_argument(format!("the pickle has no {name}"));
+            parts.get_item(name)?.ok_or_else(missing)
+        };
+        let inputs: Vec<Row> = item("inputs")?.extract()?;
+        let external: Vec<Vec<f64>> = item("external")?.extract()?;
+        Ok(Pickled {
+            scenario: item("scenario")?.extract()?,
+            is_recorded: item("record")?.extract()?,
+            inputs: inputs.into_iter().map(input).collect::<PyResult<_>>()?,
+            steps: item("steps")?.extract()?,
+            events_from: item("events_from")?.extract()?,
+            controls: item("controls")?.extract()?,
+            external: external.iter().map(|row| wrench(row)).collect::<PyResult<_>>()?,
+        })
     }
 }
 
@@ -51,30 +62,6 @@ impl<'py> IntoPyObject<'py> for Pickled {
         dict.set_item("external", external)?;
         Ok(dict)
     }
-}
-
-/// The simulation of a pickle's dictionary, for `fenderline._pickling`.
-#[pyfunction]
-pub(crate) fn simulation_of_parts(
-    py: Python<'_>,
-    parts: &Bound<'_, PyDict>,
-) -> PyResult<Simulation> {
-    let item = |name: &str| {
-        let missing = || errors::bad_argument(format!("the pickle has no {name}"));
-        parts.get_item(name)?.ok_or_else(missing)
-    };
-    let inputs: Vec<Row> = item("inputs")?.extract()?;
-    let external: Vec<Vec<f64>> = item("external")?.extract()?;
-    let pickled = Pickled {
-        scenario: item("scenario")?.extract()?,
-        is_recorded: item("record")?.extract()?,
-        inputs: inputs.into_iter().map(input).collect::<PyResult<_>>()?,
-        steps: item("steps")?.extract()?,
-        events_from: item("events_from")?.extract()?,
-        controls: item("controls")?.extract()?,
-        external: external.iter().map(|row| wrench(row)).collect::<PyResult<_>>()?,
-    };
-    pickled.simulation(py)
 }
 
 fn numbers(wrench: &Wrench) -> Vec<f64> {

@@ -12,7 +12,7 @@ use crate::controls::Control;
 pub(crate) struct Run {
     pub(crate) simulation: Simulation,
     pub(crate) controls: Arc<Vec<Control>>,
-    /// NaN where a control was never set: an order of the scenario or a pilot keeps it.
+    /// NaN for a control that was never set: it stays with an order of the scenario or a pilot.
     set: Vec<f64>,
     /// The set-up is that of the scenario but for its start.
     pub(crate) is_of_scenario: bool,

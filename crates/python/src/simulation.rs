@@ -362,7 +362,7 @@ impl Simulation {
         self.refuse_recording(py, "restored")?;
         let (own, other) = (&self.scenario.get().source, &state.scenario.get().source);
         if !Arc::ptr_eq(own, other) && own != other {
-            let message = "the state is that of another scenario".to_owned();
+            let message = "the state belongs to another scenario".to_owned();
             return Err(errors::refused(py, message));
         }
         self.take_over(py, state)
@@ -371,7 +371,7 @@ impl Simulation {
     /// A copy that continues independently. One that is recorded computes its steps again.
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
         if self.tables.is_some() {
-            return self.pickled(py)?.simulation(py);
+            return Simulation::of_pickled(py, &self.pickled(py)?);
         }
         self.save(py)?.simulation(py)
     }
@@ -489,7 +489,7 @@ impl Simulation {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
         if values.len() != self.run.controls.len() {
-            return Err(errors::bad_argument("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has a wrong length"));
         }
         if let Some(reason) = Run::refused(&self.run.controls, values) {
             return Err(errors::refused(py, reason));
@@ -561,8 +561,15 @@ impl Simulation {
         })
     }
 
+    /// A simulation that has taken all the steps of a pickled one.
+    pub(crate) fn of_pickled(py: Python<'_>, pickled: &Pickled) -> PyResult<Simulation> {
+        let mut made = Simulation::new(py, pickled.scenario.clone_ref(py), pickled.is_recorded)?;
+        made.replay(py, pickled)?;
+        Ok(made)
+    }
+
     /// Repeats the inputs and steps of a pickled simulation, from the start.
-    pub(crate) fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
+    fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
         let mut external = vec![Wrench::default(); self.external_rows.len()];
         for (step, input) in &pickled.inputs {
             self.advance_to(py, *step)?;
@@ -612,7 +619,7 @@ impl Simulation {
         let mut array = self.controls.bind(py).try_readwrite()?;
         let values = array.as_slice_mut()?;
         if values.len() != controls.len() {
-            return Err(errors::bad_argument("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has a wrong length"));
         }
         values.copy_from_slice(controls);
         self.external_wrenches.write(py, |rows| write_wrenches(external, rows))

@@ -156,7 +156,8 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             (
                 "formula_speed_mps",
                 "m/s",
-                "speed in the formula: that of the approach, else at the touch",
+                "speed in the formula: the speed of the approach; without an approach, the speed \
+                 at the touch",
             ),
             |b| b.formula_speed_mps(),
         ),
@@ -170,7 +171,7 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             ("along_m", "m", "point of contact from the centre of gravity, positive forward"),
             |b| b.along_m,
         ),
-        column(&rows, ("fenders", "1", "number of fenders that are met at once"), |b| {
+        column(&rows, ("fenders", "1", "number of fenders that the hull meets at once"), |b| {
             b.fenders.len() as f64
         }),
         column(&rows, ("added_mass", "1", "the chosen Cm"), |b| b.chosen_added_mass),
@@ -178,9 +179,16 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
         column(&rows, ("energy_j", "J", "energy by the formula, with the chosen Cm"), |b| {
             b.energy_j
         }),
-        column(&rows, ("energy_at_touch_j", "J", "the same with the speed at the touch"), |b| {
-            b.energy_at_touch_j
-        }),
+        column(
+            &rows,
+            (
+                "energy_at_touch_j",
+                "J",
+                "energy by the formula with the speed at the \
+            touch",
+            ),
+            |b| b.energy_at_touch_j,
+        ),
         column(
             &rows,
             ("abnormal_energy_j", "J", "energy of the abnormal berthing; NaN without a factor"),
@@ -199,9 +207,16 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             ("pile_energy_j", "J", "energy that the piles of dolphins took in the first hit"),
             |b| b.pile_energy_j,
         ),
-        column(&rows, ("eccentricity_measured", "1", "both over the kinetic energy"), |b| {
-            b.eccentricity_measured
-        }),
+        column(
+            &rows,
+            (
+                "eccentricity_measured",
+                "1",
+                "energy in fenders and piles over the kinetic \
+            energy",
+            ),
+            |b| b.eccentricity_measured,
+        ),
         column(
             &rows,
             (
@@ -211,12 +226,14 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             ),
             |b| b.later.map_or(0.0, |later| later.energy_j),
         ),
-        column(&rows, ("later_at_s", "s", "start of the step of that; NaN: none"), |b| {
+        column(&rows, ("later_at_s", "s", "start of the step of this energy; NaN: none"), |b| {
             b.later.map_or(f64::NAN, |later| later.at_s)
         }),
-        column(&rows, ("later_hit", "1", "number of that hit, 2 for the second; 0: none"), |b| {
-            b.later.map_or(0.0, |later| f64::from(later.number))
-        }),
+        column(
+            &rows,
+            ("later_hit", "1", "number of this later hit, 2 for the second; 0: none"),
+            |b| b.later.map_or(0.0, |later| f64::from(later.number)),
+        ),
     ];
     KeptTable { name: "berthings", columns }
 }
@@ -254,15 +271,34 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             "the law or data that the run left, as in summary.json; empty for other findings",
             rows.iter().map(|(_, f)| f.departure().map_or("", |d| d.law.row().key).to_owned()),
         ),
-        column(&rows, ("from_s", "s", "when it left that first; NaN for other findings"), |f| {
-            f.departure().map_or(f64::NAN, |d| d.first_s)
-        }),
-        column(&rows, ("lasting_s", "s", "how long it did in all; NaN for other findings"), |f| {
-            f.departure().map_or(f64::NAN, |d| d.lasting_s)
-        }),
         column(
             &rows,
-            ("share_of_run", "1", "that over the time of the run; NaN for other findings"),
+            (
+                "from_s",
+                "s",
+                "when the run first left the law or data; NaN for other \
+            findings",
+            ),
+            |f| f.departure().map_or(f64::NAN, |d| d.first_s),
+        ),
+        column(
+            &rows,
+            (
+                "lasting_s",
+                "s",
+                "time outside the law or data in all; NaN for other \
+            findings",
+            ),
+            |f| f.departure().map_or(f64::NAN, |d| d.lasting_s),
+        ),
+        column(
+            &rows,
+            (
+                "share_of_run",
+                "1",
+                "time outside the law or data over the time of the run; NaN for \
+                other findings",
+            ),
             |f| f.departure().map_or(f64::NAN, |d| d.share_of_run),
         ),
     ];
@@ -279,12 +315,19 @@ fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
         names(&rows, "body_2", "name of the other", bodies(), |p| p.bodies[1]),
         column(
             &rows,
-            ("first_touch_s", "s", "start of the first step in which they touched"),
+            ("first_touch_s", "s", "start of the first step in which the two bodies touched"),
             |p| p.first_touch_s,
         ),
-        column(&rows, ("last_touch_s", "s", "start of the last step in which they touched"), |p| {
-            p.last_touch_s
-        }),
+        column(
+            &rows,
+            (
+                "last_touch_s",
+                "s",
+                "start of the last step in which the two bodies \
+            touched",
+            ),
+            |p| p.last_touch_s,
+        ),
         column(
             &rows,
             ("approach_speed_mps", "m/s", "closing speed along the normal at first touch"),
@@ -310,7 +353,7 @@ fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
         column(&rows, ("tangential_work_j", "J", "work of friction on the two bodies"), |p| {
             p.tangential_work_j
         }),
-        flags(&rows, "touching_at_end", "whether they touch in the last step", |p| {
+        flags(&rows, "touching_at_end", "whether the two bodies touch in the last step", |p| {
             p.touching_at_end
         }),
     ];
@@ -327,7 +370,7 @@ fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
         names(&rows, "fender", "name of the fender", fenders, |f| f.fender),
         column(
             &rows,
-            ("first_touch_s", "s", "start of the first step in which it was touched"),
+            ("first_touch_s", "s", "start of the first step in which the fender was touched"),
             |f| f.first_touch_s,
         ),
         column(
@@ -341,17 +384,19 @@ fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             |f| f.approach_angle_rad,
         ),
         column(&rows, ("peak_deflection_m", "m", "largest deflection"), |f| f.peak_deflection_m),
-        column(&rows, ("peak_reaction_n", "N", "largest reaction along its axis"), |f| {
+        column(&rows, ("peak_reaction_n", "N", "largest reaction along the fender's axis"), |f| {
             f.peak_reaction_n
         }),
         column(&rows, ("peak_energy_j", "J", "largest energy absorbed"), |f| f.peak_energy_j),
-        column(&rows, ("peak_energy_at_s", "s", "start of the step of that energy"), |f| {
+        column(&rows, ("peak_energy_at_s", "s", "start of the step of the largest energy"), |f| {
             f.peak_energy_at_s
         }),
-        column(&rows, ("share_of_rated_energy", "1", "largest energy over the rated one"), |f| {
-            share(f.share_of_rated_energy)
-        }),
-        column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated one"), |f| {
+        column(
+            &rows,
+            ("share_of_rated_energy", "1", "largest energy over the rated energy"),
+            |f| share(f.share_of_rated_energy),
+        ),
+        column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated reaction"), |f| {
             share(f.share_of_rated_reaction)
         }),
         column(
@@ -359,7 +404,7 @@ fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             (
                 "share_of_catalogue_energy",
                 "1",
-                "largest energy over the rated one without the run's factors",
+                "largest energy over the rated energy without the run's factors",
             ),
             |f| share(f.share_of_catalogue_energy(&setup.fenders[f.fender])),
         ),
@@ -368,17 +413,19 @@ fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             (
                 "share_of_catalogue_reaction",
                 "1",
-                "reaction over the rated one without the run's factors",
+                "reaction over the rated reaction without the run's factors",
             ),
             |f| share(f.share_of_catalogue_reaction()),
         ),
-        column(&rows, ("share_of_rated_deflection", "1", "deflection over the rated one"), |f| {
-            share(f.share_of_rated_deflection)
-        }),
+        column(
+            &rows,
+            ("share_of_rated_deflection", "1", "deflection over the rated deflection"),
+            |f| share(f.share_of_rated_deflection),
+        ),
         column(&rows, ("share_of_hull_pressure", "1", "pressure over the hull's limit"), |f| {
             share(f.share_of_hull_pressure)
         }),
-        flags(&rows, "failed", "whether it was deflected beyond its travel", |f| f.failed),
+        flags(&rows, "failed", "whether the fender was deflected beyond its travel", |f| f.failed),
     ];
     KeptTable { name: "fenders", columns }
 }

@@ -106,6 +106,7 @@ def test_wamit_files_of_capytaine_give_the_same_data(dataset: Any, tmp_path: Pat
         np.testing.assert_allclose(waves[round(omega, 4), round(heading, 2)], forces, rtol=1e-3, atol=2e3)
 
 
+@pytest.mark.filterwarnings("ignore:Doubt. added mass of")  # The numbers are places in the file, and not mutual.
 def test_nemoh_files_give_the_numbers_in_them(tmp_path: Path) -> None:
     zones = []
     for j in range(6):

@@ -467,6 +467,12 @@ def test_the_picture_is_an_svg_with_what_was_cut(hull: Hull, tmp_path: Path) -> 
     assert len(figure.axes) == 18
     # A notebook shows what the call gives back.
     assert hasattr(figure, "_repr_svg_")
+    # Masses are in tonnes, as naval architects have them.
+    titles = [ax.get_title(loc="left") for ax in figure.axes]
+    assert "heave: added mass [kt]" in titles and not any("kkg" in title or "Mkg" in title for title in titles)
+    assert "3,936 t" in figure.get_suptitle()
+    data.mass_kg = 26.8
+    assert ": 26.8 kg, deep water" in data.picture().get_suptitle()
     with pytest.raises(HydrodynamicsError, match="the picture cannot be written"):
         data.picture(tmp_path / "box.nothing")
 
@@ -533,6 +539,84 @@ def test_the_simulation_reads_what_was_repaired(hull: Hull, tmp_path: Path) -> N
     (tmp_path / "box.toml").write_text(SCENARIO)
     scenario = Scenario.load(str(tmp_path / "box.toml"))
     assert [notice for notice in scenario.notices if "box.hydro" in str(notice)] == []
+
+
+def test_a_hull_that_the_simulation_would_refuse_is_a_problem_of_the_file(tmp_path: Path) -> None:
+    """As the spar of a two-body wave energy converter: a small waterline over a deep hull, and an added mass of nearly nothing."""
+    hull = Hull()
+    restoring = [list(row) for row in RESTORING[2:5, 2:5]]
+    restoring[0][0] = 1e5
+    # Exciting forces of long waves are those of the restoring.
+    hull.force[:, :, 2] *= 1e5 / RESTORING[2, 2]
+    hull.damping[:, 2, 2] *= (1e5 / RESTORING[2, 2]) ** 2
+    data = wamit(hull.wamit(tmp_path / "spar"), restoring=restoring)
+    assert any("the restoring of heave is 1e+05 N/m, but of the hulls of this displacement" in problem for problem in data.problems)
+    infinite = np.diag(INFINITE)
+    infinite[0, 0] = 6.0 * MASS
+    data = wamit(Hull().wamit(tmp_path / "box"), infinite=infinite.tolist())
+    assert "the added mass of surge at infinite frequency is 6 of the mass, but must be 0 to 5" in data.problems
+
+
+def test_a_coupling_that_is_not_mutual_is_said() -> None:
+    """As in the WAMIT files of a public two-body example, where the motion in pitch differs by 4 % for it."""
+    odd = Hull()
+    root = np.sqrt(odd.added[:, 0, 0].max() * odd.added[:, 4, 4].max())
+    odd.added[:, 0, 4] -= 0.2 * root
+    odd.added[:, 4, 0] -= 0.04 * root
+    data = quiet(lambda: hydrodynamics.from_capytaine(dataset(odd), gravity_above_water_m=0.0))
+    assert any(note.startswith("Doubt: added mass of surge by pitch and of pitch by surge must be the same") for note in data.notes)
+
+
+def test_a_square_box_is_no_body_of_revolution(tmp_path: Path) -> None:
+    """Surge is as sway and roll as pitch, but a box with corners moves water as she yaws."""
+    square = Hull()
+    # Long waves carry her with her added mass.
+    square.force[:, :, 0] *= ((MASS + square.added[:, 1, 1]) / (MASS + square.added[:, 0, 0]))[:, None]
+    for matrices in (square.added, square.damping):
+        for one, two in ((0, 1), (3, 4)):
+            matrices[:, one, one] = matrices[:, two, two]
+    with pytest.raises(HydrodynamicsError, match="given as revolution, but she moves water as she yaws"):
+        wamit(square.wamit(tmp_path / "square"), first_column="period", symmetry="revolution")
+
+
+@pytest.mark.parametrize("trait", ["sound", "two bodies", "rows that are not numbers", "an irregular frequency"])
+def test_the_simulated_ship_moves_in_regular_waves_as_the_panel_code_says(hull: Hull, tmp_path: Path, trait: str) -> None:
+    """Within 2 % in heave and pitch, where they are above 2 % of the wave's amplitude and slope."""
+    import fenderline
+
+    if trait == "two bodies":
+        data = quiet(lambda: hydrodynamics.from_capytaine(dataset(hull, bodies=("tug__", "ship__")), gravity_above_water_m=0.0, body="ship"))
+    elif trait == "rows that are not numbers":
+        bad = dataset(hull, infinite=False)
+        bad["added_mass"].values[:2] = np.nan
+        data = quiet(lambda: hydrodynamics.from_capytaine(bad, gravity_above_water_m=0.0))
+    else:
+        own = Hull()
+        if trait == "an irregular frequency":
+            own.damping[int(np.argmin(np.abs(own.omegas - 1.2))), 2, 2] *= -0.4
+        data = wamit(own.wamit(tmp_path / "own"))
+    data.write(tmp_path / "box.hydro")
+    for omega, heading in ((0.5, 0.0), (0.9, 60.0), (1.2, 180.0)):
+        row, column = int(np.argmin(np.abs(hull.omegas - omega))), int(np.argmin(np.abs(hull.headings - heading)))
+        expected = np.abs(hull.motion(row, column))
+        # Small waves, in which she keeps her heading though nothing holds her.
+        period, amplitude = 2.0 * math.pi / omega, 1e-4
+        (tmp_path / "waves.toml").write_text(
+            SCENARIO.replace('step = "0.2 s"', f"step = {period / 60:.9g}")
+            .replace('duration = "1 min"', f"duration = {60 * period:.9g}")
+            .replace(
+                'depth = "300 m"',
+                f'depth = "300 m"\nwaves = {{ height = {2 * amplitude}, period = {period:.9g}, from = "{180 - heading:g} deg", regular = true }}',
+            )
+        )
+        rows = fenderline.run(str(tmp_path / "waves.toml"))["vessels"]
+        t = np.asarray(rows["t_s"])
+        late = t > 20 * period
+        weight = np.sin(math.pi * (t[late] - t[late][0]) / (t[late][-1] - t[late][0])) ** 4
+        for name, k, scale in (("heave_m", 2, 1.0), ("pitch_rad", 4, omega**2 / made_up.GRAVITY)):
+            found = 2.0 * abs(np.sum(weight * np.asarray(rows[name])[late] * np.exp(-1j * omega * t[late]))) / weight.sum() / amplitude
+            if expected[k] > 0.02 * scale:
+                assert found == pytest.approx(expected[k], rel=0.02), (name, omega, heading)
 
 
 SCENARIO = """

@@ -86,7 +86,7 @@ def test_a_simulation_goes_on_to_the_same_bits(again: Any, record: bool) -> None
 @COPIES
 def test_a_fleet_says_what_to_send_in_its_place(again: Any) -> None:
     fleet = fenderline.Fleet(TUG, [{}, {}])
-    with pytest.raises(TypeError, match="send its scenario and variants"):
+    with pytest.raises(TypeError, match="send the scenario and the variants"):
         again(fleet)
 
 

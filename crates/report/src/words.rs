@@ -32,7 +32,7 @@ pub fn event_text(kind: EventKind) -> &'static str {
             "an overlap covered more than half the area of the smaller body: the force law is not valid \
              there"
         }
-        EventKind::Teleported => "a body moved by more than its velocities explain (teleported)",
+        EventKind::Teleported => "a body moved farther than its velocities explain (teleported)",
         EventKind::NotConverged => {
             "the coupled contact solver did not converge within its iteration limit"
         }
@@ -53,7 +53,8 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
         WorldEventKind::OrderClamped => "an order was beyond its limit and was set to the limit",
         WorldEventKind::Aground => "AGROUND: the water is no deeper than draught plus squat",
         WorldEventKind::ShallowHeld => {
-            "water depth below 1.1 draughts, where no formula is valid: shallow-water effects are held at their value for 1.1"
+            "water depth below 1.1 draughts, where no formula is valid: shallow-water effects keep \
+             their value for 1.1"
         }
         WorldEventKind::TugLimited => "cannot give the ordered force at this speed and angle",
         WorldEventKind::TugOrderRefused => "an order was refused: force or direction not possible",

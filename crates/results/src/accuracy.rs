@@ -31,13 +31,14 @@ impl EstimateError {
 }
 
 /// The accuracy of a vessel's estimated data, one line each: ratios outside the range of the formulas, and the errors of
-/// the formulas on ships with references. Empty for a vessel with her own data of hull, propeller and rudder.
+/// the formulas on ships with references. Empty for a vessel with given data of hull, propeller and rudder.
 pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
     let Some(route) = origin.estimate_method else { return Vec::new() };
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
     match route {
         EstimateMethod::Clarke => lines.push(
-            "no vessel like her was found to hold the formulas against: their error is not known"
+            "we found no similar vessel with which to compare the formulas: their error is not \
+             known"
                 .to_owned(),
         ),
         EstimateMethod::YoshimuraMasumoto => lines.extend(errors.iter().map(|error| {

@@ -1,4 +1,4 @@
-//! A branch of a recorded session beside the others: what came of it.
+//! The outcome of a branch of a recorded session, for comparison with other branches.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::{Finding, Verdict};
@@ -8,13 +8,13 @@ use fenderline_sim::{Finding, Verdict};
 pub struct BranchOutcome {
     /// Its number.
     pub id: usize,
-    /// The branch from which it goes off; `None` for the first.
+    /// The branch from which this branch goes off; `None` for the first branch.
     pub parent: Option<usize>,
-    /// When it goes off (s).
+    /// When the branch goes off (s).
     pub from_s: f64,
-    /// Its end (s).
+    /// End of the branch (s).
     pub ends_s: f64,
-    /// The verdict on the run up to there.
+    /// The verdict on the run up to the end of the branch.
     pub verdict: Verdict,
     /// What was found.
     pub findings: Vec<Finding>,
@@ -24,12 +24,12 @@ pub struct BranchOutcome {
     pub fender_share: Option<f64>,
     /// Largest share of the breaking load of a line.
     pub line_share: f64,
-    /// Fastest approach of an end of the ship within [`BranchOutcome::NEAR_M`] of the berth, abreast of it (m/s); `None` where she
-    /// was never so near.
+    /// Fastest approach of an end of the ship within [`BranchOutcome::NEAR_M`] of the berth, abreast of it
+    /// (m/s); `None` if the ship was never so near.
     pub approach_mps: Option<f64>,
-    /// Commands of people after it goes off.
+    /// Commands of people after the branch goes off.
     pub commands: usize,
-    /// Alarms up to its end.
+    /// Alarms up to the end of the branch.
     pub alarms: usize,
     /// The ship's way, about once a second of simulated time.
     pub way: Vec<WayPoint>,
@@ -46,11 +46,11 @@ pub struct WayPoint {
     pub at_m: Vec2,
     /// Speed over ground (m/s).
     pub speed_mps: f64,
-    /// Distance of her nearer end from the line of the fenders (m); `None` without a berth.
+    /// Distance of the ship's nearer end from the line of the fenders (m); `None` without a berth.
     pub off_m: Option<f64>,
 }
 
 impl BranchOutcome {
-    /// How near to the fenders a speed counts as an approach (m): where fenders are met; our choice.
+    /// A speed counts as an approach within this distance from the fenders (m); our choice.
     pub const NEAR_M: f64 = 5.0;
 }

@@ -6,7 +6,7 @@ use crate::columns::{Layout, Names};
 use crate::medium::{Counted, Medium};
 use crate::row::Row;
 
-/// A table, and the rows of the interval that is not over yet.
+/// A table, and the rows of the present interval.
 pub(crate) struct Rows<M: Medium, R: Row> {
     table: Counted<M, R>,
     open: BTreeMap<R::Key, (R, u32)>,
@@ -16,7 +16,7 @@ pub(crate) struct Rows<M: Medium, R: Row> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval {
     steps_per_row: u64,
-    /// Steps of it so far, this one included.
+    /// Steps of the interval so far, this step included.
     steps: u64,
     /// Start of the interval (s).
     pub(crate) start_s: f64,
@@ -36,17 +36,17 @@ impl Interval {
         self.steps += 1;
     }
 
-    /// Whether its last step was taken.
+    /// Whether the last step of the interval was taken.
     pub(crate) fn is_over(&self) -> bool {
         self.steps == self.steps_per_row
     }
 
-    /// Whether it has begun.
+    /// Whether the interval has begun.
     pub(crate) fn is_begun(&self) -> bool {
         self.steps > 0
     }
 
-    /// The next step begins a new one.
+    /// The next step begins a new interval.
     pub(crate) fn end(&mut self) {
         self.steps = 0;
     }

@@ -1,8 +1,8 @@
-//! JSON whose numbers are looked at before they are written.
+//! JSON whose numbers are checked before they are written.
 //!
-//! JSON has no NaN and no infinity. `serde_json` writes null for both, and null also says that there is no value: in its values the two can no
-//! longer be told apart. So [`Json`] keeps each number as a number, and [`Json::checked`] looks at all of them on the way to a
-//! [`serde_json::Value`].
+//! JSON has no NaN and no infinity. `serde_json` writes null for both, and null also means that there is no value: in a
+//! `serde_json` value the two cases cannot be distinguished. So [`Json`] keeps each number as a number, and
+//! [`Json::checked`] checks all numbers on the way to a [`serde_json::Value`].
 
 use core::fmt;
 use core::ops::{Index, IndexMut};
@@ -19,7 +19,7 @@ pub enum Json {
     Flag(bool),
     /// A count.
     Count(u64),
-    /// A number, which may be NaN or infinite until [`Json::checked`] has looked at it.
+    /// A number, which may be NaN or infinite until [`Json::checked`] has checked it.
     Number(f64),
     /// A text.
     Text(String),
@@ -53,7 +53,7 @@ impl Json {
         self.at(&mut String::new())
     }
 
-    /// `path` is that of this value, and is the same again afterwards.
+    /// `path` is the path of this value, and is unchanged afterwards.
     fn at(self, path: &mut String) -> Result<Value, NumberNotFinite> {
         Ok(match self {
             Json::Null => Value::Null,
@@ -85,7 +85,7 @@ impl Json {
         self[key] = value.to_json();
     }
 
-    /// Sets the value of a key of an object, if there is one: what there is not has no key.
+    /// Sets the value of a key of an object, if there is a value: a missing value gets no key.
     ///
     /// # Panics
     /// This is no object.

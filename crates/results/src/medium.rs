@@ -4,7 +4,7 @@ use crate::columns::{Column, Layout, Names};
 
 /// A way to keep tables.
 pub trait Medium {
-    /// What can go wrong there.
+    /// Error of the medium.
     type Error;
     /// A table when it is done.
     type Done;

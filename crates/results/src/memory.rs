@@ -46,22 +46,22 @@ enum Filling<R> {
 /// A table in memory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptTable {
-    /// Its name.
+    /// Name of the table.
     pub name: &'static str,
-    /// Its columns, of equal length.
+    /// Columns of the table, of equal length.
     pub columns: Vec<KeptColumn>,
 }
 
 /// A column in memory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptColumn {
-    /// Its name; it ends with the unit, if it has one.
+    /// Name of the column; it ends with the unit, if it has one.
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// Its meaning.
+    /// Meaning of the column.
     pub meaning: &'static str,
-    /// Its values.
+    /// Values of the column.
     pub values: KeptValues,
 }
 

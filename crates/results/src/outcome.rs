@@ -56,7 +56,7 @@ pub struct Outcome<'a> {
     pub setup: &'a Setup,
     /// Notices of the scenario.
     pub notices: &'a [String],
-    /// Where it was interrupted, if it was.
+    /// Where the run was interrupted, if it was.
     pub interrupted: Option<Interrupted>,
     /// Number of steps taken.
     pub steps: u64,
@@ -78,19 +78,20 @@ pub struct Outcome<'a> {
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
     /// Statistics of motions and lines; `None` if the scenario does not ask for them.
     pub statistics: Option<&'a Statistics>,
-    /// The value that each limit of the scenario is compared with.
+    /// The value found for each limit of the scenario.
     pub limit_values: &'a [f64],
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,
     /// Events of force providers.
     pub providers: &'a ProviderNotices,
-    /// Errors of the formulas that estimated the vessels, on ships with references; empty where no vessel was
-    /// estimated by formulas with known errors.
+    /// Errors of the formulas that estimated the vessels, on ships with references; empty if no vessel was estimated by
+    /// formulas with known errors.
     pub estimate_errors: &'a [EstimateError],
 }
 
 impl Outcome<'_> {
-    /// The length of the run that was asked for (s): that of the scenario, or that of the branch of a recorded session.
+    /// The planned length of the run (s): the duration of the scenario, or the length of the branch of a recorded
+    /// session.
     #[must_use]
     pub fn duration_s(&self) -> f64 {
         match (self.session, &self.interrupted) {

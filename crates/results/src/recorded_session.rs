@@ -2,7 +2,7 @@
 
 use crate::branch::BranchOutcome;
 
-/// What a run repeats: a branch of a session that people steered.
+/// A branch of a session that people steered, which a run repeats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedSession {
     /// Name of the recording's file, without its folder.
@@ -11,30 +11,31 @@ pub struct RecordedSession {
     pub branch: usize,
     /// Number of branches that the session has.
     pub branches: usize,
-    /// What is missing at the end of the recording; `None` for a complete one.
+    /// What is missing at the end of the recording; `None` for a complete recording.
     pub missing_at_end: Option<String>,
-    /// What was done and what happened, in the order of time.
+    /// Commands and events, in the order of time.
     pub log: Vec<LogLine>,
-    /// All branches beside each other; empty where there is only one.
+    /// All branches for comparison; empty if there is only one branch.
     pub beside: Vec<BranchOutcome>,
 }
 
 /// A line of the log of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogLine {
-    /// When it was, or began (s).
+    /// When the entry was, or began (s).
     pub t_s: f64,
-    /// When it ended (s); `None` for what has no length, and for an alarm whose cause was active at the end.
+    /// When the entry ended (s); `None` for an entry without a length, and for an alarm whose cause
+    /// was active at the end.
     pub until_s: Option<f64>,
-    /// Its kind.
+    /// Kind of the entry.
     pub kind: LogKind,
-    /// Who gave the command, acknowledged or dropped the note; empty for what happened.
+    /// Who gave the command, acknowledged the alarm or dropped the note; empty for events.
     pub who: String,
-    /// What it was.
+    /// What the entry was.
     pub text: String,
     /// When an alarm was acknowledged (s), and by whom; `None` if nobody did, and for all else.
     pub acknowledged: Option<(f64, String)>,
-    /// Equal for alarms of one kind about the same things; empty for all else.
+    /// Equal for alarms of one kind about the same things; empty for other entries.
     pub key: String,
 }
 
@@ -43,9 +44,9 @@ pub struct LogLine {
 pub enum LogKind {
     /// A command of a person.
     Command,
-    /// An alarm: it needed action.
+    /// An alarm, which needed action.
     Alarm,
-    /// A caution: it needed attention.
+    /// A caution, which needed attention.
     Caution,
     /// Somebody acknowledged an alarm.
     Acknowledgement,

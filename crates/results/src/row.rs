@@ -1,14 +1,15 @@
 //! What a row of a table can do.
 
-/// A row of a table: what it is about, and how it takes up later steps of its interval.
+/// A row of a table: its subject, and how the row takes up later steps of its interval.
 pub(crate) trait Row: Sized {
-    /// What the row is about, as the number of a fender. Rows of one interval are written in the order of it.
+    /// The subject of the row, such as the number of a fender. Rows of one interval are written in the order of this
+    /// key.
     type Key: Ord;
 
     /// What the row is about.
     fn key(&self) -> Self::Key;
 
-    /// Called where the row begins in a later step of the interval than the first.
+    /// Called if the row begins in a later step of the interval than the first step.
     fn begin_late(&mut self) {}
 
     /// Takes up a later step.

@@ -5,7 +5,7 @@ use core::mem::discriminant;
 use fenderline_contact::{Event, EventKind};
 use fenderline_sim::StepRecord;
 
-/// Most events that are kept: of contacts that begin and end, and of all others.
+/// Largest number of events that are kept: of contacts that begin and end, and of all other events.
 const FIRST_EVENTS: usize = 20;
 
 /// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.
@@ -44,7 +44,7 @@ impl Events {
     }
 }
 
-/// Whether it is the begin or the end of a contact, which needs no attention.
+/// Whether the event is the begin or the end of a contact, which needs no attention.
 pub fn is_plain(kind: EventKind) -> bool {
     matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded)
 }

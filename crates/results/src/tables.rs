@@ -12,8 +12,8 @@ use crate::medium::{Counted, Medium};
 use crate::touched::touched;
 use crate::world_tables::WorldTables;
 
-/// The tables of a run that its plan asks for; those of fenders, panels, chains, vessels, tugs, lines
-/// and dolphins only if the set-up has any.
+/// The tables of a run that its plan asks for; the tables of fenders, panels, chains, vessels,
+/// tugs, lines and dolphins only if the set-up has any.
 pub struct Tables<M: Medium> {
     bodies: Option<Rows<M, BodyRow>>,
     contacts: Option<Rows<M, ContactRow>>,
@@ -34,7 +34,7 @@ impl<M: Medium> Tables<M> {
     /// Starts the tables of `plan`; the ledger's first row is the energy at the `start`.
     ///
     /// # Errors
-    /// The medium's own.
+    /// An error of the medium.
     pub fn start(
         medium: &M,
         setup: &Setup,
@@ -82,7 +82,7 @@ impl<M: Medium> Tables<M> {
         })
     }
 
-    /// Adds one step; writes the rows of the interval that it ends.
+    /// Adds one step; if the step ends an interval, writes the rows of the interval.
     ///
     /// # Errors
     /// The medium's own, or a value that is not finite.
@@ -133,7 +133,7 @@ impl<M: Medium> Tables<M> {
     /// Writes the rows of an interval that the run's end cut short. [`Tables::finish`] calls it.
     ///
     /// # Errors
-    /// The medium's own.
+    /// An error of the medium.
     pub fn end_interval(&mut self) -> Result<(), M::Error> {
         if !self.interval.is_begun() {
             return Ok(());
@@ -168,7 +168,7 @@ impl<M: Medium> Tables<M> {
     /// Ends the tables and returns them, in the order of [`Tables::rows`].
     ///
     /// # Errors
-    /// The medium's own.
+    /// An error of the medium.
     pub fn finish(mut self) -> Result<Vec<M::Done>, M::Error> {
         self.end_interval()?;
         let mut done = Vec::new();

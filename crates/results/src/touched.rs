@@ -12,13 +12,13 @@ pub struct TouchedFender {
     pub deflection_m: f64,
     /// Largest deflection within the step (m).
     pub peak_deflection_m: f64,
-    /// Mean reaction along its axis over the step (N).
+    /// Mean reaction along the fender's axis over the step (N).
     pub reaction_n: f64,
-    /// Largest reaction along its axis within the step (N).
+    /// Largest reaction along the fender's axis within the step (N).
     pub peak_reaction_n: f64,
     /// Stored in spring and stop at the start of the step (J).
     pub stored_j: f64,
-    /// Components of the mean normal force, along that force.
+    /// Components of the mean normal force, along the mean normal force.
     pub parts: ForceParts,
 }
 

@@ -7,13 +7,13 @@ use fenderline_sim::{FenderSetup, FenderSummary, Finding, fender_finding};
 pub enum FenderVerdict {
     /// No rating given.
     NotRated,
-    /// Within its rating, and within the permissible hull pressure.
+    /// Within the rating, and within the permissible hull pressure.
     Ok,
-    /// Within its rating, but above the permissible hull pressure.
+    /// Within the rating, but above the permissible hull pressure.
     HullPressure,
-    /// Deflection, reaction or energy beyond its rating.
+    /// Deflection, reaction or energy beyond the rating.
     OverRated,
-    /// Compressed to its stop, or to its whole projection.
+    /// Compressed to the stop, or by the whole projection.
     Failed,
 }
 
@@ -51,14 +51,14 @@ impl FenderVerdict {
         }
     }
 
-    /// Whether it needs attention.
+    /// Whether the verdict needs attention.
     pub fn is_grave(self) -> bool {
         self >= FenderVerdict::HullPressure
     }
 }
 
-/// Indices into `fenders` from the most used to the least: failed ones first, then by share of rating,
-/// then by reaction.
+/// Indices into `fenders` from the most used to the least used: failed fenders first, then by share of rating, then by
+/// reaction.
 pub fn worst_first(setups: &[FenderSetup], fenders: &[FenderSummary]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..fenders.len()).collect();
     order.sort_by(|&i, &j| {

@@ -3,6 +3,7 @@
 
 mod anchor;
 mod approach;
+mod assembly;
 mod azimuth;
 mod berthing;
 mod bodies;
@@ -46,29 +47,25 @@ mod vessel;
 mod windage;
 mod world;
 
+use self::assembly::{Assembly, Checked, Names};
 pub(crate) use self::azimuth::azimuths;
 pub(crate) use self::bodies::velocity as read_velocity;
 pub(crate) use self::dolphins::add_dolphins;
-use self::vessel::Decks;
+use self::fenders::FenderParts;
 use crate::files::Files;
 use crate::library::FenderLibrary;
 use crate::vessels::VesselLibrary;
 use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::error::{Notice, ScenarioError};
-use fenderline_keys::sources::{Sources, quoted};
-use fenderline_keys::suggest::nearest;
+use fenderline_keys::error::Notice;
+use fenderline_keys::sources::Sources;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{ShipWindage, Wind};
 use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::hydro::Particulars;
-use fenderline_sim::{BodySetup, Integrator, NamedMaterial, Order, OutputPlan, Setup, WorldSetup};
+use fenderline_sim::{Integrator, Order, OutputPlan, Setup, WorldSetup};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use self::orders::OrderNames;
-use self::unused::listed;
-
-type Checked<T> = Result<T, ScenarioError>;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
@@ -219,38 +216,6 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     assembly.order(table, &OrderNames::new(setup, &names))
 }
 
-/// The names that pairs and loads refer to.
-struct Names {
-    bodies: BTreeMap<String, usize>,
-    materials: BTreeMap<String, usize>,
-}
-
-impl Names {
-    fn new(bodies: &[BodySetup], materials: &[NamedMaterial]) -> Names {
-        let numbered = |names: &mut dyn Iterator<Item = &String>| {
-            names.enumerate().map(|(index, name)| (name.clone(), index)).collect()
-        };
-        Names {
-            bodies: numbered(&mut bodies.iter().map(|body| &body.name)),
-            materials: numbered(&mut materials.iter().map(|material| &material.name)),
-        }
-    }
-}
-
-/// What fenders refer to.
-struct FenderParts<'p> {
-    library: &'p FenderLibrary,
-    materials: &'p [NamedMaterial],
-    decks: &'p Decks<'p>,
-    bodies: &'p [BodySetup],
-}
-
-struct Assembly<'s, 'a> {
-    sources: &'s Sources<'a>,
-    files: &'s Files,
-    notices: &'s mut Vec<Notice>,
-}
-
 impl Assembly<'_, '_> {
     fn time(&self, time: &Table) -> Checked<(f64, f64, Integrator)> {
         let (step, duration) = (time.given("step"), time.given("duration"));
@@ -271,56 +236,5 @@ impl Assembly<'_, '_> {
             return Err(error.with_help("take a longer step or a shorter run"));
         }
         Ok((step_s, duration_s, time.given("integrator").choice()))
-    }
-
-    fn body_named(&self, table: &Table, item: &Item, name: &str, names: &Names) -> Checked<usize> {
-        self.reference("body", "bodies", &names.bodies, table, item, name)
-    }
-
-    /// The floating body that a key names; `why` says in an error what a fixed body cannot do.
-    fn floating_body(
-        &self,
-        table: &Table,
-        key: &str,
-        bodies: &[BodySetup],
-        names: &Names,
-        why: &str,
-    ) -> Checked<usize> {
-        let item = table.given(key);
-        let body = self.body_named(table, item, item.name(), names)?;
-        if bodies[body].mass.is_none() {
-            let path = table.path_of(key);
-            let message = format!("`{path}`: body {} is fixed, {why}", quoted(item.name()));
-            return Err(self.sources.error(&item.span, &path, message));
-        }
-        Ok(body)
-    }
-
-    fn material_named(&self, table: &Table, item: &Item, names: &Names) -> Checked<usize> {
-        self.reference("material", "materials", &names.materials, table, item, item.name())
-    }
-
-    fn reference(
-        &self,
-        kind: &str,
-        kinds: &str,
-        known: &BTreeMap<String, usize>,
-        table: &Table,
-        item: &Item,
-        name: &str,
-    ) -> Checked<usize> {
-        known.get(name).copied().ok_or_else(|| {
-            let path = table.path_of(item.name);
-            let message = format!("`{path}`: there is no {kind} {}", quoted(name));
-            let error = self.sources.error(&item.span, &path, message);
-            error.with_help(match nearest(name, known.keys().map(String::as_str)) {
-                Some(near) => format!("did you mean \"{near}\"?"),
-                None if known.is_empty() => format!("the scenario has no {kinds}"),
-                None => format!(
-                    "the scenario has the {kinds} {}",
-                    listed(known.keys().map(String::as_str))
-                ),
-            })
-        })
     }
 }

@@ -1,7 +1,7 @@
 //! Files of hydrodynamic data: several tables of numbers in one text, each below a line `= name`.
 //!
-//! The form is in docs/guides/hydrodynamics.md. Each table is read as a comma-separated file of its own, in which the
-//! other lines are empty, so that every error is at its line.
+//! The form is in docs/guides/hydrodynamics.md. Each table is read as a separate comma-separated file, in which all
+//! other lines are empty, so every error is at its line.
 
 use core::f64::consts::PI;
 
@@ -20,7 +20,7 @@ type Read<T> = Result<T, ScenarioError>;
 const FIRST: &str = "= fenderline hydrodynamic data 1";
 /// The tables, in the order of [`Part`]'s use below.
 const TABLES: [&str; 5] = ["ship", "radiation", "infinite", "excitation", "drift"];
-/// Bounds of numbers that the data are checked for later.
+/// Bounds of numbers that a later check tests.
 const ANY: [f64; 2] = [-1e18, 1e18];
 /// The columns of the table `ship` that it must have.
 const SHIP: [&str; 7] = [
@@ -32,7 +32,7 @@ const SHIP: [&str; 7] = [
     "water_kgpm3",
     "c33",
 ];
-/// Further columns of it, zero where they are missing.
+/// Further columns of the table `ship`, zero if they are missing.
 const SHIP_ALSO: [&str; 9] = [
     "reference_forward_m",
     "reference_starboard_m",
@@ -50,7 +50,7 @@ const SHIP_ALSO: [&str; 9] = [
 pub(crate) struct HydrodynamicFile {
     pub(crate) data: Hydrodynamics,
     pub(crate) gravity_above_water_m: f64,
-    /// What is odd about the data, at its line.
+    /// Notices about the data, at their lines.
     pub(crate) notices: Vec<Notice>,
 }
 
@@ -88,7 +88,7 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
     };
 
     for (csv, name) in [(&ship, "ship"), (&infinite, "infinite")] {
-        if csv.len() != 1 {
+        if csv.row_count() != 1 {
             return Err(csv.header_error(format!("the table `= {name}` must have one row")));
         }
     }
@@ -183,7 +183,7 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
     };
     let gravity_above_water_m =
         ship.number(0, ship.column("gravity_above_water_m")?, [-200.0, 200.0])?;
-    // The table and the row in the file of what is said about the data.
+    // Table and row in the file of a message about the data.
     let place = |SeakeepingError { part, row, .. }: &SeakeepingError| {
         let (csv, rows): (&Csv<'_>, &[usize]) = match (part, &drift) {
             (Part::Radiation, _) => (&radiation, &grid.rows),

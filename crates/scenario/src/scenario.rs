@@ -50,8 +50,8 @@ impl Scenario {
         Scenario::parse_with(text, file_name, &[])
     }
 
-    /// As [`Scenario::parse`], with some keys replaced before anything is checked. Of two overrides of one key the later
-    /// one counts.
+    /// As [`Scenario::parse`], with some keys replaced before anything is checked. Of two overrides of one key the
+    /// later override counts.
     ///
     /// # Errors
     /// As [`Scenario::parse`]; mistakes in an override point at its option, not at the file.
@@ -62,7 +62,8 @@ impl Scenario {
     ) -> Result<Scenario, ScenarioError> {
         Scenario::parse_among(text, file_name, overrides, &mut |name| {
             Err(format!(
-                "{name}: this scenario was given as text alone, so no other file can be read"
+                "{name}: this scenario was given as text alone, so the program cannot read other \
+                 files"
             ))
         })
     }
@@ -108,8 +109,8 @@ impl Scenario {
         Ok(Scenario { title, report, setup, exercise, output, output_gives, notices })
     }
 
-    /// The result tables of a run of so many steps in place of the file's duration, as of a session that people ended when they
-    /// wanted: what the file does not give depends on the number of steps.
+    /// The result tables of a run of so many steps in place of the file's duration, as in a session that people
+    /// ended at any time: the defaults of the file depend on the number of steps.
     #[must_use]
     pub fn output_of_steps(&self, steps: u64) -> OutputPlan {
         let [gives_interval, gives_tables] = self.output_gives;
@@ -129,7 +130,7 @@ fn report(file: &Table) -> Vec<(&'static str, String)> {
     keys::report::names().filter_map(line).collect()
 }
 
-/// Keeps one of equal notices: what is found on each fender of a row is about the row.
+/// Keeps one of equal notices: a notice on each fender of a row concerns the row.
 fn forget_repeated(notices: &mut Vec<Notice>) {
     let mut known = BTreeSet::new();
     notices.retain(|notice| known.insert(notice.to_string()));

@@ -1,5 +1,5 @@
-//! Variants of a scenario that differ in their start alone: a study runs thousands of them, and reading a scenario takes longer
-//! than many a run.
+//! Variants of a scenario that differ only in their start: a study runs thousands of them, and reading a scenario takes
+//! longer than many a run.
 
 use fenderline_sim::{BodyStart, Start};
 use toml::Spanned;
@@ -111,8 +111,7 @@ impl Given<'_, '_> {
         Some(Item { name: key.name, key_span, span, is_default: false, value })
     }
 
-    /// The value of a key that holds a table in a table of the scenario, as that outer table with this key alone. `None` where it
-    /// names a file.
+    /// The value of a key that holds a table, as the outer table with only this key. `None` if the table names a file.
     fn table(&self, outer: &str, name: &str) -> Option<Table> {
         let Kind::Table(spec): Kind = SCENARIO.key(outer)?.kind else { return None };
         let spec: &'static TableSpec = spec;

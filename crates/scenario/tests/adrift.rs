@@ -9,7 +9,7 @@ use fenderline_sim::Simulation;
 struct Adrift {
     /// Her wave force at the start, forward and to starboard (N).
     first_n: [f64; 2],
-    /// Her greatest speed over the ground while her bow was within 5° of the waves (m/s); 0 where it never was.
+    /// Her greatest speed over the ground while her bow was within 5° of the waves (m/s); 0 if it never was.
     bow_on_mps: f64,
     /// Her speed over the ground at the end (m/s), and the wave force there (N).
     last_mps: f64,

@@ -76,6 +76,14 @@ fn a_step_beyond_her_own_periods_is_refused() {
     assert!(read(&text, STEP_S).is_ok());
 }
 
+/// A step that is too long for the highest frequency of the data: a tanker's pitch was 17 % wrong without a word.
+#[test]
+fn a_step_beyond_the_highest_frequency_is_refused() {
+    let message = read(&data_file(), 1.2).expect_err("a long step").to_string();
+    assert!(message.contains("whose highest frequency is"), "{message}");
+    assert!(message.contains("take a step of at most"), "{message}");
+}
+
 /// Periods on the springs (s), longer than that of the slowest wave of the data. On springs of 60 s the barge in surge, with her added mass of slow
 /// waves, swings at 0.1002 rad/s, and the first frequency of the data is 0.1: with next to no damping there she gathers energy that the waves do
 /// give, for hours, as the square of the time.

@@ -197,7 +197,7 @@ const CASES: &[Case] = &[
     case_at("mass = \"930 t\"\n", "", "[body.tug]", "body.tug.mass", "or fixed = true"),
     case("surge = 0.086", "surge = -0.1", "body.tug.added_mass.surge", "must be at least 0"),
     case("yaw = 0.40", "yaw = 1e9", "body.tug.added_mass.yaw", "must be at most 1000"),
-    case_at("mass = \"930 t\"", "fixed = true\nmass = \"930 t\"", "mass = \"930 t\"", "body.tug.mass", "is for floating bodies, but this one is fixed"),
+    case_at("mass = \"930 t\"", "fixed = true\nmass = \"930 t\"", "mass = \"930 t\"", "body.tug.mass", "is for floating bodies, but this body is fixed"),
     case_at("fixed = true\noutline = [[0", "fixed = true\nvelocity = { surge = 0 }\noutline = [[0", "velocity = { surge = 0", "body.quay.velocity", "for floating bodies"),
     case_at("fixed = true\noutline = [[0", "fixed = true\nadded_mass = {}\noutline = [[0", "added_mass = {}", "body.quay.added_mass", "for floating bodies"),
     // materials
@@ -227,7 +227,7 @@ const CASES: &[Case] = &[
     case("\"4 kn\"", "1e5", "body.tug.velocity.surge", "must be at most 10000 m/s"),
     case("\"3 deg/s\"", "1e5", "body.tug.velocity.yaw", "must be at most 1000 rad/s"),
     case("\"0 deg\"", "1e9", "body.tug.heading", "must be at most 6.3 rad (361 deg)"),
-    case("\"0 deg\"", "90", "body.tug.heading", "write \"90 deg\" if that was meant"),
+    case("\"0 deg\"", "90", "body.tug.heading", "write \"90 deg\" if you meant deg"),
     // loads
     case("body = \"tug\"", "body = \"quay\"", "load.0.body", "is fixed, no load moves it"),
     case_at("force = [\"0 kN\", \"-500 kN\"]\n", "", "[[load]]", "load.0.force", "and so is `moment`"),

@@ -142,12 +142,12 @@ fn a_particular_that_contradicts_vessel_or_water_is_noted_with_both_values() {
     let (message, taken) = noted("berthing.beam=30");
     assert_eq!(
         message.unwrap(),
-        "30 m is given, but the vessel of \"ship\" has 27 m: 30 m is taken"
+        "30 m is given, but the vessel of \"ship\" has 27 m: 30 m is used"
     );
     assert_eq!(taken.beam_m, 30.0);
     assert_eq!(
         noted("berthing.under_keel_clearance=3").0.unwrap(),
-        "3 m is given, but `environment.depth` with the tide, 10 m, less the draught of 8 m leaves 2 m: 3 m is taken"
+        "3 m is given, but `environment.depth` with the tide, 10 m, less the draught of 8 m is 2 m: 3 m is used"
     );
     assert!(noted("berthing.draught=9").0.is_some());
     assert!(noted("berthing.length_bp=150").0.is_some());

@@ -137,7 +137,7 @@ fn an_outline_that_the_chart_cannot_give_is_refused() {
         ),
         (
             "fixed = true\nchart_outline = \"twice\"",
-            ["2 areas named \"twice\"", "a name of its own"],
+            ["2 areas named \"twice\"", "each needs another name"],
         ),
         ("fixed = true\nchart_outline = \"ring\"", ["\"ring\" has a hole", "cannot have"]),
         (
@@ -217,7 +217,7 @@ fn each_mistake_of_a_feature_names_file_line_feature_and_reason() {
         ("\"kind\": \"quay\"", "LineString", "[[0, 0]]", "two points or more"),
         ("\"kind\": \"quay\"", "Point", "[0, 0]", "cannot be a point"),
         ("\"kind\": \"quay\"", "GeometryCollection", "[]", "GeometryCollection is not read"),
-        ("\"kind\": \"quay\"", "Circle", "[0, 0]", "\"Circle\", which is none"),
+        ("\"kind\": \"quay\"", "Circle", "[0, 0]", "\"Circle\", which is not a geometry"),
         ("\"kind\": \"quay\"", "Polygon", "[[[NaN, 0]]]", "not GeoJSON"),
         ("\"kind\": \"quay\"", "Polygon", "[[[1e999, 0]]]", "out of range"),
         ("\"kind\": \"quay\"", "Polygon", "[[[1, \"2\"]]]", "expected a list of coordinates"),
@@ -246,7 +246,7 @@ fn each_mistake_of_a_feature_names_file_line_feature_and_reason() {
             "port, starboard",
         ),
         ("\"kind\": \"coast\", \"colour\": \"red\"", "Polygon", ring, "a coast has no `colour`"),
-        ("\"kind\": \"name\"", "Point", "[0, 0]", "no `name`"),
+        ("\"kind\": \"name\"", "Point", "[0, 0]", "no property `name`"),
         ("\"kind\": \"name\", \"name\": \"a\\u0007\"", "Point", "[0, 0]", "control character"),
     ] {
         let error = refused(properties, geometry, coordinates);

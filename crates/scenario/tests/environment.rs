@@ -490,8 +490,8 @@ fn squat_runs_a_fast_ship_aground() {
 fn water_too_shallow_for_the_corrections_gives_a_notice() {
     for (depth, expected) in [
         ("10.9", &[][..]),
-        ("10.4", &["in water of 1.16 draughts", "cover 1.2 and more", "extrapolated linearly"]),
-        ("9.6", &["in water of 1.07 draughts", "less than 1.1", "keep their values there"]),
+        ("10.4", &["in water of 1.16 draughts", "valid from 1.2 on", "extrapolated linearly"]),
+        ("9.6", &["in water of 1.07 draughts", "less than 1.1", "keep their values at 1.1"]),
     ] {
         let water = format!("depth = {depth}");
         let scenario = good(&[("environment", &water)], &[]);

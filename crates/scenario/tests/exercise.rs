@@ -139,7 +139,7 @@ fn a_goal_or_limit_that_cannot_be_is_refused_with_its_key() {
     for (set, expected) in [
         ("exercise.vessel=\"quay\"", "body \"quay\" is no vessel"),
         ("exercise.berth=\"forward_tuk\"", "did you mean"),
-        ("exercise.berth=\"ship\"", "not her own berth"),
+        ("exercise.berth=\"ship\"", "cannot be her own berth"),
         ("exercise.lines=[\"head\", \"stren\"]", "there is no line \"stren\""),
         ("exercise.lines=[\"head\", \"head\"]", "twice"),
         ("exercise.lines=[]", "has no lines"),

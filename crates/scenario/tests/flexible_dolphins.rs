@@ -237,7 +237,7 @@ fn bad_dolphins_name_key_and_line() {
             "body.dolphin.fixed",
             "go together with `dolphin`",
         ),
-        ("position = [0, 12.2]", "mass = 5", "body.dolphin.mass", "but this one stands on piles"),
+        ("position = [0, 12.2]", "mass = 5", "body.dolphin.mass", "but this body stands on piles"),
         (
             "on = \"dolphin\"\n",
             "on = \"dolphin\"\n\n[fender_row.r]\non = \"barge\"\nfirst = [0, 0]\nnumber = 2\n\

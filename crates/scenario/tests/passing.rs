@@ -226,8 +226,8 @@ fn what_the_flow_leaves_out_is_noted() {
     noted("depth = \"20 m\"", "", "the water is deep");
     noted("length = 185.4", "length = 90", "beams long");
     noted("speed = \"10 kn\"", "speed = \"17 kn\"", "no waves");
-    noted("time = \"150 s\"", "time = \"600 s\"", "the run ends before she has passed");
-    noted("time = \"150 s\"", "time = \"10 s\"", "her force begins suddenly");
+    noted("time = \"150 s\"", "time = \"600 s\"", "the run ends before the ship has passed");
+    noted("time = \"150 s\"", "time = \"10 s\"", "the force begins suddenly");
     noted("step = \"0.5 s\"", "step = \"5 s\"", "twentieth of her length");
     noted("heading = 0", "heading = \"30 deg\"", "at an angle of 30 degrees");
 }

@@ -204,7 +204,7 @@ fn a_face_where_no_side_may_be() {
         key,
         "7.5 to 10.5 m above the water, and \"ship\" draws 9.5 m",
     );
-    noted(&["fender_row.a.above_water=9 m"], key, "give her `outlines`");
+    noted(&["fender_row.a.above_water=9 m"], key, "or give `outlines`");
     assert_eq!(with(&["fender_row.a.above_water=6 m"]).unwrap().notices, []);
     let with_tide = ["fender_row.a.above_water=9 m", "environment.tide={level = \"5 m\"}"];
     let notices = with(&with_tide).unwrap().notices;
@@ -242,7 +242,7 @@ fn a_clearance_that_does_not_make_up_the_depth() {
     noted(
         &["berthing.under_keel_clearance=8 m"],
         key,
-        "8 m is given, but `environment.depth` with the tide, 12 m, less the draught of 9.5 m leaves 2.5 m",
+        "8 m is given, but `environment.depth` with the tide, 12 m, less the draught of 9.5 m is 2.5 m",
     );
     noted(&["environment.depth=16 m"], key, "with the tide, 16 m, less");
 }

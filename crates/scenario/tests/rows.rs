@@ -340,10 +340,10 @@ fn mistakes_in_rows_name_row_key_and_line() {
         ".number",
         "on 110 m there is room for 6 at",
     );
-    bad("[-70, 0]", "[-70, 0]\nfacing = -90", ".facing", "write \"-90 deg\" if that was meant");
+    bad("[-70, 0]", "[-70, 0]\nfacing = -90", ".facing", "write \"-90 deg\" if you meant");
     bad("[-70, 0]", "[-70, 0]\nfacing = \"-400 deg\"", ".facing", "must be at least -6.3 rad");
-    bad("\"1.2 m\"", "1200", ".height", "write \"1200 mm\" if that was meant");
-    bad("\"2.4 m\"", "2400", ".width", "write \"2400 mm\" if that was meant");
+    bad("\"1.2 m\"", "1200", ".height", "write \"1200 mm\" if you meant");
+    bad("\"2.4 m\"", "2400", ".width", "write \"2400 mm\" if you meant");
     bad("height = ", "tolerance = 10\nheight = ", ".tolerance", "for a percentage write \"10 %\"");
     bad("[-70, 0]", "[-70, 0]\ndolphins = [[0, 0]]", ".on", "does not go together");
     bad("type = \"cone\"", "type = \"kone\"", ".type", "did you mean \"cone\"?");

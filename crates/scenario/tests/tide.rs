@@ -264,7 +264,7 @@ fn a_tide_of_constituents_is_their_sum() {
         assert!((ours_m - level_m).abs() < 1e-9, "{hour} h: {ours_m}");
     }
     let noted = |what: &str| scenario.notices.iter().any(|notice| notice.message.contains(what));
-    assert!(noted("added mass stays that of the start"), "{:?}", scenario.notices);
+    assert!(noted("the added mass keeps its value at the start"), "{:?}", scenario.notices);
 }
 
 #[test]

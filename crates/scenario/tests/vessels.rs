@@ -431,7 +431,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("beam = \"20 m\"", "beam = \"200 m\"", "vessel.coaster.beam", "beam [m] must be between"),
     ("centre_of_gravity = \"1 m\"", "centre_of_gravity = \"100 m\"", "vessel.coaster.centre_of_gravity", "must be between"),
     ("gm = \"1.1 m\"", "gm = \"-1.1 m\"", "vessel.coaster.stability.gm", "must be at least"),
-    ("gm = \"1.1 m\"", "gm = \"9 m\"", "vessel.coaster.stability.gm", "a hull of this size has it at most"),
+    ("gm = \"1.1 m\"", "gm = \"9 m\"", "vessel.coaster.stability.gm", "in a hull of this size it is at most"),
     ("waterplane_area = \"2150 m^2\"", "waterplane_area = \"9000 m^2\"", "vessel.coaster.stability", "waterplane"),
     ("[123, 6], [105, 10], [5, 10]", "[123, 6], [105, 14], [5, 14]", "vessel.coaster.outline.points", "but her beam is 20 m"),
     ("[133, 0]", "[150, 0]", "vessel.coaster.outline.points", "but her length overall is 136 m"),

@@ -1,4 +1,4 @@
-//! Which client holds which control. A control has one holder.
+//! Which client holds which control. A control has at most one holder.
 
 use std::collections::BTreeMap;
 
@@ -7,20 +7,20 @@ use fenderline_live::{Control, Refusal};
 
 use crate::kept_seats::KeptHolder;
 
-/// Number of a client; never used twice.
+/// Number of a client. No number is used twice.
 pub(crate) type ClientId = u64;
 
 #[derive(Clone, Debug, PartialEq)]
 struct Holder {
     client: ClientId,
     label: String,
-    /// The holder has disconnected; others may take the control.
+    /// False if the holder has disconnected. Others may then take the control.
     connected: bool,
-    /// The seat of the page that has disconnected.
+    /// The seat of the holder's page, if the page has disconnected.
     left: Option<Seat>,
 }
 
-/// A page of a role: it keeps the secret `key` over a reload.
+/// A page with its role. The page keeps the secret `key` when it is reloaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Seat {
     pub(crate) role: Role,
@@ -33,7 +33,7 @@ impl Holder {
     }
 }
 
-/// The number that no client has: that of a holder from a former run.
+/// A number that no client has. The number stands for a holder from a former run.
 const NOBODY: ClientId = 0;
 
 /// Controls and their holders.
@@ -46,7 +46,8 @@ impl Claims {
         self.0.clear();
     }
 
-    /// Takes the holders of a former run of this session. They are away until they say their names again.
+    /// Restores the holders of a former run of this session. These holders count as disconnected until they give their
+    /// names again.
     pub(crate) fn restore(&mut self, holders: &[KeptHolder]) {
         for KeptHolder { control, label } in holders {
             let holder =
@@ -55,7 +56,7 @@ impl Claims {
         }
     }
 
-    /// All holders, connected or not, to be kept.
+    /// All holders, connected or not, for the file that keeps them.
     pub(crate) fn kept(&self) -> Vec<KeptHolder> {
         let holder = |(control, holder): (&Control, &Holder)| KeptHolder {
             control: control.clone(),
@@ -64,10 +65,10 @@ impl Claims {
         self.0.iter().map(holder).collect()
     }
 
-    /// Checks that a control is free, vacated, or held by this client.
+    /// Checks that a control is free, left by its holder, or held by this client.
     ///
     /// # Errors
-    /// The holder.
+    /// The reason, which names the holder.
     pub(crate) fn may_use(&self, control: &Control, client: ClientId) -> Result<(), Refusal> {
         match self.0.get(control) {
             Some(holder) if holder.connected && holder.client != client => {
@@ -89,11 +90,11 @@ impl Claims {
         self.0.get(control).is_some_and(|holder| holder.client == client)
     }
 
-    /// Gives a control to a client if it is free or vacated, or in any case with `by_force`. Returns the former holder, if
-    /// there was another; `None` if nothing changed.
+    /// Gives a control to a client if the control is free or its holder has left. With `by_force` the client gets the
+    /// control in any case. Returns the former holder, if it was another client; `None` if nothing changed.
     ///
     /// # Errors
-    /// The holder.
+    /// The reason, which names the holder.
     pub(crate) fn take(
         &mut self,
         control: Control,
@@ -108,8 +109,8 @@ impl Claims {
         Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
     }
 
-    /// Changes the label of a client at its controls, and gives it the controls that somebody of that label left. Returns whether
-    /// anything changed.
+    /// Changes the label of a client at its controls, and gives the client the controls that a holder with this label
+    /// left. Returns true if anything changed.
     pub(crate) fn name(&mut self, client: ClientId, label: &str) -> bool {
         let mut changed = false;
         for holder in self.0.values_mut() {
@@ -122,7 +123,7 @@ impl Claims {
         changed
     }
 
-    /// Releases a control; true if this client held it.
+    /// Releases a control. Returns true if this client held it.
     pub(crate) fn release(&mut self, control: &Control, client: ClientId) -> bool {
         let held = self.holds(control, client);
         if held {
@@ -131,13 +132,14 @@ impl Claims {
         held
     }
 
-    /// The label under which the page of a seat left its controls.
+    /// The label that the page of a seat had when it left its controls.
     pub(crate) fn label_of(&self, seat: &Seat) -> Option<&str> {
         let holder = self.0.values().find(|holder| holder.is_left_by(seat))?;
         Some(&holder.label)
     }
 
-    /// Gives a client the controls that its page left and nobody has taken since. Returns whether there were any.
+    /// Gives a client the controls that its page left, unless others have taken them since. Returns true if the client
+    /// got any.
     pub(crate) fn back(&mut self, client: ClientId, label: &str, seat: &Seat) -> bool {
         let mut changed = false;
         for holder in self.0.values_mut().filter(|holder| holder.is_left_by(seat)) {
@@ -147,8 +149,8 @@ impl Claims {
         changed
     }
 
-    /// Marks the controls of a client that disconnected as vacated and returns them; they keep its name, and the seat of its page, until
-    /// somebody takes them.
+    /// Marks the controls of a disconnected client as left, and returns them. Until somebody takes the controls, they
+    /// keep the client's name and the seat of its page.
     pub(crate) fn gone(&mut self, client: ClientId, seat: Option<&Seat>) -> Vec<Control> {
         let mut left = Vec::new();
         for (control, holder) in self.0.iter_mut().filter(|(_, holder)| holder.client == client) {
@@ -159,7 +161,7 @@ impl Claims {
         left
     }
 
-    /// The list for pages.
+    /// The list of holders for pages.
     pub(crate) fn list(&self, controls: &[Control]) -> Vec<Claim> {
         let claim = |control: &Control| {
             let holder = self.0.get(control);

@@ -1,4 +1,4 @@
-//! The task of one client with a token: its websocket.
+//! The task of one client with a token. The task serves the client's websocket.
 
 use std::future::pending;
 use std::sync::Arc;
@@ -14,29 +14,30 @@ use super::claims::ClientId;
 use super::hub::{Hub, Published, Text, ToEngine};
 use super::rate::Bucket;
 
-/// A client that does not read one message within this time is disconnected.
+/// A client is disconnected if it does not read a message within this time.
 const SEND_TIMEOUT: Duration = Duration::from_secs(10);
-/// Time between two pings, and the silence after which a client is disconnected.
+/// Time between two pings. A client that is silent for longer than the second value is disconnected.
 const PING_INTERVAL: Duration = Duration::from_secs(5);
 const MOST_SILENCE: Duration = Duration::from_secs(16);
-/// Commands per second, and commands in one burst.
+/// Commands of a client per second, and commands in one burst.
 const COMMANDS: (f64, f64) = (30.0, 60.0);
-/// Refused messages in a row after which a client is disconnected.
+/// A client is disconnected after this number of refused messages in a row.
 const MOST_REFUSED: u32 = 300;
-/// Most answers and notices that wait to be sent to one client.
+/// Largest number of answers and notices that wait to be sent to one client.
 const MOST_ANSWERS: usize = 128;
 
-/// Close codes of websockets: the standard's for a broken policy, and our own for an unknown token and a full server.
+/// Close codes of websockets: the standard's code for a broken policy, and our own codes for an unknown token and for a
+/// full server.
 const POLICY: u16 = 1008;
 const NO_TOKEN: u16 = 4401;
 const FULL: u16 = 4429;
 
-/// Closes a websocket whose token is unknown.
+/// Closes a websocket with an unknown token.
 pub(crate) async fn turn_away(socket: WebSocket) {
     close(socket, NO_TOKEN, "this link is not valid here: ask for a new one").await;
 }
 
-/// Closes a websocket for which there is no seat.
+/// Closes a websocket for which no seat is free.
 pub(crate) async fn turn_away_full(socket: WebSocket) {
     close(socket, FULL, "all seats are taken").await;
 }
@@ -45,13 +46,14 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
     let frame = CloseFrame { code, reason: reason.into() };
     let closing = async {
         let _ = socket.send(Message::Close(Some(frame))).await;
-        // Waits for the client's close, or for any other message, so that the client gets ours.
+        // Waits until the client closes the websocket or sends anything else, so that the client receives our close
+        // message.
         let _ = socket.recv().await;
     };
     let _ = timeout(Duration::from_secs(2), closing).await;
 }
 
-/// Serves a client until it disconnects, falls silent or breaks a limit.
+/// Serves a client until it disconnects, is silent for too long or breaks a limit.
 pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     let client = hub.new_client();
     let (hello, greeted) = watch::channel(None);
@@ -67,7 +69,7 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     }
 }
 
-/// Exchanges messages with a client until one side ends it. Returns the reason if this side does.
+/// Exchanges messages with a client until one side ends the connection. If the server ends it, returns the reason.
 async fn exchange(
     socket: &mut WebSocket,
     hub: &Arc<Hub>,
@@ -75,7 +77,7 @@ async fn exchange(
     mut greeted: watch::Receiver<Option<Text>>,
     mut answers: mpsc::Receiver<Text>,
 ) -> Option<&'static str> {
-    // The greeting first: a page cannot draw frames without it.
+    // Sends the greeting first, because a page cannot draw frames without it.
     match timeout(SEND_TIMEOUT, greeted.wait_for(Option::is_some)).await {
         Ok(Ok(_)) => {}
         _ => return Some("the server is busy"),
@@ -90,7 +92,7 @@ async fn exchange(
     let mut ping = interval(PING_INTERVAL);
     ping.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let mut listener = Listener::new(client);
-    // A prediction without a frame of this role could show what fog hides.
+    // No prediction is sent before a frame for this role: it could show what fog hides.
     let (mut is_greeted, mut has_frame) = (false, false);
     loop {
         let message = tokio::select! {
@@ -142,7 +144,8 @@ async fn exchange(
     }
 }
 
-/// A frame with the events that this client does not have yet, and for an instructor with the marks of the exercise.
+/// A frame with the events that this client has not received yet. For an instructor the frame includes the marks of the
+/// exercise.
 fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);
     let new: Vec<_> = new.map(|(_, event)| event.clone()).collect();
@@ -151,22 +154,22 @@ fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String
     message::with_events(published.frame_for(role), &new, marks)
 }
 
-/// What follows from a message of the client.
+/// What to do after a message of the client.
 enum Taken {
     Nothing,
-    /// This answer is sent.
+    /// Send this answer.
     Answer(String),
-    /// The client has disconnected.
+    /// Nothing: the client has disconnected.
     Disconnected,
-    /// The client is disconnected for this reason.
+    /// Disconnect the client for this reason.
     Disconnect(&'static str),
 }
 
-/// Takes the messages of a client and passes its commands on.
+/// Receives the messages of a client and passes its commands on.
 struct Listener {
     client: ClientId,
     bucket: Bucket,
-    /// Refused messages since the last good one.
+    /// Number of refused messages since the last good message.
     refused: u32,
     last_received: Instant,
 }
@@ -182,7 +185,7 @@ impl Listener {
         self.last_received = Instant::now();
         let text = match received {
             None => return Taken::Disconnected,
-            // A frame above the size limit, a malformed frame or a lost connection.
+            // The frame is too large or malformed, or the connection is lost.
             Some(Err(e)) => {
                 hub.log.refused(&format!("lost client {}: {e}", self.client));
                 return Taken::Disconnected;
@@ -211,8 +214,8 @@ impl Listener {
         Taken::Answer(message::text(&Reply::Refused { id, reason }))
     }
 
-    /// Refuses a message without asking the simulation. Only the first, second, fourth, eighth… refusal is answered, so
-    /// that the answers to a flood are no flood.
+    /// Refuses a message without asking the simulation. Only the first, second, fourth, eighth… refusal is answered. A
+    /// flood of messages therefore does not cause a flood of answers.
     fn refuse(&mut self, reason: &str) -> Taken {
         self.refused += 1;
         if self.refused > MOST_REFUSED {

@@ -1,5 +1,6 @@
-//! Limits the number of connections. A new connection always gets in: the oldest connection of the address with the most
-//! connections is closed for it. A crowd of slow connections therefore keeps nobody out, and loses its own places.
+//! Limits the number of connections. A new connection always gets in. If there are too many, the address with the most
+//! connections loses its oldest connection. A crowd of slow connections therefore keeps nobody out, and loses its own
+//! places.
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
@@ -7,7 +8,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::Notify;
 
-/// A peer whose connections are counted together: an IPv4 address, or the /64 network of an IPv6 address.
+/// A peer: all connections of a peer are counted together. A peer is an IPv4 address, or the /64 network of an IPv6
+/// address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Peer(u128);
 
@@ -15,13 +17,13 @@ impl Peer {
     pub(crate) fn of(address: IpAddr) -> Peer {
         Peer(match address.to_canonical() {
             IpAddr::V4(v4) => u128::from(v4.to_bits()),
-            // No IPv4 address has bits up there.
+            // An IPv4 address has none of these high bits.
             IpAddr::V6(v6) => v6.to_bits() >> 64 << 64 | 1 << 63,
         })
     }
 }
 
-/// A number of places.
+/// A limited number of places for connections.
 #[derive(Debug)]
 pub(crate) struct Connections {
     most: usize,
@@ -31,11 +33,11 @@ pub(crate) struct Connections {
 #[derive(Debug, Default)]
 struct Inside {
     next: u64,
-    /// In the order in which they came.
+    /// The connections in the order in which they came.
     all: Vec<(u64, Peer, Arc<Notify>)>,
 }
 
-/// A place, free again when it is dropped.
+/// A place for a connection. Dropping the [`Place`] frees it for another connection.
 #[derive(Debug)]
 pub(crate) struct Place {
     connections: Arc<Connections>,
@@ -48,7 +50,7 @@ impl Connections {
         Arc::new(Connections { most, inside: Mutex::default() })
     }
 
-    /// Takes a place; asks another one to leave if there is no room.
+    /// Takes a place. If there is no room, asks another connection to leave.
     pub(crate) fn enter(self: &Arc<Connections>, peer: Peer) -> Place {
         let asked_out = Arc::new(Notify::new());
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
@@ -71,7 +73,7 @@ impl Connections {
 }
 
 impl Place {
-    /// Waits until the place is needed for a new connection.
+    /// Waits until a new connection needs this place.
     pub(crate) async fn asked_out(&self) {
         self.asked_out.notified().await;
     }
@@ -83,7 +85,7 @@ impl Drop for Place {
     }
 }
 
-/// The oldest connection of the address with the most connections.
+/// Index of the oldest connection of the address with the most connections.
 fn first_of_the_most(all: &[(u64, Peer, Arc<Notify>)]) -> usize {
     let mut counts = BTreeMap::<Peer, usize>::new();
     for (_, peer, _) in all {

@@ -1,9 +1,11 @@
-//! The simulation's thread. It steps the session at the pace of wall time, carries out the commands of clients and
-//! publishes the latest frame. It waits for the clock only: a slow client misses frames, a flood of commands is refused.
+//! The simulation's thread. The thread steps the session at the pace of wall time, carries out the commands of clients
+//! and publishes the latest frame. The thread waits for nothing except the clock: a slow client misses frames, and a
+//! flood of commands is refused.
 
 mod chart_output;
 mod client;
 mod clients;
+mod clock;
 mod commands;
 mod crowd;
 mod event_log;
@@ -20,7 +22,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 
 use fenderline_live::message::{self, Frame, PlannedNow, Reply, Role, RunState};
 use fenderline_live::{Session, StepError};
@@ -28,6 +30,7 @@ use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
 use self::client::Client;
+use self::clock::unix_ms;
 use self::crowd::Crowd;
 use self::event_log::EventLog;
 use self::kept_history::KeptHistory;
@@ -41,14 +44,14 @@ use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
 
-/// Least wall time between two frames, however fast the simulation runs.
+/// Least wall time between two frames, even if the simulation runs faster.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(33);
-/// Wall time between two frames of a paused session: pages see that the server is still there. While something is being
-/// opened they come more often, to show the progress.
+/// Wall time between two frames of a paused session. The frames show that the server still runs. While a file is being
+/// opened, frames come more often, to show the progress.
 const BETWEEN_PAUSED_FRAMES: Duration = Duration::from_secs(1);
 const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);
 
-/// Everything of the simulation's thread.
+/// The state of the simulation's thread.
 pub(crate) struct Engine {
     hub: Arc<Hub>,
     session: Session,
@@ -57,35 +60,35 @@ pub(crate) struct Engine {
     sessions: PathBuf,
     make_report: MakeReport,
     recorder: Recorder,
-    /// The recordings of sessions that ended before this one.
+    /// Files of the recordings of earlier sessions.
     ended: Vec<PathBuf>,
     recording_failed: bool,
-    /// Keeps links and holders beside the recording.
+    /// Keeps the links and the holders of controls in a file beside the recording.
     keeper: Keeper,
-    /// Work on another thread: a scenario or a session is being opened, one is being saved, or a report is being
-    /// made.
+    /// Work on another thread: opening a scenario or a session, saving a session, or making a report.
     work: Option<Work>,
     pacer: Pacer,
     paused: bool,
-    /// Paused until the first client joins.
+    /// True if the session is paused until the first client joins.
     starts_with_first_client: bool,
     claims: Claims,
     clients: BTreeMap<ClientId, Client>,
     crowd: Crowd,
     events: EventLog,
-    /// When the last frame was published.
+    /// Time at which the last frame was published.
     published: Instant,
     predictor: Predictor,
     trials: Trials,
     history: KeptHistory,
-    /// The planned events that instructors were told last.
+    /// The planned events in the last message to the instructors.
     planned: Vec<PlannedNow>,
-    /// `None`: no chart programs are served.
+    /// `None` if no chart programs are served.
     chart: Option<ChartOutput>,
 }
 
 impl Engine {
-    /// Ready to run; the recording is begun. `chart`: whether chart programs are served, and the origin that was given for them.
+    /// Makes an engine that is ready to run, and begins the recording. `chart` is `None` if no chart programs are
+    /// served; otherwise it contains the origin that the user gave for them.
     ///
     /// # Errors
     /// The recording's file cannot be written, or there are no random numbers.
@@ -136,12 +139,12 @@ impl Engine {
         Ok(engine)
     }
 
-    /// The file that this session is recorded to.
+    /// The file to which this session is recorded.
     pub(crate) fn recording(&self) -> &Path {
         self.recorder.path()
     }
 
-    /// Runs until a message stops it. Returns the recordings that it made, in their order.
+    /// Runs until a message stops the thread. Returns the files of the recordings that it made, in their order.
     pub(crate) fn run(mut self, messages: &Receiver<ToEngine>) -> Vec<PathBuf> {
         self.publish_frame();
         loop {
@@ -154,7 +157,7 @@ impl Engine {
                     }
                 }
             }
-            // After each message, so that a flood of messages delays no tick.
+            // The time is read again after each message, so that a flood of messages delays no tick.
             let now = Instant::now();
             if !self.paused && self.pacer.is_due(now) {
                 self.pacer.begin(now);
@@ -176,7 +179,7 @@ impl Engine {
         self.ended
     }
 
-    /// How long to wait for a message.
+    /// Time to wait for a message.
     fn wait(&self) -> Duration {
         let now = Instant::now();
         let wait =
@@ -204,7 +207,7 @@ impl Engine {
         }
     }
 
-    /// One step of the session.
+    /// Takes one step of the session.
     fn tick(&mut self) {
         let was_rewound = self.session.is_rewound();
         let was_open = self.exercise_is_open();
@@ -245,7 +248,7 @@ impl Engine {
             self.clients.values().map(|client| client.role.clone()).collect();
         roles.sort();
         roles.dedup();
-        // What fog hides from a role is not sent to it.
+        // A role does not receive what fog hides from it.
         let in_fog = roles.iter().filter_map(|role| {
             let seen = self.session.in_fog(&frame, role)?;
             let hidden = self.session.hidden_vessels(role);
@@ -261,7 +264,7 @@ impl Engine {
         self.tell_planned();
     }
 
-    /// The frame of the present state, as those see it who see everything.
+    /// The frame of the present state for roles that see everything.
     fn frame(&self) -> Frame {
         let (late_ticks, latest_ms) = self.pacer.late();
         let run = RunState {
@@ -281,7 +284,7 @@ impl Engine {
         self.session.exercise_marks().map(|marks| message::text(&marks).into())
     }
 
-    /// Tells the instructors what is planned, if it has changed. Nobody else may know.
+    /// Sends the planned events to the instructors if they have changed. Nobody else may know them.
     fn tell_planned(&mut self) {
         let events = self.session.planned();
         if events != self.planned {
@@ -292,14 +295,8 @@ impl Engine {
         }
     }
 
-    /// Tells one instructor what is planned.
+    /// Sends the planned events to one instructor.
     fn tell_planned_to(&self, client: ClientId) {
         self.reply(client, &Reply::Planned { events: self.planned.clone() });
     }
-}
-
-/// Milliseconds since 1970.
-fn unix_ms() -> u64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(since.as_millis()).unwrap_or(u64::MAX)
 }

@@ -1,5 +1,6 @@
-//! Renames, deletes and puts back recordings and exercises that were saved from the page. Nothing is overwritten, and nothing outside of
-//! their folders is touched. A deleted file lies in the folder `deleted` beside the others until somebody removes it by hand.
+//! Renames, deletes and puts back recordings and exercises that were saved from the page. No file is overwritten, and
+//! no file outside of their folders is touched. A deleted file lies in the folder `deleted` beside the others until
+//! somebody removes it by hand.
 
 use core::fmt;
 use std::fs::{self, OpenOptions};
@@ -13,49 +14,49 @@ use super::gallery::{self, Changed, DELETED, EXERCISE_ENDING, Gallery};
 use super::kept_seats;
 use super::saved::ENDING;
 
-/// Most deleted files of one name.
+/// Largest number of deleted files with one name.
 const MOST_OF_A_NAME: usize = 1000;
 
-/// What an instructor wants of a file.
+/// What an instructor wants to do with a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Wish {
-    /// Another name, without its ending.
+    /// Give the file another name. The text is the name without its ending.
     Rename(String),
-    /// To have it out of the list.
+    /// Remove the file from the list.
     Delete,
-    /// To have it back.
+    /// Put a deleted file back in the list.
     PutBack,
 }
 
-/// The files that a running session needs as they are.
+/// The files that a running session needs unchanged.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InUse<'a> {
-    /// The file that the session is recorded to.
+    /// The file to which the session is recorded.
     pub(crate) recording: &'a Path,
-    /// The name of its scenario's file.
+    /// The name of the session's scenario file.
     pub(crate) scenario: &'a str,
 }
 
-/// Why a file stays as it is.
+/// Why a file was not changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum ChangeError {
-    /// The new name is no good.
+    /// The new name is not allowed.
     Name(NameError),
-    /// The gallery has no file of this name.
+    /// The gallery has no file with this name.
     NotThere(String),
-    /// No file of this name was deleted.
+    /// No file with this name was deleted.
     NotDeleted(String),
-    /// The session that goes on is recorded to it.
+    /// The running session is recorded to this file.
     IsRecorded(String),
-    /// The session that goes on is one of this exercise.
+    /// The running session is a run of this exercise.
     Runs(String),
-    /// It was written by hand, or lies in another folder.
+    /// The file was written by hand, or lies in another folder.
     NotOurs(String),
-    /// There is a file of the new name.
+    /// A file with the new name exists.
     Taken(String),
-    /// It is a link, a folder, or gone.
+    /// The path is a link or a folder, or the file is gone.
     NoFile(String),
-    /// The file system's answer, with the path.
+    /// The file system's error, with the path.
     Failed(PathBuf, String),
 }
 
@@ -94,30 +95,30 @@ impl From<NameError> for ChangeError {
     }
 }
 
-/// A change that is about to be made.
+/// A change that is ready to be made.
 #[derive(Debug)]
 pub(crate) struct FileChange {
     from: PathBuf,
     to: To,
     entry: GalleryEntry,
-    /// It is among the deleted files.
+    /// True if the change puts a deleted file back.
     is_put_back: bool,
 }
 
-/// Where a file goes.
+/// Where a file is moved.
 #[derive(Debug)]
 enum To {
-    /// A path that must be free.
+    /// The file is moved to a path that must be free.
     Path(PathBuf),
-    /// A folder that is made if need be, under a name that is free there.
+    /// To the folder of deleted files, under a name that is free there. The folder is made if it is missing.
     Deleted(PathBuf),
 }
 
 impl FileChange {
-    /// What is to be done with a file of the gallery, by its name. Asks no file system.
+    /// Plans a change of a file in the gallery, which is given by its name. Does not use the file system.
     ///
     /// # Errors
-    /// [`ChangeError`], but what only the file system knows.
+    /// [`ChangeError`], except for errors that only the file system can find.
     pub(crate) fn new(
         gallery: &Gallery,
         in_use: InUse<'_>,
@@ -156,7 +157,7 @@ impl FileChange {
     /// Makes the change.
     ///
     /// # Errors
-    /// [`ChangeError`]. Nothing is changed then.
+    /// [`ChangeError`]. Nothing is changed in this case.
     pub(crate) fn make(self) -> Result<Changed, ChangeError> {
         let FileChange { from, to, entry, is_put_back } = self;
         let name = gallery::name_of(&from);
@@ -174,11 +175,11 @@ impl FileChange {
                 move_to(&from, &folder)?
             }
         };
-        // Files that a deleted scenario names stay where they are.
+        // If the scenario is deleted, the files that it names stay where they are.
         let with_named = if is_deleted { &from } else { &to };
         let beside = with_named.parent().unwrap_or(Path::new(""));
         let file = gallery::name_of(&to);
-        // What has become unreadable meanwhile keeps what it was called.
+        // If the file has become unreadable in the meantime, its entry keeps the old title and text.
         let entry = gallery::entry_among(&to, beside).unwrap_or(GalleryEntry { file, ..entry });
         Ok(Changed { from, to, entry, is_deleted })
     }
@@ -188,7 +189,7 @@ fn ending_of(file: &str) -> &'static str {
     if file.ends_with(ENDING) { ENDING } else { EXERCISE_ENDING }
 }
 
-/// The folder for deleted files: never through a link.
+/// Makes the folder for deleted files. A link in its place is refused.
 fn make_folder(folder: &Path) -> Result<(), ChangeError> {
     if gallery::is_folder(folder) {
         return Ok(());
@@ -199,7 +200,7 @@ fn make_folder(folder: &Path) -> Result<(), ChangeError> {
     fs::create_dir(folder).map_err(|error| failed(folder, &error))
 }
 
-/// Moves a file into a folder, with a number where its name is taken there.
+/// Moves a file into a folder. If the file's name is taken there, a number is added.
 fn move_to(from: &Path, folder: &Path) -> Result<PathBuf, ChangeError> {
     let file = gallery::name_of(from);
     let ending = ending_of(&file);
@@ -217,13 +218,13 @@ fn move_to(from: &Path, folder: &Path) -> Result<PathBuf, ChangeError> {
     Err(ChangeError::Taken(file))
 }
 
-/// Moves a file, and that of a recording's links, to names that must be free.
+/// Moves a file to a name that must be free. A recording's file of links moves with it.
 fn move_free(from: &Path, to: &Path) -> Result<(), ChangeError> {
     if !gallery::name_of(from).ends_with(ENDING) {
         return move_file(from, to);
     }
     let (links, links_to) = (kept_seats::beside(from), kept_seats::beside(to));
-    // The links of another session would open this one.
+    // If another file of links lies there, this session would open with the links of another session.
     if links_to.symlink_metadata().is_ok() {
         return Err(ChangeError::Taken(gallery::name_of(&links_to)));
     }
@@ -240,7 +241,8 @@ fn move_free(from: &Path, to: &Path) -> Result<(), ChangeError> {
 
 /// Moves a file to a name that must be free.
 fn move_file(from: &Path, to: &Path) -> Result<(), ChangeError> {
-    // Takes the name first: `rename` alone would replace a file that somebody else has made meanwhile.
+    // Creates the file first, to take the name: `rename` alone would replace a file that somebody else has made in the
+    // meantime.
     match OpenOptions::new().write(true).create_new(true).open(to) {
         Ok(_) => {}
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {

@@ -1,19 +1,20 @@
-//! Names that people give to recordings and exercises: good on every system, and never a path.
+//! Names that people give to recordings and exercises. A name is valid on every operating system, and is never a path.
 
 use core::fmt;
 
-/// Longest name, without its ending (bytes).
+/// Longest name without its ending (bytes).
 pub(crate) const LONGEST: usize = 60;
-/// Names of devices on Windows, whatever their ending (Microsoft: Naming Files, Paths, and Namespaces). COM and LPT have a digit.
+/// Names of devices on Windows (Microsoft: Naming Files, Paths, and Namespaces). These names are reserved with any
+/// ending. COM and LPT are followed by a digit.
 const DEVICES: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
 const PORTS: [&str; 2] = ["COM", "LPT"];
 
-/// Why a name cannot be that of a file.
+/// Why a file cannot have a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum NameError {
-    /// It is empty, too long, or has other characters than letters, digits, `-` and `_`.
+    /// The name is empty, too long, or has characters other than letters, digits, `-` and `_`.
     Characters,
-    /// It is that of a device on Windows.
+    /// The name is that of a device on Windows.
     Reserved(String),
 }
 
@@ -32,7 +33,7 @@ impl fmt::Display for NameError {
 
 impl std::error::Error for NameError {}
 
-/// Checks a name without its ending.
+/// Checks a name, which has no ending.
 ///
 /// # Errors
 /// [`NameError`].

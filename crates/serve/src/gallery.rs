@@ -1,4 +1,4 @@
-//! The gallery: scenarios of a folder and saved sessions that the instructor can open.
+//! The gallery: the scenarios of a folder and the saved sessions that the instructor can open.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -12,42 +12,44 @@ use fenderline_scenario::read_text;
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
 
-/// Most entries of the gallery, and most files of a folder that are read for it.
+/// Largest number of entries in the gallery, and of files that are read from a folder for it.
 const MOST: usize = 200;
 const MOST_READ: usize = 1000;
-/// The end of an exercise's file name.
+/// The ending of an exercise's file name.
 pub(crate) const EXERCISE_ENDING: &str = ".toml";
-/// The folder for deleted files, in that of the others.
+/// The folder for deleted files, inside the folder of the other files.
 pub(crate) const DELETED: &str = "deleted";
-/// What the first comment of an exercise says that was saved from the page. Files that people wrote by hand are theirs to rename.
+/// Texts in the first comment of an exercise that was saved from the page. Only people who wrote a file by hand may
+/// rename it.
 const FROM_THE_PAGE: [&str; 2] = ["Made from choices:", INTO_A_SESSION];
-/// A scenario and the files that it names together (bytes).
+/// Largest size of a scenario together with the files that it names (bytes).
 const LARGEST_SCENARIO: usize = 64 << 20;
 
-/// A change that was made.
+/// A change that was made to a file.
 #[derive(Debug)]
 pub(crate) struct Changed {
     pub(crate) from: PathBuf,
     pub(crate) to: PathBuf,
-    /// The entry of the file where it is now.
+    /// The entry of the file after the change.
     pub(crate) entry: GalleryEntry,
-    /// Whether it is among the deleted files now.
+    /// True if the file is among the deleted files now.
     pub(crate) is_deleted: bool,
 }
 
-/// A list of files that can be opened, by name. Nothing else can: a page names an entry, not a path.
+/// The list of files that can be opened, by name. No other file can be opened, because a page gives the name of an
+/// entry and not a path.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
     files: Files,
-    /// Those that were deleted, which can be put back.
+    /// Deleted files that can be put back.
     deleted: Files,
-    /// Where new exercises are saved.
+    /// The folder in which new exercises are saved.
     folder: PathBuf,
-    /// Where sessions are recorded.
+    /// The folder in which sessions are recorded.
     sessions: PathBuf,
 }
 
-/// Files with their entries, each name once.
+/// Files with their entries. Each name appears once.
 #[derive(Clone, Debug, Default)]
 struct Files {
     entries: Vec<GalleryEntry>,
@@ -70,7 +72,8 @@ impl Files {
         }
     }
 
-    /// At the end of the list, in place of one of this name, or of the first where there is no room.
+    /// Puts a file at the end of the list. The file replaces an earlier file with the same name. If there is no room,
+    /// it replaces the first file.
     fn put_last(&mut self, path: &Path, entry: GalleryEntry) {
         let is_full = self.paths.len() >= MOST;
         if let Some(place) = self.place(&entry.file).or(is_full.then_some(0)) {
@@ -84,7 +87,7 @@ impl Files {
         self.place(file).map(|place| (&self.entries[place], self.paths[place].as_path()))
     }
 
-    /// Takes the entry of a path away; its place.
+    /// Removes the entry of a path and returns its index.
     fn take(&mut self, path: &Path) -> Option<usize> {
         let place = self.paths.iter().position(|other| other == path)?;
         self.entries.remove(place);
@@ -94,13 +97,13 @@ impl Files {
 }
 
 impl Gallery {
-    /// Nothing yet. New exercises are saved in `folder`, and sessions recorded in `sessions`.
+    /// An empty gallery. New exercises are saved in `folder`, and sessions are recorded in `sessions`.
     pub(crate) fn new(folder: &Path, sessions: &Path) -> Gallery {
         Gallery { folder: folder.to_owned(), sessions: sessions.to_owned(), ..Gallery::default() }
     }
 
-    /// Adds the scenarios with a vessel and the recordings of its folders, and what was deleted there. Of several files with one name
-    /// only the first is added.
+    /// Adds the scenarios with a vessel and the recordings in the gallery's folders, and the deleted files there. If
+    /// several files have one name, only the first is added.
     pub(crate) fn fill(&mut self) {
         for folder in [self.folder.clone(), self.sessions.clone()] {
             files_of(&folder).iter().for_each(|path| self.add(path));
@@ -128,24 +131,24 @@ impl Gallery {
         }
     }
 
-    /// Adds an entry that was made of a file.
+    /// Adds the entry of a file.
     pub(crate) fn put(&mut self, path: &Path, entry: GalleryEntry) {
         let changeable = entry.changeable && self.is_in_its_folders(path);
         self.files.put(path, GalleryEntry { changeable, ..entry });
     }
 
-    /// Whether a file lies in the folder of exercises or in that of recordings.
+    /// True if a file lies in the folder of exercises or in the folder of recordings.
     fn is_in_its_folders(&self, path: &Path) -> bool {
         let parent = path.parent().unwrap_or(Path::new(""));
         [&self.folder, &self.sessions].into_iter().any(|folder| is_same_folder(folder, parent))
     }
 
-    /// The folder of new exercises.
+    /// The folder in which new exercises are saved.
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Adds an entry, in place of one of the same file.
+    /// Adds an entry. The new entry replaces an entry of the same file.
     pub(crate) fn renew(&mut self, path: &Path, entry: GalleryEntry) {
         match self.files.place(&entry.file) {
             Some(place) => self.files.entries[place] = entry,
@@ -153,14 +156,14 @@ impl Gallery {
         }
     }
 
-    /// Takes note of a file that was renamed, deleted or put back.
+    /// Updates the lists after a file was renamed, deleted or put back.
     pub(crate) fn moved(&mut self, changed: Changed) {
         let Changed { from, to, entry, is_deleted } = changed;
         let place = self.files.take(&from);
         self.deleted.take(&from);
         match place {
             _ if is_deleted => self.deleted.put_last(&to, entry),
-            // It stays where it was in the list.
+            // The entry stays at its place in the list.
             Some(place) => {
                 self.files.entries.insert(place, entry);
                 self.files.paths.insert(place, to);
@@ -179,28 +182,28 @@ impl Gallery {
         &self.deleted.entries
     }
 
-    /// An entry and its file.
+    /// An entry, and the path of its file.
     pub(crate) fn get(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
         self.files.get(file)
     }
 
-    /// The same of a deleted file.
+    /// An entry of a deleted file, and the path of the file.
     pub(crate) fn get_deleted(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
         self.deleted.get(file)
     }
 
-    /// The file of an entry.
+    /// The path of an entry's file.
     pub(crate) fn path(&self, file: &str) -> Option<&Path> {
         self.files.get(file).map(|(_, path)| path)
     }
 }
 
-/// Whether there is a folder of this name, not a link to one.
+/// True if there is a folder with this name. A link to a folder does not count.
 pub(crate) fn is_folder(path: &Path) -> bool {
     path.symlink_metadata().is_ok_and(|of| of.is_dir())
 }
 
-/// The first files of a folder, sorted.
+/// The first files of a folder, sorted by name.
 fn files_of(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -209,7 +212,7 @@ fn files_of(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// Whether two paths are one folder, as they are written; nothing stands for the present one.
+/// True if two paths name the same folder as they are written. An empty path stands for the present folder.
 fn is_same_folder(one: &Path, other: &Path) -> bool {
     let written = |path: &Path| match path.as_os_str().is_empty() {
         true => PathBuf::from("."),
@@ -222,12 +225,12 @@ pub(crate) fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The entry of a file; `None` for a file that cannot be opened. Only the first line of a recording is read.
+/// The entry of a file; `None` if the file cannot be opened. Only the first line of a recording is read.
 pub(crate) fn entry(path: &Path) -> Option<GalleryEntry> {
     entry_among(path, path.parent().unwrap_or(Path::new("")))
 }
 
-/// The same, of a file whose scenario's other files lie in a folder.
+/// The entry of a file whose scenario names files in `folder`.
 pub(crate) fn entry_among(path: &Path, folder: &Path) -> Option<GalleryEntry> {
     let name = name_of(path);
     if name.ends_with(ENDING) {
@@ -270,12 +273,12 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     })
 }
 
-/// Reads the files that a scenario names, which lie beside it.
+/// Makes a function that reads the files which a scenario names. The files lie beside the scenario.
 pub(crate) fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
     within(scenario.parent().unwrap_or(Path::new("")))
 }
 
-/// Reads the files of a folder that a scenario names.
+/// Makes a function that reads the files which a scenario names from a folder.
 fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
     let folder = folder.to_owned();
     let mut left = LARGEST_SCENARIO;
@@ -291,21 +294,21 @@ fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
     }
 }
 
-/// A session that was opened.
+/// A session that was opened from a file.
 pub(crate) struct Opened {
     pub(crate) session: Session,
-    /// The recording that it continues, with its outline; `None`: a new session.
+    /// The recording that this session continues, with its outline; `None` for a new session.
     pub(crate) recorded: Option<(File, Outline)>,
-    /// The links and the holders of controls of the recording that it continues, if they are there.
+    /// The links and the holders of controls of the continued recording, if they were kept.
     pub(crate) seats: Option<KeptSeats>,
     /// Notices for the user.
     pub(crate) notices: Vec<String>,
 }
 
-/// Opens a scenario, or a recording, which continues where it ended.
+/// Opens a scenario or a recording. A recording continues where it ended.
 ///
 /// # Errors
-/// What is wrong with the file, as a text for the user; or the reason with which `watch` stopped.
+/// What is wrong with the file, as a text for the user. If `watch` stopped the opening, its reason.
 pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Opened, String> {
     if let Some(file) = saved::open(path).map_err(|why| format!("cannot read {why}"))? {
         return open_recording(path, file, set, watch);

@@ -1,4 +1,4 @@
-//! HTTP: the files of the page, and the upgrade to a websocket.
+//! HTTP: serves the files of the page, and opens websockets.
 
 use std::pin::Pin;
 use std::sync::{Arc, PoisonError};
@@ -27,19 +27,20 @@ use super::hub::Hub;
 use super::known_hosts::KnownHosts;
 use super::page::Page;
 
-/// Most connections that are not websockets yet. Beyond it an old one is closed (see `connections`).
+/// Largest number of connections that are not websockets yet. If there are more, an old one is closed (see
+/// `connections`).
 const MOST_CONNECTIONS: usize = 256;
-/// Most websockets that are open only to be told why they are closed.
+/// Largest number of websockets that are open only to be told why they are closed.
 const MOST_TURNED_AWAY: usize = 64;
-/// Time limits: for the head of a request, and for a whole connection up to its answer or its websocket.
+/// Time limits: for the head of a request, and for a whole connection until it is answered or becomes a websocket.
 const HEAD_TIMEOUT: Duration = Duration::from_secs(5);
 const CONNECTION_TIMEOUT: Duration = Duration::from_secs(30);
 /// The largest message of a page (bytes).
 const LARGEST_MESSAGE: usize = 16 << 10;
-/// Most bytes that wait to be written to one websocket.
+/// Largest number of bytes that wait to be written to one websocket.
 const MOST_WAITING: usize = 4 << 20;
 
-/// What every request needs.
+/// The data that every request needs.
 pub(crate) struct Site {
     pub(crate) hub: Arc<Hub>,
     pub(crate) page: Page,
@@ -54,7 +55,7 @@ impl Site {
     }
 }
 
-/// Serves until the task is dropped.
+/// Accepts connections until the task is dropped.
 pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
     let app = Router::new()
         .route("/live", any(live))
@@ -66,7 +67,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
         let (stream, peer) = match listener.accept().await {
             Ok((stream, from)) => (stream, Peer::of(from.ip())),
             Err(e) => {
-                // Most likely there are no file descriptors left. They become free as connections end.
+                // Most likely no file descriptors are left. They become free as connections end.
                 site.hub.log.refused(&format!("cannot accept a connection: {e}"));
                 tokio::time::sleep(Duration::from_millis(100)).await;
                 continue;
@@ -85,7 +86,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
     }
 }
 
-/// One connection, up to its answer or its websocket.
+/// Serves one connection until it is answered or becomes a websocket.
 async fn connection(stream: TcpStream, app: Router, peer: Peer) {
     // Sends small frames at once.
     let _ = stream.set_nodelay(true);
@@ -104,12 +105,12 @@ fn refused(site: &Site, why: &'static str) -> Response {
     plain(StatusCode::FORBIDDEN, why)
 }
 
-/// An answer of one line of text. The header keeps browsers from taking it for anything else.
+/// An answer of one line of text. A header tells browsers to treat it as nothing but text.
 fn plain(status: StatusCode, text: &'static str) -> Response {
     (status, [(X_CONTENT_TYPE_OPTIONS, "nosniff"), (CONNECTION, "close")], text).into_response()
 }
 
-/// Opens a websocket, for pages of this server and for programs, with a token.
+/// Opens a websocket for a page of this server or for a program. Both need a token.
 async fn live(
     State(site): State<Arc<Site>>,
     Extension(peer): Extension<Peer>,
@@ -141,15 +142,15 @@ async fn live(
     })
 }
 
-/// The role that the token of an address opens.
+/// The role of the token in an address.
 fn role(site: &Site, uri: &Uri) -> Option<Role> {
     let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
     let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
     tokens.role(token.unwrap_or(""))
 }
 
-/// The report that the instructor asked for last. It is made by the command `report`, so that nobody who fetches it costs
-/// more than its bytes.
+/// Sends the report that the instructor asked for last. The command `report` makes it. Fetching a report therefore
+/// costs no more than sending its bytes.
 async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     if let Err(why) = site.known_hosts.host(request.headers()) {
         return refused(&site, why);
@@ -181,7 +182,8 @@ async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     (headers, Body::from(latest.as_bytes().to_vec())).into_response()
 }
 
-/// Closes a websocket with `close`, which tells it why; at once if too many others are being closed.
+/// Closes a websocket with `close`, which tells the client the reason. If too many others are being closed, closes it
+/// at once.
 fn turn_away<F: Future<Output = ()> + Send + 'static>(
     site: &Site,
     peer: Peer,
@@ -198,7 +200,7 @@ fn turn_away<F: Future<Output = ()> + Send + 'static>(
     }
 }
 
-/// A file of the page.
+/// Sends a file of the page.
 async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
     let host = match site.known_hosts.host(request.headers()) {
         Ok(host) => host,
@@ -210,8 +212,9 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
     let Some(file) = site.page.file(request.uri().path()) else {
         return plain(StatusCode::NOT_FOUND, "there is no such file");
     };
-    // The page loads nothing from other sites: no script, no frame, no form. The address of the websocket is given
-    // because older browsers do not count it as `self`. `unsafe-inline`: the page's scripts set styles of elements.
+    // The page loads nothing from other sites: no script, no frame, no form. The policy contains the address of the
+    // websocket because older browsers do not count it as `self`. It contains `unsafe-inline` because the page's
+    // scripts set styles of elements.
     let policy = format!(
         "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
          font-src 'self'; connect-src 'self' ws://{host} wss://{host}; manifest-src 'self'; \

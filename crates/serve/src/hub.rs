@@ -15,9 +15,10 @@ use super::opening::Outcome;
 use super::seats::{Seat, Seats};
 use super::tokens::Tokens;
 
-/// Most commands of all clients that may wait for the simulation's thread.
+/// Largest number of commands of all clients that may wait for the simulation's thread.
 const MOST_WAITING: usize = 256;
-/// Most observers, and most clients with a control. Counted apart, so that observers cannot block a control.
+/// Largest number of observers, and of clients with a control. Both groups are counted separately, so that observers
+/// cannot block a control.
 const MOST_WATCHING: usize = 48;
 const MOST_STEERING: usize = 32;
 
@@ -27,47 +28,48 @@ pub(crate) type Text = Arc<str>;
 /// The latest round of sentences for chart programs.
 pub(crate) type Sentences = Option<Arc<[String]>>;
 
-/// A frame, and the last events with their numbers, so that clients that missed frames still get the events.
+/// A frame, and the last events with their numbers. With the numbers, clients that missed frames still get every event.
 #[derive(Clone, Debug)]
 pub(crate) struct Published {
-    /// The frame of those who see everything.
+    /// The frame for roles that see everything.
     pub(crate) frame: Text,
-    /// The roles that get it: those for which fog was looked through.
+    /// The roles that this frame is for: what fog hides was worked out for each of them.
     pub(crate) roles: Arc<[Role]>,
-    /// What roles get from which fog hides something.
+    /// Frames for the roles from which fog hides something.
     pub(crate) in_fog: Arc<[InFog]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
     /// The marks of the exercise, for instructors.
     pub(crate) marks: Option<Text>,
 }
 
-/// What a role gets from which fog hides something.
+/// The frame for a role from which fog hides something.
 #[derive(Clone, Debug)]
 pub(crate) struct InFog {
     pub(crate) role: Role,
     pub(crate) frame: Text,
-    /// Indices of the vessels that are hidden.
+    /// Indices of the vessels that fog hides.
     pub(crate) hidden: Vec<usize>,
 }
 
 impl Published {
-    /// Whether a role gets it. The first client of a role waits for the next one, so that she sees nothing that fog hides.
+    /// True if this frame is for a role. The first client of a role waits for the next frame, so that the client sees
+    /// nothing that fog hides.
     pub(crate) fn is_for(&self, role: &Role) -> bool {
         self.roles.contains(role)
     }
 
-    /// The frame that a role gets.
+    /// The frame for a role.
     pub(crate) fn frame_for(&self, role: &Role) -> &Text {
         self.fog_of(role).map_or(&self.frame, |fog| &fog.frame)
     }
 
-    /// What fog does to a role; `None` if nothing is hidden from it.
+    /// The frame in fog for a role; `None` if nothing is hidden from the role.
     pub(crate) fn fog_of(&self, role: &Role) -> Option<&InFog> {
         self.in_fog.iter().find(|fog| fog.role == *role)
     }
 }
 
-/// A prediction: for those who see everything as text, and its paths.
+/// A prediction: its text for clients that see everything, and its paths.
 #[derive(Clone, Debug)]
 pub(crate) struct Predicted {
     text: Text,
@@ -79,7 +81,7 @@ impl Predicted {
         Predicted { text: message::text(&prediction).into(), prediction }
     }
 
-    /// The text for a client from whom fog hides these vessels.
+    /// The text for a client from which fog hides these vessels.
     pub(crate) fn without(&self, hidden: &[usize]) -> String {
         match &self.prediction {
             Reply::Prediction { tick, paths } if !hidden.is_empty() => {
@@ -94,7 +96,8 @@ impl Predicted {
 
 /// A message to the simulation's thread.
 pub(crate) enum ToEngine {
-    /// A client has connected. `hello` always holds the latest greeting; `out` queues messages that must not be lost.
+    /// A client has connected. `hello` always holds the latest greeting. `out` is the queue for messages that must not
+    /// be lost.
     Join {
         client: ClientId,
         role: Role,
@@ -107,11 +110,11 @@ pub(crate) enum ToEngine {
     Command { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
     /// Work on another thread has finished.
     WorkDone(Outcome),
-    /// The server stops.
+    /// The server is stopping.
     Stop,
 }
 
-/// The shared part.
+/// The state that the simulation's thread and the clients' tasks share.
 pub(crate) struct Hub {
     to_engine: Sender<ToEngine>,
     waiting: AtomicUsize,
@@ -145,19 +148,20 @@ impl Hub {
         }
     }
 
-    /// Takes a seat for a role, free again when it is dropped; `None` if all are taken, or all for this address.
+    /// Takes a seat for a role. Dropping the seat frees it. `None` if all seats are taken, or all seats for this
+    /// address.
     pub(crate) fn seat(&self, role: &Role, peer: Peer) -> Option<Seat> {
         let seats = if *role == Role::Observer { &self.watching } else { &self.steering };
         Seats::take(seats, peer)
     }
 
-    /// A client number that was never used.
+    /// A client number that has never been used.
     pub(crate) fn new_client(&self) -> ClientId {
         self.next_client.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Sends a message to the simulation's thread. The number of waiting commands is limited. False if there was no room, or
-    /// the server stops.
+    /// Sends a message to the simulation's thread. The number of waiting commands is limited. Returns false if there
+    /// was no room, or if the server is stopping.
     pub(crate) fn send_to_engine(&self, message: ToEngine) -> bool {
         if matches!(message, ToEngine::Command { .. }) {
             if self.waiting.fetch_add(1, Ordering::AcqRel) >= MOST_WAITING {

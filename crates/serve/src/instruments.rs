@@ -8,23 +8,23 @@ use fenderline_nautical::{
 };
 use fenderline_sim::VesselSetup;
 
-/// MMSI of the first ship. No country has 999 (recalled), so that no real ship has these numbers.
+/// MMSI of the first ship. No country has the digits 999 (recalled), so no real ship has these numbers.
 const FIRST_MMSI: u32 = 999_000_001;
-/// Rounds between two reports of ship data. On the air they come every six minutes.
+/// Number of rounds between two reports of ship data. Real ships send the data every six minutes.
 const SHIP_DATA_EVERY: u64 = 10;
-/// A ship with a line made fast that is slower than this reports herself as moored (m/s); our choice.
+/// A ship with a line made fast reports that she is moored if she is slower than this (m/s). The value is our choice.
 const MOORED_MPS: f64 = 0.2;
 
-/// A vessel as its instruments report it. The antenna is amidships.
+/// A vessel as her instruments report her. The antenna is at midship.
 struct Vessel<'s> {
     index: usize,
     of: &'s VesselSetup,
     state: &'s BodyState,
-    /// Centre of gravity forward of midship (m).
+    /// Distance of the centre of gravity forward of midship (m).
     ahead_m: f64,
-    /// True velocity over ground at midship, ahead and to starboard (m/s).
+    /// True velocity of midship over ground: ahead and to starboard (m/s).
     ground: Vec2,
-    /// What compass, log and satellite receiver show. They may be frozen.
+    /// The values that compass, log and satellite receiver show. They may be frozen.
     shown: Shown,
 }
 
@@ -48,7 +48,7 @@ impl<'s> Vessel<'s> {
         FIRST_MMSI + self.index as u32
     }
 
-    /// AIS sends what the instruments show. The status is set by hand, by what is seen on board.
+    /// The AIS report. AIS sends what the instruments show. The crew sets the status by hand from what they see.
     fn position_report(
         &self,
         session: &Session,
@@ -117,7 +117,7 @@ impl<'s> Vessel<'s> {
             water_mps: [water_mps, water_across_mps],
             stern_mps: [water_across_mps + swing_mps, speeds.stern_mps],
             wind_over_deck: from_and_speed(over_deck),
-            // Found from the wind over deck and her speed, as instruments do.
+            // The true wind is computed from the wind over deck and the shown speed, as instruments do.
             true_wind: from_and_speed(over_deck + vec2(ground_mps[0], ground_mps[1])),
             // The transducer is in the keel.
             depth_m: vessel.under_keel_m.map(|under_m| (under_m, 0.0)),
@@ -130,12 +130,13 @@ impl<'s> Vessel<'s> {
     }
 }
 
-/// Direction from which a wind comes, from the bow (rad), and its speed (m/s), from its velocity in the ship's axes.
+/// Direction from which a wind comes, from the bow (rad), and its speed (m/s). `air` is the velocity of the air in the
+/// ship's axes.
 fn from_and_speed(air: Vec2) -> (f64, f64) {
     (libm::atan2(-air.y, -air.x), air.length())
 }
 
-/// MMSI of a ship that passes: after those of the vessels.
+/// MMSI of a passing ship. The numbers of passing ships follow those of the vessels.
 fn mmsi_of_traffic(session: &Session, index: usize) -> u32 {
     FIRST_MMSI + (session.simulation().vessels().len() + index) as u32
 }
@@ -190,7 +191,8 @@ fn traffic_data(session: &Session, index: usize) -> ShipData {
     }
 }
 
-/// One round of sentences: the own ship's instruments and her AIS, then the AIS of all others. `round` counts the rounds.
+/// One round of sentences: the own ship's instruments and her AIS, then the AIS of all other ships. `round` is the
+/// number of the round.
 pub(crate) fn sentences(
     session: &Session,
     origin: &ChartOrigin,
@@ -229,7 +231,8 @@ mod tests {
 
     use super::*;
 
-    /// The bits of a position report of another ship, which fits into one sentence: ITU-R M.1371, as characters of six bits.
+    /// The bits of a position report of another ship, which fits into one sentence. ITU-R M.1371 writes them as
+    /// characters of six bits.
     fn bits(sentence: &str) -> Option<Vec<bool>> {
         let payload = sentence.strip_prefix("!AIVDM,1,1,")?.split(',').nth(2)?;
         let six = payload.bytes().map(|byte| match byte - 48 {
@@ -243,7 +246,7 @@ mod tests {
         bits.iter().fold(0, |number, bit| 2 * number + i64::from(*bit))
     }
 
-    /// The same with a sign.
+    /// Reads bits as a number with a sign.
     fn signed(bits: &[bool]) -> i64 {
         number(bits) - if bits[0] { 1 << bits.len() } else { 0 }
     }
@@ -253,7 +256,7 @@ mod tests {
         ChartOrigin::new(at).expect("within the chart")
     }
 
-    /// MMSI, speed (kn), latitude (°), heading (°) of all position reports of a round.
+    /// MMSI, speed (kn), latitude (°) and heading (°) of all position reports in a round.
     fn reports(session: &Session, round: u64) -> Vec<(i64, f64, f64, i64)> {
         let origin = origin();
         let all = sentences(session, &origin, Moment::from_unix(1.8e9), round);
@@ -303,7 +306,7 @@ mod tests {
         go(&mut session, 300);
         let origin = origin();
         let round = |session: &Session| sentences(session, &origin, Moment::from_unix(1.8e9), 1);
-        // The clock of a satellite receiver goes on, so it is the same in all rounds here.
+        // The clock of a satellite receiver goes on. In this test it is the same in all rounds.
         for (of, kept, go_on) in [
             (Fault::HeadingFrozen, &["HDT", "ROT"][..], &["RMC", "VTG", "VBW"][..]),
             (Fault::SpeedFrozen, &["VTG", "VBW"], &["HDT", "ROT", "RMC"]),
@@ -326,9 +329,9 @@ mod tests {
             assert_eq!(rmc[3..7] == rmc_before[3..7], of == Fault::PositionFrozen, "{of:?}");
             assert_eq!(rmc[7..9] == rmc_before[7..9], of == Fault::SpeedFrozen, "{of:?}");
             assert_eq!(session.shown(0).midship_m == place, of == Fault::PositionFrozen);
-            // The anemometer is not frozen; the true wind is found with a wrong speed where the log is.
+            // The anemometer is not frozen. The true wind is computed with a wrong speed where the log is frozen.
             assert_ne!(cells(&now, "MWV"), cells(&before, "MWV"), "{of:?}");
-            // What others get by AIS is the same.
+            // Other ships get the same values by AIS.
             let (report, truth) = (vessel_report(&session), true_report(&session));
             assert_eq!(report.heading_rad == truth.heading_rad, of != Fault::HeadingFrozen);
             assert_eq!(report.turn_radps == truth.turn_radps, of != Fault::HeadingFrozen);
@@ -340,7 +343,8 @@ mod tests {
         }
     }
 
-    /// A frozen receiver turns no more about the centre of gravity of a ship that swings: her place stays where the antenna was.
+    /// A ship that swings has no rotation about her centre of gravity in a frozen receiver: the reported position of
+    /// her antenna does not move.
     #[test]
     fn the_ais_of_a_tug_with_a_frozen_receiver_stays_where_it_was_and_the_others_go_on() {
         let mut session = open(include_str!("../../../scenarios/live/berthing.toml"));
@@ -362,12 +366,12 @@ mod tests {
         assert_ne!(before[1], after[1]);
     }
 
-    /// What the own ship sends by AIS.
+    /// The AIS report of the own ship.
     fn vessel_report(session: &Session) -> PositionReport {
         Vessel::of(session, 0).position_report(session, &origin(), &Moment::from_unix(1.8e9))
     }
 
-    /// What she would send without a frozen instrument.
+    /// The AIS report that the own ship would send without a frozen instrument.
     fn true_report(session: &Session) -> PositionReport {
         let mut sound = session.clone();
         for fault in [Fault::HeadingFrozen, Fault::SpeedFrozen, Fault::PositionFrozen] {
@@ -387,7 +391,7 @@ mod tests {
         let mmsi = i64::from(FIRST_MMSI) + 2 + place as i64;
         let of = |session: &Session| {
             let reports = reports(session, 1);
-            // The coaster and both ships that pass; the own ship is in a sentence of her own kind.
+            // The coaster and both passing ships. The own ship's report is in a sentence of another kind.
             assert_eq!(reports.len(), 3, "{reports:?}");
             *reports.iter().find(|report| report.0 == mmsi).expect("she reports")
         };
@@ -397,11 +401,12 @@ mod tests {
             session.step().expect("a step");
         }
         let (_, _, after, _) = of(&session);
-        // 11 kn for two minutes are 11/30 of a nautical mile, a minute of latitude, within the reports' 1/10000 of a minute
-        // and half a percent: a minute is 1849 m here, not 1852.
+        // At 11 kn a ship sails 11/30 of a nautical mile in two minutes, and a nautical mile is a minute of latitude.
+        // The tolerance covers the reports' resolution of 1/10000 of a minute and half a percent, because here a minute
+        // is 1849 m and not 1852 m.
         let minutes = 60.0 * (after - before);
         assert!((minutes - 11.0 / 30.0).abs() < 0.002, "{minutes}");
-        // Her name and size come every tenth round.
+        // The ships' names and sizes come every tenth round.
         let origin = origin();
         let data = |round| {
             let all = sentences(&session, &origin, Moment::from_unix(1.8e9), round);

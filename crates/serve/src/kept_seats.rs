@@ -1,5 +1,6 @@
-//! The links of a session and who holds which control, in a file beside its recording: a server that starts again with that
-//! recording knows both. They are not in the recording, because whoever gets a recording to read must not get its links.
+//! The links of a session and the holders of controls, in a file beside the recording. A server that starts again with
+//! this recording reads both. Links and holders are not in the recording itself, because a person who gets a recording
+//! to read must not get its links.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Read as _, Write as _};
@@ -17,13 +18,13 @@ use super::saved::ENDING;
 
 /// Number of the format. A file with another number is refused.
 const FORMAT: u32 = 1;
-/// The end of the file's name, in place of the recording's.
+/// The ending of the file's name. This ending replaces the ending of the recording's name.
 const LINKS_ENDING: &str = ".links.json";
-/// The largest file (bytes): a scenario has some ten roles of two hundred bytes each.
+/// Largest size of the file (bytes). A scenario has about ten roles of two hundred bytes each.
 const LARGEST_BYTES: u64 = 1 << 20;
-/// Digits of a secret.
+/// Number of digits of a secret.
 pub(crate) const SECRET_DIGITS: usize = 32;
-/// The longest label (characters): a name and a role.
+/// Longest label (characters). A label is a name and a role.
 const LONGEST_LABEL: usize = 200;
 
 /// The secret of a role.
@@ -31,7 +32,7 @@ const LONGEST_LABEL: usize = 200;
 #[serde(deny_unknown_fields)]
 pub(crate) struct KeptLink {
     pub(crate) role: Role,
-    /// 128 bits in hexadecimal.
+    /// The secret: 128 bits in hexadecimal.
     pub(crate) secret: String,
 }
 
@@ -44,7 +45,7 @@ pub(crate) struct KeptHolder {
     pub(crate) label: String,
 }
 
-/// What a server needs besides the recording to go on with the same people.
+/// What a server needs besides the recording to continue with the same people.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KeptSeats {
@@ -58,7 +59,7 @@ impl KeptSeats {
         KeptSeats { fenderline_links: FORMAT, links, holders }
     }
 
-    /// What is wrong with it, in words.
+    /// What is wrong with the file, in words.
     fn mistake(&self) -> Option<String> {
         if self.fenderline_links != FORMAT {
             let other = self.fenderline_links;
@@ -85,17 +86,17 @@ impl KeptSeats {
     }
 }
 
-/// The file beside a recording.
+/// Path of the file beside a recording.
 pub(crate) fn beside(recording: &Path) -> PathBuf {
     let name = recording.file_name().unwrap_or_default().to_string_lossy();
     let stem = name.strip_suffix(ENDING).unwrap_or(&name);
     recording.with_file_name(format!("{stem}{LINKS_ENDING}"))
 }
 
-/// Reads the file; `None` if there is none.
+/// Reads the file; `None` if there is no file.
 ///
 /// # Errors
-/// A file that cannot be read or used, with its name and the reason.
+/// The file cannot be read or used. The error has its name and the reason.
 pub(crate) fn read(path: &Path) -> Result<Option<KeptSeats>, String> {
     if path.symlink_metadata().is_err() {
         return Ok(None);
@@ -112,11 +113,11 @@ pub(crate) fn read(path: &Path) -> Result<Option<KeptSeats>, String> {
     }
 }
 
-/// Writes the file in the place of a former one. Other users of the machine cannot read it, where the system knows users.
+/// Writes the file and replaces a former file. On systems with users, other users of the machine cannot read it.
 fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
     let failed = |e: io::Error| format!("{}: {e}", path.display());
     let text = serde_json::to_string(seats).map_err(|e| failed(e.into()))?;
-    // Another name first: whoever is killed meanwhile leaves the former file whole.
+    // Writes under another name first. If the program is killed meanwhile, the former file is still whole.
     let new = path.with_extension("json.new");
     let _ = fs::remove_file(&new);
     let mut options = OpenOptions::new();
@@ -130,19 +131,20 @@ fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
     file.write_all(text.as_bytes()).and_then(|()| fs::rename(&new, path)).map_err(failed)
 }
 
-/// Writes links and holders whenever they change, on a thread of its own, because the simulation's waits for no disk.
+/// Writes links and holders to their file whenever they change. The keeper uses another thread, because the
+/// simulation's thread must not wait for a disk.
 #[derive(Debug)]
 pub(crate) struct Keeper {
-    /// `None` only while it is dropped.
+    /// `None` only while the keeper is dropped.
     to: Option<Sender<(PathBuf, KeptSeats)>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Keeper {
-    /// Starts the thread. `notify` is told once if a file cannot be written.
+    /// Starts the thread. If a file cannot be written, `notify` gets one line about it.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// The operating system refuses to start a thread.
     pub(crate) fn start(notify: Notify) -> io::Result<Keeper> {
         let (to, seats) = mpsc::channel();
         let thread = std::thread::Builder::new().name("links".into());
@@ -150,7 +152,7 @@ impl Keeper {
         Ok(Keeper { to: Some(to), thread: Some(thread) })
     }
 
-    /// Keeps these links and holders in a file soon. Those that wait to be written are dropped for later ones.
+    /// Soon writes these links and holders to a file. Earlier ones that still wait for the same file are dropped.
     pub(crate) fn keep(&self, path: PathBuf, seats: KeptSeats) {
         if let Some(to) = &self.to {
             let _ = to.send((path, seats));
@@ -167,12 +169,12 @@ impl Drop for Keeper {
     }
 }
 
-/// The thread: writes the latest of what waits, until the server ends.
+/// Writes, on the thread, the latest links and holders that wait, until the server ends.
 fn work(waiting: &Receiver<(PathBuf, KeptSeats)>, notify: Notify) {
     let mut written: Option<(PathBuf, KeptSeats)> = None;
     let mut has_failed = false;
     while let Ok(first) = waiting.recv() {
-        // Of several for one file the last.
+        // If several wait for one file, only the last is written.
         let mut all = vec![first];
         for next in waiting.try_iter() {
             all.retain(|(path, _)| *path != next.0);

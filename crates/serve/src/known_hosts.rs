@@ -1,26 +1,26 @@
-//! Checks `Host` and `Origin` of a request.
+//! Checks the headers `Host` and `Origin` of a request.
 
 use std::net::IpAddr;
 
 use axum::http::HeaderMap;
 use axum::http::header::{HOST, ORIGIN};
 
-/// The hosts that this server answers to.
+/// The hosts for which this server answers.
 #[derive(Clone, Debug)]
 pub(crate) struct KnownHosts {
-    /// Whether any address is accepted as `Host`, not only loopback.
+    /// True if any IP address is accepted as `Host`. Otherwise only loopback addresses are accepted.
     pub(crate) remote: bool,
-    /// Further names, without ports.
+    /// Further names that are accepted, without ports.
     pub(crate) names: Vec<String>,
 }
 
 impl KnownHosts {
-    /// Checks a request's `Host` and returns it. Accepted are `localhost`, the names that the user gave, loopback addresses,
-    /// and with `remote` all addresses. This refuses DNS rebinding: another site whose name points to this machine sends
-    /// its own name.
+    /// Checks a request's `Host` and returns it. Accepted are `localhost`, the names that the user gave, loopback
+    /// addresses, and with `remote` all IP addresses. This refuses DNS rebinding, in which another site's name points
+    /// to this machine: such a request has the site's own name as `Host`.
     ///
     /// # Errors
-    /// The reason of the refusal.
+    /// The reason for the refusal.
     pub(crate) fn host<'h>(&self, headers: &'h HeaderMap) -> Result<&'h str, &'static str> {
         let mut all = headers.get_all(HOST).iter();
         let (Some(host), None) = (all.next(), all.next()) else {
@@ -39,11 +39,11 @@ impl KnownHosts {
         }
     }
 
-    /// Checks that a websocket was opened by a page of this server or by a program. Programs send no `Origin`; they need a
-    /// token, as pages do.
+    /// Checks that a page of this server or a program opens a websocket. Programs send no `Origin`; like pages, they
+    /// need a token.
     ///
     /// # Errors
-    /// The reason of the refusal.
+    /// The reason for the refusal.
     pub(crate) fn origin(&self, headers: &HeaderMap) -> Result<(), &'static str> {
         let host = self.host(headers)?;
         for origin in headers.get_all(ORIGIN) {

@@ -1,7 +1,7 @@
-//! The live server: a session in real time, steered from browsers over websockets.
+//! The live server: a session in real time that people steer from browsers over websockets.
 //!
-//! One thread simulates, some serve the network, and `hub` is all that they share: the latest frame for every client, and a
-//! limited queue of commands.
+//! One thread simulates, and some threads serve the network. These threads share only `hub`: the latest frame for every
+//! client, and a limited queue of commands.
 //!
 //! | of the simulation | |
 //! |---|---|
@@ -22,8 +22,8 @@
 //! | `wire` | sentences to chart programs, over TCP and UDP |
 //! | `connections`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
 //!
-//! The crate knows no command line: the program gives [`Options`], shows [`Server::greeting`] and decides when the
-//! server stops.
+//! The crate does not know the command line. The program gives [`Options`], shows [`Server::greeting`] and decides when
+//! the server stops.
 #![forbid(unsafe_code)]
 
 mod claims;
@@ -77,38 +77,39 @@ pub use self::page::has_pages;
 use self::role_words::role_words;
 use self::saved::{Progress, ReplayFailure};
 
-/// What to serve, and to whom.
+/// What the server serves, and to whom.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Scenario file, or a recorded session to continue.
+    /// Scenario file, or recorded session to continue.
     pub scenario: PathBuf,
     /// Keys of the scenario to override, each `KEY=VALUE`.
     pub set: Vec<String>,
     /// Address to listen on.
     pub bind: IpAddr,
-    /// Port to listen on; 0 takes a free one.
+    /// Port to listen on. With 0 the operating system chooses a free port.
     pub port: u16,
-    /// Whether other machines may connect.
+    /// True if other machines may connect.
     pub allow_remote: bool,
-    /// Names that other machines know this one by.
+    /// Names under which other machines know this machine.
     pub host_names: Vec<String>,
-    /// Folder with built pages; `None`: those that the program carries.
+    /// Folder with built pages. With `None` the server uses the pages in the program.
     pub page: Option<PathBuf>,
-    /// Folder with scenarios to open from the page; `None`: the scenario's folder.
+    /// Folder with scenarios that the page can open. With `None` the folder is the scenario's folder.
     pub gallery: Option<PathBuf>,
-    /// Folder that sessions are recorded to.
+    /// Folder in which sessions are recorded.
     pub sessions: PathBuf,
-    /// Whether to start paused; otherwise the session starts with the first page that connects.
+    /// True to start paused. Otherwise the session starts when the first page connects.
     pub is_paused: bool,
     /// TCP port for chart programs.
     pub nmea_tcp: Option<u16>,
     /// UDP address of a chart program.
     pub nmea_udp: Option<SocketAddr>,
-    /// The scenario's origin in the sentences to chart programs; `None`: that of the scenario's chart, and 0° N 0° E without one.
+    /// The scenario's origin in the sentences to chart programs. With `None` the origin is that of the scenario's
+    /// chart, or 0° N 0° E without a chart.
     pub origin: Option<ChartOrigin>,
-    /// Makes the report of a session for the page.
+    /// Function that makes the report of a session for the page.
     pub report: MakeReport,
-    /// Where notices about the server go.
+    /// Function that receives notices about the server.
     pub notify: Notify,
 }
 
@@ -117,7 +118,7 @@ pub struct Options {
 pub enum ServeError {
     /// The user's input cannot be used.
     Input(String),
-    /// The input is good, and serving or replaying it failed.
+    /// The input is good, but serving or replaying failed.
     Failed(String),
 }
 
@@ -141,17 +142,18 @@ impl fmt::Display for ServeError {
 
 impl core::error::Error for ServeError {}
 
-/// Threads for the network. The simulation has its own.
+/// Number of threads for the network. The simulation has its own thread.
 const NETWORK_THREADS: usize = 2;
-/// What the operating system holds for a client that reads slowly (bytes): a second or two of frames.
+/// Size of the operating system's send buffer for each client (bytes): a second or two of frames for a client that
+/// reads slowly.
 const SEND_BUFFER: u32 = 128 << 10;
-/// Where datagrams are sent from.
+/// Addresses from which datagrams are sent.
 const ANY_4: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);
 const ANY_6: IpAddr = IpAddr::V6(std::net::Ipv6Addr::UNSPECIFIED);
-/// Connections that wait to be accepted.
+/// Number of connections that may wait to be accepted.
 const BACKLOG: u32 = 256;
 
-/// A server that listens; the simulation's thread runs.
+/// A server that listens. The simulation's thread is running.
 pub struct Server {
     runtime: Runtime,
     listener: TcpListener,
@@ -164,11 +166,11 @@ pub struct Server {
 }
 
 impl Server {
-    /// Opens the scenario, begins the recording and listens. A recorded session is replayed first; `progress` is given
-    /// the ticks that are done, and their total.
+    /// Opens the scenario, begins the recording and listens. A recorded session is replayed first. `progress` gets the
+    /// number of replayed ticks and their total.
     ///
     /// # Errors
-    /// Bad input: a scenario, an address or a page that cannot be used. A port that is taken.
+    /// Bad input: a scenario, an address or a page that cannot be used. A port that another program uses.
     pub fn start(
         options: &Options,
         mut progress: impl FnMut(u64, u64),
@@ -220,7 +222,7 @@ impl Server {
         let address = listener.local_addr().unwrap_or(address);
         let wires = wires(options, &hub, &runtime)?;
         let (links, recording) = (engine.links(), engine.recording().to_owned());
-        // Dropped when the thread ends, also by a panic. The server then stops.
+        // The sender is dropped when the thread ends, even by a panic. The server then stops.
         let (alive, simulation_ended) = oneshot::channel::<()>();
         let simulation = std::thread::Builder::new()
             .name("simulation".into())
@@ -248,13 +250,13 @@ impl Server {
         })
     }
 
-    /// What to print: the address, a link for each role, the chart programs' ports, the recording's file.
+    /// The text to print: the address, a link for each role, the ports for chart programs, and the recording's file.
     pub fn greeting(&self) -> &str {
         &self.greeting
     }
 
-    /// Serves until `stop` is sent or dropped, or the simulation's thread ends; returns the files of the recordings, one a
-    /// session that was opened, the last one last.
+    /// Serves until `stop` is sent or dropped, or the simulation's thread ends. Returns the files of the recordings,
+    /// one for each session, in their order.
     ///
     /// # Errors
     /// The simulation's thread panicked.
@@ -274,7 +276,7 @@ impl Server {
     }
 }
 
-/// Refuses addresses of other machines unless the user allows them.
+/// Refuses addresses of other machines, unless the user allows them.
 fn check_addresses(options: &Options) -> Result<(), ServeError> {
     if options.allow_remote {
         return Ok(());
@@ -293,7 +295,7 @@ fn check_addresses(options: &Options) -> Result<(), ServeError> {
     }
 }
 
-/// The scenario first, then those of its folder or of the given one, then recorded sessions.
+/// Fills the gallery: the scenario, then the scenarios in its folder or the given folder, then recorded sessions.
 fn gallery(options: &Options) -> Gallery {
     let beside = options.scenario.parent().unwrap_or(Path::new(""));
     let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
@@ -304,7 +306,7 @@ fn gallery(options: &Options) -> Gallery {
     gallery
 }
 
-/// Starts the connections to chart programs; a line for the user about each.
+/// Starts the connections to chart programs. Returns a line for the user about each of them.
 fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, ServeError> {
     let mut lines = String::new();
     let cannot = |what: String| move |e| ServeError::failed(format_args!("error: {what}: {e}"));
@@ -328,10 +330,11 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
     Ok(lines)
 }
 
-/// A listening socket. Its connections have small send buffers, so that a slow client does not read old frames.
+/// Opens a listening socket. The socket's connections have small send buffers, so that a slow client does not read old
+/// frames.
 fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
-    // The port of a server that has just ended can be used again. On Windows the option means something else.
+    // The port of a server that has just ended can be used again. On Windows the option has another meaning.
     #[cfg(not(windows))]
     socket.set_reuseaddr(true)?;
     socket.set_send_buffer_size(SEND_BUFFER)?;
@@ -339,9 +342,9 @@ fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     socket.listen(BACKLOG)
 }
 
-/// What is printed when the server has started.
+/// The text that is printed when the server has started.
 fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) -> String {
-    // A browser cannot open the unspecified address, which stands for all addresses of this machine.
+    // The unspecified address stands for all addresses of this machine. A browser cannot open it.
     let shown = match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
         IpAddr::V6(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
@@ -361,25 +364,25 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) 
 /// A recorded session that was replayed to its end.
 #[derive(Debug)]
 pub struct Replayed {
-    /// The session at its end, with nothing to record to.
+    /// The session at its end. It is not recorded.
     pub session: Session,
-    /// Branches of the session.
+    /// Number of branches of the session.
     pub branches: usize,
-    /// Ticks of all branches.
+    /// Number of ticks of all branches.
     pub ticks: u64,
-    /// Recorded states that the replay met bit for bit: all of them.
+    /// Number of recorded states. The replay reached every one of them with the same bits.
     pub equal_states: u64,
-    /// What is missing at the recording's end; `None` for a complete one.
+    /// What is missing at the recording's end. `None` for a complete recording.
     pub incomplete: Option<String>,
 }
 
-/// True if a file begins as a recorded session does. What cannot be opened is none.
+/// True if a file begins as a recorded session does. False for a file that cannot be opened.
 #[must_use]
 pub fn is_recording(path: &Path) -> bool {
     matches!(saved::open(path), Ok(Some(_)))
 }
 
-/// Replays a recorded session and compares every recorded state. `progress` is given the ticks that are done, and their
+/// Replays a recorded session and compares every recorded state. `progress` gets the number of replayed ticks and their
 /// total.
 ///
 /// # Errors
@@ -403,10 +406,11 @@ pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Repl
     })
 }
 
-/// As [`replay`], of a recording in memory. `stop` is asked from time to time.
+/// Replays a recording in memory, as [`replay`] does for a file. `stop` is called from time to time; if it returns
+/// true, the replay stops.
 ///
 /// # Errors
-/// As [`replay`], without a name; it was stopped.
+/// The errors of [`replay`], without the file's name. The replay was stopped.
 pub fn replay_bytes(
     recording: &[u8],
     mut stop: impl FnMut() -> bool,

@@ -1,4 +1,4 @@
-//! Lines about refused clients on the server's terminal, limited to a rate that a person can read.
+//! The server's lines on the terminal. Lines about refused clients are limited to a rate that a person can read.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -30,17 +30,17 @@ impl Log {
         Log { thinned: Mutex::new(Thinned { bucket, left_out: 0 }), notify }
     }
 
-    /// What writes a line, for another thread.
+    /// The function that writes a line, for use on another thread.
     pub(crate) fn notify_function(&self) -> Notify {
         self.notify
     }
 
-    /// A line that must not be missed.
+    /// Writes a line that nobody must miss.
     pub(crate) fn notify(&self, line: &str) {
         (self.notify)(line);
     }
 
-    /// A line about a refusal; beyond the rate it is only counted.
+    /// Writes a line about a refusal. Beyond the rate, lines are only counted.
     pub(crate) fn refused(&self, line: &str) {
         let mut thinned = self.thinned.lock().unwrap_or_else(PoisonError::into_inner);
         if !thinned.bucket.take(Instant::now()) {

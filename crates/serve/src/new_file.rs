@@ -1,4 +1,5 @@
-//! A new exercise becomes a file of the gallery's folder: never another file's end without a question, never outside of it.
+//! Writes a new exercise to the gallery's folder. The code never overwrites another file without permission, and never
+//! writes outside the folder.
 
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
@@ -12,12 +13,12 @@ use fenderline_scenario::read_text;
 use super::file_name;
 use super::gallery::{self, EXERCISE_ENDING};
 
-/// What a file is made of.
+/// The content of a new file.
 #[derive(Debug)]
 pub(crate) enum Content {
-    /// Choices, with the path of the scenario whose berth is taken, if one is.
+    /// Choices. If the exercise takes the berth of a scenario, the path of that scenario too.
     Choices(Box<NewExercise>, Option<PathBuf>),
-    /// A text, with the texts of the files that it names: they must lie in the folder with these contents.
+    /// A text, with the texts of the files that it names. The named files must lie in the folder with the same content.
     Text(String, BTreeMap<String, String>),
 }
 
@@ -30,7 +31,7 @@ impl Content {
                 let source = read_text(berth)?;
                 let file = gallery::name_of(berth);
                 let source = BerthSource { file: &file, text: &source };
-                // The files that it names must lie where the new one does.
+                // The files that the scenario names must lie in the new file's folder.
                 let beside = folder.join("exercise.toml");
                 let mut read = gallery::beside(&beside);
                 exercise.text_at(source, &mut read).map_err(|error| error.to_string())
@@ -60,7 +61,7 @@ pub(crate) struct NewFile {
 }
 
 impl NewFile {
-    /// An exercise of a name, in a folder. Asks no file system.
+    /// Prepares an exercise with a name, in a folder. Does not use the file system.
     ///
     /// # Errors
     /// A name that is not safe.
@@ -75,7 +76,7 @@ impl NewFile {
         Ok(NewFile { to, name: name.to_owned(), content, may_replace })
     }
 
-    /// Whether there is an exercise that it replaces.
+    /// True if the new exercise replaces an old one.
     fn replaces(&self) -> Result<bool, String> {
         let name = &self.name;
         match self.to.symlink_metadata() {
@@ -90,18 +91,18 @@ impl NewFile {
         }
     }
 
-    /// Writes it and makes its entry.
+    /// Writes the file and makes its entry.
     ///
     /// # Errors
-    /// A name that is taken, unless it may be replaced; one that is a link or no file; choices that make no exercise; the file
-    /// system's error. Nothing is changed then.
+    /// The name is taken and must not be replaced. The path is a link or is not a file. The choices do not make an
+    /// exercise. The file system gave an error. Nothing is changed in these cases.
     pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
         let replaces = self.replaces()?;
         let folder = self.to.parent().unwrap_or(Path::new(""));
         let text = self.content.text(folder)?;
         let failed = |error: std::io::Error| format!("{}: {error}", self.to.display());
         if replaces {
-            // Another name first, so that a full disk does not cost the old exercise.
+            // Writes under another name first, so that a full disk does not destroy the old exercise.
             let beside = self.to.with_extension("toml.new");
             let written =
                 create(&beside, &text).and_then(|()| fs::rename(&beside, &self.to)).map_err(failed);
@@ -110,7 +111,7 @@ impl NewFile {
             }
             written?;
         } else {
-            // Refused where somebody else has made a file of this name meanwhile.
+            // This fails if somebody else has made a file with this name meanwhile.
             create(&self.to, &text).map_err(failed)?;
         }
         let entry = gallery::entry(&self.to);
@@ -120,7 +121,7 @@ impl NewFile {
     }
 }
 
-/// Writes a file that must not be there yet.
+/// Writes a new file. Fails if the file exists.
 fn create(path: &Path, text: &str) -> std::io::Result<()> {
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
     file.write_all(text.as_bytes())?;
@@ -165,7 +166,7 @@ mod tests {
         assert_eq!((entry.file.as_str(), entry.title.as_str()), ("mine.toml", "One"));
         assert!(entry.changeable, "it was saved from the page");
         let first = fs::read(&path).expect("a file");
-        // A text whose files are not there, or are others.
+        // A text that names files which do not exist, or whose content differs.
         let named = |content: &str| {
             let files = BTreeMap::from([("chart.geojson".to_owned(), content.to_owned())]);
             let text = Content::Text("title = \"x\"".to_owned(), files);
@@ -174,7 +175,7 @@ mod tests {
         assert!(named("{}").contains("names chart.geojson"), "{}", named("{}"));
         assert!(new("mine", "Two", false).unwrap_err().contains("already"));
         assert_eq!(fs::read(&path).expect("a file"), first);
-        // A mistake costs nothing either.
+        // A mistake in the choices changes nothing either.
         let mut bad = exercise("Two");
         bad.berth.fenders = 0;
         let refused =

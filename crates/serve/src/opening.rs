@@ -1,5 +1,6 @@
-//! Opening a scenario or a session, saving, renaming and deleting one, and making a report, on a thread of their own, so that the simulation goes on. One at a time;
-//! the simulation's thread sees the progress and can stop an opening.
+//! Work on another thread, so that the simulation goes on: opening, saving, renaming and deleting a scenario or a
+//! session, and making a report. One piece of work runs at a time. The simulation's thread sees the progress and can
+//! stop an opening.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,13 +19,14 @@ use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
 
-/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, the number of the branch, and a flag that asks to stop. The
-/// program gives it, because this crate knows no reports. It runs on a thread of its own.
+/// Makes the report of a recording as a page of HTML. The function's arguments are the name of the recording's file,
+/// its bytes, the number of the branch, and a flag that asks to stop. The program supplies this function, because this
+/// crate does not know reports. The function runs on another thread.
 ///
-/// The error is the reason for the user.
+/// The error is the reason, for the user.
 pub type MakeReport = fn(&str, &[u8], usize, &Arc<AtomicBool>) -> Result<String, String>;
 
-/// Time limit of an opening. `fenderline replay` has none.
+/// Time limit for opening a file. `fenderline replay` has no such limit.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
 
 /// The client that asked for the work, and the number of its command.
@@ -35,7 +37,7 @@ pub(crate) struct Requester {
     pub(crate) id: Option<i64>,
 }
 
-/// A session to continue with, already recorded to a file of its own.
+/// An opened session. The session is already recorded to a file of its own.
 pub(crate) struct Ready {
     pub(crate) opened: Opened,
     pub(crate) recorder: Recorder,
@@ -45,40 +47,40 @@ pub(crate) struct Ready {
 
 /// The result of the work, for the simulation's thread.
 pub(crate) enum Outcome {
-    /// A session to continue with; or why it could not be opened.
+    /// The opened session, or the reason why it could not be opened.
     Opened(Box<Result<Ready, String>>),
-    /// The path of a copy and its entry in the gallery; or why it could not be saved.
+    /// The path of the copy and its entry in the gallery, or the reason why the session could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
-    /// The path of a new exercise and its entry in the gallery; or why there is none.
+    /// The path of the new exercise and its entry in the gallery, or the reason why there is none.
     Created(Result<(PathBuf, GalleryEntry), String>),
-    /// A file of the gallery was renamed, deleted or put back; or why it stays as it is.
+    /// The file of the gallery that was renamed, deleted or put back, or the reason why it was not changed.
     Changed(Result<Changed, String>),
-    /// The report of the session, as HTML; or why there is none.
+    /// The report of the session as HTML, or the reason why there is none.
     Reported(Result<String, String>),
-    /// The thread panicked, which is a bug; the panic is on standard error. The present session goes on.
+    /// The thread panicked, which is a bug. The panic is on standard error. The present session goes on.
     Panicked,
 }
 
-/// The progress is stored as an integer share of this.
+/// The progress is stored as an integer from 0 to this number.
 const PARTS: u64 = 1000;
 
-/// Progress of the work, shared by both threads.
+/// Progress of the work. Both threads share it.
 #[derive(Debug, Default)]
 struct Progress {
-    /// A recording is replayed; false while it is read and checked.
+    /// True while a recording is replayed, false while it is read and checked.
     is_replaying: AtomicBool,
-    /// Share that is done, times [`PARTS`].
+    /// The share of the work that is done, times [`PARTS`].
     parts: AtomicU64,
-    /// The work shall stop.
+    /// Set when the work has to stop.
     stop: Arc<AtomicBool>,
 }
 
-/// What is done on the other thread.
+/// The kind of work on the other thread.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Task {
-    /// A file is opened.
+    /// Opening a file.
     Open(String),
-    /// The session is saved.
+    /// Saving the session.
     Save,
     /// The report of the session is made.
     Report,
@@ -97,7 +99,8 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// Begins to open an entry of the gallery, and its recording in a folder. `former` is the recording of the present session.
+    /// Begins to open an entry of the gallery. A new recording in the folder of sessions begins with it. `former` is
+    /// the recording of the present session.
     ///
     /// # Errors
     /// The system gives no thread.
@@ -215,7 +218,7 @@ impl Work {
         Ok(Work { requester, task, progress, thread })
     }
 
-    /// The progress, if something is being opened.
+    /// The progress, if a file is being opened.
     pub(crate) fn now(&self) -> Option<OpeningNow> {
         let file = self.file()?.to_owned();
         let at = if self.progress.is_replaying.load(Ordering::Relaxed) { "plays" } else { "reads" };
@@ -224,7 +227,7 @@ impl Work {
         Some(OpeningNow { file, at, share })
     }
 
-    /// The file that is opened, if one is.
+    /// The file that is being opened, if there is one.
     pub(crate) fn file(&self) -> Option<&str> {
         match &self.task {
             Task::Open(file) => Some(file),
@@ -245,7 +248,8 @@ impl Work {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits until a session or an exercise is saved, or a file moved, so that no partial file is left. Nothing else is waited for.
+    /// Waits until a session or an exercise is saved, or a file is moved, so that no partial file is left. Does not
+    /// wait for other work.
     pub(crate) fn finish(self) {
         if matches!(self.task, Task::Save | Task::Create | Task::Change) {
             let _ = self.thread.join();

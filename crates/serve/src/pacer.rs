@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-/// Beyond this delay missed ticks are dropped: the machine slept, or the program was stopped.
+/// If a tick is later than this, the missed ticks are dropped: the machine slept, or the program was stopped.
 const FORGIVEN: Duration = Duration::from_secs(1);
 
 /// Ticks at equal intervals of wall time.
@@ -22,7 +22,7 @@ impl Pacer {
         Pacer { step_s, pace, anchor: now, ticks: 0, late_ticks: 0, latest: Duration::ZERO }
     }
 
-    /// Wall time of a step.
+    /// Wall time for one step.
     fn wall_step(&self) -> Duration {
         Duration::from_secs_f64(self.step_s / self.pace)
     }
@@ -31,12 +31,12 @@ impl Pacer {
         self.anchor + Duration::from_secs_f64(self.ticks as f64 * self.step_s / self.pace)
     }
 
-    /// Restarts the clock: the next tick is due one step from now.
+    /// Restarts the clock. The next tick is due one step from now.
     pub(crate) fn restart(&mut self, now: Instant) {
         (self.anchor, self.ticks) = (now, 1);
     }
 
-    /// Simulated over wall time.
+    /// Simulated time over wall time.
     pub(crate) fn pace(&self) -> f64 {
         self.pace
     }
@@ -55,7 +55,7 @@ impl Pacer {
         self.due_at() <= now
     }
 
-    /// A due tick begins now. It counts as late if it is delayed by more than half a step.
+    /// Notes that a due tick begins now. The tick counts as late if it is delayed by more than half a step.
     pub(crate) fn begin(&mut self, now: Instant) {
         let late = now.saturating_duration_since(self.due_at());
         self.ticks += 1;
@@ -64,7 +64,7 @@ impl Pacer {
             self.latest = self.latest.max(late);
         }
         if late > FORGIVEN {
-            // The missed ticks are counted but not caught up.
+            // The missed ticks are counted, but they are not made up for.
             self.late_ticks += (late.as_secs_f64() / self.wall_step().as_secs_f64()) as u64;
             self.restart(now);
         }
@@ -104,7 +104,7 @@ mod tests {
         let late = start + STEP + Duration::from_millis(370);
         pacer.begin(late);
         assert_eq!(pacer.late(), (1, 370.0));
-        // The two that should have been meanwhile are due at once.
+        // The two ticks that should have begun meanwhile are due at once.
         assert!(pacer.is_due(late));
         pacer.begin(late);
         pacer.begin(late);

@@ -1,4 +1,4 @@
-//! The pages of the live server, in memory: those that the program carries in itself, or a folder's.
+//! The files of the live server's pages, in memory. The files come from the program itself or from a folder.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,19 +18,20 @@ const GET_PAGES: &str = "Programs of a release have them. To build one: install 
 /// Largest size of all files of a page together (bytes).
 const LARGEST: u64 = 64 << 20;
 
-/// Whether this program carries the pages.
+/// True if this program contains the pages.
 pub fn has_pages() -> bool {
     NO_PAGES.is_none()
 }
 
-/// A file as it is sent.
+/// A file of the page, ready to be sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PageFile {
     pub(crate) content_type: &'static str,
     pub(crate) bytes: Vec<u8>,
 }
 
-/// All files of the page by their paths, with `/index.html`. Only these are sent: no path leads to any other file.
+/// All files of the page by their paths, with `/index.html`. Only these files are sent. No path leads to any other
+/// file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Page(BTreeMap<String, PageFile>);
 
@@ -38,7 +39,7 @@ impl Page {
     /// Reads a built page from its folder.
     ///
     /// # Errors
-    /// A folder without `index.html`, or that cannot be read.
+    /// The folder has no `index.html`, or cannot be read.
     pub(crate) fn read(folder: &Path) -> Result<Page, String> {
         let mut files = BTreeMap::new();
         let mut left = LARGEST;
@@ -49,7 +50,7 @@ impl Page {
         Ok(Page(files))
     }
 
-    /// The pages that this program carries. If it was built without them, a page that says how to get them.
+    /// The pages in this program. If the program was built without pages, a page that says how to get them.
     pub(crate) fn embedded(notify: Notify) -> Page {
         if let Some(why) = NO_PAGES {
             notify(&format!("notice: this program was built without pages: {why}"));
@@ -63,7 +64,7 @@ impl Page {
         Page(PAGES.iter().map(file).collect())
     }
 
-    /// A page that says why the real ones are missing, and how to get them.
+    /// A page that says why the real pages are missing, and how to get them.
     fn missing(why: &str) -> Page {
         let text = html! {
             (DOCTYPE)
@@ -83,7 +84,7 @@ impl Page {
         Page(BTreeMap::from([("/index.html".to_owned(), file)]))
     }
 
-    /// The file at a path of a request.
+    /// The file for the path of a request.
     pub(crate) fn file(&self, path: &str) -> Option<&PageFile> {
         self.0.get(if path == "/" { "/index.html" } else { path })
     }

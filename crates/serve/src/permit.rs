@@ -6,9 +6,9 @@ use fenderline_live::{Action, Cast, Conduct, Control, Helm, Refusal};
 /// What a command needs besides its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Needs {
-    /// To hold this control; a free one is taken with the command.
+    /// The client must hold this control. A free control is taken with the command.
     Helm(Control),
-    /// That nobody else holds this control. It is not taken.
+    /// Nobody else may hold this control. The command does not take it.
     NobodyAt(Control),
     /// Nothing.
     Nothing,
@@ -17,7 +17,7 @@ pub(crate) enum Needs {
 /// Checks whether a role may give this command, and returns what else the command needs.
 ///
 /// # Errors
-/// The reason of the refusal.
+/// The reason for the refusal.
 pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Needs, Refusal> {
     let helm = cast.helm(action);
     match (role, helm) {
@@ -51,7 +51,7 @@ pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Ne
     }
 }
 
-/// Whether a role may hold this control.
+/// True if a role may hold this control.
 pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     match (role, control) {
         (_, Control::Session(_)) | (Role::Observer, _) => false,
@@ -64,7 +64,7 @@ pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// Whether a role may give orders to this control without holding it, as long as nobody holds it.
+/// True if a role may give orders to this control while nobody holds it.
 pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     match role {
         Role::Instructor => true,
@@ -77,13 +77,13 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// Whether a tug serves the ship of a pilot.
+/// True if a tug serves the ship of a pilot.
 fn serves(pilot: &Option<String>, tug: &str, cast: &Cast) -> bool {
     cast.served_by(tug).is_some_and(|ship| cast.ship_of(pilot) == Some(ship))
 }
 
-/// Whether a pilot may work a line with these vessels at its ends: one of the ship, and for the pilot of the own ship every line but
-/// those of other ships alone.
+/// True if a pilot may work a line with these vessels at its ends. One end must be on the pilot's ship. The pilot of
+/// the own ship may also work lines that end on no other ship.
 fn works_line(pilot: &Option<String>, ends: &[String], cast: &Cast) -> bool {
     let own = cast.ship_of(pilot);
     let is_own = ends.iter().any(|end| own == Some(end));
@@ -98,12 +98,13 @@ fn not_hers(pilot: &Option<String>, cast: &Cast) -> Refusal {
     ))
 }
 
-/// Checks whether a role may give this command about the session. Claims are checked where they are taken.
+/// Checks that a role may give this command about the session. Whether a control may be claimed is checked when it is
+/// taken.
 ///
 /// # Errors
 /// The reason of the refusal.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
-    // The orders of a trial are checked one by one.
+    // The orders in a trial are checked one by one.
     let own = matches!(
         conduct,
         Conduct::Claim { .. }

@@ -1,4 +1,4 @@
-//! Writes a session's recording while the session runs.
+//! Writes the recording while the session runs.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write as _};
@@ -11,23 +11,23 @@ use super::file_name;
 use super::gallery::Opened;
 use super::saved::ENDING;
 
-/// An open recording. Every line goes to the operating system at once, so that killing the program loses none.
+/// An open recording. Every line goes to the operating system at once. If the program is killed, no line is lost.
 #[derive(Debug)]
 pub(crate) struct Recorder {
     folder: PathBuf,
     path: PathBuf,
     file: File,
-    /// Bytes written so far.
+    /// Number of bytes written so far.
     bytes: u64,
 }
 
 impl Recorder {
-    /// Creates a file named after the scenario, with the next free number, and writes the start of the session. Creates the
-    /// folder if needed.
+    /// Creates a file and writes the start of the session. The file is named after the scenario, with the next free
+    /// number. The folder is created if needed.
     ///
     /// # Errors
-    /// An error of the file system, with the path; a recording that was changed since it was replayed. No file is left
-    /// then.
+    /// An error of the file system, with the path. A recording that was changed after its replay. No file is left in
+    /// these cases.
     pub(crate) fn begin(
         folder: &Path,
         scenario: &str,
@@ -77,13 +77,13 @@ impl Recorder {
         Ok(())
     }
 
-    /// The recording so far, to be read on another thread; `end_line` is its last line.
+    /// The recording so far, to be read on another thread. `end_line` becomes its last line.
     pub(crate) fn so_far(&self, end_line: String) -> SoFar {
         SoFar { from: self.path.clone(), bytes: self.bytes, end_line }
     }
 
-    /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`; `end_line` is its last line.
-    /// Asks no file system.
+    /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`. `end_line` becomes its
+    /// last line. Does not use the file system.
     ///
     /// # Errors
     /// A name that is not allowed.
@@ -95,7 +95,7 @@ impl Recorder {
     }
 }
 
-/// A recording up to a moment, not yet read.
+/// A recording up to a moment, which has not been read yet.
 #[derive(Debug)]
 pub(crate) struct SoFar {
     from: PathBuf,
@@ -104,10 +104,10 @@ pub(crate) struct SoFar {
 }
 
 impl SoFar {
-    /// Name of its file, and its bytes with the last line.
+    /// The name of the recording's file, and its bytes with the last line.
     ///
     /// # Errors
-    /// An error of the file system; a file that is shorter than what was written to it.
+    /// An error of the file system. A file that is shorter than the recording.
     pub(crate) fn read(self) -> Result<(String, Vec<u8>), String> {
         let name = self.from.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
@@ -122,7 +122,7 @@ impl SoFar {
     }
 }
 
-/// A copy of a recording, not yet written.
+/// A copy of a recording, which has not been written yet.
 #[derive(Debug)]
 pub(crate) struct Copy {
     from: PathBuf,
@@ -136,7 +136,7 @@ impl Copy {
     /// Writes the copy; returns its path.
     ///
     /// # Errors
-    /// A name that is taken; an error of the file system. No copy is left then.
+    /// A name that is taken. An error of the file system. No copy is left in these cases.
     pub(crate) fn make(self) -> Result<PathBuf, String> {
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
         let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
@@ -162,7 +162,7 @@ fn with_path(path: &Path, e: &io::Error) -> String {
     format!("{}: {e}", path.display())
 }
 
-/// Creates a file with the next free number.
+/// Creates a file with the next free number in its name.
 fn next_free(folder: &Path, scenario: &str) -> Result<(PathBuf, File), String> {
     let stem = scenario.strip_suffix(ENDING).unwrap_or(scenario);
     let stem = Path::new(stem).file_stem().unwrap_or_default().to_string_lossy().into_owned();

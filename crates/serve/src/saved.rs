@@ -1,4 +1,4 @@
-//! Recordings as files: checked, then replayed.
+//! Recordings as files. A recording is checked, then replayed.
 
 use std::fmt;
 use std::fs::File;
@@ -11,10 +11,10 @@ use fenderline_live::{
 };
 use fenderline_scenario::open_regular;
 
-/// The end of a recording's file name.
+/// The ending of a recording's file name.
 pub(crate) const ENDING: &str = ".session.jsonl";
 
-/// Steps that are replayed between two reports of progress.
+/// Number of steps that are replayed between two reports of progress.
 const SLICE: u64 = 200;
 /// Size of the read buffer (bytes).
 const BLOCK: usize = 256 << 10;
@@ -22,35 +22,35 @@ const BLOCK: usize = 256 << 10;
 /// Progress of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Progress {
-    /// Bytes that are read and checked, and their total.
+    /// Number of bytes that are read and checked, and their total.
     Reading(u64, u64),
-    /// Ticks that are replayed, and their total.
+    /// Number of ticks that are replayed, and their total.
     Replaying(u64, u64),
 }
 
-/// Receives the progress; an error stops the replay with that reason.
+/// Receives the progress. If the function returns an error, the replay stops with that reason.
 pub(crate) type Watch<'w> = &'w mut dyn FnMut(Progress) -> Result<(), String>;
 
 /// A recording that was replayed to its end.
 pub(crate) struct Replayed<R> {
     pub(crate) session: Session,
-    /// Number of recorded states that the replay met bit for bit.
+    /// Number of recorded states that the replay reached with the same bits.
     pub(crate) equal_states: u64,
     pub(crate) outline: Outline,
-    /// Version of the program that recorded it.
+    /// Version of the program that recorded the session.
     pub(crate) version: String,
-    /// What was read, not at its start.
+    /// The file that was read. The file's position is not at the start.
     pub(crate) file: R,
 }
 
-/// Why a recording was not replayed to its end; without its name.
+/// Why a recording was not replayed to its end. The text does not contain the recording's name.
 #[derive(Debug)]
 pub(crate) enum ReplayFailure {
-    /// It is not a recording, or damaged; found before the replay.
+    /// The file is not a recording, or is damaged. This was found before the replay.
     Bad(RecordingError),
-    /// Its lines are intact, but the replay differs from the recorded states.
+    /// The lines are intact, but the replay differs from the recorded states.
     Differs(ReplayError),
-    /// Stopped by the caller, or the file cannot be read; the reason.
+    /// The caller stopped the replay, or the file cannot be read. The text is the reason.
     Stopped(String),
 }
 
@@ -64,7 +64,7 @@ impl fmt::Display for ReplayFailure {
     }
 }
 
-/// Opens a file if it begins as a recording does; `None` for any other regular file.
+/// Opens a file if it begins as a recording does. `None` for any other regular file.
 ///
 /// # Errors
 /// A file that cannot be read, with its name.
@@ -76,7 +76,7 @@ pub(crate) fn open(path: &Path) -> Result<Option<File>, String> {
     Ok(begins_recording(&start).then_some(file))
 }
 
-/// The title of a recording's scenario; `None` if its first line is missing or damaged.
+/// The title of a recording's scenario. `None` if the first line of the recording is missing or damaged.
 pub(crate) fn title(file: &File) -> Option<String> {
     let reader = RecordingReader::open(BufReader::new(file)).ok()?;
     Some(reader.source().scenario().ok()?.title)
@@ -120,7 +120,7 @@ pub(crate) fn replay<R: Read + Seek>(
     Ok(Replayed { session, equal_states, outline, version, file })
 }
 
-/// What is missing at the end of a recording; `None` for a complete one.
+/// What is missing at the end of a recording. `None` for a complete recording.
 pub(crate) fn missing_at_end(ending: Ending) -> Option<String> {
     match ending {
         Ending::Whole => None,

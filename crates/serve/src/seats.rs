@@ -1,21 +1,21 @@
-//! Seats for clients with a link. One address cannot take all of them, even if a link is passed on.
+//! Seats for clients with a link. One address cannot take all seats, even if a link is passed on.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::connections::Peer;
 
-/// The share of the seats for one address: three of four.
+/// The share of the seats that one address may take: three of four.
 const OF_ONE: (usize, usize) = (3, 4);
 
-/// A number of seats.
+/// A limited number of seats.
 #[derive(Debug)]
 pub(crate) struct Seats {
     most: usize,
     taken: Mutex<BTreeMap<Peer, usize>>,
 }
 
-/// A seat, free again when it is dropped.
+/// A seat. Dropping the [`Seat`] frees it for another client.
 #[derive(Debug)]
 pub(crate) struct Seat {
     seats: Arc<Seats>,
@@ -27,7 +27,7 @@ impl Seats {
         Arc::new(Seats { most, taken: Mutex::default() })
     }
 
-    /// Takes a seat; `None` if all are taken, or all for this address.
+    /// Takes a seat. `None` if all seats are taken, or all seats for this address.
     pub(crate) fn take(self: &Arc<Seats>, peer: Peer) -> Option<Seat> {
         let mut taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
         let (all, own): (usize, usize) =

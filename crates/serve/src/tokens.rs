@@ -1,4 +1,4 @@
-//! Tokens: the secret in each link, and the role that it opens.
+//! Tokens: the secret in each link, and the role that the link opens.
 
 use fenderline_live::message::{Link, Role};
 use subtle::ConstantTimeEq as _;
@@ -17,8 +17,8 @@ struct Token {
 pub(crate) struct Tokens(Vec<Token>);
 
 impl Tokens {
-    /// Makes tokens for the roles that have none yet. Roles that the present scenario does not have keep theirs, for the
-    /// next scenario that has the same tug.
+    /// Makes tokens for the roles that have none yet. Roles that are not in the present scenario keep their tokens, for
+    /// the next scenario with the same role.
     ///
     /// # Errors
     /// The operating system has no random numbers.
@@ -35,7 +35,7 @@ impl Tokens {
         Ok(())
     }
 
-    /// Takes the secrets of a former run of this session, for the roles that have none yet.
+    /// Restores the secrets of a former run of this session, for the roles that have none yet.
     pub(crate) fn restore(&mut self, links: &[KeptLink]) {
         for KeptLink { role, secret } in links {
             if self.0.iter().all(|token| token.role != *role) {
@@ -44,7 +44,7 @@ impl Tokens {
         }
     }
 
-    /// All secrets with their roles, to be kept.
+    /// All secrets with their roles, for the file that keeps them.
     pub(crate) fn kept(&self) -> Vec<KeptLink> {
         let link =
             |token: &Token| KeptLink { role: token.role.clone(), secret: token.secret.clone() };

@@ -1,4 +1,4 @@
-//! Sends sentences to chart programs over TCP and UDP. Nothing that they send is read.
+//! Sends sentences to chart programs over TCP and UDP. The server reads nothing that chart programs send.
 
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -12,9 +12,9 @@ use tokio::time::timeout;
 use super::connections::{Connections, Peer};
 use super::hub::{Hub, Sentences};
 
-/// Most chart programs over TCP. Beyond it an old one is disconnected (see `connections`).
+/// Largest number of chart programs over TCP. If there are more, an old one is disconnected (see `connections`).
 const MOST: usize = 32;
-/// A chart program that does not read one round of sentences within this time is disconnected.
+/// A chart program is disconnected if it does not read one round of sentences within this time.
 const SEND_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Serves every chart program that connects.
@@ -46,13 +46,13 @@ async fn send_all(mut stream: TcpStream, mut sentences: watch::Receiver<Sentence
     }
 }
 
-/// Sends every sentence as a datagram of its own.
+/// Sends every sentence as a separate datagram.
 pub(crate) async fn udp(socket: UdpSocket, to: SocketAddr, hub: Arc<Hub>) {
     let mut sentences = hub.sentences.subscribe();
     while sentences.changed().await.is_ok() {
         let round = sentences.borrow_and_update().clone();
         for sentence in round.iter().flat_map(|round| round.iter()) {
-            // No receiver is no error: the chart program may be started later.
+            // A missing receiver is not an error: the chart program may start later.
             let _ = socket.send_to(sentence.as_bytes(), to).await;
         }
     }

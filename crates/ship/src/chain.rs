@@ -1,11 +1,12 @@
-//! Break load and stiffness of a chain by the diameter of its bar.
+//! Break load and stiffness of a chain, from the diameter of its bar.
 //!
-//! Anchor chain, grades 1 to 3: c d² (44 − 0.08 d) kN with d in mm (IACS UR W18; the factors were compared with a maker's table,
-//! see the test). Short-link chain, grades 30 to 80: the grade is a tenth of the stress in N/mm² over both bars of a link at
-//! the break load (National Association of Chain Manufacturers, Welded Steel Chain Specifications, 2010, annex A).
+//! Anchor chain, grades 1 to 3: the break load is c d² (44 − 0.08 d) kN with d in mm (IACS UR W18; the factors were
+//! compared with a maker's table, see the test). Short-link chain, grades 30 to 80: the grade is a tenth of the stress
+//! at the break load in N/mm², over both bars of a link (National Association of Chain Manufacturers, Welded Steel
+//! Chain Specifications, 2010, annex A).
 //!
-//! Stiffness: EA = 0.854e8 d² kN without studs and 1.01e8 d² kN with studs, d in m (Orcina, OrcaFlex help, "Chain: Axial and
-//! bending stiffness", by catalogue data). A short-link chain is somewhat stiffer than that.
+//! Stiffness: EA = 0.854e8 d² kN without studs and 1.01e8 d² kN with studs, d in m (Orcina, OrcaFlex help, "Chain:
+//! Axial and bending stiffness", from catalogue data). A short-link chain is somewhat stiffer than this.
 
 use core::f64::consts::PI;
 
@@ -35,7 +36,7 @@ pub enum ChainLink {
     Stud,
 }
 
-/// A chain by its size.
+/// Size, grade and links of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSize {
     /// Diameter of the bar of a link (m).
@@ -46,7 +47,7 @@ pub struct ChainSize {
     pub link: ChainLink,
 }
 
-/// What the break load of a grade follows from.
+/// The number from which the break load of a grade follows.
 enum Strength {
     /// c of anchor chain (kN/mm²).
     Anchor(f64),
@@ -66,7 +67,7 @@ impl ChainGrade {
         }
     }
 
-    /// Whether it is a grade of short-link chain, which has no studs.
+    /// Whether this is a grade of short-link chain, which has no studs.
     #[must_use]
     pub fn is_short_link(self) -> bool {
         matches!(self.strength(), Strength::Stress(_))
@@ -74,7 +75,7 @@ impl ChainGrade {
 }
 
 impl ChainSize {
-    /// Tension at which it parts (N).
+    /// Tension at which the chain parts (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         match self.grade.strength() {
@@ -107,7 +108,8 @@ mod tests {
         1e-3 * ChainSize { diameter_m, grade, link: ChainLink::Open }.break_load_n()
     }
 
-    /// Stud-link anchor chain of Atlantic Group, break test in pounds: to 1 %, as the table is rounded.
+    /// Stud-link anchor chain of Atlantic Group, break test in pounds. The results agree within 1 %, the rounding of
+    /// the table.
     #[test]
     fn anchor_chain_breaks_as_in_a_makers_table() {
         const KN_PER_LBF: f64 = 4.448_221_615e-3;
@@ -129,7 +131,8 @@ mod tests {
         }
     }
 
-    /// Short-link chain to DIN 766 and ISO 4565 in a table of Cox Engineering, in kN, which rounds to whole ones and more: 4 %.
+    /// Short-link chain to DIN 766 and ISO 4565 in a table of Cox Engineering, in kN. The table rounds to whole numbers
+    /// and more: the results agree within 4 %.
     #[test]
     fn short_link_chain_breaks_as_in_a_table() {
         for (grade, mm, kn) in [
@@ -144,7 +147,7 @@ mod tests {
         }
     }
 
-    /// 0.854e8 times 0.03² is 76,860 kN; 2 m of it have 38.43 MN/m. With studs 90,900 kN.
+    /// By hand: 0.854e8 times 0.03² is 76,860 kN, and 2 m of this chain have 38.43 MN/m. With studs it is 90,900 kN.
     #[test]
     fn a_longer_chain_is_softer() {
         let chain = ChainSize { diameter_m: 0.03, grade: ChainGrade::U2, link: ChainLink::Open };

@@ -8,7 +8,7 @@ pub const NAUTICAL_MILE_M: f64 = 1852.0;
 pub const KNOT_MPS: f64 = NAUTICAL_MILE_M / 3600.0;
 /// Knots in a speed of 1 m/s.
 pub const KNOTS_PER_MPS: f64 = 3600.0 / NAUTICAL_MILE_M;
-/// Density of sea water (kg/m³) that is assumed where a scenario gives none: at 15 °C and 3.5 % of salt it is 1026.
+/// Density of sea water (kg/m³), used if a scenario gives none. At 15 °C and 3.5 % of salt it is 1026.
 pub const SEA_WATER_KGPM3: f64 = 1025.0;
-/// Density of air (kg/m³) that is assumed where a scenario gives none: that of the standard atmosphere at 15 °C.
+/// Density of air (kg/m³), used if a scenario gives none: the standard atmosphere at 15 °C.
 pub const AIR_KGPM3: f64 = 1.225;

@@ -3,20 +3,20 @@
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{bounded, lesser};
 
-/// From a point to the nearest point of a segment with a length (m).
+/// Distance from a point to the nearest point of a segment (m). The segment is longer than 0.
 fn to_segment_m(point: Vec2, [from, to]: [Vec2; 2]) -> f64 {
     let along = to - from;
     let share = bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0);
     (point - from - along * share).length()
 }
 
-/// The point of a segment with a length that is nearest to a point.
+/// The point of a segment nearest to a point. The segment is longer than 0.
 fn on_segment(point: Vec2, [from, to]: [Vec2; 2]) -> Vec2 {
     let along = to - from;
     from + along * bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0)
 }
 
-/// The shortest distance between two segments (m); 0 where they cross.
+/// The shortest distance between two segments (m); 0 if they cross.
 pub fn of_segments_m(one: [Vec2; 2], other: [Vec2; 2]) -> f64 {
     if cross(one, other) {
         return 0.0;
@@ -25,16 +25,16 @@ pub fn of_segments_m(one: [Vec2; 2], other: [Vec2; 2]) -> f64 {
     ends.into_iter().fold(f64::INFINITY, |least, (end, of)| lesser(least, to_segment_m(end, of)))
 }
 
-/// From a point to the nearest edge of an outline (m), inside it too.
+/// Distance from a point to the nearest edge of an outline (m), also from a point inside.
 #[must_use]
 pub fn to_edge_m(point: Vec2, outline: &[Vec2]) -> f64 {
     edges(outline).fold(f64::INFINITY, |least, edge| lesser(least, to_segment_m(point, edge)))
 }
 
-/// The shortest distance between two simple outlines (m); 0 where they overlap.
+/// The shortest distance between two simple outlines (m); 0 if they overlap.
 ///
 /// # Panics
-/// If one has no corners.
+/// If one of the outlines has no corners.
 #[must_use]
 pub fn of_outlines_m(one: &[Vec2], other: &[Vec2]) -> f64 {
     if contains(one, other[0]) || contains(other, one[0]) {
@@ -79,7 +79,8 @@ fn edges(of: &[Vec2]) -> impl Iterator<Item = [Vec2; 2]> {
     (0..of.len()).map(|from| [of[from], of[(from + 1) % of.len()]])
 }
 
-/// True if two segments cross. Where an end lies on the other segment, the distance of that end is 0.
+/// True if two segments cross. If an end of one segment lies on the other, the distance of this end is 0 and covers
+/// that case.
 fn cross(one: [Vec2; 2], other: [Vec2; 2]) -> bool {
     let side = |ends: [Vec2; 2], point: Vec2| (ends[1] - ends[0]).cross(point - ends[0]);
     let splits = |ends: [Vec2; 2], of: [Vec2; 2]| side(ends, of[0]) * side(ends, of[1]) < 0.0;
@@ -127,11 +128,11 @@ mod tests {
         for (at, heading_rad, expected_m) in [
             (vec2(10.0, 0.5), 0.0, 7.0),
             (vec2(6.0, 7.0), 0.0, 5.0),
-            // A corner of the turned one towards the face.
+            // A corner of the turned outline points towards the face.
             (vec2(0.0, 8.0), FRAC_PI_4, 6.0 - SQRT_2),
             (vec2(2.5, 0.0), 0.0, 0.0),
             (vec2(0.3, 0.2), 0.1, 0.0),
-            // Crossed without a corner of either inside the other.
+            // The outlines cross, but neither has a corner inside the other.
             (vec2(2.2, 0.0), FRAC_PI_4, 0.0),
         ] {
             let turned = square(1.0).map(|corner| Pose::new(at, heading_rad).apply(corner));

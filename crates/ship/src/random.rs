@@ -1,7 +1,7 @@
 //! Seeded random numbers, the same bits on every machine.
 
-/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. For random phases; not
-/// cryptographically secure.
+/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. The generator is for random
+/// phases and not cryptographically secure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SplitMix64 {
     state: u64,
@@ -33,7 +33,7 @@ impl SplitMix64 {
 mod tests {
     use super::*;
 
-    /// Outputs of java.util.SplittableRandom of OpenJDK 17 for this seed.
+    /// The expected outputs are those of java.util.SplittableRandom of OpenJDK 17 for this seed.
     #[test]
     fn outputs_agree_with_javas_splittable_random() {
         let mut random = SplitMix64::new(1_234_567);
@@ -57,7 +57,7 @@ mod tests {
             assert!((0.0..1.0).contains(&unit));
             tenths[(unit * 10.0) as usize] += 1;
         }
-        // 10 000 each; five standard deviations of a binomial are 474.
+        // Each tenth should get 10 000 numbers; five standard deviations of the binomial are 474.
         assert!(tenths.iter().all(|&n| n.abs_diff(10_000) < 474), "{tenths:?}");
     }
 }

@@ -9,7 +9,7 @@ use fenderline_contact::DisplayNumber;
 pub struct OutOfRange {
     /// The quantity, with its unit.
     pub quantity: &'static str,
-    /// Its value.
+    /// Value of the quantity.
     pub value: f64,
     /// Lower limit.
     pub low: f64,

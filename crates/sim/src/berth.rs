@@ -1,19 +1,20 @@
-//! The berth: a line through the fenders of a quay or of another ship; distances and speeds of a ship relative to it.
+//! The berth: a line through the fenders of a quay or of another ship. Also distances and speeds of a ship relative to
+//! this line.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 
 use fenderline_world::setup::Setup;
 
-/// Fenders of one berth face the same direction to within this angle (rad).
+/// Fenders of one berth face the same direction, within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;
-/// The flat of a ship's side is where her half breadth is at least this share of the greatest one.
+/// The flat of a ship's side is the part where her half breadth is at least this share of the greatest half breadth.
 const FLAT: f64 = 0.98;
 
 /// A straight line through fender faces, in the frame of the body that carries them: a quay or another ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Berth {
-    /// Index of that body.
+    /// Index of the body that carries the fenders.
     pub body: usize,
     /// One end of the line (m).
     pub from_m: Vec2,
@@ -25,13 +26,13 @@ pub struct Berth {
     pub apart_m: Option<f64>,
 }
 
-/// How a ship lies relative to a berth. Of two values the first is that of the bow, the second that of the stern: the ends of
-/// the flat of her side towards the berth.
+/// Position and speed of a ship relative to a berth. In pairs, the first value is for the bow and the second for the
+/// stern. Bow and stern stand for the two ends of the flat of her side towards the berth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lie {
     /// Positions of the ends (m).
     pub at_m: [Vec2; 2],
-    /// Distance of each end from the line, positive off the fenders (m).
+    /// Distance of each end from the line, positive on the water side of the fenders (m).
     pub off_m: [f64; 2],
     /// Speed of each end towards the berth (m/s).
     pub closing_mps: [f64; 2],
@@ -39,15 +40,15 @@ pub struct Lie {
     pub speed_mps: [f64; 2],
     /// Distance of each end along the berth from [`Berth::from_m`] (m).
     pub along_m: [f64; 2],
-    /// Her speed relative to the berth, ahead (m/s).
+    /// The ship's speed relative to the berth, positive ahead (m/s).
     pub ahead_mps: f64,
-    /// Angle between her and the berth, positive with the bow nearer (rad).
+    /// Angle between ship and berth, positive with the bow nearer to the berth (rad).
     pub angle_rad: f64,
 }
 
 impl Berth {
-    /// The berth with the most fenders among the bodies that `serves` selects; among equals, the one nearest to `ship` at the
-    /// start, an index into [`Setup::bodies`]. `None` without such fenders.
+    /// The berth with the most fenders, among the bodies that `serves` selects. Of several such berths, the berth
+    /// nearest to `ship` at the start. `ship` is an index into [`Setup::bodies`]. `None` if no such body has fenders.
     #[must_use]
     pub fn of(setup: &Setup, ship: usize, serves: impl Fn(usize) -> bool) -> Option<Berth> {
         let faces: Vec<Face> = setup
@@ -79,7 +80,7 @@ impl Berth {
         best.map(|(.., berth)| berth)
     }
 
-    /// The line along a row of fenders, from the first to the last, through the face farthest out.
+    /// The line along a row of fenders, from the first fender to the last, through the face that stands out farthest.
     fn through(body: usize, faces: &[Vec2], facing: Vec2) -> Berth {
         let along = facing.quarter_turn();
         let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, greater);
@@ -98,18 +99,19 @@ impl Berth {
         (self.to_m - self.from_m).dot(self.facing.quarter_turn())
     }
 
-    /// How a ship with this outline and state lies relative to the berth, whose body is in state `on`.
+    /// Position and speed, relative to the berth, of a ship with this outline and state. `on` is the state of the body
+    /// that carries the berth.
     #[must_use]
     pub fn lie(&self, on: &BodyState, outline: &Outline, state: &BodyState) -> Lie {
         let attitude = Rotation::from_angle(state.heading_rad);
         let quay = Rotation::from_angle(on.heading_rad);
         let facing = quay.apply(self.facing);
-        // The berth is to starboard where its water side faces her port.
+        // The berth is to starboard if its water side faces to port of the ship.
         let starboard = attitude.apply_inverse(facing).y <= 0.0;
         let flat = flat_of_side(outline, starboard);
         let from_m = on.position_m + quay.apply(self.from_m);
         let at_m = flat.map(|at| state.position_m + attitude.apply(at));
-        // Relative to the moving body of the berth.
+        // Velocities are relative to the body of the berth, which may move.
         let velocity_mps = |at: Vec2| {
             let arm_m = state.position_m + attitude.apply(at) - on.position_m;
             let ours = state.velocity_mps + attitude.apply(at).spun_by(state.yaw_rate_radps);
@@ -134,9 +136,10 @@ impl Berth {
         }
     }
 
-    /// True if an end, 0 for the bow, is farther past the last fender than the distance between fenders: the line through the
-    /// fenders has no fender there. At dolphins a ship's ends are usually past the last one, but by less. With a single fender
-    /// both ends are past it; then this is true where the fender is not abreast of her side.
+    /// True if an end of the ship (0 for the bow) is past the last fender by more than the distance between fenders:
+    /// the line through the fenders has no fender there. At dolphins a ship's ends are usually past the last dolphin,
+    /// but by less. With a single fender both ends are past it; the result is then true if the fender is not abreast of
+    /// the ship's side.
     #[must_use]
     pub fn is_past_the_end(&self, lie: &Lie, end: usize) -> bool {
         let [bow_m, stern_m] = lie.along_m;
@@ -149,7 +152,8 @@ impl Berth {
         }
     }
 
-    /// True if some part of the ship is abreast of the berth and her origin is within a distance of its line.
+    /// True if some part of the ship is abreast of the berth and her origin is within this distance of the berth's
+    /// line.
     #[must_use]
     pub fn is_near(
         &self,
@@ -169,7 +173,7 @@ impl Berth {
     }
 }
 
-/// The face of a fender, in the frame of the body that it is on.
+/// The face of a fender, in the frame of the body that carries the fender.
 struct Face {
     body: usize,
     at_m: Vec2,
@@ -177,7 +181,7 @@ struct Face {
 }
 
 impl Face {
-    /// True if both belong to one berth: on the same body, facing the same direction.
+    /// True if both faces belong to one berth: they are on the same body and face the same direction.
     fn is_beside(&self, other: &Face) -> bool {
         let between_rad =
             libm::remainder(self.facing_rad - other.facing_rad, core::f64::consts::TAU);
@@ -189,8 +193,8 @@ fn towards(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The fore and after end of the flat of a side, in the body's frame. For a hull without a flat side: one third of the length
-/// from either end.
+/// The fore and after end of the flat of a side, in the body's frame. For a hull without a flat side they are a third
+/// of the length from either end.
 fn flat_of_side(outline: &Outline, starboard: bool) -> [Vec2; 2] {
     let sign = if starboard { 1.0 } else { -1.0 };
     let (least, most) = outline.bounds();

@@ -6,8 +6,8 @@ use fenderline_contact::number::{greater, lesser};
 use fenderline_world::setup::Load;
 
 /// Mean wrench of a load over the step `[t, t + step]`. A load that begins or ends within the step counts with the
-/// share of the step in which it acts, so its impulse does not depend on the time step. A load that acts throughout is
-/// returned unchanged, bit for bit.
+/// share of the step in which it acts. So the impulse of a load does not depend on the time step. A load that acts
+/// throughout is returned unchanged, bit for bit.
 pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     if load.from_s <= t_s && load.until_s >= t_s + step_s {
         return Wrench { force_n: load.force_n, moment_nm: load.moment_nm };
@@ -27,7 +27,7 @@ pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wr
     }
 }
 
-/// Adds the external wrench on each body. On a fixed body it has no effect.
+/// Adds the external wrench on each body. A wrench on a fixed body has no effect.
 pub(crate) fn add_external(external: &[Wrench], into: &mut [Wrench]) {
     for (load, wrench) in into.iter_mut().zip(external) {
         load.force_n += wrench.force_n;

@@ -19,7 +19,7 @@ impl Rate {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
-    /// The rate of a state under a wrench.
+    /// The rate of change of a state under a wrench.
     pub(crate) fn of(inertia: &Inertia, state: &BodyState, wrench: &Wrench) -> Rate {
         let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(state, wrench);
         Rate {
@@ -67,7 +67,7 @@ impl Rate {
     }
 }
 
-/// Forward Euler: positions with the old velocities, as in the paper's simulator.
+/// Forward Euler: positions with the old velocities, as the paper's simulator does.
 pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     BodyState {
         position_m: state.position_m + rate.velocity_mps * step_s,

@@ -1,13 +1,13 @@
 //! A ship-manoeuvring simulator in the horizontal plane around the contact engine `fenderline-contact`.
 //!
-//! It simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces by the
-//! MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that follow
-//! orders, and the contact forces between all bodies. It has no files, clock or threads, and gives the same bits
-//! for the same input on every machine.
+//! The crate simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces
+//! by the MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that
+//! follow orders, and the contact forces between all bodies. The simulator uses no files, clock or threads, and gives
+//! the same bits for the same input on every machine.
 //!
-//! [`Setup`] is everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step with
-//! [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI. North is x,
-//! east is y; headings and moments are positive clockwise, seen from above.
+//! [`Setup`] holds everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step
+//! with [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI.
+//! North is x, east is y; headings and moments are positive clockwise, seen from above.
 //!
 //! # Example
 //!
@@ -130,39 +130,42 @@
 //! ```
 //!
 //! For a ship with a manoeuvring model, propeller, rudder, lines and a berth, start from a scenario file: the crate
-//! `fenderline-scenario` reads one into a [`Setup`].
+//! `fenderline-scenario` reads scenario files into a [`Setup`].
 //!
 //! # Where to look next
 //!
 //! | subject | module or file |
 //! |---|---|
 //! | the time step, from top to bottom | `simulation.rs`, [`Simulation::step`] |
-//! | vessels, tugs and lines in a simulation, pilots and orders | `world/`, [`WorldSetup`] |
+//! | vessels, tugs and lines in a simulation, pilots and orders | [`WorldSetup`], the crate `fenderline-world` |
 //! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
 //! | mooring lines and winches | [`mooring`] |
 //! | anchors, chain, windlass and holding ground | [`anchor`] |
 //! | ships that pass, and the flow between ships | [`passing`] |
-//! | where a ship is that follows waypoints at given speeds | [`track`] |
+//! | the position of a ship that follows waypoints at given speeds | [`track`] |
 //! | statistics of motions, and limits on them | [`statistics`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |
 //! | controllers for heading, position and thrust | [`control`] |
-//! | the line through a berth's fenders, and how a ship lies to it | [`berth`] |
+//! | the line through a berth's fenders, and a ship's position relative to it | [`berth`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
 //! | exercises: goal, limits and score | [`exercise`] |
 //! | weather and faults that change during a run | [`change`] |
 //! | forces from other programs | [`external`] |
-//! | energies of a step and of a run | `record.rs`, [`ContactEnergy`], [`Energy`] |
+//! | energies of a step and of a run | [`StepRecord`], [`ContactEnergy`], [`Energy`] |
 //!
-//! One step of [`Simulation::step`]:
+//! The crate re-exports what its users need of `fenderline-ship` (physics of a ship), `fenderline-world` (set-up, state and
+//! records) and `fenderline-assess` (verdict, statistics).
 //!
-//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (`world/mod.rs`).
-//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (`turning.rs`).
+//! One step of [`Simulation::step`]; files of `fenderline-world` are marked W:
+//!
+//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (W `world/state.rs`).
+//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (W `turning.rs`).
 //! 3. `advance_bodies`: contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's method)
 //!    and the new states (`integrate.rs`).
 //! 4. `update_world`: heel and trim of the vessels under all forces.
-//! 5. `account_energy`: work of each contact and load, and the energy ledger (`contact_totals.rs`, `ledger.rs`).
+//! 5. `account_energy`: work of each contact and load, and the energy ledger (W `contact_totals.rs`, W `ledger.rs`).
 //! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 

@@ -30,7 +30,7 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) step_s: f64,
 }
 
-/// Work of the loads of set-up and host in a step (J); `order` is that of the bodies.
+/// Work of the loads of set-up and host in a step (J). `order` is the order of the bodies.
 pub(crate) fn plain_work_j(
     order: &[usize],
     inertias: &[Inertia],
@@ -42,7 +42,7 @@ pub(crate) fn plain_work_j(
 }
 
 impl LoadedStep<'_> {
-    /// Work of each kind of load but those of set-up and host: force times displacement over the ground.
+    /// Work of each kind of load except the loads of set-up and host: force times displacement over the ground.
     pub(crate) fn works(&self) -> LoadWork {
         let mut works = LoadWork::default();
         for &vessel in &self.order.vessels {
@@ -68,7 +68,7 @@ impl LoadedStep<'_> {
         works
     }
 
-    /// Adds the works of a vessel's own forces and of the current.
+    /// Adds the work of a vessel's own forces and the work of the current.
     fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
         let (forces, water_inertia) = (&self.forces[index], &self.water_inertia[index]);
         let attitude = self.attitude(index);
@@ -103,7 +103,7 @@ impl LoadedStep<'_> {
         Rotation::from_angle(self.before[self.world.vessels[vessel].body].heading_rad)
     }
 
-    /// Work of a force on a vessel that is given about midship.
+    /// Work of a force on a vessel. The force is given about midship.
     fn of_force(&self, vessel: usize, attitude: Rotation, force: Force) -> f64 {
         let vessel = &self.world.vessels[vessel];
         let forward_m = vessel.ship.particulars.centre_of_gravity_m;

@@ -1,6 +1,6 @@
-//! Which result tables a run writes, and how many steps one of their rows stands for.
+//! The result tables that a run writes, and the number of steps that one row stands for.
 
-/// Most rows of a body's series that a run writes by default.
+/// The largest number of rows that a run writes by default for each body.
 const MOST_ROWS: u64 = 10_000;
 
 /// A result table.
@@ -55,7 +55,7 @@ impl OutputTable {
         OutputTable::Energy,
     ];
 
-    /// Its name: that of its file, without the extension.
+    /// Name of the table: the name of its file without the extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -77,24 +77,26 @@ impl OutputTable {
     }
 }
 
-/// What a run writes: the table `[output]` of a scenario. Summary, verdict and report use every step, whatever is written.
+/// The outputs that a run writes, as the table `[output]` of a scenario says. Summary, verdict and report use every
+/// step, whatever is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPlan {
-    /// Steps that one row stands for, 1 or more: the output interval over Δt.
+    /// Number of steps that one row stands for, 1 or more: the output interval over Δt.
     pub steps_per_row: u64,
-    /// The tables that are written, where the set-up has what they are about.
+    /// The tables to write. A table is written only if the set-up has its subject.
     pub tables: Vec<OutputTable>,
 }
 
 impl OutputPlan {
-    /// All tables, a row for every step.
+    /// A plan with all tables, and a row for every step.
     #[must_use]
     pub fn every_step() -> OutputPlan {
         OutputPlan { steps_per_row: 1, tables: OutputTable::ALL.to_vec() }
     }
 
-    /// What a run of so many steps writes if nothing is said: 1, 2, 5, 10, 20, 50, … steps a row, the fewest with which
-    /// there are at most 10 000 rows of each body; and the tables of [`OutputPlan::default_tables`].
+    /// The plan for a run with this number of steps, if the scenario does not say. One row stands for 1, 2, 5, 10, 20,
+    /// 50, … steps: for the fewest with which each body has at most 10 000 rows. The tables are those of
+    /// [`OutputPlan::default_tables`].
     #[must_use]
     pub fn of_steps(steps: f64) -> OutputPlan {
         let mut steps_per_row = 1;
@@ -102,13 +104,14 @@ impl OutputPlan {
             if steps <= (steps_per_row * MOST_ROWS) as f64 {
                 break;
             }
-            // 1, 2, 5, 10: from 2 to 5 is half as much again.
+            // The series is 1, 2, 5, 10. From 2 to 4 it would be doubled; half as much again makes 5.
             steps_per_row = if factor == 5 { steps_per_row / 2 * 5 } else { steps_per_row * 2 };
         }
         OutputPlan { steps_per_row, tables: OutputPlan::default_tables(steps_per_row) }
     }
 
-    /// All tables; where a row stands for several steps, without that of contact patches, which is the largest.
+    /// The tables written by default: all tables. If a row stands for several steps, the table of contact patches is
+    /// left out, because it is the largest.
     #[must_use]
     pub fn default_tables(steps_per_row: u64) -> Vec<OutputTable> {
         let all = OutputTable::ALL.into_iter();
@@ -126,7 +129,8 @@ impl OutputPlan {
 mod tests {
     use super::*;
 
-    /// By hand: three hours at 0.1 s are 108 000 steps, of which 20 make a row (5400 rows; with 10 it would be 10 800).
+    /// By hand: three hours at 0.1 s are 108 000 steps. With 20 steps per row there are 5400 rows; with 10 there would
+    /// be 10 800.
     #[test]
     fn long_runs_write_at_most_ten_thousand_rows_a_body() {
         let steps_per_row = |steps| OutputPlan::of_steps(steps).steps_per_row;

@@ -1,4 +1,4 @@
-//! One simulation run. [`Simulation::step`] is the whole time step, from top to bottom.
+//! One simulation run. [`Simulation::step`] is the whole time step, from start to end.
 //!
 //! | file | content |
 //! |---|---|
@@ -6,7 +6,6 @@
 //! | `simulation/access.rs` | reading a run, and changing it between steps |
 //! | `simulation/motion.rs` | integrators, and the Coriolis terms over a step |
 //! | `simulation/accounts.rs` | works and energies of a step |
-//! | `simulation/model.rs` | set-up to inertias and contact model |
 //! | `simulation/check.rs` | checks of a set-up |
 //! | `simulation/buffers.rs` | arrays that are reused from step to step |
 //! | `simulation/changes.rs` | changes of weather and faults |
@@ -29,9 +28,8 @@ use fenderline_contact::{
 };
 
 use self::buffers::Buffers;
-use self::changes::check_planned;
 use self::check::{
-    berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
+    berthing_study, check_anchors, check_flow, check_lines, check_load, check_planned, count_steps,
 };
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{euler, semi_implicit};
@@ -57,10 +55,10 @@ use fenderline_world::world::{VesselSetup, VesselState, World, motions};
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]
 pub struct Simulation {
-    // Constant.
+    // Constant in a run.
     setup: Setup,
-    /// Clones share it until hulls by height change it: of a thousand simulations side by side no more than this need be in the
-    /// processor's cache once.
+    /// Clones share the model until hulls by height change it. So for a thousand simulations side by side, the
+    /// processor's cache needs the model only once.
     model: Arc<Model>,
     inertias: Vec<Inertia>,
     steps_total: u64,
@@ -72,7 +70,7 @@ pub struct Simulation {
     memory: Memory,
     world: World,
     changes: Changes,
-    /// What fenders meet of hulls by height.
+    /// The outlines of hulls by height that fenders meet.
     sides: Sides,
     // Results of the last step, and totals of the run.
     work: Workspace,
@@ -91,7 +89,7 @@ impl Simulation {
     /// Checks the set-up and prepares the first step.
     ///
     /// # Errors
-    /// [`SetupError`], naming what is wrong.
+    /// [`SetupError`], which names the fault.
     pub fn new(setup: Setup) -> Result<Simulation, SetupError> {
         let steps_total = count_steps(&setup)?;
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
@@ -143,11 +141,11 @@ impl Simulation {
     /// Advances the simulation by one time step. Steps beyond the run's duration are allowed.
     ///
     /// # Errors
-    /// [`SimError`] when a state exceeds the limits of the contact engine, as in a run that diverges. The
+    /// [`SimError`] if a state exceeds the limits of the contact engine, for example in a run that diverges. The
     /// simulation is then unchanged.
     pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
         let t_s = self.time_s();
-        // Changes are rare, so that a copy of everything costs little.
+        // Changes are rare, so a copy of the whole simulation costs little.
         let before = self.changes_are_due().then(|| Box::new(self.clone()));
         if before.is_some() {
             self.run_changes();
@@ -170,7 +168,7 @@ impl Simulation {
         self.record(t_s)
     }
 
-    /// Copies what a failing step would leave half-changed. The world is copied only if steps change it.
+    /// Copies the parts that a failing step would leave half-changed. The world is copied only if steps change it.
     fn backup(&mut self) {
         if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.buffers.backup.copy_from(&self.memory);
@@ -193,7 +191,7 @@ impl Simulation {
         }
     }
 
-    /// Sums everything but contact on each body: loads of the set-up and of the host, vessels, tugs, lines, anchors.
+    /// Sums all loads on each body except contact: loads of the set-up and of the host, vessels, tugs, lines, anchors.
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
@@ -203,14 +201,14 @@ impl Simulation {
         gather_loads(&self.loads, t_s, step_s, loads);
         add_external(external, loads);
         plain_loads.clone_from(loads);
-        // The engine's leapfrog starts with a half step of the velocities.
+        // The engine's leapfrog starts with half a step for the velocities.
         let acts_s = if self.index == 0 { 0.5 * step_s } else { step_s };
         let times = (t_s, velocity_time_s, step_s, acts_s);
         self.world.step(&self.setup.world, (&self.states, lags_s), times, loads);
         before.clone_from(&self.states);
     }
 
-    /// Renews the outlines that fenders meet of hulls by height.
+    /// Renews the outlines of hulls by height that fenders meet.
     fn cut_hulls(&mut self, t_s: f64) {
         if self.sides.is_empty() {
             return;
@@ -256,7 +254,7 @@ impl Simulation {
         }
     }
 
-    /// Updates what depends on the contact forces and the new states: heel and trim of the vessels.
+    /// Updates heel and trim of the vessels, which depend on the contact forces and the new states.
     fn update_world(&mut self, t_s: f64) {
         let contacts = self.work.contacts();
         self.sides.find_touches(&self.setup, &self.model, &self.buffers.before, contacts);
@@ -265,8 +263,8 @@ impl Simulation {
         self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
     }
 
-    /// Adds the step to the summaries of the run, and gives its record. It is wrapped from the start: a record is not small, and
-    /// would be copied otherwise.
+    /// Adds the step to the summaries of the run, and returns its record. The record is wrapped in `Ok` from the start:
+    /// it is large, and would otherwise be copied.
     #[inline(always)]
     fn record(&mut self, t_s: f64) -> Result<StepRecord<'_>, SimError> {
         self.dolphins.summarise(&self.setup, t_s);
@@ -318,8 +316,8 @@ impl Simulation {
     }
 }
 
-/// How fast the hull of a contact sinks at the contact, relative to the fender on body `host` (m/s): the vessels' heave, roll
-/// and pitch.
+/// How fast the hull of a contact sinks at the contact, relative to the fender on body `host` (m/s). The vessels'
+/// heave, roll and pitch cause this.
 fn sinking_mps(
     vessels: &[VesselSetup],
     now: &[VesselState],

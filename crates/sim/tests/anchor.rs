@@ -1,4 +1,4 @@
-//! Anchors: chain, holding power, dragging, windlass, and that chain and bottom only take energy.
+//! Anchors: chain, holding power, dragging and windlass. Chain and bottom only take energy.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 const WATER: f64 = 1025.0;
 
-/// The anchor of a ship of 200 m: 9 t, 78 mm of grade 2, 11 shackles.
+/// The anchor of a ship of 200 m: 9 t, a chain of 78 mm and grade 2, 11 shackles.
 fn gear() -> AnchorGear {
     let mut gear = AnchorGear {
         name: "port".into(),
@@ -30,7 +30,7 @@ fn hawse(at_m: Vec2, above_bottom_m: f64) -> Hawse {
     Hawse { at_m, above_bottom_m: Some(above_bottom_m) }
 }
 
-/// A step of 0.5 s, and its events.
+/// Takes a step of 0.5 s and returns its events.
 fn step(
     gear: &AnchorGear,
     state: &mut AnchorState,
@@ -42,20 +42,20 @@ fn step(
     (load, events)
 }
 
-/// 21.9 t/m·d² is 133.24 kg/m; in sea water 0.8694 times that, times 9.80665: 1136.0 N/m.
+/// A chain has 21.9 t/m·d², here 133.24 kg/m. In sea water its weight is 0.8694 times that, times 9.80665: 1136.0 N/m.
 #[test]
 fn a_chain_weighs_what_its_size_says() {
     let gear = gear();
     let weight_npm = 21.9e3 * 0.078 * 0.078 * 9.80665 * (1.0 - 1025.0 / 7850.0);
     assert!((gear.chain_weight_npm(WATER) / weight_npm - 1.0).abs() < 1e-12);
     assert!((weight_npm - 1136.0).abs() < 0.1, "{weight_npm}");
-    // UR A3: 42.5 N per mm².
+    // UR A3 gives 42.5 N per mm².
     assert!((gear.windlass.pull_n - 42.5 * 78.0 * 78.0).abs() < 1e-6);
     assert!((gear.windlass.brake_n / gear.chain().break_load_n() - 0.45).abs() < 1e-12);
 }
 
-/// The closed form without stretch: s = √(h² + 2ha), span = L − s + a·asinh(s/a), T = H + wh. The chain stretches by H/EA,
-/// 150 kN over 614 MN: 2.4e-4 of its length, which changes H by less than 3 %.
+/// The closed form without stretch: s = √(h² + 2ha), span = L − s + a·asinh(s/a), T = H + wh. The chain stretches by
+/// H/EA, 150 kN over 614 MN. This is 2.4e-4 of its length and changes H by less than 3 %.
 #[test]
 fn the_pull_is_that_of_the_catenary() {
     let gear = gear();
@@ -73,13 +73,13 @@ fn the_pull_is_that_of_the_catenary() {
     assert!((horizontal_n / h_n - 1.0).abs() < 0.03, "{horizontal_n}");
     assert!((load.tension_n / (horizontal_n + weight_npm * rise_m) - 1.0).abs() < 1e-3);
     assert!((load.on_bottom_m / (chain_m - s_m) - 1.0).abs() < 0.03, "{}", load.on_bottom_m);
-    // Holding power: 3 times the weight in air, and 0.75 of the weight of the chain on the bottom.
+    // The holding power is 3 times the anchor's weight in air, plus 0.75 of the weight of the chain on the bottom.
     let holding_n = 3.0 * 9000.0 * 9.80665 + 0.75 * weight_npm * load.on_bottom_m;
     assert!((load.holding_n / holding_n - 1.0).abs() < 1e-12);
     assert_eq!(load.moved_m, 0.0);
 }
 
-/// A ship that goes away at 0.5 m/s: the pull rises to the holding power, falls to the dragging resistance and stays there.
+/// A ship goes away at 0.5 m/s. The pull rises to the holding power, falls to the dragging resistance and stays there.
 #[test]
 fn an_anchor_drags_beyond_its_holding_power_with_a_steady_resistance() {
     let gear = gear();
@@ -99,21 +99,21 @@ fn an_anchor_drags_beyond_its_holding_power_with_a_steady_resistance() {
     assert_eq!(all, [AnchorEvent::Drags]);
     let weight_n = 9000.0 * 9.80665;
     assert!(most_n > 2.7 * weight_n, "{most_n}");
-    // Just before it drags: held, with some chain on the bottom.
+    // Just before the anchor drags, it is held with some chain on the bottom.
     assert!(most_n < 3.0 * weight_n + 0.75 * gear.chain_weight_npm(WATER) * chain_m);
     let steady_n = 1.5 * weight_n + 0.75 * gear.chain_weight_npm(WATER) * last.on_bottom_m;
     assert!((-last.on_ship_n[0] / steady_n - 1.0).abs() < 1e-6);
     assert!((last.holding_n / steady_n - 1.0).abs() < 1e-6);
-    // It follows the ship: the distance stays.
+    // The anchor follows the ship: the distance stays the same.
     assert!((last.moved_m - 0.25).abs() < 1e-6, "{}", last.moved_m);
-    // It took the work of the pull along its way, and one that stops holds again.
+    // The anchor took the work of the pull along its way. An anchor that stops holds again.
     assert!((state.dragged_j / state.dragged_m / steady_n - 1.0).abs() < 0.02);
     let AnchorPosition::OnBottom(place_m) = state.position else { panic!("on the bottom") };
     let (_, events) = step(&gear, &mut state, &hawse(place_m, rise_m), 0.0);
     assert_eq!(events, [AnchorEvent::Holds]);
 }
 
-/// At short scope (1.2 of the depth) the shank is lifted: the anchor is dredged with less than half its weight.
+/// At short scope (1.2 of the depth) the shank is lifted. The anchor is dredged with less than half its weight.
 #[test]
 fn a_dredged_anchor_at_short_scope_resists_less() {
     let gear = gear();
@@ -147,13 +147,13 @@ fn an_anchor_is_let_go_held_hove_in_and_comes_home() {
             events.extend(now);
         }
     };
-    // 5 m/s for 82.5 m: 16.5 s.
+    // At 5 m/s, 82.5 m take 16.5 s.
     run(&mut state, 33, &mut last_n);
     assert_eq!((state.chain_m, state.order), (82.5, WindlassOrder::Hold));
     assert_eq!(state.position, AnchorPosition::OnBottom(vec2(10.0, 5.0)));
-    // The chain up and down: its weight over 28 m.
+    // The chain hangs straight down, with its weight over 28 m.
     assert!((last_n / (28.0 * gear.chain_weight_npm(WATER)) - 1.0).abs() < 1e-3, "{last_n}");
-    // 0.15 m/s for 82.5 m: 550 s; at 28 m the anchor comes off the bottom.
+    // At 0.15 m/s, 82.5 m take 550 s. At 28 m the anchor comes off the bottom.
     state.order = WindlassOrder::Heave(0.0);
     run(&mut state, 740, &mut last_n);
     assert_eq!(state.position, AnchorPosition::Hanging);
@@ -182,7 +182,7 @@ fn a_windlass_without_power_only_lets_go() {
     assert_eq!(state.chain_m, 52.5);
 }
 
-/// An anchor that does not bite holds as a dragging one.
+/// An anchor that does not bite holds as little as a dragging anchor.
 #[test]
 fn an_anchor_that_does_not_bite_drags_under_less() {
     let gear = gear();
@@ -196,8 +196,8 @@ fn an_anchor_that_does_not_bite_drags_under_less() {
     assert!(state.dragging && most_n < 2.0 * 9000.0 * 9.80665, "{most_n}");
 }
 
-/// An anchor so heavy that it holds more than the chain. The brake renders at 45 % of the break load; all chain runs out, and the bitter
-/// end, which holds 30 %, gives way. With a brake that holds, the chain parts.
+/// The anchor is so heavy that it holds more than the chain. The brake renders at 45 % of the break load, and all chain
+/// runs out. The bitter end holds 30 % and gives way. With a brake that holds, the chain parts.
 #[test]
 fn the_brake_renders_until_the_bitter_end_gives_way_and_a_chain_that_is_held_parts() {
     let mut gear =
@@ -227,7 +227,7 @@ fn the_brake_renders_until_the_bitter_end_gives_way_and_a_chain_that_is_held_par
     assert!(most_n <= break_load_n && lost_at_n > break_load_n, "{most_n} {lost_at_n}");
 }
 
-/// Mirrored at the north axis, bit for bit.
+/// The setup is mirrored at the north axis. The results are mirrored bit for bit.
 #[test]
 fn port_and_starboard_are_mirrored() {
     let gear = gear();
@@ -244,9 +244,10 @@ fn port_and_starboard_are_mirrored() {
 }
 
 proptest! {
-    /// Round any closed course of the hawse pipe, with the chain held, chain and bottom take energy and give none: the course begins
-    /// where the chain stores nothing. The work is by the mean of the forces of two steps. For a force with a potential that is exact
-    /// but for the curvature over 0.25 m, which is less than 0.1 % of what goes to and fro.
+    /// The hawse pipe moves round any closed course, with the chain held. Chain and bottom take energy and give none.
+    /// The course begins where the chain stores nothing. The work is computed with the mean of the forces of two steps.
+    /// For a force with a potential this is exact, except for the curvature over 0.25 m: less than 0.1 % of the energy
+    /// that goes to and fro.
     #[test]
     fn chain_and_bottom_only_take_energy(
         radius_m in 5.0..120.0_f64,
@@ -262,7 +263,7 @@ proptest! {
             let angle = std::f64::consts::TAU * k / steps;
             vec2(away_m + radius_m * angle.sin(), flat * radius_m * (1.0 - angle.cos()))
         };
-        // There the chain hangs up and down, and the rest of it lies slack.
+        // At this distance the chain hangs straight down, and the rest of it lies slack.
         let start_m = at_m(0.0);
         let slack = away_m + rise_m <= chain_m;
         prop_assume!(slack);

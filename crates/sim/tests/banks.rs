@@ -1,4 +1,4 @@
-//! The pull of a wall by the image of the ship: what symmetry demands, the integrals by another rule, and walls at an angle.
+//! The pull of a wall by the image of the ship: its symmetries, its integrals by another rule, and walls at an angle.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::passing::{PassingShip, Sections, force_of_wall};
@@ -12,7 +12,7 @@ fn parabola() -> Sections {
     Sections::parabola(LENGTH_M, AREA_M2).unwrap()
 }
 
-/// A ship at the origin on a heading, and a wall to the north at a distance to starboard.
+/// A ship at the origin on a heading. A wall lies to starboard of her at a distance.
 fn pull(ship: &Sections, speed_mps: f64, wall_m: f64, depth_m: Option<f64>) -> [f64; 3] {
     let own = PassingShip {
         sections: ship,
@@ -23,8 +23,8 @@ fn pull(ship: &Sections, speed_mps: f64, wall_m: f64, depth_m: Option<f64>) -> [
     force_of_wall(&own, wall, DENSITY_KGPM3, depth_m, 1.0)
 }
 
-/// A ship who is alike fore and aft is drawn to the wall, with no force along it and no moment, and the direction of the wall's line does
-/// not matter.
+/// A wall draws a ship that is symmetric fore and aft straight to it. There is no force along the wall and no moment.
+/// The direction of the wall's line does not matter.
 #[test]
 fn a_wall_draws_a_symmetric_ship_straight_to_it() {
     let ship = parabola();
@@ -41,8 +41,8 @@ fn a_wall_draws_a_symmetric_ship_straight_to_it() {
     }
 }
 
-/// Y over ρu²S²/L² by Gauss's rule and four thousand images: `slender` of validation/independent/bank_panels.py. 1 %: the midpoint rule with
-/// 48 panels, whose error grows towards the wall.
+/// Y over ρu²S²/L², by Gauss's rule and four thousand images: `slender` of validation/independent/bank_panels.py. The
+/// tolerance of 1 % is for the midpoint rule with 48 panels, whose error grows towards the wall.
 #[test]
 fn the_pull_is_that_of_the_integrals() {
     let ship = parabola();
@@ -60,8 +60,9 @@ fn the_pull_is_that_of_the_integrals() {
     }
 }
 
-/// ½u² times the change of the energy of ship and image with their distance: (ρ/2π) ∬ S'S'/r, by differences of sums over the changes
-/// of the areas. 1 %: sections and sources are at slightly different places.
+/// The pull is ½u² times the change of the energy of ship and image with their distance. The energy is (ρ/2π) ∬ S'S'/r,
+/// by differences of sums over the changes of the areas. The tolerance of 1 % is for sections and sources, which are at
+/// slightly different places.
 #[test]
 fn the_pull_is_the_change_of_the_waters_energy() {
     let half_m = 0.5 * LENGTH_M;
@@ -87,7 +88,8 @@ fn the_pull_is_the_change_of_the_waters_energy() {
     }
 }
 
-/// Ship and wall turned and moved together: the same force in her axes. A ship full forward is turned by the wall as well.
+/// Ship and wall are turned and moved together. The force in her axes stays the same. A wall also turns a ship that is
+/// full forward.
 #[test]
 fn a_turned_canal_has_the_same_forces() {
     let full = Sections::new(&[(-100.0, 0.0), (40.0, 300.0), (80.0, 250.0), (100.0, 0.0)]).unwrap();
@@ -111,7 +113,8 @@ fn a_turned_canal_has_the_same_forces() {
     }
 }
 
-/// With water as deep as she is long the bottom no longer matters, 2 %, and in less it does all the more.
+/// In water as deep as she is long, the bottom changes the pull by less than 2 %. In shallower water it makes the pull
+/// stronger.
 #[test]
 fn the_bottom_makes_the_pull_stronger() {
     let ship = parabola();

@@ -1,4 +1,4 @@
-//! Ten hours on six lines in a gusty wind off the quay: wind, current and lines together.
+//! A ship on six lines for ten hours in a gusty wind off the quay: wind, current and lines together.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -11,7 +11,7 @@ const STEP_S: f64 = 0.5;
 const STEPS: u32 = 72_000;
 /// Displacement and added mass in sway of the paper's container ship (kg).
 const MASS_KG: f64 = 87.8e6 * 1.5;
-/// A tenth of the critical damping of about 2 MN/m of lines (N·s/m).
+/// A tenth of the critical damping for lines of about 2 MN/m (N·s/m).
 const DAMPING_NSPM: f64 = 3.0e6;
 
 fn wind() -> Wind {
@@ -108,8 +108,8 @@ fn run() -> Run {
     Run { greatest_m, mean_wind_n, mean_lines_n, mean_damping_n, last, states }
 }
 
-/// Her lines hold her (no more than 3 m off, where the breast lines would almost render); none parts; the mean forces of lines,
-/// wind and water over ten hours cancel, up to her final momentum.
+/// Her lines hold her at most 3 m off, where the breast lines would almost render. No line parts. Over ten hours the
+/// mean forces of lines, wind and water cancel, except for her final momentum.
 #[test]
 fn ten_hours_alongside_are_bounded_and_balanced() {
     let run = run();

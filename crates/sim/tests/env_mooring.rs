@@ -1,4 +1,4 @@
-//! Mooring lines against MoorPy, closed forms and the laws of a passive line.
+//! Mooring lines, compared with MoorPy, with closed forms and with the laws of a passive line.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -16,8 +16,8 @@ fn close(ours: f64, theirs: f64, relative: f64) {
     assert!((ours / theirs - 1.0).abs() < relative, "{ours} for {theirs}");
 }
 
-/// MoorPy 3.0, and the sums of validation/independent/ship_formulas.py: span 200 m, depth 50 m, 210 m of cable: T 577.7, H 483.6,
-/// V 316.0 kN. Held to 0.2 %.
+/// Values of MoorPy 3.0, and of the sums in validation/independent/ship_formulas.py. For a span of 200 m, a depth of 50
+/// m and 210 m of cable they give T 577.7, H 483.6 and V 316.0 kN. The tolerance is 0.2 %.
 #[test]
 fn the_reference_cable_of_moorpy_and_moordyn() {
     let c = catenary(&reference(210.0), 200.0, 50.0, true);
@@ -27,8 +27,8 @@ fn the_reference_cable_of_moorpy_and_moordyn() {
     close(c.upper_vertical_n, 316.0e3, 0.002);
 }
 
-/// Without stretch, partly on the bottom, with the given H: s = h√(1 + 2a/h), a = H/w; the span is
-/// L − s + a·asinh(s/a). EA 1e16 N stretches 210 m by 1e-8 m.
+/// A cable without stretch, partly on the bottom, with the given H. Then s = h√(1 + 2a/h) with a = H/w, and the span is
+/// L − s + a·asinh(s/a). EA of 1e16 N stretches 210 m by 1e-8 m.
 #[test]
 fn an_inextensible_cable_on_the_bottom() {
     let (w, h_n, depth_m, length_m): (f64, f64, f64, f64) = (2000.0, 1.5e5, 50.0, 210.0);
@@ -44,7 +44,7 @@ fn an_inextensible_cable_on_the_bottom() {
     assert_eq!(c.lower_vertical_n, 0.0);
 }
 
-/// Without stretch between two points of one height: L = 2a·sinh(X/2a), V = wL/2.
+/// A cable without stretch between two points at one height: L = 2a·sinh(X/2a), V = wL/2.
 #[test]
 fn an_inextensible_cable_between_equal_heights() {
     let (w, h_n, span_m): (f64, f64, f64) = (500.0, 4e4, 100.0);
@@ -57,8 +57,8 @@ fn an_inextensible_cable_between_equal_heights() {
     close(c.lower_vertical_n, -0.5 * w * length_m, 1e-9);
 }
 
-/// Very taut: the weight is forgotten, T = EA·(X − L)/L. With T/wL = 1000 the sag changes the length by
-/// (wL/T)²/24 = 4e-8 of the stretch of 1e-3.
+/// The cable is so taut that its weight does not matter: T = EA·(X − L)/L. With T/wL = 1000 the sag changes the length
+/// by (wL/T)²/24, which is 4e-8, against a stretch of 1e-3.
 #[test]
 fn a_taut_cable_is_a_spring() {
     let cable = Cable { length_m: 100.0, axial_stiffness_n: 1e9, weight_npm: 10.0 };
@@ -66,7 +66,7 @@ fn a_taut_cable_is_a_spring() {
     close(c.horizontal_n, 1e6, 1e-4);
 }
 
-/// Slack, plumb and lying cables: weights by hand, EA 1e9 N (stretch below 1e-4).
+/// Slack, plumb and lying cables. Their weights are computed by hand. EA is 1e9 N, so the stretch is below 1e-4.
 #[test]
 fn slack_cables_carry_their_own_weight_and_no_more() {
     let cable = Cable { length_m: 300.0, axial_stiffness_n: 1e9, weight_npm: 1000.0 };
@@ -79,14 +79,14 @@ fn slack_cables_carry_their_own_weight_and_no_more() {
     close(loose.lower_vertical_n, -125e3, 1e-4);
     let flat = catenary(&cable, 299.0, 0.0, true);
     assert_eq!(flat.upper_tension_n(), 0.0);
-    // And drawn just taut on the bottom: EA·(X − L)/L.
+    // A cable on the bottom that is drawn just taut has EA·(X − L)/L.
     let drawn = catenary(&cable, 300.3, 0.0, true);
     close(drawn.horizontal_n, 1e6, 1e-6);
 }
 
 proptest! {
-    /// Any cable in any place: it spans what it should (checked by the equations, written anew), pulls
-    /// back, and the vertical forces carry the weight that does not lie.
+    /// Any cable in any place is in equilibrium. It spans its distance (the test writes the equations anew), it pulls
+    /// back, and the vertical forces carry the part of its weight that does not lie on the bottom.
     #[test]
     fn any_cable_is_in_equilibrium(
         length_m in 10.0..1000.0_f64,
@@ -105,7 +105,7 @@ proptest! {
         let sum_n = c.upper_vertical_n - c.lower_vertical_n;
         prop_assert!((sum_n - carried_n).abs() <= 1e-9 * (1.0 + c.upper_tension_n().max(carried_n)));
         if c.horizontal_n > 1e-6 * weight_npm * length_m {
-            // The shape, summed over 20 000 straight pieces from the upper end.
+            // The shape is the sum of 20 000 straight pieces from the upper end.
             let n = 20_000;
             let ds_m = length_m / f64::from(n);
             let (mut x_m, mut z_m) = (0.0, 0.0);
@@ -117,19 +117,19 @@ proptest! {
                 x_m += piece_m * c.horizontal_n / t_n;
                 z_m += piece_m * v_n / t_n;
             }
-            // Midpoint rule where the cable turns sharply: 1e-4 of the length.
+            // The midpoint rule has an error where the cable turns sharply: 1e-4 of the length.
             prop_assert!((x_m - span_m).abs() < 1e-4 * length_m, "{} {}", x_m, span_m);
             prop_assert!((z_m - rise_m).abs() < 1e-4 * length_m, "{} {}", z_m, rise_m);
         }
     }
 
-    /// Farther means more: H grows with the span without a jump.
+    /// The horizontal tension H grows with the span, without a jump.
     #[test]
     fn horizontal_tension_grows_with_the_span(span_m in 150.0..204.0_f64) {
         let at = |x| catenary(&reference(210.0), x, 50.0, true).horizontal_n;
         let (one, two) = (at(span_m), at(span_m + 1e-6));
         prop_assert!(two >= one);
-        // The taut cable's stiffness, EA/L, bounds the slope.
+        // The stiffness of the taut cable, EA/L, bounds the slope.
         prop_assert!(two - one <= 1e9 / 210.0 * 1e-6 * 1.01);
     }
 }
@@ -141,7 +141,7 @@ fn rope(curve: RopeCurve) -> Rope {
 }
 
 fn ends(distance_m: f64) -> LineEnds {
-    // 3-4-5: 0.6 north, 0.8 up.
+    // A triangle of 3, 4 and 5: 0.6 to the north and 0.8 up.
     LineEnds { ship_m: [0.0; 3], shore_m: [0.6 * distance_m, 0.0, 0.8 * distance_m] }
 }
 
@@ -173,14 +173,15 @@ fn curves_and_their_inverses_agree() {
         }
         assert_eq!(curve.share(-0.1), 0.0);
     }
-    // Half the break load of polyester at 6.5 %.
+    // Polyester has half the break load at 6.5 %.
     assert!((RopeCurve::polyester().share(0.065) - 0.5).abs() < 1e-12);
     assert_eq!(RopeCurve::new(vec![[0.0, 0.0], [0.1, 0.5], [0.1, 1.0]]).unwrap_err().point, 2);
     assert_eq!(RopeCurve::new(vec![[0.0, 0.1]]).unwrap_err().point, 0);
     assert_eq!(RopeCurve::new(vec![[0.0, 0.0], [f64::NAN, 1.0]]).unwrap_err().point, 1);
 }
 
-/// 50 m of polyester over 51 m: strain 2 %, tension 0.5·0.02/0.065 of the break load, along the line.
+/// A polyester rope of 50 m over 51 m has a strain of 2 %. Its tension is 0.5·0.02/0.065 of the break load, along the
+/// line.
 #[test]
 fn a_light_line_pulls_along_itself() {
     let made = setup(polyester(), InboardEnd::Bitts, InitialLength::Outboard(50.0));
@@ -195,7 +196,8 @@ fn a_light_line_pulls_along_itself() {
     assert_eq!(slack.tension_n, 0.0);
 }
 
-/// Springs in series: the stretches add up. 100 kN: HMPE 39 m at 0.02·0.2, nylon 11 m at 0.15·0.16.
+/// The stretches of springs in series add up. At 100 kN, HMPE of 39 m stretches by 0.02·0.2 and nylon of 11 m by
+/// 0.15·0.16.
 #[test]
 fn a_tail_stretches_in_series() {
     let made = setup(hmpe_with_tail(), InboardEnd::Bitts, InitialLength::Outboard(50.0));
@@ -221,7 +223,7 @@ fn a_pretension_is_met() {
     }
 }
 
-/// The brake renders at 60 % of the ship design MBL, whatever the step and the speed.
+/// The brake renders at 60 % of the ship design MBL, for any step and speed.
 #[test]
 fn a_brake_renders_at_its_setting_and_does_not_heave_in() {
     let winch = Winch::of_design(MBL_N, 100.0);
@@ -251,7 +253,7 @@ fn a_line_on_bitts_parts_above_its_break_load_and_stays_parted() {
     assert_eq!(after.parted_at_n, None);
 }
 
-/// An empty drum holds, and then the line parts.
+/// When the drum is empty it holds, and then the line parts.
 #[test]
 fn a_drum_can_be_emptied() {
     let winch = Winch::of_design(MBL_N, 2.0);
@@ -299,7 +301,7 @@ fn impossible_lines_are_refused_by_name() {
     assert!(error.starts_with("line `aft spring`: length of the line [m]"), "{error}");
     let winch = InboardEnd::Winch(Winch::of_design(MBL_N, 10.0));
     assert!(refused(polyester(), winch, InitialLength::FromPretension(700e3)).contains("700000"));
-    // A cable whose own weight pulls harder than the pretension.
+    // The weight of this cable pulls harder than the pretension.
     let heavy = LineKind::Heavy {
         weight_npm: 5000.0,
         axial_stiffness_n: 1e9,
@@ -311,7 +313,7 @@ fn impossible_lines_are_refused_by_name() {
     );
 }
 
-/// The forces of a cable are those of its catenary, the right way up, from either end.
+/// A cable has the forces of its catenary, with the right direction of up, from either end.
 #[test]
 fn a_cable_pulls_its_ends_together_and_down() {
     let kind = LineKind::Heavy {
@@ -330,8 +332,8 @@ fn a_cable_pulls_its_ends_together_and_down() {
     assert_eq!(load.on_shore_n[1], -load.on_ship_n[1]);
 }
 
-/// Work that a line does on a ship that goes round a closed path, ends at the middle of each of many small
-/// moves.
+/// Work of a line on a ship that goes round a closed path. The path has many small moves; the force is taken at the
+/// middle of each.
 fn work_round(line: &Line, state: &mut LineState, size_m: f64, turns: u32) -> f64 {
     let place = |k: u32| {
         let angle = f64::from(k) * std::f64::consts::TAU / 2000.0;
@@ -349,8 +351,8 @@ fn work_round(line: &Line, state: &mut LineState, size_m: f64, turns: u32) -> f6
     work_j
 }
 
-/// A line without a winch gives back what it took: nothing round a closed path but the error of 2000
-/// straight pieces, 1e-5 of the energy that goes through it. With a brake that renders it takes energy out.
+/// A line without a winch gives back all energy that it took. Round a closed path only the error of 2000 straight
+/// pieces is left, 1e-5 of the energy that goes through the line. A line with a brake that renders takes energy out.
 #[test]
 fn a_line_is_passive_round_a_closed_path() {
     let start = LineEnds { ship_m: [0.0; 3], shore_m: [-50.0, 0.0, 5.0] };
@@ -364,13 +366,14 @@ fn a_line_is_passive_round_a_closed_path() {
         let (line, mut state) = Line::new(made, &start).unwrap();
         let work_j = work_round(&line, &mut state, 3.0, 1);
         assert!(work_j < -50e3, "{work_j}");
-        // The second turn finds a line that is long enough already.
+        // In the second turn the line is long enough already.
         let again_j = work_round(&line, &mut state, 3.0, 1);
         assert!(again_j.abs() < 1e-4 * 500e3, "{again_j}");
     }
 }
 
-/// A constant-tension winch: within its speed the tension stays in the band; faster, it leaves the band until the brake renders.
+/// A constant-tension winch keeps the tension in the band if the ship moves no faster than the winch. If she moves
+/// faster, the tension leaves the band until the brake renders.
 #[test]
 fn a_constant_tension_winch_keeps_the_band_within_its_speed_and_its_brake() {
     let automatic =
@@ -391,13 +394,13 @@ fn a_constant_tension_winch_keeps_the_band_within_its_speed_and_its_brake() {
     };
     let slow = tensions(0.15);
     assert!(slow.iter().all(|n| (89.99e3..110.01e3).contains(n)), "{slow:?}");
-    // Both edges are met: out and in.
+    // Both edges of the band are reached, on the way out and on the way in.
     assert!(slow.iter().any(|n| (n - 110e3).abs() < 1.0));
     assert!(tensions(-0.15).iter().any(|n| (n - 90e3).abs() < 1.0));
     let fast = tensions(2.0);
     let most_n = fast.iter().fold(0.0_f64, |most, &n| most.max(n));
     assert!(most_n > 150e3 && most_n <= render_n * (1.0 + 1e-9), "{most_n} {render_n}");
-    // An order of the crew comes first.
+    // An order of the crew overrides the automatic control.
     let mut state = start;
     line.step(&mut state, &ends(50.0), WinchOrder::Heave(0.1), 0.1);
     assert!(state.length_m < start.length_m);
@@ -437,7 +440,7 @@ fn a_copied_state_replays_to_the_bit() {
     assert_eq!(run(state), run(state));
 }
 
-/// A rope of EA 30 MN on bitts, with what else is known of it, and its ends.
+/// A rope with EA of 30 MN on bitts, with the given details, and its ends.
 fn rope_of_ones_own(details: LineDetails, length_m: f64) -> (Line, LineState) {
     let curve = RopeCurve::of_stiffness(30e6, MBL_N).unwrap();
     let setup = LineSetup {
@@ -452,7 +455,7 @@ fn rope_of_ones_own(details: LineDetails, length_m: f64) -> (Line, LineState) {
 #[test]
 fn a_rope_with_weight_hangs_like_a_catenary_and_slack_it_keeps_a_tension() {
     let details = LineDetails { weight_npm: 60.0, ..LineDetails::default() };
-    // From taut to a slack of 1 %, with a rise.
+    // The lengths go from a taut rope to a slack of 1 %, with a rise.
     for length_m in [99.0, 99.8, 100.0, 100.5, 101.0] {
         let (line, mut state) = rope_of_ones_own(details, length_m);
         let up_m = 100.0 * 0.06;
@@ -464,13 +467,14 @@ fn a_rope_with_weight_hangs_like_a_catenary_and_slack_it_keeps_a_tension() {
         close(load.on_ship_n[0], exact.horizontal_n, 3e-3);
         let vertical_n = load.on_ship_n[2] + exact.upper_vertical_n;
         assert!(vertical_n.abs() < 3e-3 * exact.horizontal_n, "{vertical_n}");
-        // Both ends bear the weight.
+        // The ends together bear the weight.
         let weight_n = -(load.on_ship_n[2] + load.on_shore_n[2]);
         close(weight_n, 60.0 * length_m, 1e-12);
     }
 }
 
-/// 100 m outboard and 50 m on deck, behind a chock that leaves half of the tension: the stretch is that of 125 m.
+/// The rope has 100 m outboard and 50 m on deck, behind a chock that leaves half of the tension. It stretches as 125 m
+/// do.
 #[test]
 fn rope_on_deck_stretches_with_the_tension_that_reaches_it() {
     let half = OnDeck::behind_chock(50.0, std::f64::consts::LN_2, 1.0);
@@ -485,7 +489,7 @@ fn rope_on_deck_stretches_with_the_tension_that_reaches_it() {
     }
 }
 
-/// The pretension is that of the ship's end, with weight and rope on deck too.
+/// The pretension is that at the ship's end, also for a rope with weight and length on deck.
 #[test]
 fn a_pretension_is_reached_with_weight_and_rope_on_deck() {
     for weight_npm in [0.0, 80.0] {

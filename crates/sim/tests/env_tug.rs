@@ -1,4 +1,5 @@
-//! Vector tugs: envelope against its formula by hand, lag against its exponential, orders and their limits.
+//! Vector tugs: the envelope compared with its formula by hand, the lag compared with its exponential, and orders with
+//! their limits.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -36,7 +37,8 @@ fn push(force_n: f64) -> TugOrder {
     TugOrder::Push { force_n, direction_rad: FRAC_PI_2 }
 }
 
-/// 80 % at 5 kn, 49 % at 6, none at 6.4 kn, as printed (6.42 kn is where D = BP).
+/// At 5 kn the share is 80 %, at 6 kn 49 %, and at 6.4 kn there is none, as printed. At 6.42 kn the drag D equals the
+/// bollard pull.
 #[test]
 fn the_envelope_beam_on() {
     let share = |knots: f64| SIXTY.available_n(FRAC_PI_2, knots * KNOT_MPS, 1025.0) / BP_N;
@@ -45,7 +47,7 @@ fn the_envelope_beam_on() {
     assert!((share(5.0) - 0.80).abs() < 0.005);
     assert!((share(6.0) - 0.49).abs() < 0.005);
     assert_eq!(share(6.45), 0.0);
-    // D grows with V²: √(1 − (V/V₀)⁴), V₀ where D = BP.
+    // D grows with V². So the share is √(1 − (V/V₀)⁴), where V₀ is the speed at which D equals the bollard pull.
     let zero_mps = (BP_N / (0.5 * 1025.0 * 0.73 * 32.0 * 4.5)).sqrt();
     for knots in [1.0, 3.0, 6.35] {
         let exact = (1.0 - (knots * KNOT_MPS / zero_mps).powi(4)).sqrt();
@@ -53,8 +55,8 @@ fn the_envelope_beam_on() {
     }
 }
 
-/// Round the circle and up to 8 kn: between 0 and the bollard pull, the same on both sides, never more at
-/// a higher speed, and without a jump.
+/// All directions and speeds up to 8 kn. The force is between 0 and the bollard pull and the same on both sides. It
+/// never grows with the speed, and has no jump.
 #[test]
 fn the_envelope_is_continuous() {
     for tenth_knots in 0..80 {
@@ -67,7 +69,7 @@ fn the_envelope_is_continuous() {
             assert!((here - mirrored).abs() < 1e-6);
             let faster = SIXTY.available_n(angle_rad, speed_mps + 0.05, 1025.0);
             assert!(faster <= here + 1e-6);
-            // Where the force ends its slope is that of a square root: √(2·1e-6·10) of the bollard pull.
+            // Where the force ends, its slope is that of a square root: √(2·1e-6·10) of the bollard pull.
             let near = SIXTY.available_n(angle_rad + 1e-6, speed_mps, 1025.0);
             assert!((near - here).abs() < 5e-3 * BP_N, "{degree}° {speed_mps} m/s");
         }
@@ -84,7 +86,7 @@ fn run(tug: &VectorTug, state: &mut TugState, from_s: f64, seconds: u32, step_s:
     last.expect("a step at least")
 }
 
-/// 1 − e^(−t/τ) after the delay, to rounding, for any step; the moment is that of the place.
+/// After the delay the force follows 1 − e^(−t/τ) to rounding, for any step. The moment is that of the point of action.
 #[test]
 fn force_follows_its_lag_exactly() {
     for step_s in [0.1, 0.5, 5.0] {
@@ -99,8 +101,8 @@ fn force_follows_its_lag_exactly() {
     }
 }
 
-/// From push to pull the force first falls to zero, then grows at the other point. It never jumps by more than the lag allows,
-/// Δt/τ of the bollard pull, and a hundredth of that where she changes over.
+/// From push to pull the force first falls to zero, and then grows at the other point. It never jumps by more than the
+/// lag allows, Δt/τ of the bollard pull, plus a hundredth of the bollard pull where she changes over.
 #[test]
 fn from_push_to_pull_she_lets_go_first() {
     let (tug, mut state) = (tug(), TugState::default());
@@ -119,7 +121,7 @@ fn from_push_to_pull_she_lets_go_first() {
     assert!(state.on_line && (last + 300e3).abs() < 1.0, "{last}");
 }
 
-/// Direction takes the short way round, across the stern.
+/// The direction turns the short way round, across the stern.
 #[test]
 fn direction_takes_the_short_way() {
     let (mut tug, mut state) = (tug(), TugState::default());
@@ -145,7 +147,7 @@ fn an_order_beyond_the_envelope_is_limited_and_reported() {
     let moving = vec2(6.0 * KNOT_MPS, 0.0);
     let under_way = tug.step(&mut state, (300.0, 1.0), moving, 1025.0);
     assert!(under_way.limited && (under_way.force[1] / BP_N - 0.49).abs() < 0.005);
-    // A push from ahead against the motion is not reduced: her drag assists.
+    // The drag does not reduce a push from ahead against the motion: it assists the push.
     assert_eq!(SIXTY.available_n(PI, 3.0, 1025.0), BP_N);
 }
 
@@ -164,8 +166,8 @@ fn absurd_orders_and_tugs_are_refused_and_change_nothing() {
 }
 
 proptest! {
-    /// Any speed and any orders: finite, never above the bollard pull; and the same state replays to the
-    /// bit.
+    /// For any speed and any orders the force is finite and never above the bollard pull. The same state replays to the
+    /// same bits.
     #[test]
     fn forces_stay_within_the_bollard_pull(
         orders in prop::collection::vec((0.0..1e6_f64, -4.0..4.0_f64, any::<bool>()), 1..8),

@@ -1,4 +1,4 @@
-//! Current and the water's depth: interpolation against sums done by hand.
+//! Current and depth of the water. Interpolation is compared with sums by hand.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::Environment;
@@ -11,8 +11,8 @@ fn profile() -> CurrentProfile {
     CurrentProfile::new(points).unwrap()
 }
 
-/// Trapezoids by hand: to 5 m (1 + 0.75)/2; to 15 m (0.75·10 + 0.4·5)/15 with 0.3 at 15 m; to 30 m
-/// (0.75·10 + 0.3·10 + 0.1·10)/30.
+/// Trapezoids by hand. To 5 m the mean is (1 + 0.75)/2. To 15 m it is (0.75·10 + 0.4·5)/15, with 0.3 at 15 m. To 30 m
+/// it is (0.75·10 + 0.3·10 + 0.1·10)/30.
 #[test]
 fn the_current_on_a_hull_is_the_mean_over_its_draught() {
     let close = |draught_m: f64, north: f64| {
@@ -26,8 +26,8 @@ fn the_current_on_a_hull_is_the_mean_over_its_draught() {
     assert_eq!(profile().at(1e6), vec2(0.1, 0.2));
 }
 
-/// A field that is linear in each of north, east and time is met exactly: f = 0.1 + n/1000 + 2e/1000 +
-/// 3 n e/1e6 + t/1e4.
+/// Interpolation is exact for a field that is linear in north, in east and in time: f = 0.1 + n/1000 + 2e/1000 + 3 n
+/// e/1e6 + t/1e4.
 #[test]
 fn a_grid_is_exact_for_a_linear_field() {
     let field =
@@ -44,7 +44,7 @@ fn a_grid_is_exact_for_a_linear_field() {
         let at = grid.at(vec2(n, e), t);
         assert!((at.x - field(t, n, e)).abs() < 1e-12 && (at.y + at.x).abs() < 1e-12);
     }
-    // Beyond the edges the edge is held.
+    // Beyond the edges of the grid, the value at the edge is used.
     assert_eq!(grid.at(vec2(1e5, 1e5), 1e9), grid.at(vec2(300.0, 50.0), 600.0));
     assert_eq!(grid.at(vec2(-1e5, -1e5), -1.0), grid.at(vec2(0.0, -50.0), 0.0));
 }
@@ -92,7 +92,7 @@ fn the_tide_moves_the_depth() {
     assert!((tide.depth_at_m(0.0).unwrap() - 17.0).abs() < 1e-12);
     assert!((tide.depth_at_m(22_357.0).unwrap() - 13.0).abs() < 1e-12);
     assert_eq!(tide.depth_range_m(), Some([13.0, 17.0]));
-    // Drying ground: no negative depth.
+    // The ground falls dry. The depth is not negative.
     let dry = Environment { depth_m: Some(-3.0), ..water(Tide::Level(1.0)) };
     assert_eq!(dry.depth_at_m(0.0), Some(0.0));
     assert_eq!(Environment::default().depth_at_m(0.0), None, "deep");
@@ -108,7 +108,7 @@ fn impossible_waters_are_refused_by_name() {
 }
 
 proptest! {
-    /// The mean over a draught lies between the least and the greatest velocity, and is continuous in it.
+    /// The mean over a draught lies between the least and the greatest velocity. It is continuous in the draught.
     #[test]
     fn the_mean_over_the_draught_is_bounded_and_continuous(draught_m in 0.0..50.0_f64) {
         let (mean, near) = (profile().mean_over(draught_m), profile().mean_over(draught_m + 1e-6));

@@ -1,4 +1,5 @@
-//! Waves against linear theory, the energy of their spectrum, and limits of ship motion that need no data.
+//! Waves, compared with linear theory and with the energy of their spectrum, and limits of ship motion that need no
+//! data.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -15,8 +16,9 @@ fn sea(harmonics: usize, seed: u64) -> Sea {
     Sea::jonswap(&SEA, 0.0, 1000.0, Realisation { harmonics, seed }).unwrap()
 }
 
-/// validation/independent/ship_formulas.py: Hs 2 m, Tp 8 s, γ 3.3: m₀ 0.2503, 4√m₀ 2.001. That is the integral to 4 rad/s; the tail
-/// beyond, 0.2054 (ω_p/ω)⁴ in closed form, brings 0.2506. Trapezoids of 1e-4 rad/s.
+/// Values of validation/independent/ship_formulas.py for Hs 2 m, Tp 8 s and γ 3.3: m₀ is 0.2503 and 4√m₀ is 2.001.
+/// These are integrals to 4 rad/s, by trapezoids of 1e-4 rad/s. With the tail beyond, 0.2054 (ω_p/ω)⁴ in closed form,
+/// m₀ is 0.2506.
 #[test]
 fn the_spectrum_holds_its_energy() {
     let dw = 1e-4;
@@ -31,20 +33,20 @@ fn the_spectrum_holds_its_energy() {
     assert!((m0_to(20.0) - m0 - tail).abs() < 1e-5);
 }
 
-/// γ = 1 is Pierson–Moskowitz, whose m₀ is Hs²/16 in closed form; the peak lies at ω_p.
+/// With γ = 1 the spectrum is that of Pierson and Moskowitz. In closed form its m₀ is Hs²/16. The peak lies at ω_p.
 #[test]
 fn without_enhancement_it_is_pierson_moskowitz() {
     let sea = Jonswap { peak_enhancement: 1.0, ..SEA };
     let dw = 1e-4;
     let m0: f64 = (1..=500_000).map(|k| sea.density(dw * f64::from(k)) * dw).sum();
-    // The tail beyond 50 rad/s: below 1e-5.
+    // The tail beyond 50 rad/s is below 1e-5.
     assert!((m0 / 0.25 - 1.0).abs() < 1e-4, "{m0}");
     let wp = SEA.peak_radps();
     assert!(SEA.density(wp) > SEA.density(1.01 * wp));
     assert!(SEA.density(wp) > SEA.density(0.99 * wp));
 }
 
-/// However many harmonics: 4√m₀ is Hs to rounding.
+/// For any number of harmonics, 4√m₀ equals Hs to rounding.
 #[test]
 fn a_sea_keeps_its_significant_height() {
     for harmonics in [1, 10, 200] {
@@ -56,7 +58,8 @@ fn a_sea_keeps_its_significant_height() {
     assert_eq!(calm.elevation_m(vec2(3.0, 4.0), 5.0), 0.0);
 }
 
-/// The record: 100 000 s at 2 Hz, 60 harmonics, each turning thousands of times: deviation to 2 %.
+/// A record of 100 000 s at 2 Hz, with 60 harmonics, each of which turns thousands of times. The tolerance of the
+/// deviation is 2 %.
 #[test]
 fn a_long_record_has_the_height_of_its_spectrum() {
     let sea = sea(60, 9);
@@ -74,7 +77,7 @@ fn the_same_seed_gives_the_same_bits() {
     assert_ne!(at(2), at(3));
 }
 
-/// ω² = gk tanh kh to rounding, deep and shallow.
+/// The equation ω² = gk tanh kh holds to rounding, in deep and shallow water.
 #[test]
 fn wave_lengths_follow_the_dispersion_relation() {
     for depth_m in [0.5, 5.0, 12.0, 50.0, 5000.0] {
@@ -84,11 +87,12 @@ fn wave_lengths_follow_the_dispersion_relation() {
             assert!((back / frequency - 1.0).abs() < 1e-12, "{depth_m} {frequency}");
         }
     }
-    // Long waves run at √(gh).
+    // Long waves travel at √(gh).
     assert!((0.001 / wave_number(0.001, 10.0) / (G * 10.0).sqrt() - 1.0).abs() < 1e-5);
 }
 
-/// Crest in the origin at t = 0, one length and one period on again, and it runs towards the east.
+/// The crest is in the origin at t = 0, and there again one wave length further and one period later. The wave travels
+/// towards the east.
 #[test]
 fn a_regular_wave_propagates_in_its_direction() {
     let wave = RegularWave { height_m: 2.0, period_s: 8.0, phase_rad: 0.0 };
@@ -101,7 +105,7 @@ fn a_regular_wave_propagates_in_its_direction() {
     assert!((sea.mean_period_s() - 8.0).abs() < 1e-12);
 }
 
-/// The paper's container ship: 298 × 46 × 9 m, Cb 0.694, roll 16.5 s at GM 5 m.
+/// The paper's container ship: 298 × 46 × 9 m, Cb 0.694, roll period 16.5 s at GM 5 m.
 const SHIP: BoxShip = BoxShip {
     length_m: 298.0,
     beam_m: 46.0,
@@ -111,8 +115,8 @@ const SHIP: BoxShip = BoxShip {
     roll_damping: 0.15,
 };
 
-/// In very long waves a ship follows the surface: heave is the elevation, pitch and roll are the slope.
-/// ω = 0.02 rad/s: a wave of 154 km; the error is of order kL = 0.012.
+/// In very long waves a ship follows the surface: heave is the elevation, and pitch and roll are the slope. With ω =
+/// 0.02 rad/s the wave is 154 km long, and the error is of order kL = 0.012.
 #[test]
 fn in_long_waves_the_ship_follows_the_surface() {
     let w = 0.02;
@@ -120,14 +124,14 @@ fn in_long_waves_the_ship_follows_the_surface() {
     for direction_rad in [0.0, 0.7, FRAC_PI_2, 2.5, PI] {
         let [_, _, heave, roll, pitch, _] = SHIP.at(w, direction_rad, 0.0);
         assert!((heave.re + 1.0).abs() < 0.02 && heave.im.abs() < 0.02, "{heave:?}");
-        // ζ = cos(ωt − kx cos μ − ky sin μ): ∂ζ/∂x = k cos μ sin ωt = Re(−i k cos μ e^{iωt}); bow up with it,
-        // starboard down against ∂ζ/∂y.
+        // ζ = cos(ωt − kx cos μ − ky sin μ), so ∂ζ/∂x = k cos μ sin ωt = Re(−i k cos μ e^{iωt}). The bow goes up with
+        // ∂ζ/∂x, and the starboard side goes down with ∂ζ/∂y.
         assert!((pitch.im + k * direction_rad.cos()).abs() < 0.02 * k, "{pitch:?}");
         assert!((roll.im - k * direction_rad.sin()).abs() < 0.02 * k, "{roll:?}");
     }
 }
 
-/// Waves of a tenth of the ship's length move her by less than 2 % of their amplitude.
+/// Waves with a tenth of the ship's length move her by less than 2 % of their amplitude.
 #[test]
 fn short_waves_do_not_move_a_ship() {
     let w = (TAU * G / 29.8).sqrt();
@@ -136,7 +140,7 @@ fn short_waves_do_not_move_a_ship() {
     assert!(pitch.modulus() < 0.02 * w * w / G, "{pitch:?}");
 }
 
-/// Roll is greatest near its natural period, about 1/(2ζ) times the effective slope.
+/// Roll is greatest near its natural period. There it is about 1/(2ζ) times the effective slope.
 #[test]
 fn roll_is_greatest_at_its_natural_period() {
     let roll = |w: f64| SHIP.at(w, FRAC_PI_2, 0.0)[3].modulus() * G / (w * w);
@@ -150,7 +154,7 @@ fn still(heading_rad: f64) -> ShipInWaves {
     ShipInWaves { position_m: zero, velocity_mps: zero, heading_rad }
 }
 
-/// Waves from port and from starboard: the same heave and pitch, opposite roll, for both responses.
+/// For waves from port and from starboard, heave and pitch are equal and roll is opposite, with both responses.
 #[test]
 fn port_and_starboard_mirror_each_other() {
     let directions: Vec<f64> = (0..=12).map(|k| f64::from(k) * PI / 12.0).collect();
@@ -172,7 +176,7 @@ fn port_and_starboard_mirror_each_other() {
     }
 }
 
-/// At the entries of a table its own numbers; between and beyond them finite and continuous.
+/// At its entries a table gives the entries' numbers. Between and beyond them the values are finite and continuous.
 #[test]
 fn a_table_gives_its_entries() {
     let entry = |k: f64| [Complex::new(k, -k); 6];
@@ -188,8 +192,8 @@ fn a_table_gives_its_entries() {
     assert_eq!(table.at(99.0, 0.0)[0], Complex::new(3.0, -3.0));
 }
 
-/// The rate is the derivative of the motion, for a ship under way through a sea: central differences of
-/// 1e-4 s, error of order ω³h²/6 below 1e-7.
+/// The rate is the derivative of the motion, for a ship under way through a sea. The test uses central differences of
+/// 1e-4 s. Their error, of order ω³h²/6, is below 1e-7.
 #[test]
 fn rates_are_the_derivatives_of_motions() {
     let response = MotionResponse::Estimate(SHIP);
@@ -208,7 +212,7 @@ fn rates_are_the_derivatives_of_motions() {
 }
 
 /// The tanker of 246 m and the FPSO of 200 m of the MSS toolbox (Fossen & Perez; github.com/cybergalactic/MSS,
-/// HYDRO/vessels_wamit), draught and displaced volume as WAMIT has them.
+/// HYDRO/vessels_wamit). Draught and displaced volume are those in WAMIT's files.
 const TANKER: DriftHull = DriftHull {
     length_m: 246.0,
     beam_m: 46.0,
@@ -226,8 +230,9 @@ fn deep_number_radpm(period_s: f64) -> f64 {
     (TAU / period_s).powi(2) / G
 }
 
-/// Mean drift over ρga² (m) at zero speed by WAMIT's pressure integration, as the toolbox has it (tanker.out,
-/// fpso.out): period (s), in head sea −X, in beam sea Y. Five lengths from a fifth of the ship to one and a half.
+/// Mean drift over ρga² (m) at zero speed by WAMIT's pressure integration, from the toolbox (tanker.out, fpso.out). The
+/// columns are the period (s), −X in head sea, and Y in beam sea. The five lengths of waves go from a fifth of the
+/// ship's length to one and a half.
 const WAMIT_TANKER: [(f64, f64, f64); 5] = [
     (5.95, 6.467, 90.02),
     (7.16, 8.246, 96.25),
@@ -243,9 +248,10 @@ const WAMIT_FPSO: [(f64, f64, f64); 5] = [
     (15.32, 1.744, -0.09),
 ];
 
-/// A formula without the ship's own motions against a panel code that has them. Where the wave is shorter than 0.45 of
-/// the ship, to 45 % (head) and 30 % (beam); in longer waves the peak by heave and pitch comes out at a third of its height
-/// or more, and what falls off does so within 3 % of the short waves' force.
+/// A formula without the ship's own motions is compared with a panel code that has them. If the wave is shorter than
+/// 0.45 of the ship, they agree to 45 % (head sea) and 30 % (beam sea). In longer waves the formula gives at least a
+/// third of the peak that heave and pitch cause. Where the code's drift falls off, the formula's falls off to within 3
+/// % of the short waves' force.
 #[test]
 fn drift_by_frequency_agrees_with_a_panel_code_within_the_limits_of_the_formula() {
     for (hull, table) in [(TANKER, WAMIT_TANKER), (FPSO, WAMIT_FPSO)] {
@@ -268,8 +274,8 @@ fn drift_by_frequency_agrees_with_a_panel_code_within_the_limits_of_the_formula(
     }
 }
 
-/// Waves of 10 m abeam: a wall of the whole length would be pushed with ½ρga² a metre; rounded ends take off less than
-/// a tenth. Long waves leave her alone.
+/// Waves of 10 m abeam. A wall over the whole length would be pushed with ½ρga² per metre. Rounded ends take off less
+/// than a tenth. Long waves do not push her.
 #[test]
 fn short_waves_are_reflected_and_long_ones_pass() {
     for hull in [TANKER, FPSO] {
@@ -284,8 +290,8 @@ fn short_waves_are_reflected_and_long_ones_pass() {
     }
 }
 
-/// From port as from starboard, mirrored; from ahead nothing to the side; and no jump however she turns, by steps of a
-/// tenth of a degree.
+/// The drift from port mirrors the drift from starboard, and waves from ahead give no side force. The drift has no jump
+/// for any turn of the ship, in steps of a tenth of a degree.
 #[test]
 fn drift_is_continuous_in_heading_and_mirrors() {
     for number in [0.01, 0.03, 0.1, 0.5] {
@@ -310,8 +316,8 @@ fn drift_is_continuous_in_heading_and_mirrors() {
     }
 }
 
-/// A sea drifts her as its waves do one by one: ρga²·C of a regular one, and of a spectrum 2ρg∫S·C dω (trapezoids of
-/// 1e-3 rad/s against 400 harmonics: 2 %).
+/// The drift in a sea is the sum of the drift in its waves. A regular wave gives ρga²·C. A spectrum gives 2ρg∫S·C dω;
+/// trapezoids of 1e-3 rad/s and 400 harmonics agree to 2 %.
 #[test]
 fn the_drift_in_a_sea_is_the_sum_over_its_waves() {
     let wave = RegularWave { height_m: 2.0, period_s: 8.0, phase_rad: 0.3 };
@@ -333,9 +339,9 @@ fn the_drift_in_a_sea_is_the_sum_over_its_waves() {
     assert!((y_n / sum[1] - 1.0).abs() < 0.02, "{y_n}, {sum:?}");
 }
 
-/// Short crests: the height stays, and waves short beside the draught push a box abeam as the integral over all directions says,
-/// within the 1 % that fifteen directions leave open. For her sides alone that is (n + 1)/(n + 2) for a spreading of cosⁿ,
-/// the mean of cos² by parts; her ends, a twentieth of her each, add 2 %.
+/// Short crests keep the height of the sea. Waves that are short compared with the draught push a box abeam as the
+/// integral over all directions says, within the 1 % that fifteen directions leave open. For her sides alone the factor
+/// is (n + 1)/(n + 2) with a spreading of cosⁿ: the mean of cos² by parts. Her ends, each a twentieth of her, add 2 %.
 #[test]
 fn short_crests_push_less_by_their_spreading() {
     let box_ship =
@@ -373,7 +379,7 @@ fn short_crests_push_less_by_their_spreading() {
     assert!(long.clone().short_crested(f64::NAN).is_err());
 }
 
-/// The surface slopes as much as before, a quarter of it across the mean direction where n is 2.
+/// The surface slopes as much as before. With n = 2 a quarter of the slope is across the mean direction.
 #[test]
 fn short_crests_slope_across_too() {
     let long = sea(200, 9);
@@ -394,7 +400,7 @@ fn short_crests_slope_across_too() {
     let ([along, none], [mean, across]) = (slopes(&long), slopes(&short));
     println!("across {:.3} of {:.3}", across / along, (mean + across) / along);
     assert_eq!(none, 0.0);
-    // What 20 000 samples and the directions leave open: some per cent.
+    // The tolerance of some per cent is for 20 000 samples and for the number of directions.
     assert!(((mean + across) / along - 1.0).abs() < 0.03);
     assert!((across / along - 0.25).abs() < 0.02);
 }
@@ -420,7 +426,7 @@ fn absurd_seas_are_refused_by_name() {
 }
 
 proptest! {
-    /// Finite for any ship, wave, direction and speed; no motion beyond ten times the wave.
+    /// The estimate is finite for any ship, wave, direction and speed. No motion is larger than ten times the wave.
     #[test]
     fn the_estimate_is_finite(
         w in 0.01..6.0_f64,

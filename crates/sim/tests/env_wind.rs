@@ -1,4 +1,4 @@
-//! Wind coefficients against printed numbers, gusts against the laws of their spectra.
+//! Wind coefficients compared with printed numbers, and gusts compared with the laws of their spectra.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -46,21 +46,21 @@ fn all() -> [ShipWindage; 3] {
     [isherwood(), blendermann(), fujiwara()]
 }
 
-/// Half of the last printed digit.
+/// Checks that `ours` is within half a unit of the last printed digit.
 fn printed(ours: f64, theirs: f64) {
     assert!((ours - theirs).abs() <= 0.5e-3, "{ours} for {theirs}");
 }
 
-/// validation/independent/ship_formulas.py, to the printed digits.
+/// Numbers of validation/independent/ship_formulas.py, to the printed digits.
 #[test]
 fn isherwood_of_the_container_ship() {
     printed(isherwood().coefficients(FRAC_PI_2).sway, 0.781);
     printed(isherwood().coefficients(FRAC_PI_3).sway, 0.664);
-    // A_F/B² and L/B alone: neither perimeter nor masts enter straight ahead.
+    // Straight ahead only A_F/B² and L/B count, neither perimeter nor masts.
     printed(isherwood().coefficients(0.0).surge, -0.467);
 }
 
-/// The same script, to the printed digits; the side force at 20 m/s to 1 kN.
+/// Numbers of the same script, to the printed digits; the side force at 20 m/s to 1 kN.
 #[test]
 fn blendermann_of_the_container_ship() {
     printed(blendermann().coefficients(FRAC_PI_2).sway, 0.900);
@@ -73,7 +73,7 @@ fn blendermann_of_the_container_ship() {
     assert_eq!(blendermann().roll_moment_nm(y_n), 1.4 * 15.0 * y_n);
 }
 
-/// Three regressions of one ship: the same sign and within a third of their mean at 90°.
+/// Three regressions for one ship have the same sign, and differ by less than a third of their mean at 90°.
 #[test]
 fn the_three_methods_agree_on_the_side_force_abeam() {
     let sways = all().map(|ship| ship.coefficients(FRAC_PI_2).sway);
@@ -82,7 +82,7 @@ fn the_three_methods_agree_on_the_side_force_abeam() {
     assert!(sways.iter().all(|sway| (sway / mean - 1.0).abs() < 0.34), "{sways:?}");
 }
 
-/// 180° among them: straight from astern there is no side, and −180° is +180°.
+/// The angles include 180°: wind straight from astern gives no side force, and −180° is the same as +180°.
 #[test]
 fn port_and_starboard_mirror_each_other_bit_for_bit() {
     for ship in all() {
@@ -99,8 +99,8 @@ fn port_and_starboard_mirror_each_other_bit_for_bit() {
     }
 }
 
-/// Round the whole circle in steps of 0.01°: no coefficient moves more than a slope of 6 a radian allows,
-/// which is above that of every table and series used here.
+/// Steps of 0.01° round the whole circle. No coefficient changes faster than 6 per radian. This bound is above the
+/// slope of every table and series used here.
 #[test]
 fn coefficients_are_continuous_in_the_angle() {
     let step_rad = PI / 18_000.0;
@@ -116,7 +116,8 @@ fn coefficients_are_continuous_in_the_angle() {
     }
 }
 
-/// Wind from the north-west on a ship heading north comes over the port bow; steaming into it adds up.
+/// Wind from the north-west comes over the port bow of a ship that heads north. If she steams into it, the speeds add
+/// up.
 #[test]
 fn relative_wind_knows_its_side() {
     let mean = MeanWind {
@@ -152,8 +153,8 @@ fn profiles_pass_through_ten_metres_and_grow() {
     assert!((mean.speed_at(40.0) - 1.219_013_654).abs() < 1e-9);
 }
 
-/// ∫S df by the substitution f = eˣ, trapezoidal with 20 000 steps from 1e-9 to 1e5 Hz: what lies outside
-/// is below 1e-3 of the whole for spectra that fall with f^(−5/3).
+/// The integral ∫S df with the substitution f = eˣ: 20 000 trapezoids from 1e-9 to 1e5 Hz. For spectra that fall with
+/// f^(−5/3), the part outside is below 1e-3 of the whole.
 fn variance(spectrum: GustSpectrum, mean_mps: f64) -> f64 {
     let (low, high, steps) = (1e-9_f64.ln(), 1e5_f64.ln(), 20_000);
     let dx = (high - low) / f64::from(steps);
@@ -176,8 +177,8 @@ fn spectra_hold_the_variance_of_their_closed_forms() {
     close(variance(GustSpectrum::Api { peak: 0.025 }, u), sigma_mps * sigma_mps);
 }
 
-/// The branches of Ochi & Shin meet: 583·0.003 against 420·0.003^0.7/(1+0.003^0.35)^11.5 within the three
-/// digits of the coefficients.
+/// The branches of Ochi & Shin meet: 583·0.003 and 420·0.003^0.7/(1+0.003^0.35)^11.5 agree within the three digits of
+/// the coefficients.
 #[test]
 fn the_branches_of_ochi_and_shin_meet() {
     let spectrum = GustSpectrum::OchiShin { surface_drag: surface_drag(20.0) };
@@ -202,8 +203,8 @@ fn spectra() -> [GustSpectrum; 5] {
 
 const MEAN: MeanWind = MeanWind { speed_mps: 20.0, from_rad: 0.0, profile: WindProfile::Uniform };
 
-/// The harmonics hold the energy of their band whatever their number; and a turbulence of 5 to 20 % of the
-/// mean is what is found over the sea.
+/// The harmonics hold the energy of their band for any number of harmonics. The turbulence is between 5 and 20 % of the
+/// mean, as is found over the sea.
 #[test]
 fn gusts_hold_the_energy_of_the_band() {
     for spectrum in spectra() {
@@ -213,14 +214,14 @@ fn gusts_hold_the_energy_of_the_band() {
         };
         let (few, many) = (deviation(40), deviation(400));
         println!("{spectrum:?}: {many:.3} m/s");
-        // Simpson's rule within each of 40 bins: better than 1e-4.
+        // Simpson's rule within each of 40 bins has an error below 1e-4.
         assert!((few / many - 1.0).abs() < 1e-4, "{few} {many}");
         assert!((0.05..0.2).contains(&(many / 20.0)), "{spectrum:?} {many}");
     }
 }
 
-/// The record itself has the mean and the deviation of its spectrum. Over 200 hours at 1 Hz each harmonic
-/// above 1/3600 Hz turns at least 200 times: mean to 0.02 m/s, deviation to 2 %.
+/// The record has the mean and the deviation of its spectrum. Over 200 hours at 1 Hz, each harmonic above 1/3600 Hz
+/// turns at least 200 times. The mean agrees to 0.02 m/s and the deviation to 2 %.
 #[test]
 fn a_long_record_has_the_deviation_of_its_spectrum() {
     let realisation = Realisation { harmonics: 60, seed: 42 };
@@ -248,7 +249,8 @@ fn the_same_seed_gives_the_same_bits_and_another_one_another_record() {
     assert_ne!(record(3), record(4));
 }
 
-/// An instructor who sets the wind keeps its gusts: those of the same seed about the new mean, from calm to a storm and back.
+/// An instructor who sets the wind keeps its gusts. They are those of the same seed about the new mean, from calm to a
+/// storm and back.
 #[test]
 fn a_changed_mean_keeps_the_gusts() {
     let gusts = |mean: &MeanWind| {
@@ -283,7 +285,7 @@ fn absurd_winds_are_refused_by_name() {
 }
 
 proptest! {
-    /// Any ship and angle within the checks: finite.
+    /// The forces are finite for any ship and angle within the checks.
     #[test]
     fn forces_are_finite(angle_rad in -1e3..1e3_f64, speed_mps in 0.0..120.0_f64) {
         for ship in all() {
@@ -293,8 +295,9 @@ proptest! {
     }
 }
 
-/// Variance of the wind averaged over the ship's side: ∫ S(f) χ²(f) df over the band of the gusts, by Simpson's rule with the
-/// closed integral of the coherence for χ². Tolerance: a harmonic stands for a bin of 4 % in frequency.
+/// Variance of the wind averaged over the ship's side. It is ∫ S(f) χ²(f) df over the band of the gusts, by Simpson's
+/// rule with the closed integral of the coherence for χ². The tolerance is for the harmonics: each stands for a bin of
+/// 4 % in frequency.
 #[test]
 fn the_variance_of_the_averaged_gusts_is_the_integral_of_spectrum_and_admittance() {
     let realisation = Realisation { harmonics: 200, seed: 7 };
@@ -306,7 +309,7 @@ fn the_variance_of_the_averaged_gusts_is_the_integral_of_spectrum_and_admittance
             let a = 9.2 * f_hz / MEAN.speed_mps;
             GustSpectrum::Npd.density(f_hz, MEAN.speed_mps) * line(a * width_m) * line(a * height_m)
         };
-        // In ln f.
+        // The integration variable is ln f.
         let (low, high, steps) = ((1.0 / 3600.0_f64).ln(), 0.5_f64.ln(), 4000);
         let width = (high - low) / f64::from(steps);
         let variance: f64 = (0..=steps)
@@ -318,7 +321,7 @@ fn the_variance_of_the_averaged_gusts_is_the_integral_of_spectrum_and_admittance
             .sum();
         let ours = gusts.deviation_over_mps(&front);
         assert!((ours / variance.sqrt() - 1.0).abs() < 5e-3, "{width_m}: {ours} {variance}");
-        // The series has that variance: over six days, in steps that no harmonic is a multiple of.
+        // The series has this variance over six days, in steps that are not a multiple of any harmonic's period.
         let samples = 40_000;
         let mean_square: f64 = (0..samples)
             .map(|k| gusts.speed_over_mps(&front, 12.7 * f64::from(k)).powi(2))
@@ -326,7 +329,7 @@ fn the_variance_of_the_averaged_gusts_is_the_integral_of_spectrum_and_admittance
             / f64::from(samples);
         assert!((mean_square.sqrt() / ours - 1.0).abs() < 0.01, "{width_m}: {mean_square}");
     }
-    // The whole of her side, bow or side to the wind, and without averaging.
+    // The wind averages over the whole of her side, with bow or side to the wind, and without averaging.
     let ship = isherwood();
     assert!((ship.front(FRAC_PI_2).width_m - 298.0).abs() < 1e-9);
     assert!((ship.front(PI).width_m - 46.0).abs() < 1e-9);

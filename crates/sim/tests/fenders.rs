@@ -26,7 +26,7 @@ fn run(setup: Setup) -> Simulation {
     simulation
 }
 
-/// A cone fender on the quay at `along_m`, for a hull pressure of at most 200 kN/m².
+/// A cone fender on the quay at `along_m`, with a hull pressure of at most 200 kN/m².
 fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> FenderSetup {
     FenderSetup {
         hull_pressure_limit_npm2: Some(200e3),
@@ -34,7 +34,7 @@ fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> Fen
     }
 }
 
-/// The paper's container ship beside a quay with fenders, `gap_m` off them, port side out.
+/// The paper's container ship beside a quay with fenders, `gap_m` off them, with her port side away from the quay.
 fn berth(fenders: Vec<FenderSetup>, gap_m: f64, step_s: f64, duration_s: f64) -> Setup {
     let mut ship: BodySetup = floating("ship", rectangle(298.0, 46.0), 87.8e6, 74.5);
     ship.mass.as_mut().expect("she floats").added_sway_kg = 0.5 * 87.8e6;
@@ -87,7 +87,7 @@ fn row_of(count: usize, height_m: f64, rated_reaction_n: f64) -> Vec<FenderSetup
         .collect()
 }
 
-/// The ledger closes, to rounding.
+/// Checks that the energy ledger closes to rounding.
 fn assert_balanced(energy: &Energy, start_j: f64) {
     let parts_j = energy.stored_j
         + energy.shear_stored_j
@@ -101,7 +101,7 @@ fn assert_balanced(energy: &Energy, start_j: f64) {
 
 #[test]
 fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
-    // 2 m wide, 1 m deep: it can absorb 0.4 MJ, and she has 4.1 MJ.
+    // The fender is 2 m wide and 1 m deep. It can absorb 0.4 MJ, and the ship has 4.1 MJ.
     for step_s in [0.1, 1.0] {
         let small = fender("small", 0.0, 1.0, 0.8e6);
         let capacity_j = small.rated.expect("a curve").energy_j;
@@ -115,7 +115,7 @@ fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
             told.extend(record.events.iter().map(|event| event.kind));
             deepest_m = deepest_m.max(record.states_after[1].position_m.y + 23.0);
         }
-        // Her side, at most a hand's breadth into the quay's face.
+        // The ship's side is at most a hand's breadth behind the quay's face.
         assert!(deepest_m < 0.1, "Δt {step_s}: {deepest_m} m behind the quay's face");
         let fender = told.iter().filter(|kind| matches!(kind, EventKind::FenderFailed(_)));
         assert_eq!(fender.count(), 1, "{told:?}");
@@ -123,7 +123,7 @@ fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
         assert!(summary.failed);
         assert!(summary.peak_energy_j > 2.0 * capacity_j);
         assert!(summary.share_of_rated_energy.unwrap() > 2.0);
-        // She rebounds no faster than γ allows.
+        // The ship rebounds no faster than γ allows.
         let back_mps = -simulation.states()[1].velocity_mps.y;
         assert!(back_mps > 0.0 && back_mps < 0.03, "Δt {step_s}: {back_mps} m/s");
     }
@@ -143,7 +143,7 @@ fn a_berthing_puts_its_energy_into_the_fenders_and_the_ledger_balances() {
             most_stored_j = most_stored_j.max(record.energy().stored_j);
         }
         let energy = simulation.energy();
-        // At the greatest deflection all of it is in the fenders, within the error of a step.
+        // At the greatest deflection all energy is in the fenders, within the error of a step.
         let peaks_j: f64 = simulation.fender_summaries().map(|f| f.peak_energy_j).sum();
         assert!((peaks_j / start_j - 1.0).abs() < 0.02, "Δt {step_s}: {peaks_j} of {start_j} J");
         assert!((energy.kinetic_j / start_j - 0.01).abs() < 0.001, "γ² goes back: {energy:?}");
@@ -164,7 +164,7 @@ fn factors_scale_the_reaction_and_are_those_of_the_first_touch() {
     setup.bodies[1].velocity.sway_mps = 0.05;
     let simulation = run(setup);
     let summary = simulation.fender_summaries().next().expect("touched");
-    // t = 0.864/(0.74·0.05) = 23 s: beyond the table's end.
+    // t = 0.864/(0.74·0.05) = 23 s is beyond the table's end.
     assert!((summary.factor - 1.1 * 1.03).abs() < 1e-9, "{}", summary.factor);
     assert!((summary.approach_speed_mps - 0.05).abs() < 1e-9);
     let free = cone(1.2, 1.2e6).reaction_n(summary.peak_deflection_m);
@@ -172,8 +172,8 @@ fn factors_scale_the_reaction_and_are_those_of_the_first_touch() {
     assert!((peak - 1.0).abs() < 0.02, "{peak}");
 }
 
-/// A curve that peaks at 101 % of its rated reaction: the shares are those of the rated value, and the fender is not over-rated while
-/// it stays within its curve.
+/// A curve peaks at 101 % of its rated reaction. The shares refer to the rated value. The fender is not over-rated
+/// while it stays within its curve.
 #[test]
 fn a_curve_may_peak_above_its_rated_reaction() {
     let mut buckles = fender("buckles", 0.0, 1.6, 3e6);
@@ -210,8 +210,9 @@ fn particulars() -> BerthingSetup {
     }
 }
 
-/// She comes parallel onto five fenders: all her energy, Ce = 1, and not that of the fender at the end. Of two that stand ahead of
-/// her centre of gravity, the nearer one counts; of two at an angle, the one that is met.
+/// The ship comes parallel onto five fenders. The group takes all her energy, with Ce = 1, and not the share of the
+/// fender at the end. If two fenders stand ahead of her centre of gravity, the nearer one counts. If she comes at an
+/// angle, the fender that she meets counts.
 #[test]
 fn ce_of_a_parallel_touch_is_that_of_the_whole_group() {
     let study = |at_m: &[f64], heading_deg: f64| {
@@ -228,22 +229,23 @@ fn ce_of_a_parallel_touch_is_that_of_the_whole_group() {
     let five = study(&[-60.0, -30.0, 0.0, 30.0, 60.0], 0.0);
     assert_eq!((five.fenders.len(), five.along_m, five.eccentricity), (5, 0.0, 1.0));
     assert!((five.eccentricity_measured - 1.0).abs() < 0.01, "{}", five.eccentricity_measured);
-    // By hand: ½ M V² Cm Cc.
+    // By hand the energy is ½ M V² Cm Cc.
     let by_hand_j = 0.5 * 87.8e6 * 0.12 * 0.12 * (1.875 - 0.75 * 3.0 / 9.0) * 0.8;
     assert!((five.energy_j / by_hand_j - 1.0).abs() < 1e-9, "{}", five.energy_j);
 
     let ahead = study(&[30.0, 60.0], 0.0);
     assert_eq!((ahead.fenders.len(), (ahead.along_m - 30.0).abs() < 1e-6), (2, true));
-    // At half a degree the hull is 0.26 m from the nearer one when it meets the other.
+    // At half a degree the hull is still 0.26 m from the nearer fender when it meets the other.
     let oblique = study(&[30.0, 60.0], 0.5);
     assert_eq!(oblique.fenders, [1]);
     assert!((oblique.along_m - 60.0).abs() < 0.5, "{}", oblique.along_m);
     assert!(oblique.eccentricity < ahead.eccentricity);
 }
 
-/// She meets a fender a = 70 m ahead, turns, and meets one as far astern that stands back: two blows without friction. With the radius of
-/// gyration K and the restitution e the first takes ½ M v² K²/(K² + a²), after which the point astern closes at
-/// v [1 − (1 + e)(K² − a²)/(K² + a²)], and the second takes as much times the square of that over v².
+/// The ship meets a fender at a = 70 m ahead, turns, and meets a fender as far astern that stands back. These are two
+/// hits without friction. With the radius of gyration K and the restitution e, the first hit takes ½ M v² K²/(K² + a²).
+/// After it the point astern closes at v [1 − (1 + e)(K² − a²)/(K² + a²)]. The second hit takes the energy of the
+/// first, times the square of this speed over v².
 #[test]
 fn the_second_hit_takes_what_the_first_left_in_her_turn() {
     let (v_mps, arm_m, restitution) = (0.12, 70.0, 0.5);
@@ -265,22 +267,22 @@ fn the_second_hit_takes_what_the_first_left_in_her_turn() {
     let first_j = outcome.kinetic_j * k2 / (k2 + a2);
     let closing = 1.0 - (1.0 + restitution) * (k2 - a2) / (k2 + a2);
     let second_j = first_j * closing * closing;
-    // The arms change by the turn of half a degree, and a step is 0.05 s.
+    // The arms change with the turn by half a degree, and a step is 0.05 s.
     assert!((outcome.fender_energy_j / first_j - 1.0).abs() < 0.01, "{outcome:?} {first_j}");
     let later = outcome.later.expect("she swings in");
     assert!((later.energy_j / second_j - 1.0).abs() < 0.02, "{later:?} {second_j}");
     assert_eq!(later.number, 2);
-    // Each fender had one of the two hits.
+    // Each fender took one of the two hits.
     let fenders: Vec<_> = simulation.fender_summaries().collect();
     let hits = fenders.iter().map(|f| outcome.hit_at(f.peak_energy_at_s));
     assert_eq!(hits.collect::<Vec<_>>(), [Some(1), Some(2)]);
-    // What is stored is known at the ends of the steps, the peak of a fender within them.
+    // The stored energy is known at the ends of the steps. A fender's peak is known within the steps.
     assert!((fenders[1].peak_energy_j / later.energy_j - 1.0).abs() < 0.005, "{later:?}");
     assert_eq!(outcome.hit_at(outcome.first_hit_until_s.expect("over") + 1e-3), None);
 }
 
-/// With a design speed of 0.15 m/s and 0.12 m/s in the run the formula has (0.15/0.12)² of the energy at the touch. Her Cm in the run is
-/// 1 + 0.5, as the body has it.
+/// The design speed is 0.15 m/s and the speed in the run 0.12 m/s. The formula has (0.15/0.12)² of the energy at the
+/// touch. Her Cm in the run is 1 + 0.5, as the body has it.
 #[test]
 fn the_formula_takes_the_design_speed() {
     let mut setup = berth(vec![fender("one", 0.0, 1.6, 3e6)], 0.3, 0.1, 10.0);
@@ -294,14 +296,15 @@ fn the_formula_takes_the_design_speed() {
     assert!((at_touch - 0.64).abs() < 1e-9, "{at_touch}");
     assert_eq!((outcome.formula_speed_mps(), outcome.energies_differ()), (0.15, true));
     assert!(outcome.why_speeds_differ().contains("slowed her"));
-    // What the fenders took is measured against the energy of the run.
+    // The energy that the fenders took is compared with the energy of the run.
     assert!((outcome.eccentricity_measured - 1.0).abs() < 0.01, "{outcome:?}");
     assert!((outcome.added_sway.deep - 0.5).abs() < 1e-12 && outcome.added_sway.shallow.is_none());
     let text = outcome.mass_of_run();
     assert_eq!(text, "Cm 1.50 of the run: 1 + 0.50, her added mass in sway over her displacement");
 }
 
-/// A speed that is 1 % off is an energy 2 % off: both are shown. Half of that is not.
+/// A speed that is 1 % off makes an energy that is 2 % off: the report then shows both energies. For half of this
+/// difference it shows one.
 #[test]
 fn the_energies_of_two_speeds_are_both_shown_where_they_differ_by_a_percent() {
     for (at_touch_mps, differ, why) in
@@ -317,7 +320,8 @@ fn the_energies_of_two_speeds_are_both_shown_where_they_differ_by_a_percent() {
     }
 }
 
-/// Cold rubber is stiffer: the reaction is above the catalogue's and within the rating of this run. That is not "All well".
+/// Cold rubber is stiffer. The reaction is above the catalogue's value and within the rating of this run. The verdict
+/// is then not "All well".
 #[test]
 fn a_reaction_above_the_catalogue_is_found_where_the_factors_of_the_run_allow_it() {
     let mut setup = berth(vec![fender("cold", 0.0, 1.6, 3e6)], 0.3, 0.05, 40.0);
@@ -340,7 +344,8 @@ fn a_reaction_above_the_catalogue_is_found_where_the_factors_of_the_run_allow_it
     assert_eq!(Verdict::of(&findings).gravity(), Gravity::Note);
 }
 
-/// Two equal ships close at 0.1 m/s: the reduced mass is half of one, and the speed that of the two hulls.
+/// Two equal ships close at 0.1 m/s. The reduced mass is half of one ship's mass, and the speed is that between the two
+/// hulls.
 #[test]
 fn ship_to_ship_the_energy_is_that_of_the_reduced_mass() {
     let mut setup = berth(vec![fender("between", 0.0, 1.6, 3e6)], 0.3, 0.05, 40.0);
@@ -379,8 +384,8 @@ fn ship_to_ship_the_energy_is_that_of_the_reduced_mass() {
     assert!((measured - 1.0).abs() < 0.01, "{measured}");
 }
 
-/// She comes straight at a fender 60 m ahead of midships, her side along the quay: by formula
-/// Ce = (K² + R² cos²γ)/(K² + R²) where the face holds her, K²/(K² + a²) where she slides freely.
+/// The ship comes straight at a fender 60 m ahead of midships, with her side along the quay. By the formula Ce is (K² +
+/// R² cos²γ)/(K² + R²) where the face holds her, and K²/(K² + a²) where she slides freely.
 #[test]
 fn the_study_of_a_berthing_agrees_with_the_eccentricity_factor() {
     for (friction, shear_npm) in [(0.0, 0.0), (100.0, 1e11)] {
@@ -397,8 +402,8 @@ fn the_study_of_a_berthing_agrees_with_the_eccentricity_factor() {
         assert!((outcome.kinetic_j / (0.5 * 1.5 * 87.8e6 * 0.0144) - 1.0).abs() < 1e-9);
         let k = outcome.gyradius_simulated_m;
         let frictionless = k * k / (k * k + outcome.along_m * outcome.along_m);
-        // The formula's mass is the same in all directions; here she is lighter in surge, and where the
-        // face holds her that costs her a little more.
+        // The formula's mass is the same in all directions. Here she is lighter in surge. Where the face holds her,
+        // this costs her a little more energy.
         let (by_formula, tolerance) = if friction == 0.0 {
             (frictionless, 0.01)
         } else {
@@ -410,16 +415,16 @@ fn the_study_of_a_berthing_agrees_with_the_eccentricity_factor() {
     }
 }
 
-/// Wind on, and a current along below what friction holds.
+/// A ship with wind towards the quay and a current along it. Friction could hold more than the current's pull.
 fn moored(step_s: f64, duration_s: f64) -> Setup {
     let mut setup = berth(row_of(8, 1.2, 1.2e6), 0.0, step_s, duration_s);
-    // 8 fenders at 0.2·8.64 MN: 0.2 MN a fender is 0.025·1.2 m on the first line of the curve.
+    // Eight fenders bear 0.2·8.64 MN. A fender with 0.2 MN is compressed by 0.025·1.2 m on the first line of the curve.
     let per_fender_n = 0.1 * 1.2e6;
     setup.bodies[1].position_m.y += 0.025 * 1.2;
     let load =
         |force_n, from_s| Load { body: 1, force_n, moment_nm: 0.0, from_s, until_s: f64::INFINITY };
-    // Friction holds 0.2 of what presses; a tenth pulls, in ten parts over the first half minute: a
-    // sudden pull would set her swinging on her fenders' shear, which has no damping of its own.
+    // Friction holds 0.2 of the pressing force. The pull is a tenth, and grows in ten parts over the first half minute.
+    // A sudden pull would make her swing on her fenders' shear, which has no damping of its own.
     setup.loads = vec![load(vec2(0.0, 8.0 * per_fender_n), 0.0)];
     setup
         .loads
@@ -432,7 +437,7 @@ fn a_day_alongside_in_steady_wind_drifts_less_than_a_millimetre_and_gains_nothin
     for step_s in [0.5, 2.0] {
         let mut simulation = Simulation::new(moored(step_s, 24.0 * 3600.0)).unwrap();
         let mut after_a_minute = None;
-        // The largest kinetic energy of the first minute, and of each hour from then on.
+        // The largest kinetic energy in the first minute, and in each hour after it.
         let (mut first_j, mut hours_j) = (0.0_f64, vec![0.0_f64; 24]);
         while !simulation.is_done() {
             let energy = simulation.step().unwrap().energy();
@@ -457,7 +462,7 @@ fn a_day_alongside_in_steady_wind_drifts_less_than_a_millimetre_and_gains_nothin
     }
 }
 
-/// Random bodies, speeds and spins against a fender on a floating pontoon.
+/// A random body with random speeds and spin hits a fender on a floating pontoon.
 fn episode(seed: &Episode) -> Setup {
     let mut setup = berth(vec![fender("one", 0.0, 1.2, 1.2e6)], 0.0, seed.step_s, 20.0);
     let mass = fenderline_sim::MassProperties {
@@ -471,11 +476,11 @@ fn episode(seed: &Episode) -> Setup {
     let tug = &mut setup.bodies[1];
     tug.mass.as_mut().unwrap().added_sway_kg = 4e5;
     tug.heading_rad = seed.heading_rad;
-    // The point of the hull nearest to the quay, a little off the face.
+    // The point of the hull nearest to the quay lies a little off the face.
     let (sin, cos) = (libm::sin(seed.heading_rad).abs(), libm::cos(seed.heading_rad).abs());
     tug.position_m = vec2(seed.along_m, -1.2 - (16.0 * sin + 5.5 * cos) - 0.05);
     let (sin, cos) = (libm::sin(seed.heading_rad), libm::cos(seed.heading_rad));
-    // Towards the quay (east) and along it (north).
+    // The velocity towards the quay (east) and along it (north).
     tug.velocity.surge_mps = seed.slide_mps * cos + seed.approach_mps * sin;
     tug.velocity.sway_mps = -seed.slide_mps * sin + seed.approach_mps * cos;
     tug.velocity.yaw_radps = seed.spin_radps;
@@ -532,7 +537,7 @@ fn episodes() -> impl Strategy<Value = Episode> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// `cargo xtask passivity` runs 100,000 of them. The 1e-9 is for rounding.
+    /// `cargo xtask passivity` runs 100,000 such episodes. The tolerance of 1e-9 is for rounding.
     #[test]
     fn nobody_leaves_a_fender_with_more_energy_than_it_came_with(seed in episodes()) {
         let simulation = Simulation::new(episode(&seed));
@@ -549,7 +554,8 @@ proptest! {
     }
 }
 
-/// By hand: at half of the rated deflection half way between 50 and 146 kPa, and on by the same line.
+/// By hand: at half of the rated deflection the pressure is half way between 50 and 146 kPa. Beyond the rated
+/// deflection the same line continues.
 #[test]
 fn a_fender_without_a_panel_presses_with_its_inner_pressure() {
     let inner =

@@ -1,9 +1,9 @@
-//! Forces are continuous in velocity, revolutions and rudder: through rest, astern, all drift angles and all four quadrants of
-//! the propeller.
+//! Forces are continuous in velocity, revolutions and rudder angle: through rest, astern, at all drift angles and in
+//! all four quadrants of the propeller.
 //!
-//! Two checks, independent of the formulas. *Halving*: along a line the largest step of a continuous, piecewise smooth
-//! function halves with the spacing; a jump does not. *Lipschitz*: forces are of degree two in the
-//! velocities, so |ΔF| ≤ K · scale · V · |ΔV| with one K for all states.
+//! There are two checks, which are independent of the formulas. *Halving*: along a line, the largest step of a
+//! continuous, piecewise smooth function halves with the spacing; a jump does not. *Lipschitz*: forces are of degree
+//! two in the velocities, so |ΔF| ≤ K · scale · V · |ΔV| with one K for all states.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -48,7 +48,7 @@ fn no_jump_by(spacing: usize, what: &str, scale_n: f64, length_m: f64, at: &dyn 
     let coarse = largest_step(spacing, scale_n, length_m, at);
     let fine = largest_step(4 * spacing, scale_n, length_m, at);
     assert!(coarse.is_finite(), "{what}: not finite");
-    // A quarter for a smooth function; a line that turns sharply needs some room; a jump gives 1.
+    // A smooth function gives a quarter. A line that turns sharply needs some margin. A jump gives 1.
     assert!(fine <= 0.4 * coarse + 1e-12, "{what}: a step of {coarse} only falls to {fine}");
 }
 
@@ -61,7 +61,7 @@ fn scale_n(ship: &Mmg) -> f64 {
     0.5 * Water::SEA.density_kgpm3 * p.length_m * p.draught_m
 }
 
-/// Revolutions from astern to ahead and rudders, for ships that have them.
+/// Revolutions from astern to ahead, and rudder angles, for ships that have them.
 const SHAFTS_RPS: [f64; 4] = [-1.2, 0.0, 0.4, 1.7];
 const RUDDERS_RAD: [f64; 3] = [-0.6, 0.0, 0.6];
 
@@ -210,16 +210,16 @@ fn hull_force(ship: &Mmg, velocity: &Velocity) -> Force {
     ship.hull.force(velocity, &ship.particulars, &ship.added_mass, Water::SEA)
 }
 
-/// Drifting at 1 m/s at an angle off the bow, turning so that rL is a number of metres per second.
+/// The ship drifts at 1 m/s at an angle off the bow, and turns so that rL is a number of metres per second.
 fn drifting(ship: &Mmg, angle_rad: f64, tip_mps: f64) -> Velocity {
     let (sway_mps, surge_mps) = libm::sincos(angle_rad);
     Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / ship.particulars.length_m }
 }
 
-/// Depths in draughts, from a hand's breadth under the keel to deep water.
+/// Depths of the water over draught, from a hand's breadth under the keel to deep water.
 const DEPTH_RATIOS: [f64; 8] = [1.05, 1.1, 1.15, 1.2, 1.5, 2.0, 3.0, f64::INFINITY];
 
-/// The polynomial, far outside the angles of its tests, once pushed ships 2.5 times as hard at 50° off the bow as abeam.
+/// Far outside the angles of its tests, the polynomial once pushed ships 2.5 times as hard at 50° off the bow as abeam.
 #[test]
 fn no_ship_is_pushed_harder_at_any_angle_than_abeam() {
     for (name, deep) in all_ships() {
@@ -271,8 +271,8 @@ fn hull_forces_of_mirrored_motions_are_mirrored() {
     }
 }
 
-/// The hull of every ship of the library along drift angle, yaw rate and depth, each at values of the others that lie where one
-/// form hands over to the other.
+/// Each hull of the library along drift angle, yaw rate and depth. The other variables have values at which one form
+/// hands over to the other.
 #[test]
 fn no_jump_of_any_hull_in_angle_yaw_and_depth() {
     let no_jump = |what: &str, ship: &Mmg, at: &dyn Fn(f64) -> Force| {
@@ -306,9 +306,9 @@ fn no_jump_of_any_hull_in_angle_yaw_and_depth() {
     }
 }
 
-/// From ten draughts of water to half of one, where she is hard aground: hull, propeller and rudder each by itself at
-/// every way of moving, a hard turn among them; added mass and squat. The factors are held from 1.1 draughts on, where
-/// they turn sharply and do not jump.
+/// From a depth of ten draughts to half a draught, where she is hard aground. The test covers hull, propeller and
+/// rudder separately in every kind of motion, including a hard turn; added mass; and squat. Below 1.1 draughts the
+/// factors are constant. At 1.1 draughts they turn sharply and do not jump.
 #[test]
 fn no_jump_from_deep_water_to_the_bottom() {
     let ratio = |t: f64| 10.0 - 9.5 * t;
@@ -365,7 +365,7 @@ fn no_jump_in_thrusters() {
     }
 }
 
-/// A test of the test: the same scan finds a jump of a thousandth.
+/// This tests the test: the same scan finds a jump of a thousandth.
 #[test]
 #[should_panic(expected = "only falls to")]
 fn a_jump_is_found() {
@@ -380,7 +380,7 @@ fn the_polynomial_alone_counts_in_a_hard_turn_and_not_at_all_when_crabbing() {
         let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / 100.0 };
         polynomial_weight(&velocity, 100.0, draught_over_depth)
     };
-    // KVLCC2 at 35°: β 20°, r' 0.9; at 1.2 draughts half of the drift.
+    // KVLCC2 turns with the rudder at 35°: β is 20° and r' 0.9. At 1.2 draughts she has half of the drift.
     let (sin, cos) = libm::sincos(20_f64.to_radians());
     assert_eq!(of(cos, -sin, 0.9, 0.0), 1.0);
     assert_eq!(of(1.0, -0.5 * sin, 0.6, 1.0 / 1.2), 1.0);
@@ -390,15 +390,16 @@ fn the_polynomial_alone_counts_in_a_hard_turn_and_not_at_all_when_crabbing() {
         assert_eq!(of(-3.0, 0.0, 0.0, depth), 0.0);
         assert_eq!(of(0.0, 0.0, 0.0, depth), 0.0);
     }
-    // At rest in a stream from 38° off the bow: not in shallow water.
+    // A ship at rest in a stream from 38° off the bow: the polynomial has some weight in deep water, and none in
+    // shallow water.
     let (sin, cos) = libm::sincos(38_f64.to_radians());
     assert_eq!(of(cos, sin, 0.0, 1.0 / 1.2), 0.0);
     assert!((0.1..0.9).contains(&of(cos, sin, 0.0, 0.0)));
 }
 
 proptest! {
-    /// |ΔF| ≤ K · ½ρLd · V · |ΔV|, between any two neighbours in (u, v, rL, nD), V the greater of the two speeds,
-    /// ships of 320 m and 230 m alike.
+    /// For any two neighbours in (u, v, rL, nD), |ΔF| ≤ K · ½ρLd · V · |ΔV|, where V is the greater of the two speeds.
+    /// The same K holds for ships of 320 m and 230 m.
     #[test]
     fn forces_are_lipschitz(
         state in prop::array::uniform4(-1.0_f64..1.0),

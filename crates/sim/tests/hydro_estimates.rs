@@ -1,4 +1,4 @@
-//! Manoeuvring coefficients from main particulars: signs by known ships, methods, ranges, refusals.
+//! Manoeuvring coefficients from main particulars: signs compared with known ships, methods, ranges, refusals.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -34,11 +34,11 @@ fn drift(ship: &Mmg) -> DriftPolynomial {
     }
 }
 
-/// The public programs with these regressions disagree about three signs. The chosen signs give the published terms of KCS and
-/// KVLCC2; the other ones do not.
+/// The public programs with these regressions disagree about three signs. The chosen signs give the published terms of
+/// KCS and KVLCC2. The opposite signs do not.
 #[test]
 fn the_signs_of_the_regressions_are_those_of_kcs_and_kvlcc2() {
-    // Over drift, with added mass: the terms of KVLCC2 are published over v'.
+    // The terms are over the drift angle, with added mass. Those of KVLCC2 are published over v'.
     let kcs = drift(&library("kcs"));
     let kvlcc2 = library("kvlcc2");
     let Some(Polynomial::Sway(over_sway)) = kvlcc2.hull.under_way else { panic!("over v'") };
@@ -64,13 +64,13 @@ fn the_signs_of_the_regressions_are_those_of_kcs_and_kvlcc2() {
         for (index, ours) in [ours.y_bbb, ours.n_brr, ours.x_br].into_iter().enumerate() {
             let (ours, other) =
                 ((ours - published[index]).abs(), (other_reading[index] - published[index]).abs());
-            // Both signs give X'βr of KVLCC2 within a tenth; only one of them gives each other term.
+            // X'βr of KVLCC2 is met within a tenth by both signs. Each other term is met by one sign only.
             assert!(ours < other || ours < 0.1 * published[index].abs().max(0.3), "{index}");
         }
     }
 }
 
-/// Every other term is near the published ones, with their sign.
+/// Every other term is near the published term and has its sign.
 #[test]
 fn linear_terms_are_those_of_kcs_and_kvlcc2_within_a_third() {
     for name in ["kcs", "kvlcc2"] {
@@ -92,7 +92,7 @@ fn ratios_outside_the_validated_range_are_reported() {
     let inside = estimated(&known(hull(175.0, 25.4, 8.5, 0.56))).expect("a ship");
     assert_eq!((inside.method, inside.outside.len()), (Some(EstimateMethod::YoshimuraMasumoto), 0));
 
-    // A fine ferry: only her block coefficient is outside.
+    // For a fine ferry, only the block coefficient is outside the range.
     let fine = estimated(&known(hull(150.0, 25.0, 8.0, 0.5))).expect("a ship");
     assert_eq!(fine.method, Some(EstimateMethod::YoshimuraMasumoto));
     let [outside] = fine.outside.as_slice() else { panic!("{:?}", fine.outside) };
@@ -101,7 +101,8 @@ fn ratios_outside_the_validated_range_are_reported() {
     assert!(text.starts_with("block_coefficient is 0.500, outside 0.55 to 0.85"), "{text}");
 }
 
-/// A hull with the proportions of a tug does not get a merchant ship's polynomial, in which single terms would change sign.
+/// A hull with the proportions of a tug does not get a merchant ship's polynomial: single terms of it would change
+/// sign.
 #[test]
 fn a_tug_is_estimated_by_linear_terms_and_cross_flow() {
     let tug = Known { gear: None, ..known(hull(30.0, 12.0, 4.5, 0.56)) };
@@ -130,13 +131,13 @@ fn damping_keeps_its_sign_over_all_merchant_ships() {
                 let particulars = hull(200.0, 200.0 / slender, 200.0 / slender / broad, block);
                 let estimate = match estimated(&known(particulars)) {
                     Ok(estimate) => estimate,
-                    // Zhou's regression of added mass ends before the merchant ships do.
+                    // Zhou's regression of added mass ends before the range of merchant ships ends.
                     Err(HydroError::NegativeAddedMass { .. }) => continue,
                     Err(error) => panic!("{block} {slender} {broad}: {error}"),
                 };
                 let hull = drift(&estimate.model);
                 let place = format!("Cb {block}, L/B {slender}, B/d {broad}: {hull:?}");
-                // In a steady turn to starboard, β > 0 and r' > 0, the damping of yaw has the other sign.
+                // In a steady turn to starboard, β > 0 and r' > 0. The damping of yaw then has the other sign.
                 assert!(hull.y_b > 0.0 && hull.y_bbb > 0.0, "{place}");
                 assert!(hull.n_r < 0.0 && hull.n_bbr < 0.0, "{place}");
                 assert!(hull.n_r + hull.n_rrr < 0.0, "{place}");

@@ -19,7 +19,7 @@ fn printed(ours: f64, theirs: f64, last_place: f64) {
     assert!((ours - theirs).abs() <= 0.5 * last_place + 1e-12, "{ours} is not {theirs}");
 }
 
-/// A hull of a displacement (kg) in sea water.
+/// A hull with a displacement (kg) in sea water.
 fn displacing(length_m: f64, beam_m: f64, draught_m: f64, displacement_kg: f64) -> Particulars {
     let volume_m3 = displacement_kg / 1025.0;
     let block = volume_m3 / (length_m * beam_m * draught_m);
@@ -31,7 +31,7 @@ fn container() -> Particulars {
     displacing(298.0, 46.0, 9.0, 87.8e6)
 }
 
-/// The paper's tug: 930 t, with an assumed draught, Cb 0.485.
+/// The paper's tug: 930 t, Cb 0.485, with an assumed draught.
 fn tug() -> Particulars {
     displacing(32.0, 13.0, 4.5, 930e3)
 }
@@ -57,7 +57,7 @@ fn cross_flow_on_the_container_ship() {
     assert_eq!(force(0.0, 0.01).sway_n, 0.0);
 }
 
-/// Points of Hoerner.m of the MSS toolbox to three places; at 0.5 the curve falls by 2.3 in 0.03.
+/// Points from Hoerner.m of the MSS toolbox, to three places. At 0.5 the curve falls by 2.3 within 0.03.
 #[test]
 fn hoerner_curve() {
     let at = |ratio: f64| hoerner_drag_coefficient(2.0 * ratio, 1.0);
@@ -77,7 +77,7 @@ fn hoerner_curve() {
 }
 
 proptest! {
-    /// The closed forms against a midpoint rule of 20 000 strips: its error is of the order of 1/n².
+    /// The closed forms are compared with a midpoint rule of 20 000 strips. Its error is of the order of 1/n².
     #[test]
     fn cross_flow_integrals(v in -2.0_f64..2.0, tip in -6.0_f64..6.0) {
         let (length_m, draught_m, count) = (100.0, 8.0, 20_000);
@@ -100,7 +100,8 @@ proptest! {
     }
 }
 
-/// Miyauchi's form for Esso Osaka written out a second time with a strip sum, at a state with every term.
+/// Miyauchi's form for Esso Osaka, written out a second time with a sum over strips, at a state in which every term
+/// counts.
 #[test]
 fn esso_osaka_low_speed_hull() {
     let ship = esso_osaka_model().ship;
@@ -128,7 +129,7 @@ fn esso_osaka_low_speed_hull() {
             assert!((ours - theirs).abs() < 1e-6 * q * 0.05, "{ours} is not {theirs}");
         }
     }
-    // m' 0.2708 and (Izz + Jzz)' 0.0286 as printed, and the block coefficient of the full-scale ship.
+    // The printed values are m' 0.2708 and (Izz + Jzz)' 0.0286, with the block coefficient of the full-scale ship.
     let p = &ship.particulars;
     printed(p.volume_m3 / p.mass_unit_m3(), 0.2708, 1e-4);
     let inertia = (p.yaw_inertia_m5() + ship.added_mass.yaw_m5) / p.inertia_unit_m5();
@@ -180,7 +181,7 @@ fn squat_of_the_container_ship() {
     let (ship, depth_m, speed_mps) = (container(), 1.2 * 9.0, 8.0 * 1852.0 / 3600.0);
     printed(barrass_squat_m(&ship, depth_m, speed_mps).expect("afloat"), 0.444, 1e-3);
     printed(icorels_squat_m(&ship, depth_m, speed_mps).expect("afloat"), 0.404, 1e-3);
-    // 0.3396.
+    // The value by hand is 0.3396.
     let eryuzlu_m = eryuzlu_squat_m(&ship, depth_m, speed_mps).expect("afloat");
     println!("Eryuzlu {eryuzlu_m}");
     assert!((eryuzlu_m - 0.339).abs() < 1e-3);
@@ -191,8 +192,8 @@ fn squat_of_the_container_ship() {
 #[test]
 fn current_abeam_in_shallow_water() {
     let ship = container();
-    // With an assumed midship coefficient of 0.98: 228.7, 446.4 and 833.4 kN: within
-    // one unit of the last place.
+    // With an assumed midship coefficient of 0.98 the forces are 228.7, 446.4 and 833.4 kN, within one unit of the last
+    // place.
     for (ratio, printed_kn) in [(100.0, 229.0), (2.0, 446.0), (1.2, 834.0)] {
         let force_n = current_abeam_n(&ship, 0.98, ratio * 9.0, 0.5, Water::SEA).expect("afloat");
         printed(force_n / 1e3, printed_kn, 2.0);
@@ -226,8 +227,8 @@ fn the_force_of_a_current_abeam_grows_in_shallow_water_as_by_ufc() {
 
 #[test]
 fn the_series_propellers_at_bollard() {
-    // What the B-series polynomials give for B4-70 at J = 0, read off Bernitsas' curves to about 0.01 (recalled):
-    // K_T 0.355 and K_Q 0.041 at pitch 0.8, 0.45 and 0.066 at pitch 1.0.
+    // The B-series polynomials for B4-70 at J = 0, read off Bernitsas' curves to about 0.01 (recalled). K_T and K_Q are
+    // 0.355 and 0.041 at pitch 0.8, and 0.45 and 0.066 at pitch 1.0.
     for (series, thrust, torque) in
         [(Series::B4Pitch08, 0.355, 0.041), (Series::B4Pitch10, 0.45, 0.066)]
     {
@@ -236,7 +237,8 @@ fn the_series_propellers_at_bollard() {
         let kq = propeller.torque_nm(0.0, 1.0, Water::FRESH) / 1000.0;
         println!("{series:?}: K_T {kt:.4}, K_Q {kq:.4}");
         assert!((kt - thrust).abs() < 0.015 && (kq - torque).abs() < 0.003);
-        // Signs of the four quadrants: a propeller that is dragged resists, one turned astern pulls astern.
+        // Signs in the four quadrants: a propeller that is dragged resists, and a propeller that turns astern pulls
+        // astern.
         assert!(propeller.thrust_n(3.0, 0.0, Water::FRESH) < 0.0);
         assert!(propeller.thrust_n(-3.0, 0.0, Water::FRESH) > 0.0);
         assert!(propeller.thrust_n(0.0, -1.0, Water::FRESH) < 0.0);
@@ -252,7 +254,7 @@ fn the_series_propellers_at_bollard() {
     }
 }
 
-/// In its measured range the polynomial is used unchanged.
+/// The measured range of the polynomial. In this range it is used unchanged.
 #[test]
 fn the_own_polynomial_holds_in_the_first_quadrant() {
     let propeller = kvlcc2().ship.propulsion.expect("a propeller").propeller;
@@ -265,8 +267,9 @@ fn the_own_polynomial_holds_in_the_first_quadrant() {
     }
 }
 
-/// Force astern on the ship, compared with Miyauchi's line for Esso Osaka, (−0.175 + 0.33 Js) above Js = −0.233
-/// and −0.251 below. Equal at bollard by the choice of deduction; elsewhere it is another propeller.
+/// Force astern on the ship, compared with Miyauchi's line for Esso Osaka: (−0.175 + 0.33 Js) above Js = −0.233, and
+/// −0.251 below. At bollard pull both are equal by the choice of the thrust deduction. Elsewhere our propeller is a
+/// different one.
 #[test]
 fn force_astern_beside_esso_osaka() {
     let ship = kvlcc2().ship;
@@ -284,7 +287,8 @@ fn force_astern_beside_esso_osaka() {
     }
 }
 
-/// Where the blend begins the two hull forms differ by less than half. The values are printed, as no reference exists.
+/// Where the blend begins, the two hull forms differ by less than half. The values are only printed, because there is
+/// no reference.
 #[test]
 fn the_two_hull_forms_of_kvlcc2_are_similar_where_they_meet() {
     let ship = kvlcc2().ship;

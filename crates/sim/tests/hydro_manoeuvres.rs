@@ -1,9 +1,10 @@
-//! Turning circles and zig-zags of published ships against an independent calculation and the experiment.
+//! Turning circles and zig-zags of published ships, compared with an independent calculation and with the experiment.
 //!
 //! AD and TD are in lengths, overshoots in degrees. The *independent* calculation is
-//! validation/independent/mmg_standard.py, from the same coefficients, here to two decimals (AD, TD) and one
-//! (overshoots): within 1 % or half a unit of the last place, where that is more. The *experiment* is the free-running
-//! model of 7 m of Yasukawa & Yoshimura (2015): a model from captive tests is accepted within 12 % (AD, TD), 4° (first
+//! validation/independent/mmg_standard.py with the same coefficients, here to two decimals (AD, TD) and one
+//! (overshoots). The tolerance is 1 %, or half a unit of the last place if that is more. The *experiment* is the
+//! free-running model of 7 m of Yasukawa & Yoshimura (2015). A model from captive tests is accepted within 12 % (AD,
+//! TD), 4° (first overshoot) and 8° (second overshoot). The authors' own calculation misses the second overshoot by 6°.
 //! overshoot) and 8° (second, which the authors' own calculation misses by 6°).
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
@@ -20,7 +21,7 @@ use ships::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
 
 fn ready(vessel: &Vessel) -> (Model3, Approach) {
     let model = Model3::new(vessel.ship, Water::SEA);
-    // 0.08 s at full scale; see `half_the_time_step_moves_no_measure_by_a_thousandth`.
+    // The step is 0.08 s at full scale; see `half_the_time_step_moves_no_measure_by_a_thousandth`.
     let step_s = 0.002 * vessel.ship.particulars.length_m / vessel.approach_mps.unwrap();
     let approach = Approach::at(&model, vessel.approach_mps.unwrap(), vessel.steering, step_s);
     (model, approach.expect("the propeller holds the speed of approach"))
@@ -98,8 +99,9 @@ fn kvlcc2_turns_and_overshoots_near_the_experiment() {
     experiment(overshoots(&kvlcc2(), -20.0)[0], 15.1, 4.0);
 }
 
-/// The paper's own calculation is for the model of 7 m: within 8 % at that scale. (R'₀ = 0.022 allows no better agreement; the
-/// ship of 320 m, with her smaller wake fraction, differs by 6 to 11 %.) Overshoots within 2°.
+/// The paper's own calculation is for the model of 7 m. At that scale the tolerance is 8 %. (R'₀ = 0.022 allows no
+/// better agreement; the ship of 320 m, with her smaller wake fraction, differs by 6 to 11 %.) Overshoots agree within
+/// 2°.
 #[test]
 fn kvlcc2_model_turns_and_overshoots_near_the_published_calculation() {
     let vessel = kvlcc2_model();
@@ -118,8 +120,8 @@ fn kvlcc2_model_turns_and_overshoots_near_the_published_calculation() {
     experiment(overshoots(&vessel, -20.0)[0], 14.5, 2.0);
 }
 
-/// Steady turn at 35° as measured: U/U₀ 0.37 and 0.36, r' 0.80 and 0.84, drift 19.4° and 20.9° (starboard, port).
-/// Speed ratio within 0.03, r' within 0.12 (12 %, as AD and TD), drift within 2°.
+/// The measured steady turn at 35° has U/U₀ 0.37 and 0.36, r' 0.80 and 0.84, and drift 19.4° and 20.9° (starboard,
+/// port). The tolerances are 0.03 for the speed ratio, 0.12 for r' (12 %, as for AD and TD), and 2° for the drift.
 #[test]
 fn kvlcc2_model_turns_steadily_near_the_measurements() {
     for (rudder_deg, ratio, yaw, drift_deg) in [(35.0, 0.37, 0.80, 19.4), (-35.0, 0.36, 0.84, 20.9)]
@@ -136,7 +138,7 @@ fn kvlcc2_is_self_propelled_at_the_published_revolutions() {
     let vessel = kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
     let rps = self_propulsion_rps(&model, vessel.approach_mps.unwrap()).expect("a balance");
-    // Printed to four decimals, at 15.5 knots.
+    // The value is printed to four decimals, for 15.5 knots.
     assert!((rps - 1.7785).abs() < 1e-3, "{rps}");
 }
 
@@ -164,7 +166,7 @@ fn half_the_time_step_moves_no_measure_by_a_thousandth() {
     let fine = turning_circle(&model, &fine, rudder_rad).expect("she turns");
     assert!((coarse.advance_m / fine.advance_m - 1.0).abs() < 1e-3);
     assert!((coarse.tactical_diameter_m / fine.tactical_diameter_m - 1.0).abs() < 1e-3);
-    // An execute can be late by a step: 0.08 s at 0.5°/s.
+    // An execute can be late by a step, which is 0.08 s at 0.5°/s.
     let (ten_rad, fine) =
         (10_f64.to_radians(), Approach { step_s: 0.5 * approach.step_s, ..approach });
     let coarse = zig_zag(&model, &approach, ten_rad, ten_rad).expect("she answers");
@@ -177,15 +179,15 @@ fn half_the_time_step_moves_no_measure_by_a_thousandth() {
 fn a_crash_stop_ends_within_imo_limits_and_in_a_straight_line() {
     let vessel = kvlcc2();
     let (model, approach) = ready(&vessel);
-    // Astern at 70 % of the revolutions, reversed within half a minute.
+    // The shaft turns astern at 70 % of the revolutions, and is reversed within half a minute.
     let stop =
         crash_stop(&model, &approach, -0.7 * approach.shaft_rps, 1.7 * approach.shaft_rps / 30.0)
             .expect("she stops");
     println!("{stop:?}: {:.1} lengths", stop.track_reach_m / 320.0);
-    // MSC.137(76): track reach of at most 15 lengths, up to 20 for large ships. A ship of 320 kt
-    // does not stop within 5 either.
+    // MSC.137(76) requires a track reach of at most 15 lengths, or up to 20 for large ships. A ship of 320 kt does not
+    // stop within 5 lengths either.
     assert!((5.0..20.0).contains(&(stop.track_reach_m / 320.0)));
-    // The rudder is amidships and the model symmetric but for the signs of γ_R and C₂.
+    // The rudder is amidships. The model is symmetric, except for the signs of γ_R and C₂.
     assert!(stop.lateral_m.abs() < 1e-6 && stop.heading_rad.abs() < 1e-9);
 }
 
@@ -195,16 +197,17 @@ fn a_ships_friction_is_less_than_her_models() {
     let speed_mps = tested.approach_mps.expect("a speed");
     let ship = tested.ship.with_ships_friction(7.0, speed_mps).expect("a ship");
     let (before, after) = (tested.ship.hull.low_speed.ahead, ship.hull.low_speed.ahead);
-    // By hand: C_F 3.18·10⁻³ and 1.40·10⁻³ on 26 300 m² of 6 656 m²: 0.0070 less of 0.022.
+    // By hand: C_F is 3.18·10⁻³ and 1.40·10⁻³, on 26 300 m² over 6 656 m². The difference is 0.0070 of 0.022.
     assert!((after - before - 0.0070).abs() < 1e-4, "{before} {after}");
     assert!(tested.ship.with_ships_friction(700.0, 8.0).is_err());
     assert_eq!(ship.check(), Ok(ship));
 }
 
-/// MSC/Circ.1053, appendix 3: along a straight track, with resistance as the square of the speed and the thrust astern
-/// throughout that at rest, a ship stops in S = A ln(1 + B) + C lengths, A from mass over resistance, B her resistance
-/// before the stop over that thrust, C from the time to reverse. By integration A = M/(2kL) and B = ku₀²/T. Ours has
-/// less thrust astern at speed than at rest, by the propeller series, and must come out longer, but by less than a tenth.
+/// The closed form of MSC/Circ.1053, appendix 3, is for a straight track, with resistance as the square of the speed
+/// and a constant thrust astern, equal to that at rest. The ship stops in S = A ln(1 + B) + C lengths. A follows from
+/// mass over resistance. B is her resistance before the stop over the thrust. C follows from the time to reverse. By
+/// integration A = M/(2kL) and B = ku₀²/T. By the propeller series, our thrust astern is smaller at speed than at rest.
+/// Our distance must therefore be longer, but by less than a tenth.
 #[test]
 fn crash_stops_agree_with_the_closed_form_for_constant_thrust() {
     let tested = kvlcc2();
@@ -225,7 +228,7 @@ fn crash_stops_agree_with_the_closed_form_for_constant_thrust() {
         let drag_npm2s2 = -0.5 * density * side_m2 * ship.hull.low_speed.ahead;
         let astern_n = -bollard_pull_n(&model, astern_rps).expect("a propeller");
         let b = drag_npm2s2 * approach.speed_mps * approach.speed_mps / astern_n;
-        // C: half of the time to reverse at the first speed.
+        // C is half of the time to reverse, at the first speed.
         let theirs_m =
             mass_kg / (2.0 * drag_npm2s2) * libm::log1p(b) + 0.5 * reversal_s * approach.speed_mps;
         let ratio = stop.track_reach_m / theirs_m;
@@ -238,7 +241,7 @@ fn crash_stops_agree_with_the_closed_form_for_constant_thrust() {
     }
 }
 
-/// At low speed (Fn 0.07), against `validation/independent/esso_osaka_turning.py`.
+/// A turn at low speed (Fn 0.07), compared with `validation/independent/esso_osaka_turning.py`.
 #[test]
 fn esso_osaka_turns_as_in_the_independent_calculation() {
     for (rudder_deg, theirs) in

@@ -1,4 +1,4 @@
-//! The model of three degrees of freedom compared with laws of mechanics; actuators compared with closed forms.
+//! The model of three degrees of freedom, compared with laws of mechanics. Actuators, compared with closed forms.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -36,7 +36,7 @@ fn mirrored(motion: &Motion) -> Motion {
     }
 }
 
-/// Bit for bit: only γ_R and C₂ differ between the sides.
+/// The tracks are mirrored bit for bit. Only γ_R and C₂ differ between the sides, and they are made symmetric here.
 #[test]
 fn mirrored_controls_give_the_mirrored_track() {
     for ship in [symmetric(kvlcc2().ship), symmetric(kcs().ship)] {
@@ -47,7 +47,7 @@ fn mirrored_controls_give_the_mirrored_track() {
         };
         let (mut here, mut there) = (start, mirrored(&start));
         for step in 0..4000 {
-            // Ahead, stop, astern, with changes of the rudder.
+            // Ahead, stop and astern, with changes of the rudder.
             let shaft_rps = [1.5, 0.0, -1.2, 0.4][step / 1000];
             let rudder_rad = if step % 700 < 350 { 0.6 } else { -0.3 };
             let push = Force { surge_n: 0.0, sway_n: 1e5, yaw_nm: -3e6 };
@@ -62,7 +62,7 @@ fn mirrored_controls_give_the_mirrored_track() {
     }
 }
 
-/// A hull without forces and without added mass is a rigid body: momentum and energy are constant.
+/// A hull without forces and added mass is a rigid body. Its momentum and energy are constant.
 #[test]
 fn a_body_without_water_forces_keeps_momentum_and_energy() {
     let mut ship = Mmg { propulsion: None, ..esso_osaka_model().ship };
@@ -87,7 +87,7 @@ fn a_body_without_water_forces_keeps_momentum_and_energy() {
     for _ in 0..1000 {
         motion = model.runge_kutta(&motion, &Controls::default(), Force::default(), 0.01);
     }
-    // Fourth order at r Δt = 0.007 over 1000 steps: 1e-9 and less.
+    // The method is of fourth order, with r Δt = 0.007 over 1000 steps. The error is 1e-9 or less.
     for (now, then) in centre(&motion).into_iter().zip(centre(&start)) {
         assert!((now - then).abs() < 1e-9, "{now} {then}");
     }
@@ -96,7 +96,7 @@ fn a_body_without_water_forces_keeps_momentum_and_energy() {
     assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-9);
 }
 
-/// Both integrators converge to the same motion, in first and fourth order.
+/// Both integrators converge to the same motion, one in first order and one in fourth order.
 #[test]
 fn the_integrators_converge_to_one_motion() {
     let model = Model3::new(kvlcc2().ship, Water::SEA);
@@ -124,9 +124,9 @@ fn the_integrators_converge_to_one_motion() {
 }
 
 proptest! {
-    // 20 000 steps a case.
+    // Each case has 20 000 steps.
     #![proptest_config(ProptestConfig::with_cases(48))]
-    /// With engine stopped and rudder amidships the water only dissipates a ship's energy.
+    /// With the engine stopped and the rudder amidships, the water only dissipates a ship's energy.
     #[test]
     fn a_ship_without_propulsion_comes_to_rest(
         surge_mps in -2.0_f64..8.0,
@@ -147,17 +147,17 @@ proptest! {
             greatest_j = greatest_j.max(model.kinetic_j(&motion.velocity));
         }
         let end_j = model.kinetic_j(&motion.velocity);
-        // Quadratic resistance gives 1/u ≥ t R0'/(2 B Cb) for any initial speed: below 0.2 m/s after this time for each of the
-        // three, or below 2 % of a smaller initial speed.
+        // Quadratic resistance gives 1/u ≥ t R0'/(2 B Cb) for any initial speed. After this time each of the three
+        // ships is below 0.2 m/s, or below 2 % of a smaller initial speed.
         let slow_j = model.kinetic_j(&Velocity { surge_mps: 0.2, ..Velocity::default() });
         prop_assert!(end_j < (0.02 * start_j).max(slow_j), "{end_j} J left of {start_j} J");
         prop_assert!(greatest_j < 1.02 * start_j.max(1e-12), "{greatest_j} J from {start_j} J");
     }
 }
 
-/// A steady lateral push is balanced by the cross-flow drag, Y'v v|u| at the small remaining speed ahead, and the rudder across
-/// the flow: ½ρLT(C_D v² + 0.315 v|u|) + 1.312 · ½ρ A_R f_α (0.395 v)². The way ahead
-/// gives that rudder some lift, and the remaining rate of turn some drag: 0.1 % together.
+/// A steady lateral push is balanced by the cross-flow drag, by Y'v v|u| at the small remaining speed ahead, and by the
+/// rudder across the flow: ½ρLT(C_D v² + 0.315 v|u|) + 1.312 · ½ρ A_R f_α (0.395 v)². The speed ahead gives the rudder
+/// some lift, and the remaining rate of turn some drag: together 0.1 %.
 #[test]
 fn crabbing_reaches_the_speed_of_the_cross_flow_balance() {
     let model = Model3::new(kvlcc2().ship, Water::SEA);
@@ -201,7 +201,7 @@ fn the_rudder_acts_at_bollard_pull_and_is_reversed_astern() {
     assert!(yaw_nm(4.0, 0.0) < yaw_nm(4.0, 1.0));
     assert!(yaw_nm(-2.0, 0.0) < 0.0, "astern it works the other way");
     assert!(yaw_nm(-2.0, -1.0) < 0.0);
-    // A propeller astern at speed ahead takes the rudder's flow away.
+    // At a speed ahead, a propeller that turns astern takes the flow away from the rudder.
     assert!(yaw_nm(4.0, -1.0) < yaw_nm(4.0, 0.0));
 }
 
@@ -261,7 +261,7 @@ fn an_azimuth_unit_turns_the_shorter_way() {
     assert!((unit.angle_rad.to_degrees() + 178.0).abs() < 1e-9, "{}", unit.angle_rad.to_degrees());
     unit.step((-150_f64).to_radians(), 10.0);
     assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
-    // 720° more give the same direction.
+    // An angle of 720° more gives the same direction.
     unit.step((-150_f64 + 720.0).to_radians(), 1.0);
     assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
     let before = unit;
@@ -278,7 +278,7 @@ fn the_telegraph_goes_up_in_steps() {
 }
 
 proptest! {
-    /// Exact for any Δt: two steps that add up end where one does.
+    /// Actuators are exact for any Δt: two steps end where one step with the sum of their times ends.
     #[test]
     fn actuators_are_exact_for_any_time_step(
         start in -1.0_f64..1.0,
@@ -299,7 +299,7 @@ proptest! {
         twice.step(order, one_s);
         twice.step(order, two_s);
         prop_assert!((once.value - twice.value).abs() < 1e-12);
-        // A turn by exactly half a circle may go either way after rounding.
+        // A turn by exactly half a circle may go either way, because of rounding.
         prop_assume!((order - start).abs() < 3.0);
         let mut once = Slewing { angle_rad: start, rate_radps: 0.1, stop_rad: None };
         let mut twice = once;

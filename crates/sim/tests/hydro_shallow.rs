@@ -1,8 +1,8 @@
-//! Shallow water: factors, and their effect on turns and zig-zags.
+//! Shallow water: the factors, and their effect on turns and zig-zags.
 //!
-//! Manoeuvres are compared with trials of tankers and container ships, which agree on this: turns are a little wider at h/T 1.5
-//! and wider by half or more at 1.2; ships drift less in them and lose less speed; overshoots are smaller at 1.2 (at 1.5 those
-//! of Esso Osaka were about as in deep water).
+//! Manoeuvres are compared with trials of tankers and container ships. The trials agree on this: turns are a little
+//! wider at h/T 1.5, and wider by half or more at 1.2. In the turns ships drift less and lose less speed. Overshoots
+//! are smaller at 1.2; at 1.5 those of Esso Osaka were about as in deep water.
 //! `validation/shallow_water.toml` has the numbers.
 
 use crate::ships;
@@ -18,10 +18,11 @@ use fenderline_sim::hydro::{
 };
 use ships::{esso_osaka_model, kcs, kvlcc2};
 
-/// A step over the time in which she sails her own length: half of it moves no ratio by a thousandth.
+/// A step, over the time in which she sails her own length. Half of this step changes no ratio by a thousandth.
 const STEP: f64 = 0.01;
 
-/// Every vessel that has a propeller and a rudder, with a speed of approach: where she has none, at Froude 0.15.
+/// Every vessel with a propeller and a rudder, and her speed of approach. For a vessel without a speed of approach it
+/// is a Froude number of 0.15.
 fn steered() -> Vec<(String, Vessel, f64)> {
     let library = VesselLibrary::built_in();
     let mut all = Vec::new();
@@ -38,7 +39,7 @@ fn steered() -> Vec<(String, Vessel, f64)> {
     all
 }
 
-/// A ship that is a reference in deep water, from her particulars alone.
+/// A ship that is a reference in deep water, with data from her particulars alone.
 struct ByParticulars {
     name: &'static str,
     /// Length, beam, draught (m).
@@ -50,8 +51,8 @@ struct ByParticulars {
     rate_degps: f64,
 }
 
-/// Particulars as in `validation/estimated_ships.toml`, which says from where; Esso Osaka's are the ship's, read in the
-/// toolbox MSS (cybergalactic/MSS, EssoOsaka.m), and her trials' 7 knots.
+/// The particulars are those of `validation/estimated_ships.toml`, which names their source. Esso Osaka's are those of
+/// the ship, from the toolbox MSS (cybergalactic/MSS, EssoOsaka.m), with the 7 knots of her trials.
 const BY_PARTICULARS: [ByParticulars; 6] = [
     of("KCS", [230.0, 32.2, 10.8], 0.651, [7.9, 45.28], [12.35, 2.32]),
     of("KVLCC2", [320.0, 58.0, 20.8], 0.81, [9.86, 112.5], [7.97, 2.34]),
@@ -75,7 +76,7 @@ impl ByParticulars {
     fn estimated(&self) -> (String, Vessel, f64) {
         let [length_m, beam_m, draught_m] = self.hull_m;
         let hull = Particulars::from_block(length_m, beam_m, draught_m, self.block);
-        // Usual.
+        // The usual value.
         let aspect_ratio = 1.6;
         let gear = SternGear {
             propeller_m: self.propeller_m,
@@ -104,7 +105,7 @@ impl ByParticulars {
 
 struct Done {
     turn: TurningCircle,
-    /// First overshoots of 10°/10° and 20°/20° (°).
+    /// First overshoots of the zig-zags 10°/10° and 20°/20° (°).
     overshoots_deg: [f64; 2],
 }
 
@@ -121,8 +122,9 @@ fn carried_out(vessel: &Vessel, ship: Mmg, speed_mps: f64) -> Done {
     Done { turn, overshoots_deg }
 }
 
-/// Tactical diameter over that in deep water, rudder 35°: 1.0 to 1.45 at h/T 1.5 and 1.3 to 1.95 at 1.2, for every ship of
-/// the library and every reference ship from her particulars. Drift, speed, rate of turn and overshoots move as in trials.
+/// Tactical diameter over that in deep water, with the rudder at 35°. It is 1.0 to 1.45 at h/T 1.5, and 1.3 to 1.95 at
+/// 1.2. This holds for every ship of the library, and for every reference ship from her particulars. Drift, speed, rate
+/// of turn and overshoots change as in trials.
 #[test]
 fn every_ship_manoeuvres_in_shallow_water_as_in_trials() {
     for (name, vessel, speed_mps) in
@@ -192,7 +194,7 @@ fn factors_are_one_in_deep_water_and_grow_as_the_water_gets_shallower() {
             let hull = Corrections::of(set, &ship, f64::INFINITY).hull;
             assert!(hull_factors(&hull).iter().all(|factor| (factor - 1.0).abs() < 1e-12));
         }
-        // From three draughts on each factor grows, by no more than the clearance decreases.
+        // From three draughts on, each factor grows, but by no more than the clearance decreases.
         let mut before = hull_factors(&at(3.0).hull);
         for hundredths in (110..300).rev() {
             let ratio = f64::from(hundredths) / 100.0;
@@ -203,13 +205,13 @@ fn factors_are_one_in_deep_water_and_grow_as_the_water_gets_shallower() {
             }
             before = now;
         }
-        // Below 1.1 draughts, also aground, the factors are constant.
+        // Below 1.1 draughts the factors are constant, also for a ship aground.
         assert_eq!(at(1.0999), at(1.1));
         assert_eq!(at(-3.0), at(1.1));
     }
 }
 
-/// The drag abeam of UFC applies where she crabs, but not in a turn.
+/// UFC's drag abeam applies to a ship that crabs, but not in a turn.
 #[test]
 fn the_drag_of_a_berthed_ship_stays_out_of_the_turn() {
     for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {
@@ -225,7 +227,8 @@ fn the_drag_of_a_berthed_ship_stays_out_of_the_turn() {
         let by_hand = (drag + (3.2 - drag) / 1.44) / drag;
         let grown = hull(&there, &across).sway_n / hull(&deep, &across).sway_n;
         assert!((grown / by_hand - 1.0).abs() < 1e-9, "{grown} {by_hand}");
-        // β 11°, r' 0.8, more than in a hard turn in this depth: the drag coefficient at her berth is not in it.
+        // β is 11° and r' is 0.8, more than in a hard turn in this depth. The drag coefficient at her berth has no part
+        // in the force.
         let turning =
             Velocity { surge_mps: 3.0, sway_mps: -0.6, yaw_radps: 0.8 * 3.1 / ship.length_m };
         assert_eq!(polynomial_weight(&turning, ship.length_m, 1.0 / 1.2), 1.0);

@@ -1,5 +1,5 @@
-//! Identities of docs/contact_model.md, section 7, that involve the integrators, the berthing formulas and the
-//! energy ledger. Others are in crates/contact/tests/identities.rs.
+//! Identities of docs/contact_model.md, section 7, that need the integrators, the berthing formulas and the energy
+//! ledger. Other identities are in crates/contact/tests/identities.rs.
 
 use crate::support;
 
@@ -17,7 +17,7 @@ fn run(setup: Setup) -> Simulation {
     simulation
 }
 
-/// A 10 m wide block, 1000 t, that is about to touch a wall 40 m wide head-on.
+/// A block of 1000 t and 10 m width, which is about to touch a wall 40 m wide head-on.
 fn head_on(
     speed_mps: f64,
     stiffness_npm2: f64,
@@ -33,7 +33,7 @@ fn head_on(
     two(block, wall, spring(stiffness_npm2, restitution), integrator, step_s, duration_s)
 }
 
-/// Found by the attack on FMI states: such a start has an infinite kinetic energy.
+/// The attack on FMI states found this case: such a start has an infinite kinetic energy.
 #[test]
 fn the_residual_of_a_start_faster_than_any_step_takes_is_zero_and_not_a_nan() {
     let setup = head_on(1e215, 500e3, 0.1, Integrator::SemiImplicit, 0.1, 1.0);
@@ -45,8 +45,8 @@ fn the_residual_of_a_start_faster_than_any_step_takes_is_zero_and_not_a_nan() {
 }
 
 #[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
-/// Error of position and velocity before a quarter of the contact's period, while nothing limits the
-/// force (m). (In position alone semi-implicit Euler, begun at the touch, is of second order.)
+/// Error of position and velocity before a quarter of the contact's period, while nothing limits the force (m). (In
+/// position alone, semi-implicit Euler that begins at the touch is of second order.)
 fn error_at_quarter_period(integrator: Integrator, steps: u32) -> f64 {
     let (speed, stiffness): (f64, f64) = (1.0, 500e3);
     let omega = (stiffness * 10.0 / 1e6_f64).sqrt();
@@ -81,7 +81,7 @@ fn kinetic_j(setup: &Setup, states: &[BodyState]) -> f64 {
     setup.bodies.iter().zip(states).map(of).sum()
 }
 
-/// The same by the paper's method with forward Euler, and by the coupled method as it is meant to run.
+/// The same scene with the paper's method and forward Euler, and with the coupled method in its usual form.
 fn by_both_methods(paper: Setup) -> [Setup; 2] {
     let mut coupled = paper.clone();
     coupled.method = Method::Coupled;
@@ -100,7 +100,7 @@ fn onto_a_point(along_m: f64, velocity: BodyVelocity, half_width_m: f64) -> [Bod
     [ship, fender]
 }
 
-/// Where the ship of [`onto_a_point`] is touched, in metres forward of midships, from end to end.
+/// Points at which the ship of [`onto_a_point`] is touched, in metres forward of midships, from end to end.
 const CONTACT_POINTS_M: [f64; 7] = [-48.0, -33.0, -16.0, 0.0, 9.0, 25.0, 47.0];
 
 #[test]
@@ -108,7 +108,7 @@ const CONTACT_POINTS_M: [f64; 7] = [-48.0, -33.0, -16.0, 0.0, 9.0, 25.0, 47.0];
 fn pianc_frictionless_contact_loses_the_fraction_k2_over_k2_plus_a2() {
     for along_m in CONTACT_POINTS_M {
         for angle_deg in [-60.0, -20.0, 0.0, 5.0, 10.0, 45.0] {
-            // Without friction what runs along the side stays.
+            // Without friction, the speed along the side does not change.
             let surge_mps = 0.2 * f64::to_radians(angle_deg).tan();
             let velocity = BodyVelocity { sway_mps: 0.2, surge_mps, ..Default::default() };
             let [ship, fender] = onto_a_point(along_m, velocity, 0.05);
@@ -139,13 +139,13 @@ fn pianc_sticking_contact_loses_the_eccentricity_factor() {
             let velocity = BodyVelocity { sway_mps: v_n, surge_mps: v_t, ..Default::default() };
             let [ship, fender] = onto_a_point(along_m, velocity, 0.25);
             let mut rubber = spring(2e9, 0.0);
-            // So stiff that the tangential motion dies within a step: else its elastic energy would
-            // come back as a rebound along the side, and the contact would not have stuck.
+            // The shear spring is so stiff that the tangential motion dies within a step. Otherwise its elastic energy
+            // would come back as a rebound along the side, and the contact would not have stuck.
             rubber.shear_stiffness_npm = 1e17;
             rubber.friction_static = 1e6;
             rubber.friction_dynamic = 1e6;
             let setup = two(ship, fender, rubber, Integrator::Euler, 1e-5, 0.5);
-            // In the ship's axes a berthing at α square to the berth is just this velocity.
+            // In the ship's axes, a berthing at α square to the berth has this velocity.
             let contact = ContactPoint { along_m, beam_m: 20.0 };
             let ce = contact.eccentricity(25.0, angle).unwrap();
             for setup in by_both_methods(setup) {
@@ -165,8 +165,8 @@ fn pianc_sticking_contact_loses_the_eccentricity_factor() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Head-on and without friction nobody leaves with more energy than it came with, at any time
-    /// step, stiffness and restitution up to 1.
+    /// In a head-on hit without friction, no body leaves with more energy than it came with. This holds at any time
+    /// step and stiffness, and for any restitution up to 1.
     #[test]
     fn a_head_on_frictionless_hit_makes_no_energy(
         speed in 0.05..4.0_f64,
@@ -182,8 +182,7 @@ proptest! {
         prop_assert!(simulation.energy().residual_j.abs() <= 1e-9 * before_j);
     }
 
-    /// The ledger accounts for every joule under every integrator, in an oblique hit with friction
-    /// and a load.
+    /// In an oblique hit with friction and a load, the ledger accounts for every joule with every integrator.
     #[test]
     fn the_energy_ledger_closes_to_rounding(
         y in -18.0..18.0_f64,

@@ -1,5 +1,5 @@
-//! A warm step of the simulator allocates nothing: scenarios of the repository with tugs, pilots, azimuth units, lines, waves, gusts and
-//! dolphins, with a counting allocator.
+//! A warm step of the simulator allocates nothing. The test runs scenarios of the repository with tugs, pilots, azimuth
+//! units, lines, waves, gusts and dolphins, with a counting allocator.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -9,14 +9,14 @@ use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
 thread_local! {
-    /// Allocator calls of this thread, as the test harness has other threads.
+    /// Allocator calls of this thread. The test harness has other threads.
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
 struct Counting;
 
 fn count() {
-    // It fails only while the thread ends, after the test.
+    // This fails only while the thread ends, after the test.
     let _ = ALLOCATIONS.try_with(|n| n.set(n.get() + 1));
 }
 
@@ -50,7 +50,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocator calls in the steps between two times (s).
+/// Number of allocator calls in the steps between two times (s).
 fn allocations(scenario: &str, from_s: f64, until_s: f64) -> u64 {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(scenario);
     let scenario = Scenario::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
@@ -71,9 +71,10 @@ fn allocations(scenario: &str, from_s: f64, until_s: f64) -> u64 {
 
 #[test]
 fn a_warm_step_allocates_nothing() {
-    // Lists that grow with what happens for the first time are warm after it: the first touch, the first events.
+    // Some lists grow when something happens for the first time, such as the first touch or the first events. They are
+    // warm after it.
     for (scenario, from_s, until_s) in [
-        // A station pilot with thrusters and two tugs, then she rests on her fenders.
+        // A station pilot with thrusters and two tugs brings the ship in. Then she rests on her fenders.
         ("berth/alongside_with_two_tugs.toml", 100.0, 200.0),
         ("berth/alongside_with_two_tugs.toml", 220.0, 300.0),
         // Tugs with azimuth units push.

@@ -1,4 +1,4 @@
-//! The paper's method generated up to 179 % of the energy of an impact, and no output reported it.
+//! The paper's method created up to 179 % of the energy of an impact, and no output reported it.
 
 #![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
 
@@ -45,7 +45,7 @@ fn energy_generated_by_the_papers_method_is_reported() {
     for seed in 0..2000 {
         let run = hit(&mut drawn(seed), 2.0, Method::Paper);
         let energy = run.energy();
-        // Only the wall does work on her: its work is the change of her energy.
+        // Only the wall does work on the tug. Its work is the change of her energy.
         let start_j = energy.kinetic_j - energy.normal_work_j - energy.tangential_work_j;
         let made_j = energy.kinetic_j - start_j;
         if made_j > 0.01 * energy.contact_taken_j {

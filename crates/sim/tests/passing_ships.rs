@@ -1,4 +1,4 @@
-//! Forces of a passing ship: peaks that were published, the integrals of the paper, and what symmetry demands.
+//! Forces of a passing ship, compared with published peaks, with the paper's integrals, and with symmetries.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Pose, Vec2, vec2};
@@ -6,7 +6,7 @@ use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force, forc
 
 const DENSITY_KGPM3: f64 = 1025.0;
 
-/// X, Y, N on a ship at rest that heads north, by one that passes to the north, ξ ahead and η to starboard.
+/// X, Y and N on a ship at rest that heads north. A ship passes to the north, ξ ahead and η to starboard of her.
 fn on_parallel(ships: [&Sections; 2], [xi_m, eta_m]: [f64; 2], speed_mps: f64) -> [f64; 3] {
     let passing = PassingShip {
         sections: ships[1],
@@ -16,7 +16,7 @@ fn on_parallel(ships: [&Sections; 2], [xi_m, eta_m]: [f64; 2], speed_mps: f64) -
     force(ships[0], Pose::new(Vec2::ZERO, 0.0), &passing, DENSITY_KGPM3, 1.0)
 }
 
-/// The largest of each while she passes, of forces over ρU²S₁S₂/L₂² and moments over that times L₁.
+/// The largest values of X, Y and N during a passage. Forces are over ρU²S₁S₂/L₂², moments over that times L₁.
 fn peaks(lengths_m: [f64; 2], eta_m: f64) -> [f64; 3] {
     let areas_m2 = [300.0, 200.0];
     let ships = [0, 1].map(|i| Sections::parabola(lengths_m[i], areas_m2[i]).unwrap());
@@ -33,14 +33,15 @@ fn peaks(lengths_m: [f64; 2], eta_m: f64) -> [f64; 3] {
     most
 }
 
-/// Peaks for two ships of one length: those of tables, and those of the paper's integrals by Gauss's rule
-/// (validation/independent/passing_ships.py). The tables were recalled from design notes, and differ from the integrals by 2 to 4 %: 6 %.
+/// Peaks for two ships of one length: from tables, and from the paper's integrals by Gauss's rule
+/// (validation/independent/passing_ships.py). The tables were recalled from design notes and differ from the integrals
+/// by 2 to 4 %. The tolerance is 6 %.
 #[test]
 fn published_peaks_of_ships_of_one_length() {
     for (eta, tables, integrals) in [
         (0.10, [4.73, 24.9, 5.33], [4.7645, 25.1656, 5.4674]),
         (0.26, [1.62, 5.9, 1.23], [1.6696, 6.0376, 1.2488]),
-        // The yaw of the table, 0.25, is 9 % below the integral that it is of.
+        // The yaw in the table, 0.25, is 9 % below its integral.
         (0.50, [0.48, 1.55, f64::NAN], [0.5055, 1.6030, 0.2750]),
     ] {
         let found = peaks([200.0, 200.0], eta * 200.0);
@@ -52,7 +53,7 @@ fn published_peaks_of_ships_of_one_length() {
     }
 }
 
-/// The integrals of the paper with parabolas by Gauss's rule, 96 × 96 points: 0.343, 1.073, 0.222.
+/// The paper's integrals with parabolas by Gauss's rule, with 96 × 96 points, give 0.343, 1.073 and 0.222.
 #[test]
 fn coefficients_of_the_worked_case() {
     let found = peaks([243.5, 185.4], 110.0);
@@ -61,8 +62,9 @@ fn coefficients_of_the_worked_case() {
     }
 }
 
-/// A moored ship of 243.5 × 39 × 15.3 m in 20 m of water, one of 185.4 × 25.8 × 6.8 m that passes at 10 kn with 110 m between the centre
-/// lines: 389.3 kN, 1274.4 kN and 40010 kN·m by the coefficients 0.299, 1.064 and 0.204 of a table for deep water.
+/// A ship of 243.5 × 39 × 15.3 m is moored in 20 m of water. A ship of 185.4 × 25.8 × 6.8 m passes at 10 kn, with 110 m
+/// between the centre lines. The coefficients 0.299, 1.064 and 0.204 of a table for deep water give 389.3 kN, 1274.4 kN
+/// and 40010 kN·m.
 #[test]
 fn depth_factors_of_the_worked_case() {
     let areas_m2 = [0.98 * 39.0 * 15.3, 0.98 * 25.8 * 6.8];
@@ -89,16 +91,16 @@ fn a_pass_is_symmetric_and_quadratic_in_the_speed() {
         let [x, y, n] = at(xi_m, 60.0, 4.0);
         let [bx, by, bn] = at(-xi_m, 60.0, 4.0);
         assert!(close(x, -bx) && close(y, by) && close(n, -bn), "{xi_m}");
-        // On the other side the same surge, and sway and yaw mirrored.
+        // On the other side the surge is the same, and sway and yaw are mirrored.
         let [px, py, pn] = at(xi_m, -60.0, 4.0);
         assert!(close(x, px) && close(y, -py) && close(n, -pn), "{xi_m}");
-        // Twice as fast, four times the force; the way she goes does not matter.
+        // Twice the speed gives four times the force. The direction in which she goes does not matter.
         let fast = at(xi_m, 60.0, -8.0);
         assert!(fast.iter().zip([x, y, n]).all(|(fast, slow)| close(*fast, 4.0 * slow)));
     }
-    // Abreast she draws the other one towards her.
+    // When she is abreast, she draws the other ship towards her.
     assert!(at(0.0, 60.0, 4.0)[1] > 0.0);
-    // As her bow comes near from astern, the other one is first drawn towards her, then pushed along.
+    // When her bow comes near from astern, the other ship is first drawn towards her, then pushed along.
     assert!(at(-150.0, 60.0, 4.0)[0] < 0.0 && at(150.0, 60.0, 4.0)[0] > 0.0);
 }
 
@@ -123,7 +125,7 @@ fn a_turned_berth_has_the_same_forces() {
     }
 }
 
-/// The force is that of a potential that decreases: far away nothing is left, and through the berth it stays finite.
+/// The force is that of a decreasing potential. Far away nothing is left. Through the berth the force stays finite.
 #[test]
 fn the_force_is_bounded_and_ends_with_the_distance() {
     let ships = [(200.0, 500.0), (150.0, 200.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
@@ -148,8 +150,9 @@ fn depths_and_gaps_that_cannot_be_are_refused() {
     assert!(quay[0] > open[0] && quay[1] < open[1] && quay[2] < open[2]);
 }
 
-/// Two ships under way at an angle, beside the momentum of the water by differences in time: the velocity of the sources' water is
-/// summed at places of the own ship, at rest and moving with her, a moment before and after. 1e-5: the differences.
+/// Two ships are under way at an angle. The force is compared with the change of the water's momentum. The velocity of
+/// the sources' water is summed at points of the own ship, at rest and moving with her, a moment before and a moment
+/// after. The differences leave an error of 1e-5.
 #[test]
 fn the_force_under_way_is_the_change_of_the_waters_momentum() {
     let (half_m, other_half_m, area_m2, other_area_m2) = (100.0, 80.0, 300.0, 200.0);
@@ -158,7 +161,7 @@ fn the_force_under_way_is_the_change_of_the_waters_momentum() {
     let (own_mps, other_mps) = (3.0, 5.0);
     let heading = Pose::new(Vec2::ZERO, 0.3).rotation;
     let start_m = vec2(20.0, 70.0);
-    // The same panels as the sections: 48, changes at their middles.
+    // The panels are those of the sections: 48 of them, with the changes of area at their middles.
     let places =
         |half_m: f64| (0..48).map(move |i| half_m * (2.0 * (f64::from(i) + 0.5) / 48.0 - 1.0));
     let edge_area = |x_m: f64, half_m: f64, s: f64| s * (1.0 - (x_m / half_m) * (x_m / half_m));
@@ -200,8 +203,8 @@ fn the_force_under_way_is_the_change_of_the_waters_momentum() {
     }
 }
 
-/// Momentum: two ships on parallel courses at one speed push each other equally, as the flow about them is steady. They attract each
-/// other abreast.
+/// Momentum: two ships on parallel courses at one speed push each other equally, because the flow about them is steady.
+/// When abreast, they attract each other.
 #[test]
 fn ships_abreast_at_one_speed_push_each_other_equally() {
     let ships = [(243.5, 585.0), (185.4, 172.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
@@ -214,7 +217,7 @@ fn ships_abreast_at_one_speed_push_each_other_equally() {
         let (one, other) = (at(0), at(1));
         let [x1, y1, _] = force_under_way(&one, &other, DENSITY_KGPM3, 1.0);
         let [x2, y2, _] = force_under_way(&other, &one, DENSITY_KGPM3, 1.0);
-        // The sections and the sources of one ship are at slightly different places: 1 %.
+        // The sections and the sources of a ship are at slightly different places. The tolerance is 1 %.
         assert!((y1 + y2).abs() < 0.01 * y1.abs(), "{along_m}: {y1} {y2}");
         assert!((x1 + x2).abs() < 0.01 * greater(y1.abs(), x1.abs()), "{along_m}: {x1} {x2}");
         assert!(along_m > 0.0 || y1 > 0.0, "{y1}");

@@ -1,4 +1,4 @@
-//! The same bits on any number of threads.
+//! A run gives the same bits on any number of threads.
 
 use crate::support;
 

@@ -26,13 +26,13 @@ enum Manoeuvre {
     Turning,
     /// Full astern at full speed.
     Stopping,
-    /// Pushed sideways and turned by tugs from rest.
+    /// Tugs push the ship sideways and turn her, from rest.
     Crabbing,
 }
 
 const MANOEUVRES: [Manoeuvre; 3] = [Manoeuvre::Turning, Manoeuvre::Stopping, Manoeuvre::Crabbing];
 
-/// Still water, a uniform current, and one that varies with position and time.
+/// Still water, a uniform current, and a current that varies with position and time.
 fn currents() -> [Option<Current>; 3] {
     let grid = CurrentGrid::new(
         vec![0.0, 150.0, 300.0],
@@ -169,7 +169,7 @@ fn the_ledger_of_a_tanker_balances_by_the_other_integrators() {
     }
 }
 
-/// KVLCC2's model of 7 m turns ten degrees a second.
+/// The 7 m model of KVLCC2 turns ten degrees a second.
 #[test]
 fn the_ledger_of_a_fast_turning_model_balances() {
     for integrator in INTEGRATORS {

@@ -1,5 +1,5 @@
-//! A vessel in the simulation, compared with the model of three degrees of freedom with which the manoeuvres are validated, in
-//! still water and in a current.
+//! A vessel in the simulation, compared with the model of three degrees of freedom, in still water and in a current.
+//! The manoeuvres are validated with that model.
 
 use crate::ships;
 use crate::support;
@@ -15,7 +15,7 @@ use fenderline_sim::{
 };
 use support::{fixed, rectangle};
 
-/// KVLCC2 at full scale on a northerly course, her rudder put over at once.
+/// KVLCC2 at full scale on a northerly course. Her rudder is put over at once.
 fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
     let vessel = ships::kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
@@ -141,7 +141,7 @@ fn an_order_during_a_run_equals_one_of_the_set_up_bit_for_bit() {
     let mut planned = setup.clone();
     planned.world.orders.push(later.clone());
     let mut planned = Simulation::new(planned).expect("a good set-up");
-    // Without orders in the set-up; both are given during the run, the later one long before its time.
+    // The set-up has no orders. Both orders are given during the run, the later one long before its time.
     setup.world.orders.clear();
     let mut steered = Simulation::new(setup).expect("a good set-up");
     steered.order(later).expect("she has a rudder");

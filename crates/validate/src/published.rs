@@ -79,7 +79,7 @@ pub(super) struct Number {
     pub(super) reason: String,
     /// How far the reference itself may be off.
     pub(super) uncertainty: Uncertainty,
-    /// It is out of the tolerance, and the note says why.
+    /// The number is out of the tolerance, and the note says why.
     pub(super) known_mismatch: bool,
     pub(super) note: String,
 }
@@ -109,7 +109,7 @@ impl Tolerance {
 pub(super) struct Uncertainty {
     /// In the terms of the row's tolerance: a share, or in its unit.
     pub(super) size: f64,
-    /// Where it comes from: repeated trials, printed digits, steps of either program.
+    /// Where the uncertainty comes from: repeated trials, printed digits, steps of either program.
     pub(super) from: String,
 }
 
@@ -132,7 +132,7 @@ pub(super) struct Statement {
     pub(super) runs: Vec<String>,
     pub(super) quantity: Quantity,
     pub(super) rule: Rule,
-    /// It does not hold, and the note says why.
+    /// The statement does not hold, and the note says why.
     pub(super) known_mismatch: bool,
     pub(super) note: String,
 }

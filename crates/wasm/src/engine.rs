@@ -155,7 +155,7 @@ impl HostedEngine {
         self.peak_wrenches.numbers()
     }
 
-    /// Result: the engine's states at the step's end; empty where the host moves the bodies.
+    /// Result: the engine's states at the step's end; empty if the host moves the bodies.
     #[must_use]
     pub fn states_after(&self) -> &[f64] {
         self.states_after.numbers()

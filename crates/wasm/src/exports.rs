@@ -36,7 +36,7 @@ impl Span {
 #[derive(Clone, Copy, Debug)]
 pub struct ColumnSpan {
     kind: &'static str,
-    /// Its values.
+    /// Values of the column.
     pub span: Span,
 }
 

@@ -174,7 +174,7 @@ pub fn engine(model: &str, settings: &str) -> Result<Engine, Problem> {
 /// Reads the settings of an engine.
 ///
 /// # Errors
-/// Text that is not such settings.
+/// Text that is not JSON of an engine's settings.
 pub fn settings(text: &str) -> Result<Settings, Problem> {
     let SettingsJson { method, host } = read("settings", text)?;
     let method = method.map(|method| match method {

@@ -36,7 +36,7 @@ impl Source<'_> {
     /// It was not given.
     pub fn read(&self, name: &str) -> Result<String, String> {
         let text = self.files.get(name).cloned();
-        text.ok_or_else(|| format!("{name}: its text was not given with the scenario"))
+        text.ok_or_else(|| format!("{name}: the text of this file was not given with the scenario"))
     }
 }
 

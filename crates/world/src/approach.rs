@@ -1,9 +1,8 @@
 //! The approach of a ship to a berth, as a scenario gives it. The set-up holds the state that follows from it.
 
-use core::fmt;
+mod sentence;
 
-use crate::named::called;
-use crate::setup::Setup;
+use core::fmt;
 
 /// A side of a ship.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,9 +25,9 @@ impl fmt::Display for Side {
 /// How a ship comes to her berth. [`crate::setup::BodySetup`] holds the position, heading and velocity of the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// Index of the ship in [`Setup::bodies`].
+    /// Index of the ship in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Index in [`Setup::fenders`] of the fender that she meets.
+    /// Index in [`crate::setup::Setup::fenders`] of the fender that she meets.
     pub fender: usize,
     /// Her side that meets it.
     pub side: Side,
@@ -57,48 +56,5 @@ impl Approach {
     #[must_use]
     pub fn is_abnormal(&self) -> bool {
         self.energy_factor > 1.0
-    }
-
-    /// The approach in a sentence.
-    #[must_use]
-    pub fn sentence(&self, setup: &Setup) -> String {
-        let ship = &setup.bodies[self.body].name;
-        let fender = &setup.fenders[self.fender].name;
-        let to = &setup.bodies[setup.fenders[self.fender].body].name;
-        // The fender of a dolphin often has the dolphin's name.
-        let fender =
-            if fender == to { String::new() } else { format!(", {}", called("fender", fender)) };
-        let angle = self.angle_rad.to_degrees();
-        let mut text = format!(
-            "{ship} meets {to}{fender}, with her {} side {:.1} m {} of midship at {:.3} m/s and {angle:.1}°",
-            self.side,
-            self.contact_m.abs(),
-            if self.contact_m < 0.0 { "aft" } else { "forward" },
-            self.speed_mps(),
-        );
-        if self.is_abnormal() {
-            text += &format!(
-                "; abnormal berthing: {:.2} times the energy, {:.2} times the speed of {:.3} m/s",
-                self.energy_factor,
-                self.energy_factor.sqrt(),
-                self.normal_speed_mps
-            );
-        }
-        text
-    }
-
-    /// The state of the start in a sentence.
-    #[must_use]
-    pub fn start_sentence(&self, setup: &Setup) -> String {
-        let body = &setup.bodies[self.body];
-        format!(
-            "{} starts at [{:.3} m, {:.3} m], heading {:.2}°, surge {:.4} m/s, sway {:.4} m/s",
-            body.name,
-            body.position_m.x,
-            body.position_m.y,
-            body.heading_rad.to_degrees(),
-            body.velocity.surge_mps,
-            body.velocity.sway_mps
-        )
     }
 }

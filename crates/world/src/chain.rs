@@ -1,15 +1,15 @@
-//! Chains of fenders: what they bear in a run.
+//! Chains of fenders, and their loads in a run.
 //!
-//! A tension chain is part of the panel's law in the contact engine. Shear and weight chains follow from statics: they take
-//! their part of the forces that the engine computes, and do not change those.
+//! A tension chain is part of the panel's law in the contact engine. Shear and weight chains follow from statics: they
+//! take a part of the forces that the engine computes, and do not change these forces.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, Friction, Material, PanelMotion, TensionChain};
 
-/// What a chain holds.
+/// The motion or load that a chain holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChainKind {
-    /// The panel's outward motion at its place.
+    /// The panel's outward motion at the chain's place.
     Tension,
     /// The panel's motion along the berth, either way.
     Shear,
@@ -18,7 +18,7 @@ pub enum ChainKind {
 }
 
 impl ChainKind {
-    /// Its name in reports.
+    /// The name of this kind in reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -29,14 +29,14 @@ impl ChainKind {
     }
 }
 
-/// A chain of a fender. Slack, stiffness and break load are along the direction that it holds.
+/// A chain of a fender. Slack, stiffness and break load are measured along the direction that the chain holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSetup {
-    /// What it holds.
+    /// The motion or load that the chain holds.
     pub kind: ChainKind,
     /// Place along the panel from its middle (m); 0 for shear and weight chains.
     pub at_m: f64,
-    /// Motion before it holds (m); 0 for a weight chain.
+    /// Motion before the chain holds (m); 0 for a weight chain.
     pub slack_m: f64,
     /// Stiffness (N/m).
     pub stiffness_npm: f64,
@@ -44,7 +44,7 @@ pub struct ChainSetup {
     pub break_load_n: f64,
 }
 
-/// The tension chains among these, as the engine takes them.
+/// The tension chains among these chains, in the form that the engine needs.
 pub fn tension_chains(chains: &[ChainSetup]) -> Vec<TensionChain> {
     let of_kind = chains.iter().filter(|chain| chain.kind == ChainKind::Tension);
     of_kind
@@ -57,42 +57,43 @@ pub fn tension_chains(chains: &[ChainSetup]) -> Vec<TensionChain> {
         .collect()
 }
 
-/// What a chain bore in a run.
+/// The load of a chain in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSummary {
-    /// What it holds.
+    /// The motion or load that the chain holds.
     pub kind: ChainKind,
-    /// Largest tension (N): that at which it parted if it has.
+    /// Largest tension (N). If the chain parted, this is the tension at which it parted.
     pub peak_tension_n: f64,
-    /// Start of the step of that tension (s).
+    /// Start of the step with the largest tension (s).
     pub peak_tension_at_s: f64,
-    /// That tension over the break load.
+    /// The largest tension over the break load.
     pub share_of_break_load: f64,
-    /// Start of the step in which it parted (s).
+    /// Start of the step in which the chain parted (s).
     pub parted_at_s: Option<f64>,
-    /// Largest tension in the last step (N); 0 where its fender was not touched, or it had parted before.
+    /// Largest tension in the last step (N). 0 if the fender was not touched, or if the chain had parted before.
     pub last_tension_n: f64,
 }
 
 /// The tension of a chain in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainTension {
-    /// Index of its fender in the set-up.
+    /// Index of the chain's fender in the set-up.
     pub fender: usize,
-    /// Its index among the fender's chains.
+    /// Index of the chain among the fender's chains.
     pub chain: usize,
-    /// What it holds.
+    /// The motion or load that the chain holds.
     pub kind: ChainKind,
-    /// Largest tension within the step (N): that at which it parted if it did so in this step, 0 if it had parted before.
+    /// Largest tension within the step (N). If the chain parted in this step, the tension at which it parted; if it had
+    /// parted before, 0.
     pub peak_tension_n: f64,
-    /// That tension over the break load.
+    /// The largest tension over the break load.
     pub share_of_break_load: f64,
-    /// Whether it has parted, in this step or before.
+    /// Whether the chain has parted, in this step or before.
     pub has_parted: bool,
 }
 
 impl ChainTension {
-    /// Those of a touched fender in the step that was added last.
+    /// The chain tensions of a touched fender in the step added last.
     pub fn of<'a>(
         fender: usize,
         setups: &'a [ChainSetup],
@@ -135,7 +136,7 @@ impl ChainSummary {
     }
 }
 
-/// Adds a panel's tension chains in a step.
+/// Adds the loads of a panel's tension chains in a step.
 pub fn add_tension(
     chains: &mut [ChainSummary],
     setups: &[ChainSetup],
@@ -149,7 +150,7 @@ pub fn add_tension(
     }
 }
 
-/// The load of the other chains in a step.
+/// The load of the shear and weight chains in a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChainLoad {
     /// Tangential force on the panel (N).
@@ -158,12 +159,13 @@ pub struct ChainLoad {
     pub vertical_n: f64,
 }
 
-/// A hull that sinks more slowly than this past a panel is partly held by it (m/s): the friction's direction changes
-/// smoothly through zero speed.
+/// Below this speed (m/s) the vertical friction of a hull that sinks past a panel is only partly developed: its
+/// direction changes smoothly through zero speed.
 const SLOW_MPS: f64 = 0.01;
 
 impl ChainLoad {
-    /// Of a hull that sinks at a speed (m/s) along a fender of this material. The largest normal force of the step counts.
+    /// The load from a hull that sinks at a speed (m/s) along a fender of this material. This load is computed with the
+    /// largest normal force of the step.
     pub fn of(contact: &Contact, material: &Material, sinking_mps: f64) -> ChainLoad {
         let (normal_n, along_mps) = (contact.peak_normal_force_n, contact.v_tangential_mps);
         let sliding_n = material.friction_dynamic * normal_n;
@@ -177,7 +179,7 @@ impl ChainLoad {
     }
 }
 
-/// Adds the shear and weight chains of a fender in a step.
+/// Adds the loads of a fender's shear and weight chains in a step.
 pub fn add_others(
     chains: &mut [ChainSummary],
     setups: &[ChainSetup],
@@ -200,7 +202,7 @@ pub fn add_others(
     }
 }
 
-/// How far a tangential force moves the panel on the fender's shear stiffness and its shear chains (m).
+/// How far a tangential force moves the panel, against the shear stiffness of the fender and of its shear chains (m).
 fn displacement_m(
     chains: &[ChainSummary],
     setups: &[ChainSetup],
@@ -212,7 +214,7 @@ fn displacement_m(
     }
     let holds = |c: &ChainSummary| c.kind == ChainKind::Shear && c.parted_at_s.is_none();
     let own = || chains.iter().zip(setups).filter(|(c, _)| holds(c)).map(|(_, setup)| setup);
-    // The force rises with the displacement: the taut chains are those whose slack is below it.
+    // The force rises with the displacement. The taut chains are those whose slack is less than the displacement.
     let mut displaced_m = force_n / shear_npm;
     for _ in 0..=chains.len() {
         let taut = own().filter(|setup| setup.slack_m < displaced_m);
@@ -236,7 +238,8 @@ mod tests {
         break_load_n: 3e5,
     };
 
-    /// 3 MN/m of rubber and a chain of 10 MN/m beyond 20 mm under 320 kN: x = (320 + 200)/13 = 40 mm, the chain 200 kN.
+    /// Rubber of 3 MN/m and a chain of 10 MN/m with a slack of 20 mm, under 320 kN: x = (320 + 200)/13 = 40 mm, and the
+    /// chain takes 200 kN.
     #[test]
     fn a_shear_chain_takes_what_is_beyond_its_slack() {
         let setups = [SHEAR];
@@ -247,7 +250,7 @@ mod tests {
         add_others(&mut chains, &setups, load(320e3), (3e6, 0.0), 2.0);
         assert!((chains[0].peak_tension_n - 200e3).abs() < 1e-6, "{chains:?}");
         assert_eq!((chains[0].parted_at_s, chains[0].peak_tension_at_s), (None, 2.0));
-        // 480 kN: x = 680/13 mm, 323 kN. It parts, and takes nothing afterwards.
+        // Under 480 kN: x = 680/13 mm, and the chain takes 323 kN. It parts, and takes nothing afterwards.
         add_others(&mut chains, &setups, load(480e3), (3e6, 0.0), 3.0);
         assert_eq!(chains[0].parted_at_s, Some(3.0));
         assert!((chains[0].peak_tension_n - 1e7 * (0.68 / 13.0 - 0.02)).abs() < 1e-6);
@@ -255,7 +258,8 @@ mod tests {
         assert_eq!(chains[0].peak_tension_at_s, 3.0);
     }
 
-    /// Two chains carry 60 kN of weight and the friction of a hull that sinks; the weaker parts, the other carries all.
+    /// Two chains carry 60 kN of weight and the friction of a hull that sinks. The weaker chain parts, and the other
+    /// carries all.
     #[test]
     fn weight_chains_share_weight_and_friction() {
         let strong = ChainSetup { kind: ChainKind::Weight, slack_m: 0.0, ..SHEAR };

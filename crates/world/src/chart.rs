@@ -1,11 +1,11 @@
-//! The chart of a berth: what is drawn behind ships and quays. It exerts no force.
+//! The chart of a berth: the background on which ships and quays are drawn. It exerts no force.
 
 use fenderline_contact::Vec2;
 
 /// A chart in the scenario's coordinates; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// What it shows, in the order of its files. A geometry of several parts is several features.
+    /// The features of the chart, in the order of its files. A geometry of several parts gives several features.
     pub features: Vec<ChartFeature>,
     /// The place of the scenario's origin, if the chart was given in longitude and latitude.
     pub origin: Option<GeographicPlace>,
@@ -20,27 +20,27 @@ pub struct GeographicPlace {
     pub longitude_rad: f64,
 }
 
-/// One thing on a chart.
+/// One feature of a chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartFeature {
-    /// What it is.
+    /// Kind of the feature.
     pub kind: ChartKind,
-    /// Its name; empty for none.
+    /// Name of the feature; empty if it has none.
     pub name: String,
-    /// Where it is.
+    /// Shape and position of the feature.
     pub shape: ChartShape,
-    /// Its depth below chart datum, of depth areas the least (m); `None` for other kinds.
+    /// Depth below chart datum; for a depth area, the least depth (m). `None` for other kinds.
     pub depth_m: Option<f64>,
     /// Colour and side of a buoy or beacon; `None` for other kinds.
     pub mark: Option<ChartMark>,
 }
 
-/// Kinds of things on a chart.
+/// Kinds of features of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartKind {
     /// Land, or the line where it begins.
     Coast,
-    /// Water of at least some depth.
+    /// An area in which the water has at least some depth.
     DepthArea,
     /// A line of equal depth.
     DepthContour,
@@ -69,7 +69,7 @@ impl ChartKind {
         ChartKind::Name,
     ];
 
-    /// Its word in GeoJSON files and in messages to pages.
+    /// The word for the kind in GeoJSON files and in messages to pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -92,12 +92,12 @@ pub enum ChartShape {
     Point(Vec2),
     /// A line through points.
     Line(Vec<Vec2>),
-    /// An area: its outer ring, then the rings of its holes, each without a repeated last point.
+    /// An area: the outer ring, then the rings of the holes. No ring repeats its first point at the end.
     Area(Vec<Vec<Vec2>>),
 }
 
 impl ChartShape {
-    /// All its points (m).
+    /// All points of the shape (m).
     pub fn points_m(&self) -> impl Iterator<Item = Vec2> {
         let (point, lines): (Option<Vec2>, &[Vec<Vec2>]) = match self {
             ChartShape::Point(at_m) => (Some(*at_m), &[]),
@@ -108,12 +108,12 @@ impl ChartShape {
     }
 }
 
-/// A buoy or beacon.
+/// Colour and side of a buoy or beacon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChartMark {
-    /// Its colour.
+    /// Colour of the mark.
     pub colour: MarkColour,
-    /// The side of the fairway that it marks for a ship that enters; `None`: not a lateral mark.
+    /// The side of the fairway that the mark shows to a ship that enters; `None`: not a lateral mark.
     pub side: Option<MarkSide>,
 }
 
@@ -128,7 +128,7 @@ pub enum MarkColour {
     Yellow,
     /// Black, with yellow or red: cardinal marks and isolated dangers.
     Black,
-    /// White: safe water, with red stripes, and others.
+    /// White: safe water (with red stripes), and other marks.
     White,
 }
 
@@ -142,7 +142,7 @@ impl MarkColour {
         MarkColour::White,
     ];
 
-    /// Its word in GeoJSON files and in messages to pages.
+    /// The word for the colour in GeoJSON files and in messages to pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -158,9 +158,9 @@ impl MarkColour {
 /// Sides of a fairway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkSide {
-    /// To port of a ship that enters. It has the shape of a can.
+    /// The mark is to port of a ship that enters. The mark has the shape of a can.
     Port,
-    /// To starboard of a ship that enters. It has the shape of a cone.
+    /// The mark is to starboard of a ship that enters. The mark has the shape of a cone.
     Starboard,
 }
 
@@ -168,7 +168,7 @@ impl MarkSide {
     /// Both sides.
     pub const ALL: [MarkSide; 2] = [MarkSide::Port, MarkSide::Starboard];
 
-    /// Its word in GeoJSON files and in messages to pages.
+    /// The word for the side in GeoJSON files and in messages to pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

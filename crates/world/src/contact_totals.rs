@@ -3,16 +3,16 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ContactWork};
 
+use crate::energy::ContactEnergy;
 use crate::hull::HeightWork;
 use crate::mean_velocity::MeanVelocity;
-use crate::record::ContactEnergy;
 
 /// How the work of a contact is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WorkSource {
     /// The engine moved the bodies and reports impulse and work, summed over its sub-steps.
     Engine,
-    /// The contact's mean forces times the bodies' mean velocities, for a time (s).
+    /// The work is the contact's mean force times the bodies' mean velocities, times this time (s).
     MeanVelocity(f64),
 }
 
@@ -23,12 +23,12 @@ pub struct ContactTotals {
     pub all: Vec<ContactEnergy>,
     /// For each entry, the contact at the start of the step.
     at_start: Vec<AtStart>,
-    /// Energy created by contacts that have ended (J).
+    /// Sum of the energy that contacts created which have ended (J).
     gained_j: f64,
     has_begun: bool,
-    /// The entry that was found last.
+    /// Index of the entry found last.
     last: usize,
-    /// For each entry, the one that was found after it when it was looked for last.
+    /// For each entry, the entry that was found after it in the last search.
     following: Vec<usize>,
 }
 
@@ -38,12 +38,12 @@ struct AtStart {
     exists: bool,
     stored_j: f64,
     shear_stored_j: f64,
-    /// Hysteresis loss that belongs to the step before.
+    /// Hysteresis loss that belongs to the step before this one.
     hysteresis_j: f64,
 }
 
 impl ContactTotals {
-    /// Forgets the run.
+    /// Forgets the run so far.
     pub fn restart(&mut self) {
         let ContactTotals { all, at_start, gained_j, has_begun, last, following } = self;
         all.clear();
@@ -52,7 +52,7 @@ impl ContactTotals {
         (*gained_j, *has_begun, *last) = (0.0, false, 0);
     }
 
-    /// Begins a step: removes contacts that ended in the step before the last, clears the works, and compares the
+    /// Begins a step. Removes contacts that ended in the step before the last, and clears the works. Compares the
     /// stored energy accumulated so far with the potential of the springs.
     pub fn open(&mut self, contacts: &[Contact], works: &[HeightWork]) {
         let mut index = 0;
@@ -66,7 +66,7 @@ impl ContactTotals {
             exists
         });
         if self.all.len() < count {
-            // The indices of the others have changed.
+            // The indices of the other entries have changed.
             self.following.clear();
             self.following.extend(1..=self.all.len());
         }
@@ -96,15 +96,15 @@ impl ContactTotals {
             at_start.hysteresis_j += contact.energy.hysteresis_at_start_j;
             at_start.shear_stored_j += contact.energy.shear_stored_j;
         }
-        // Between outlines there is no potential: the accumulated energy stands until the contact ends.
+        // Contacts between outlines have no potential: their accumulated energy stays until the contact ends.
         for (energy, at_start) in self.all.iter_mut().zip(&self.at_start) {
             let stored_j = match (at_start.exists, energy.fender) {
                 (true, Some(_)) => at_start.stored_j,
                 (true, None) => energy.stored_j,
                 (false, _) => 0.0,
             };
-            // The engine finds hysteresis losses at the start of a sub-step, so the loss at the end of the last
-            // step is counted in this one.
+            // The engine finds hysteresis losses at the start of a sub-step, so the loss at the end of the last step is
+            // counted in this step.
             energy.hysteresis_j = at_start.hysteresis_j;
             energy.residual_j = energy.stored_j - at_start.hysteresis_j - stored_j;
             energy.stored_j = stored_j;
@@ -133,7 +133,7 @@ impl ContactTotals {
         }
     }
 
-    /// Ends a step: the friction loss is the work of the tangential force less what the shear spring stored.
+    /// Ends a step. The friction loss is the work of the tangential force, less what the shear spring stored.
     pub fn close(&mut self) {
         for (energy, at_start) in self.all.iter_mut().zip(&self.at_start) {
             energy.since_began_j += energy.normal_j + energy.tangential_j - energy.height_j;
@@ -144,7 +144,7 @@ impl ContactTotals {
         self.has_begun = true;
     }
 
-    /// Energy created by all contacts so far, present ones included (J).
+    /// Energy that all contacts have created so far, present contacts included (J).
     pub fn gained_j(&self) -> f64 {
         self.all
             .iter()
@@ -158,9 +158,10 @@ impl ContactTotals {
 
     fn index_of_pair(&mut self, bodies: [usize; 2], fender: Option<usize>) -> usize {
         let same = |b: &ContactEnergy| b.bodies == bodies && b.fender == fender;
-        // Contacts come in the same order in every step, which is not that of the entries where they began in several steps. So
-        // it is the entry that came next in the last step, or the last one again for another patch of it. With 1,000 fenders,
-        // searching all of them takes longer than solving the contacts.
+        // Contacts come in the same order in every step. This is not the order of the entries if contacts began in
+        // different steps. So the search first tries the entry that came next in the last step, and then the last entry
+        // again, for another patch of it. With 1,000 fenders, searching all entries would take longer than solving the
+        // contacts.
         let is_at = |index: usize| self.all.get(index).is_some_and(same);
         let next = self.following.get(self.last).copied().unwrap_or(0);
         let near = [next, self.last, self.last + 1].into_iter().find(|&index| is_at(index));
@@ -188,7 +189,7 @@ impl ContactTotals {
     }
 }
 
-/// Work of a contact's mean forces along the mean motion of its bodies.
+/// Work of a contact's mean forces over the mean motion of its bodies.
 fn work_along(contact: &Contact, mean: &[MeanVelocity], seconds: f64) -> ContactWork {
     let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
     let [one, two] = bodies.map(|body| mean[body]);

@@ -1,16 +1,17 @@
 //! Flexible dolphins: bodies on piles that bend under a ship, in series with their fenders.
 
-use fenderline_contact::number::greater;
-use fenderline_contact::{Model, Pile, PileMotion, Vec2};
+mod run;
 
-use crate::setup::Setup;
+use fenderline_contact::{Pile, Vec2};
 
-/// What makes a body a flexible dolphin: its pile, and the mass on it.
+pub use self::run::{DolphinMotion, DolphinSummary, Dolphins};
+
+/// A flexible dolphin: its pile, and the mass on the pile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DolphinSetup {
-    /// Mass that moves with the head: the head itself, and the pile's share by its first mode (kg).
+    /// Mass that moves with the head (kg): the head, and the share of the pile that moves in its first mode.
     pub mass_kg: f64,
-    /// Horizontal stiffness at the fender's height, the same in all directions (N/m).
+    /// Horizontal stiffness at the fender's height, equal in all directions (N/m).
     pub stiffness_npm: f64,
     /// Damping over the critical damping.
     pub damping_ratio: f64,
@@ -31,7 +32,7 @@ impl DolphinSetup {
         core::f64::consts::TAU / self.rate_radps()
     }
 
-    /// The pile of a dolphin that stands here.
+    /// The pile of a dolphin that stands at this place.
     pub fn pile(&self, place_m: Vec2) -> Pile {
         Pile {
             place_m,
@@ -42,8 +43,8 @@ impl DolphinSetup {
     }
 }
 
-/// Tubular steel piles that stand upright and are fixed in the ground: beams of constant section, clamped at the point of
-/// fixity. Several piles of one dolphin bend alike.
+/// Tubular steel piles that stand upright and are fixed in the ground: beams of constant section, clamped at the point
+/// of fixity. All piles of a dolphin bend alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteelPiles {
     /// Number of piles.
@@ -52,7 +53,7 @@ pub struct SteelPiles {
     pub diameter_m: f64,
     /// Wall thickness (m).
     pub wall_m: f64,
-    /// From the point of fixity to the height of the fender (m).
+    /// Length from the point of fixity to the height of the fender (m).
     pub length_m: f64,
     /// Young's modulus (N/m²).
     pub modulus_npm2: f64,
@@ -64,8 +65,9 @@ impl SteelPiles {
     /// Density of steel (kg/m³).
     const STEEL_KGPM3: f64 = 7850.0;
 
-    /// Share of a clamped beam's mass μL that acts at its free end in the first mode. With ω₁ = β² √(EI/μ)/L², 1 + cos β cosh β
-    /// = 0, and K = 3EI/L³ it is K/(μ L ω₁²) = 3/β⁴. With a heavy head it tends to 33/140 = 0.236, that of the static deflection.
+    /// Share of a clamped beam's mass μL that acts at its free end in the first mode. With ω₁ = β² √(EI/μ)/L², 1 + cos
+    /// β cosh β = 0, and K = 3EI/L³ it is K/(μ L ω₁²) = 3/β⁴. With a heavy head the share tends to 33/140 = 0.236, the
+    /// value for the static deflection.
     const FIRST_MODE: f64 = 0.242_672;
 
     /// K = 3EI/L³ of all piles (N/m).
@@ -76,7 +78,7 @@ impl SteelPiles {
         f64::from(self.number) * 3.0 * bending_nm2 / cube_m3
     }
 
-    /// The part of the piles' steel that moves with the head (kg). Water in and around the piles is not in it.
+    /// The part of the piles' steel that moves with the head (kg). Water in and around the piles is not included.
     #[must_use]
     pub fn moving_mass_kg(&self) -> f64 {
         let [outer_m, inner_m] = self.diameters_m();
@@ -107,122 +109,6 @@ impl SteelPiles {
     }
 }
 
-/// The pile of a dolphin in a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DolphinMotion {
-    /// The dolphin: an index into [`Setup::bodies`].
-    pub body: usize,
-    /// What its pile did.
-    pub pile: PileMotion,
-}
-
-/// What a dolphin's pile bore in a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DolphinSummary {
-    /// The dolphin: an index into [`Setup::bodies`].
-    pub body: usize,
-    /// Largest deflection of the head, permanent part included (m).
-    pub peak_deflection_m: f64,
-    /// Start of the step of it (s).
-    pub peak_deflection_at_s: f64,
-    /// Largest load on the pile (N).
-    pub peak_load_n: f64,
-    /// Start of the step of it (s).
-    pub peak_load_at_s: f64,
-    /// Largest energy in the pile's bending (J).
-    pub peak_energy_j: f64,
-    /// The largest load over the yield load, if that is known.
-    pub share_of_yield_load: Option<f64>,
-    /// Start of the first step in which it yielded (s).
-    pub yielded_at_s: Option<f64>,
-    /// Permanent deflection (m).
-    pub offset_m: f64,
-    /// Energy lost to yielding (J).
-    pub yield_j: f64,
-    /// Energy lost to damping (J).
-    pub damping_j: f64,
-}
-
-/// The dolphins of a run: their last motions, and their summaries, in the order of the set-up.
-#[derive(Clone, Debug, Default)]
-pub struct Dolphins {
-    /// For each dolphin, the number of its pile in the engine.
-    piles: Vec<usize>,
-    /// Their motions in the last step.
-    pub motions: Vec<DolphinMotion>,
-    /// What they did in the run.
-    pub summaries: Vec<DolphinSummary>,
-}
-
-impl Dolphins {
-    /// Before the first step. The engine has the piles in the order of its bodies' keys.
-    pub fn new(setup: &Setup, model: &Model) -> Dolphins {
-        let with_pile = |(body, of): (usize, &crate::setup::BodySetup)| of.dolphin.map(|_| body);
-        let bodies: Vec<usize> = setup.bodies.iter().enumerate().filter_map(with_pile).collect();
-        let key = |body: usize| model.bodies()[body].key;
-        let piles = bodies
-            .iter()
-            .map(|&body| bodies.iter().filter(|&&other| key(other) < key(body)).count())
-            .collect();
-        let motion = |&body: &usize| DolphinMotion { body, pile: PileMotion::default() };
-        Dolphins {
-            piles,
-            motions: bodies.iter().map(motion).collect(),
-            summaries: bodies.iter().map(|&body| DolphinSummary::new(body)).collect(),
-        }
-    }
-
-    /// Takes over a step of the engine.
-    pub fn take(&mut self, piles: &[PileMotion]) {
-        for (motion, &pile) in self.motions.iter_mut().zip(&self.piles) {
-            motion.pile = piles[pile];
-        }
-    }
-
-    /// Adds the last step to the summaries.
-    pub fn summarise(&mut self, setup: &Setup, t_s: f64) {
-        for (summary, motion) in self.summaries.iter_mut().zip(&self.motions) {
-            let limit_n = setup.bodies[motion.body].dolphin.and_then(|of| of.yield_load_n);
-            summary.add(&motion.pile, limit_n, t_s);
-        }
-    }
-}
-
-impl DolphinSummary {
-    fn new(body: usize) -> DolphinSummary {
-        DolphinSummary {
-            body,
-            peak_deflection_m: 0.0,
-            peak_deflection_at_s: 0.0,
-            peak_load_n: 0.0,
-            peak_load_at_s: 0.0,
-            peak_energy_j: 0.0,
-            share_of_yield_load: None,
-            yielded_at_s: None,
-            offset_m: 0.0,
-            yield_j: 0.0,
-            damping_j: 0.0,
-        }
-    }
-
-    fn add(&mut self, pile: &PileMotion, limit_n: Option<f64>, t_s: f64) {
-        if pile.peak_deflection_m > self.peak_deflection_m {
-            (self.peak_deflection_m, self.peak_deflection_at_s) = (pile.peak_deflection_m, t_s);
-        }
-        if pile.peak_load_n > self.peak_load_n {
-            (self.peak_load_n, self.peak_load_at_s) = (pile.peak_load_n, t_s);
-        }
-        self.peak_energy_j = greater(self.peak_energy_j, pile.peak_stored_j);
-        self.share_of_yield_load = limit_n.map(|limit_n| self.peak_load_n / limit_n);
-        if pile.yield_j > 0.0 {
-            self.yielded_at_s.get_or_insert(t_s);
-        }
-        self.offset_m = pile.offset_m.length();
-        self.yield_j += pile.yield_j;
-        self.damping_j += pile.damping_j;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,8 +127,9 @@ mod tests {
         assert!((SteelPiles::FIRST_MODE / share - 1.0).abs() < 1e-5, "{share}");
     }
 
-    /// A monopile of 2.5 m by 40 mm, 25 m long, E = 210 GPa, 420 MPa. By hand: I = π/64 (2.5⁴ − 2.42⁴) = 0.233905 m⁴,
-    /// K = 3EI/L³ = 9.4311 MN/m, A = 0.309133 m², ρ A L = 60.667 t, of which 0.24267, W = 0.187124 m³, f_y W/L = 3.1437 MN.
+    /// A monopile of 2.5 m diameter and 40 mm wall, 25 m long, E = 210 GPa, yield stress 420 MPa. By hand: I = π/64
+    /// (2.5⁴ − 2.42⁴) = 0.233905 m⁴, K = 3EI/L³ = 9.4311 MN/m, A = 0.309133 m², ρ A L = 60.667 t, of which 0.24267, W =
+    /// 0.187124 m³, f_y W/L = 3.1437 MN.
     #[test]
     fn a_monopile_is_a_cantilever() {
         let pile = SteelPiles {

@@ -12,7 +12,7 @@ use fenderline_ship::environment::EnvironmentError;
 use fenderline_ship::mooring::MooringError;
 use fenderline_ship::range::OutOfRange;
 
-/// A set-up that cannot be simulated.
+/// Reasons why a set-up cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SetupError {
@@ -22,7 +22,7 @@ pub enum SetupError {
     OutOfRange {
         /// The number.
         field: &'static str,
-        /// Its value.
+        /// Value of the number.
         value: f64,
     },
     /// Two bodies or two fenders have the same name.
@@ -58,7 +58,7 @@ pub enum SetupError {
     Order(OrderError),
     /// A vessel with the paper's contact method, which has one mass for all directions.
     VesselByPaperMethod {
-        /// The index of her body.
+        /// Index of the vessel's body.
         body: usize,
     },
     /// A body with outlines by height and the paper's contact method.
@@ -66,14 +66,14 @@ pub enum SetupError {
         /// The index of the body.
         body: usize,
     },
-    /// A flexible dolphin with the paper's contact method, or with an integrator other than the semi-implicit one.
+    /// A flexible dolphin with the paper's contact method, or with an integrator that is not semi-implicit.
     DolphinNeedsEngine {
         /// The body.
         body: String,
     },
-    /// A vessel with hydrodynamic data with another method or integrator than those with which the engine moves bodies.
+    /// A vessel with hydrodynamic data, but the method or the integrator is not one with which the engine moves bodies.
     SeakeepingNeedsEngine {
-        /// The index of her body.
+        /// Index of the vessel's body.
         body: usize,
     },
     /// A flexible dolphin in a host that moves its bodies itself.
@@ -83,7 +83,7 @@ pub enum SetupError {
     },
     /// A body index that does not exist, or the index of a fixed body where a floating one is needed.
     BadBody {
-        /// What refers to it.
+        /// The part of the set-up that refers to the body.
         owner: &'static str,
         /// The index.
         body: usize,

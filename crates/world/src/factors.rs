@@ -1,33 +1,33 @@
-//! Partial factors on the effects of a run, given by the user with their source.
+//! Partial factors on the results of a run. The user gives the factors, with their source.
 //!
-//! fenderline has no factors of any guideline. It multiplies what it computed by those that the user gives, compares, and names the
-//! user's source in all outputs.
+//! fenderline contains no factors of any guideline. The program multiplies its results by the factors that the user
+//! gives, compares them with limits, and names the user's source in all outputs.
 
 use crate::fender::FenderSummary;
 use fenderline_ship::mooring::LineKind;
 use fenderline_ship::range::{OutOfRange, within};
 
-/// Factors of the user's own on energies, reactions and line loads.
+/// The user's factors on energies, reactions and line loads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartialFactors {
-    /// Where the factors come from, in the user's words.
+    /// The source of the factors, in the user's words.
     pub source: String,
-    /// On the energy that a fender absorbs, which is compared with its rated energy.
+    /// Factor on the energy that a fender absorbs. The product is compared with the fender's rated energy.
     pub energy: Option<f64>,
-    /// On the reaction of a fender.
+    /// Factor on the reaction of a fender.
     pub reaction: Option<f64>,
-    /// What a factored reaction is compared with (N); `None`: it is only shown.
+    /// The limit with which a factored reaction is compared (N); `None`: the factored reaction is only shown.
     pub reaction_limit_n: Option<f64>,
-    /// On the tension of a line.
+    /// Factor on the tension of a line.
     pub line_load: Option<f64>,
-    /// What a factored tension is compared with.
+    /// The capacity with which a factored tension is compared.
     pub line_capacity: LineCapacity,
 }
 
-/// What the factored tension of a line is compared with.
+/// The capacity with which the factored tension of a line is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LineCapacity {
-    /// Its working load.
+    /// The working load of the line.
     #[default]
     WorkingLoad,
     /// The least break load of rope and tail.
@@ -35,7 +35,7 @@ pub enum LineCapacity {
 }
 
 impl LineCapacity {
-    /// In words.
+    /// The capacity in words.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -45,19 +45,19 @@ impl LineCapacity {
     }
 }
 
-/// An effect times its factor.
+/// A result times its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factored {
     /// Factor.
     pub factor: f64,
-    /// Effect times factor (J or N).
+    /// Result times factor (J or N).
     pub value: f64,
-    /// What it is compared with (J or N), if that is known.
+    /// Capacity with which the value is compared (J or N), if it is known.
     pub capacity: Option<f64>,
 }
 
 impl Factored {
-    /// Factored effect over capacity.
+    /// Factored result over capacity.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
         self.capacity.map(|capacity| self.value / capacity)
@@ -85,12 +85,12 @@ impl PartialFactors {
         Ok(())
     }
 
-    /// The factored energy of a fender beside its rated energy with the factors of the run; `None` without a factor.
+    /// The factored energy of a fender, and its rated energy with the factors of the run; `None` without a factor.
     #[must_use]
     pub fn energy_of(&self, fender: &FenderSummary) -> Option<Factored> {
         let of = |factor: f64| {
             let value = factor * fender.peak_energy_j;
-            // The share governs: a fender of several cones is rated by the one that is used most.
+            // The share governs: a fender of several cones is rated by its most used cone.
             let capacity = fender
                 .share_of_rated_energy
                 .filter(|share| *share > 0.0)

@@ -1,8 +1,9 @@
 //! The order of summation. A floating-point sum depends on the order of its terms, so forces are summed in the order of
-//! names and not in the order of the scenario file.
+//! names, not in the order of the scenario file.
 
-use crate::setup::{BodySetup, Load};
-use crate::world::WorldSetup;
+use crate::setup::body::BodySetup;
+use crate::setup::load::Load;
+use crate::world::setup::WorldSetup;
 
 /// Indices into the set-up, sorted by name.
 #[derive(Clone, Debug)]
@@ -40,7 +41,7 @@ fn by_name<'n>(names: impl Iterator<Item = &'n str>) -> Vec<usize> {
     places
 }
 
-/// Sorts loads by their values, as they have no names: loads that compare equal are identical.
+/// Sorts loads by their values, because loads have no names. Loads that compare equal are identical.
 pub fn sort_loads(loads: &mut [Load]) {
     let key = |load: &Load| {
         let Load { body: _, force_n, moment_nm, from_s, until_s } = *load;

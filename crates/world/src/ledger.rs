@@ -1,11 +1,11 @@
-//! The energy ledger of a run: kinetic energy, work of the loads, and where the contacts' energy went.
+//! The energy ledger of a run: kinetic energy, work of the loads, and the energies of contacts.
 
 use fenderline_contact::BodyState;
 use fenderline_contact::number::greater;
 
 use crate::contact_totals::ContactTotals;
 use crate::dolphin::DolphinMotion;
-use crate::record::{Energy, LoadWork};
+use crate::energy::{Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
 /// Inertias and states of all bodies, and the order in which their energies are summed.
@@ -29,7 +29,7 @@ impl Bodies<'_> {
 #[derive(Clone, Debug)]
 pub struct Ledger {
     start_j: f64,
-    /// Without what [`Ledger::energy`] finds when it is asked for.
+    /// Sums so far, without the values that [`Ledger::energy`] computes when it is called.
     sums: Energy,
 }
 
@@ -39,17 +39,18 @@ impl Ledger {
         Ledger { start_j: bodies.kinetic_j(), sums: Energy::default() }
     }
 
-    /// The ledger of bodies that are now as the last step has left them. Many runs ask for it at their end alone.
+    /// The ledger. `bodies` are as the last step left them. Many runs ask for the ledger only at their end.
     pub fn energy(&self, bodies: Bodies<'_>) -> Energy {
         let (kinetic_j, load_work_j) = (bodies.kinetic_j(), self.sums.loads.total_j());
         let work_j = load_work_j + self.sums.normal_work_j + self.sums.tangential_work_j;
-        // Before the first step, both may be infinite: a start may be faster than the engine's steps take.
+        // Before the first step both energies may be infinite, because a start may have a larger velocity than a step
+        // accepts.
         let gained_j = if kinetic_j == self.start_j { 0.0 } else { kinetic_j - self.start_j };
         let residual_j = gained_j - work_j;
         Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
     }
 
-    /// The energy that contacts absorbed, and that which they returned beyond it (J).
+    /// The energy that contacts absorbed, and the energy that they returned beyond this (J).
     pub fn contacts_j(&self) -> [f64; 2] {
         [self.sums.contact_taken_j, self.sums.contact_gained_j]
     }

@@ -29,6 +29,7 @@ pub mod change;
 pub mod chart;
 pub mod contact_totals;
 pub mod dolphin;
+mod energy;
 pub mod error;
 pub mod external;
 pub mod factors;

@@ -1,8 +1,8 @@
 //! Limits of a scenario on motions, lines and fenders.
 
-use crate::setup::Setup;
+mod subject;
 
-/// Statistics of a run, and the limits that they are compared with.
+/// Statistics of a run, and the limits with which they are compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatisticsSetup {
     /// Time from which steps count (s); `None`: no statistics, and no limits.
@@ -14,15 +14,15 @@ pub struct StatisticsSetup {
 /// A limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitSetup {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
-    /// What is limited.
+    /// The quantity that is limited.
     pub what: Limited,
-    /// The most that is permissible (m, rad, or a share).
+    /// The largest permissible value (m, rad, or a share).
     pub most: f64,
 }
 
-/// What is limited.
+/// The quantity that is limited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limited {
     /// A motion of a vessel.
@@ -31,7 +31,7 @@ pub enum Limited {
         vessel: usize,
         /// The motion.
         motion: MotionName,
-        /// Which of its statistics.
+        /// The statistic of the motion.
         measure: Measure,
     },
     /// The largest tension of any line over its break load.
@@ -43,15 +43,15 @@ pub enum Limited {
 /// A motion in one of the six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionName {
-    /// Along her mean heading.
+    /// Motion along the vessel's mean heading.
     Surge,
-    /// Across her mean heading.
+    /// Motion across the vessel's mean heading.
     Sway,
     /// Up and down.
     Heave,
-    /// About her long axis.
+    /// About the longitudinal axis.
     Roll,
-    /// About her cross axis.
+    /// About the transverse axis.
     Pitch,
     /// Heading.
     Yaw,
@@ -68,7 +68,7 @@ impl MotionName {
         MotionName::Yaw,
     ];
 
-    /// In words.
+    /// The motion in words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -81,7 +81,7 @@ impl MotionName {
         }
     }
 
-    /// Whether it is an angle.
+    /// Whether the motion is an angle.
     #[must_use]
     pub fn is_angle(self) -> bool {
         matches!(self, MotionName::Roll | MotionName::Pitch | MotionName::Yaw)
@@ -104,7 +104,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// In words.
+    /// The statistic in words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -118,20 +118,7 @@ impl Measure {
 }
 
 impl LimitSetup {
-    /// What is limited, in words.
-    #[must_use]
-    pub fn subject(&self, setup: &Setup) -> String {
-        match self.what {
-            Limited::Motion { vessel, motion, measure } => {
-                let name = &setup.bodies[setup.world.vessels[vessel].body].name;
-                format!("{} of {name}, {}", motion.word(), measure.word())
-            }
-            Limited::Lines => "largest tension of a line over its break load".to_owned(),
-            Limited::Fenders => "largest use of a fender over its rating".to_owned(),
-        }
-    }
-
-    /// A value of it, in words.
+    /// A value of the limited quantity, in words.
     #[must_use]
     pub fn shown(&self, value: f64) -> String {
         match self.what {

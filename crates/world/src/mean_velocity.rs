@@ -1,4 +1,4 @@
-//! The mean velocity of a body over a step, with which works are computed.
+//! The mean velocity of a body over a step, from which the work of forces is computed.
 
 use fenderline_contact::{BodyState, Displacement, Vec2, Wrench};
 

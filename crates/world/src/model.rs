@@ -1,4 +1,4 @@
-//! From a set-up to the inertias of its bodies and the contact model.
+//! Builds the inertias of the bodies and the contact model from a set-up.
 
 use std::sync::Arc;
 
@@ -14,16 +14,16 @@ use crate::world::{mass_matrix, motions};
 use fenderline_ship::seakeeping::Motion;
 
 impl Setup {
-    /// The contact model of these bodies alone, for hosts that move their bodies themselves and use only the
-    /// contact engine.
+    /// The contact model of these bodies alone. For hosts that move their bodies themselves and use only the contact
+    /// engine.
     ///
-    /// Method and integrator decide what the inertia of a body is: with the coupled method and the semi-implicit
-    /// integrator the engine adds the Coriolis terms itself, as it does in a simulation.
+    /// Method and integrator decide what the inertia of a body contains. In the coupled method with the semi-implicit
+    /// integrator, the engine adds the Coriolis terms itself, as in a simulation.
     ///
-    /// Fenders meet a body with outlines by height at its waterline: the heights are known to a simulation only.
+    /// Fenders meet a body with outlines by height at its waterline: only a simulation knows the heights.
     ///
     /// # Errors
-    /// [`SetupError`], naming what is wrong.
+    /// [`SetupError`], which names the fault.
     pub fn contact_model(&self) -> Result<Model, SetupError> {
         if let Some(body) = self.bodies.iter().find(|body| body.dolphin.is_some()) {
             return Err(SetupError::DolphinOfHost { body: body.name.clone() });
@@ -39,7 +39,8 @@ impl Setup {
     }
 }
 
-/// The inertia of each body; that of a vessel comes from her motion by hydrodynamic data, or from her manoeuvring model.
+/// The inertia of each body. The inertia of a vessel comes from her hydrodynamic data, if she has them, or else from
+/// her manoeuvring model.
 pub fn inertias(
     setup: &Setup,
     motions: &[Option<Arc<Motion>>],
@@ -83,12 +84,12 @@ pub fn inertias(
     Ok(inertias)
 }
 
-/// What fenders meet of bodies with outlines by height.
+/// The part of bodies with outlines by height that fenders meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fenders {
-    /// The outline at the waterline.
+    /// Fenders meet the outline at the waterline.
     MeetOutlines,
-    /// The outline at their own height, which the simulation cuts.
+    /// Each fender meets the outline at its own height, which the simulation cuts.
     MeetSlices,
 }
 
@@ -137,7 +138,7 @@ pub fn build_model(
     Ok(builder.build()?)
 }
 
-/// A fender as the engine takes it. Without a rating, its rated deflection is its projection.
+/// A fender in the form of the contact engine. Without a rating, the fender's rated deflection is its projection.
 fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
     Fender {
         name: fender.name.clone(),
@@ -160,8 +161,8 @@ fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
     }
 }
 
-/// The key of each name: its index among the sorted names, so that the order of bodies and fenders in a
-/// scenario does not change the results. The error is a name that occurs twice.
+/// The key of each name: its index among the sorted names, so that the order of bodies and fenders in a scenario does
+/// not change the results. On error, returns a name that occurs twice.
 fn keys_of<'n>(names: impl Iterator<Item = &'n str>) -> Result<Vec<u64>, String> {
     let names: Vec<&str> = names.collect();
     let mut order: Vec<usize> = (0..names.len()).collect();

@@ -1,37 +1,39 @@
-//! Panels on several cones: what they did in a run.
+//! Panels on several cones: their motion and loads in a run.
+
+mod cone_use;
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Panel, PanelMotion};
 
-use crate::fender::{FenderSetup, FenderSummary, Rated};
+pub use self::cone_use::ConeUse;
 
-/// What a panel on several cones did in a run. Peaks are those within the steps, sub-steps included.
+/// Motion and loads of a panel on several cones in a run. Peaks include those between the ends of steps, in sub-steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelSummary {
-    /// The turn about the vertical axis of the largest size (rad), positive where the right end, seen by one who looks at
-    /// the face, was deflected more.
+    /// The largest turn about the vertical axis in either sense (rad). Positive if the right end was deflected more, as
+    /// seen by a viewer who faces the panel.
     pub peak_tilt_rad: f64,
-    /// Start of the step of that turn (s).
+    /// Start of the step with the largest turn (s).
     pub peak_tilt_at_s: f64,
-    /// Deflection of the panel's middle then (m).
+    /// Deflection of the panel's middle at the largest turn (m).
     pub deflection_at_peak_tilt_m: f64,
-    /// The moment of the cones' reactions about the panel's middle of the largest size (N·m), positive where the right ones
-    /// bore more.
+    /// The largest moment of the cones' reactions about the panel's middle in either sense (N·m). Positive if the cones
+    /// on the right bore more.
     pub peak_moment_nm: f64,
-    /// Start of the step of that moment (s).
+    /// Start of the step with the largest moment (s).
     pub peak_moment_at_s: f64,
     /// The cones, in the order of the set-up.
     pub cones: Vec<ConeSummary>,
 }
 
-/// What one cone behind a panel did in a run.
+/// Motion of one cone behind a panel in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeSummary {
-    /// Its place along the panel from the middle (m).
+    /// Place of the cone along the panel, from the middle (m).
     pub at_m: f64,
     /// Largest deflection (m).
     pub peak_deflection_m: f64,
-    /// Largest stretch (m): how far the panel pulled it out.
+    /// Largest stretch (m): how far the panel pulled the cone out.
     pub peak_stretch_m: f64,
 }
 
@@ -63,45 +65,5 @@ impl PanelSummary {
             cone.peak_deflection_m = greater(cone.peak_deflection_m, most_m);
             cone.peak_stretch_m = greater(cone.peak_stretch_m, -least_m);
         }
-    }
-}
-
-/// What a cone took by its curve with the factor of the run, without the panel's stop, and that over the cone's own part of
-/// the panel's rating.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConeUse {
-    /// Largest reaction (N).
-    pub peak_reaction_n: f64,
-    /// Energy up to its largest deflection (J).
-    pub peak_energy_j: f64,
-    /// Its largest deflection over the rated one; `None` without a rating, as the others.
-    pub share_of_rated_deflection: Option<f64>,
-    /// The reaction over the rated one with the run's factor.
-    pub share_of_rated_reaction: Option<f64>,
-    /// The energy over the capacity with the run's factors.
-    pub share_of_rated_energy: Option<f64>,
-}
-
-impl ConeUse {
-    /// Of a cone with this largest deflection (m). `None` for a fender with an area law.
-    #[must_use]
-    pub fn of(
-        setup: &FenderSetup,
-        summary: &FenderSummary,
-        peak_deflection_m: f64,
-    ) -> Option<ConeUse> {
-        let (cones, factor) = (setup.cones(), summary.factor);
-        let peak = Rated::of(&setup.law, peak_deflection_m)?;
-        let (peak_reaction_n, peak_energy_j) = (peak.reaction_n * factor, peak.energy_j * factor);
-        let rated = setup.rated;
-        let energy = |capacity_j: f64| cones * peak_energy_j / capacity_j;
-        Some(ConeUse {
-            peak_reaction_n,
-            peak_energy_j,
-            share_of_rated_deflection: rated.map(|rated| peak_deflection_m / rated.deflection_m),
-            // The factor is on both.
-            share_of_rated_reaction: rated.map(|rated| cones * peak.reaction_n / rated.reaction_n),
-            share_of_rated_energy: summary.capacity_j.filter(|_| rated.is_some()).map(energy),
-        })
     }
 }

@@ -4,9 +4,10 @@ use fenderline_contact::number::lesser;
 use fenderline_contact::{BodyState, Mobility, Pile, Vec2, Wrench, vec2};
 
 use crate::dolphin::DolphinSetup;
-use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
+use crate::setup::body::{BodySetup, BodyVelocity, MassProperties};
+use crate::setup::method::Method;
 
-/// Inertia of a body, rigid-body and added mass; a fixed body has none.
+/// Inertia of a body: rigid-body and added mass. A fixed body has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
     /// Mass in surge (kg).
@@ -17,20 +18,20 @@ pub struct Inertia {
     pub yaw_kgm2: f64,
     /// Coupling of sway and yaw about the centre of gravity (kg·m).
     pub coupling_kgm: f64,
-    /// The contact engine moves the body and adds its Coriolis terms.
+    /// Whether the contact engine moves the body and adds the Coriolis terms.
     pub engine_turns: bool,
     /// The body does not move.
     pub fixed: bool,
-    /// The pile that holds the body, which does not turn then.
+    /// The pile that holds the body, if there is one. A body on a pile does not turn.
     pub pile: Option<Pile>,
 }
 
 impl Inertia {
-    /// The inertia of a plain body.
+    /// The inertia of a body that is neither vessel nor dolphin.
     ///
-    /// With the coupled method, surge, sway and yaw have their own added mass. With the paper's method the mass is
-    /// displacement plus the *smaller* of the two added masses, in every direction (§3.1 of the paper), for the
-    /// limiter and for the motion: with different masses the limiter would not give the rebound speed γV⁰.
+    /// In the coupled method, surge, sway and yaw each have an added mass. In the paper's method the mass in every
+    /// direction is displacement plus the *smaller* of the two added masses (§3.1 of the paper), for the limiter and
+    /// for the motion. With different masses the limiter would not give the rebound speed γV⁰.
     pub fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
         let Some(m) = mass else {
             return Inertia {
@@ -74,7 +75,7 @@ impl Inertia {
         }
     }
 
-    /// The inertia of a flexible dolphin that stands here.
+    /// The inertia of a flexible dolphin that stands at this place.
     pub fn of_dolphin(dolphin: &DolphinSetup, place_m: Vec2) -> Inertia {
         Inertia {
             surge_kg: dolphin.mass_kg,
@@ -112,9 +113,9 @@ impl Inertia {
 
     /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.
     ///
-    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, it is
-    /// (Δ r v + c r², Δ r u, −Δ u v) in the body's axes; its moment is the Munk moment. It is zero if the mass is the
-    /// same in all directions.
+    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, the
+    /// components of C in the body's axes are (Δ r v + c r², Δ r u, −Δ u v). The last component is the Munk moment. C
+    /// is zero if the mass is the same in all directions.
     #[inline]
     pub fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
@@ -129,8 +130,8 @@ impl Inertia {
         Wrench { force_n: rotation.apply(own_n), moment_nm: -difference_kg * uv.x * uv.y }
     }
 
-    /// Earth-fixed acceleration under a wrench about the centre of gravity, Coriolis terms included in the wrench
-    /// (m/s², rad/s²).
+    /// Earth-fixed acceleration (m/s², rad/s²) under a wrench about the centre of gravity. The wrench includes the
+    /// Coriolis terms.
     pub fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
             return (Vec2::ZERO, 0.0);

@@ -1,20 +1,25 @@
 //! The set-up of a simulation: everything that is constant in a run, in SI units.
 
-use fenderline_contact::{Material, Outline, Vec2};
+pub(crate) mod body;
+pub(crate) mod load;
+pub(crate) mod material;
+pub(crate) mod method;
 
+pub use self::body::{BodySetup, BodyVelocity, MassProperties};
+pub use self::load::Load;
+pub use self::material::NamedMaterial;
+pub use self::method::{Integrator, Method};
 use crate::approach::Approach;
 use crate::berthing::BerthingSetup;
-use crate::dolphin::DolphinSetup;
 use crate::fender::FenderSetup;
-use crate::hull::HullByHeight;
-use crate::world::WorldSetup;
+use crate::world::setup::WorldSetup;
 
 /// The constant part of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Δt (s).
+    /// Time step Δt (s).
     pub step_s: f64,
-    /// Length of the run (s); the number of steps is its ratio to Δt, rounded up.
+    /// Length of the run (s); the number of steps is this length over Δt, rounded up.
     pub duration_s: f64,
     /// Time integrator.
     pub integrator: Integrator,
@@ -30,9 +35,9 @@ pub struct Setup {
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
-    /// Approaches of ships to berths, which gave the start of these bodies.
+    /// Approaches of ships to berths. The initial states of these ships follow from them.
     pub approaches: Vec<Approach>,
-    /// Particulars for the berthing formulas, if the comparison is wanted.
+    /// Particulars for the berthing formulas, if a comparison with the formulas is asked for.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
@@ -49,93 +54,6 @@ impl Setup {
     }
 }
 
-/// Time integrator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Integrator {
-    /// Forward Euler, as in the paper: positions with the old velocities.
-    Euler,
-    /// Semi-implicit Euler: velocities first, then positions with the new velocities. With the coupled method the
-    /// contact engine moves the bodies itself, as a leapfrog, in sub-steps where needed.
-    SemiImplicit,
-    /// Classical fourth-order Runge–Kutta. With the paper's method each stage computes its own contact forces; with the
-    /// coupled method the mean contact wrench of the step acts in all stages.
-    Rk4,
-}
-
-/// Contact method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// All contacts and loads of a step are solved together, in sub-steps where needed, with the full mass matrix of
-    /// each body.
-    Coupled,
-    /// The paper's method: each pair is limited on its own (eq. 9–26), with the smaller added mass in all directions.
-    Paper,
-}
-
-/// One body of a [`Setup`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct BodySetup {
-    /// Unique name.
-    pub name: String,
-    /// Outline in the body's frame, origin at the centre of gravity.
-    pub outline: Outline,
-    /// The hull by height, which fenders meet instead; `None`: vertical sides of the outline. By the coupled method only.
-    pub hull: Option<HullByHeight>,
-    /// Mass and inertia; `None` for a body that stands on the ground.
-    pub mass: Option<MassProperties>,
-    /// The pile that it stands on, if it is a flexible dolphin; by the coupled method and the semi-implicit integrator only.
-    pub dolphin: Option<DolphinSetup>,
-    /// Initial position of the centre of gravity, north and east (m).
-    pub position_m: Vec2,
-    /// Initial heading (rad).
-    pub heading_rad: f64,
-    /// Initial velocity, body-fixed.
-    pub velocity: BodyVelocity,
-}
-
-impl BodySetup {
-    /// True if the body stands on the ground, fixed or on a pile, so that the water level around it changes with the tide.
-    #[must_use]
-    pub fn is_fixed(&self) -> bool {
-        self.mass.is_none()
-    }
-}
-
-/// Rigid-body and added mass of a floating body about its centre of gravity.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MassProperties {
-    /// Displacement (kg).
-    pub mass_kg: f64,
-    /// Moment of inertia about the vertical (kg·m²).
-    pub yaw_inertia_kgm2: f64,
-    /// Added mass in surge (kg).
-    pub added_surge_kg: f64,
-    /// Added mass in sway (kg).
-    pub added_sway_kg: f64,
-    /// Added moment of inertia in yaw (kg·m²).
-    pub added_yaw_kgm2: f64,
-}
-
-/// Velocity in the body's axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BodyVelocity {
-    /// u, forward (m/s).
-    pub surge_mps: f64,
-    /// v, to starboard (m/s).
-    pub sway_mps: f64,
-    /// r, to starboard (rad/s).
-    pub yaw_radps: f64,
-}
-
-/// A material and its name.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NamedMaterial {
-    /// Unique name.
-    pub name: String,
-    /// Parameters.
-    pub material: Material,
-}
-
 /// Two bodies that may touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PairSetup {
@@ -143,19 +61,4 @@ pub struct PairSetup {
     pub bodies: [usize; 2],
     /// Index into [`Setup::materials`].
     pub material: usize,
-}
-
-/// An external load at a body's centre of gravity, earth-fixed, while `from_s ≤ t < until_s`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Load {
-    /// Index into [`Setup::bodies`].
-    pub body: usize,
-    /// Force, north and east (N).
-    pub force_n: Vec2,
-    /// Moment about the vertical, positive to starboard (N·m).
-    pub moment_nm: f64,
-    /// Start of the load (s).
-    pub from_s: f64,
-    /// End of the load (s); infinite for a steady load.
-    pub until_s: f64,
 }

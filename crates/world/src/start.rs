@@ -1,4 +1,5 @@
-//! What may differ between runs of one simulation without building it anew: the start of the bodies, wind and current.
+//! The data that may differ between runs of one simulation without building it anew: initial states of the bodies, wind
+//! and current.
 
 use fenderline_contact::Vec2;
 
@@ -24,7 +25,7 @@ pub struct BodyStart {
     pub position_m: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
-    /// Velocity, body-fixed.
+    /// Velocity, in the body's axes.
     pub velocity: BodyVelocity,
 }
 
@@ -47,7 +48,8 @@ impl Setup {
         }
     }
 
-    /// The same in place, without allocation where the numbers of bodies are equal and there is no gust or file.
+    /// Writes the start of this set-up in place, without allocation if the numbers of bodies are equal and there is no
+    /// gust and no file.
     pub fn start_into(&self, start: &mut Start) {
         start.bodies.clear();
         start.bodies.extend(self.bodies.iter().map(BodyStart::of));
@@ -55,9 +57,9 @@ impl Setup {
         start.current.clone_from(&self.world.environment.current);
     }
 
-    /// Whether `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and cannot fail. False where more
-    /// than states depends on the start: piles that stand there, hulls that are cut by height, lines that must fit between
-    /// their ends, planned changes, and the study of a berthing. The simulation is then made anew.
+    /// Whether `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and cannot fail. The result is
+    /// false if more than states depends on the start: piles that stand there, hulls that are cut by height, lines that
+    /// must fit between their ends, planned changes, and the study of a berthing. The simulation is then made anew.
     #[must_use]
     pub fn restarts_in_place(&self) -> bool {
         let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();
@@ -70,7 +72,7 @@ impl Setup {
     /// Replaces the start of this set-up.
     ///
     /// # Panics
-    /// If there is not one start per body.
+    /// If the number of starts is not the number of bodies.
     pub fn set_start(&mut self, start: &Start) {
         assert_eq!(start.bodies.len(), self.bodies.len(), "one start per body");
         for (body, start) in self.bodies.iter_mut().zip(&start.bodies) {

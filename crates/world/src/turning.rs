@@ -1,30 +1,32 @@
 //! The Coriolis and centripetal wrench of a vessel over a whole step (Kirchhoff's equations).
 //!
-//! A vessel's mass with added mass differs between surge and sway, so her momentum turns with her heading. The
-//! wrench that represents this does no work. If its value at the start of a step were held over the step, it would do
-//! work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with two
-//! properties: it takes the momentum M V of ship and added mass from the heading before the step to the heading after
-//! it, and it leaves the change of kinetic energy to the other forces.
+//! The mass of a vessel with added mass differs between surge and sway, so the momentum turns with the heading. The
+//! wrench that represents this does no work. But if the wrench's value at the start of a step were held over the step,
+//! it would do work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with
+//! two properties. The wrench takes the momentum M V of ship and added mass from the heading before the step to the
+//! heading after it. And the wrench leaves the change of kinetic energy to the other forces.
 //!
-//! All of it is computed in the ship's axes at the start of the step, in which her mass is constant and she turns by a small
-//! angle: differences by the turn are written by its sine and versine, so that no digits cancel.
+//! All of this is computed in the ship's axes at the start of the step. In these axes the mass is constant at the
+//! start, and the ship turns by a small angle. Differences by the turn are written with its sine and versine, so that
+//! no digits cancel.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use crate::rigid_body::Inertia;
 
-/// Maximum number of fixed-point iterations. Each reduces the error by a factor of about the angle turned in the step.
+/// Maximum number of fixed-point iterations. Each iteration reduces the error by a factor of about the angle turned in
+/// the step.
 const ITERATIONS: u32 = 40;
 
 /// Relative change of force and moment at which the iteration ends: some tens of roundings.
 const CONVERGED: f64 = 1e-14;
 
-/// Which yaw rate the integrator turns the heading with.
+/// The yaw rate with which the integrator turns the heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum YawRateAt {
-    /// The start of the step: forward Euler.
+    /// The yaw rate at the start of the step: forward Euler.
     Start,
-    /// The end of the step: the engine's sub-steps.
+    /// The yaw rate at the end of the step: the engine's sub-steps.
     End,
 }
 
@@ -33,17 +35,17 @@ pub enum YawRateAt {
 pub struct TurningStep {
     /// Length of the step (s).
     pub step_s: f64,
-    /// Time for which forces change the velocities (s). It is half a step in the first step of the leapfrog, which
-    /// takes the velocities from the start of the step to its middle, and otherwise the whole step.
+    /// Time for which forces change the velocities (s). Normally the time is the whole step. In the first step of the
+    /// leapfrog it is half a step, because that step takes the velocities from the start of the step to its middle.
     pub acts_s: f64,
-    /// Which yaw rate turns the heading.
+    /// The yaw rate that turns the heading.
     pub turned_by: YawRateAt,
 }
 
-/// The wrench that turns a vessel's momentum over a step in which `load` acts on her, in a current (m/s).
+/// The wrench that turns a vessel's momentum over a step in which `load` acts on the vessel, in a current (m/s).
 ///
-/// If the vessel would turn by more than a radian in the step, or the iteration does not converge, the wrench is the one
-/// at the start of the step, or the last iterate.
+/// If the vessel would turn by more than a radian in the step, the wrench is the one at the start of the step. If the
+/// iteration does not converge, it is the last iterate.
 pub fn turning_wrench(
     inertia: &Inertia,
     state: &BodyState,
@@ -94,14 +96,14 @@ pub fn turning_wrench(
     Wrench { force_n: attitude.apply(wrench.force_n), moment_nm: wrench.moment_nm }
 }
 
-/// The inverse of a vessel's mass matrix, in her axes.
+/// The inverse of a vessel's mass matrix, in the vessel's axes.
 struct Inverse {
-    /// (1/kg)
+    /// Inverse mass in surge (1/kg).
     surge: f64,
     sway: f64,
-    /// Of sway and yaw (1/(kg·m)).
+    /// Coupling of sway and yaw (1/(kg·m)).
     coupling: f64,
-    /// (1/(kg·m²))
+    /// Inverse inertia in yaw (1/(kg·m²)).
     yaw: f64,
 }
 
@@ -117,7 +119,7 @@ impl Inverse {
         }
     }
 
-    /// (m/s², rad/s²)
+    /// Acceleration by a wrench (m/s², rad/s²).
     fn acceleration(&self, wrench: &Wrench) -> (Vec2, f64) {
         let &Wrench { force_n, moment_nm } = wrench;
         let sway_mps2 = self.sway * force_n.y + self.coupling * moment_nm;
@@ -140,7 +142,7 @@ impl WaterVelocity {
         }
     }
 
-    /// M V at the start of the step: momentum, and angular momentum about the centre of gravity.
+    /// The product M V at the start of the step: momentum, and angular momentum about the centre of gravity.
     fn momentum(&self, inertia: &Inertia) -> (Vec2, f64) {
         let Inertia { surge_kg, sway_kg, yaw_kgm2, coupling_kgm, .. } = *inertia;
         let &WaterVelocity { velocity_mps: Vec2 { x, y }, yaw_radps } = self;
@@ -148,7 +150,8 @@ impl WaterVelocity {
         (momentum_ns, coupling_kgm * y + yaw_kgm2 * yaw_radps)
     }
 
-    /// (M₁ − M₀) V, with M₁ the mass matrix of a ship that has turned by an angle of this sine and versine (1 − cosine).
+    /// The product (M₁ − M₀) V, where M₁ is the mass matrix of a ship that has turned by an angle with this sine and
+    /// versine (1 − cosine).
     fn momentum_by_turn(&self, inertia: &Inertia, sine: f64, versine: f64) -> (Vec2, f64) {
         let Inertia { surge_kg, sway_kg, coupling_kgm, .. } = *inertia;
         let &WaterVelocity { velocity_mps: Vec2 { x, y }, yaw_radps } = self;
@@ -162,7 +165,7 @@ impl WaterVelocity {
         (momentum_ns, -coupling_kgm * (sine * x + versine * y))
     }
 
-    /// V·P, the product with a momentum.
+    /// The scalar product V·P with a momentum P.
     fn dot(&self, (momentum_ns, yaw_nms): (Vec2, f64)) -> f64 {
         self.velocity_mps.dot(momentum_ns) + self.yaw_radps * yaw_nms
     }
@@ -178,11 +181,12 @@ struct Turn<'a> {
 impl Turn<'_> {
     /// The mean wrench of the turn.
     ///
-    /// With M₀ and M₁ the mass matrix at the two headings, the impulse is −(M₁ − M₀)V₁, so that the loads alone
-    /// change M V; the moment is the Munk moment −Δ u v at the middle of the turn. This wrench should do the work
-    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. It misses that by a small amount: of third
-    /// order in Δt in a steady turn, of second order where the turn begins, because the integrators turn the heading with
-    /// one of the two yaw rates and not with their mean. A wrench along the mean momentum adds the missing work.
+    /// With the mass matrices M₀ and M₁ at the two headings, the impulse is −(M₁ − M₀)V₁, so that the loads alone
+    /// change M V. The moment is the Munk moment −Δ u v at the middle of the turn. This wrench should do the work
+    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. The work of this wrench differs by a small
+    /// amount: of third order in Δt in a steady turn, of second order where the turn begins. The reason is that the
+    /// integrators turn the heading with one of the two yaw rates and not with their mean. A wrench along the mean
+    /// momentum adds the missing work.
     fn wrench(&self, inertia: &Inertia, step: &TurningStep) -> Wrench {
         let Turn { before, after, turned_rad } = *self;
         let middle = Rotation::from_angle(0.5 * turned_rad);

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use super::platforms::Platform;
-use super::{PROFILE, copy, version};
+use super::release::{PROFILE, copy, version};
 use crate::built;
 use crate::command::{run, run_quietly};
 use crate::program::copy_stripped;

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::process::Command;
 
 use super::platforms::{Platform, maturin};
-use super::{PROFILE, archive, c_package, copy, folder, licences, shell_files, tried, version};
+use super::release::{PROFILE, copy, folder, licences, version};
+use super::{archive, c_package, shell_files, tried};
 use crate::command::{run, run_quietly};
 use crate::program;
 use crate::step::{Done, Step};

@@ -12,6 +12,7 @@ mod here;
 mod platforms;
 mod publish;
 mod python;
+mod release;
 mod shell_files;
 mod tag;
 mod tried;
@@ -20,6 +21,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use self::platforms::Platform;
+use self::release::{PROFILE, copy, folder, licences, size, version};
 use crate::browser;
 use crate::command::{run, run_quietly};
 use crate::program::copy_stripped;
@@ -29,9 +31,6 @@ use crate::virtual_environment::target_folder;
 
 /// The part for continuous integration.
 pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap half", run: cheap };
-
-/// The profile of what is handed out.
-const PROFILE: &str = "release";
 
 /// The whole, in order.
 const STEPS: [Step; 9] = [
@@ -120,38 +119,6 @@ pub(crate) fn install_c_command(prefix: &str) -> ExitCode {
             eprintln!("{message}");
             ExitCode::FAILURE
         }
-    }
-}
-
-/// The commit that programs name, with what differs from it: the build itself would name that of an earlier build, if only the
-/// commit is new. Nothing outside a checkout.
-fn commit() -> Option<(&'static str, String)> {
-    let git = |arguments: &[&str]| run_quietly(Command::new("git").args(arguments)).ok();
-    let commit = git(&["rev-parse", "--short=8", "HEAD"])?.trim().to_owned();
-    let is_clean = git(&["status", "--porcelain", "--untracked-files=no"])?.trim().is_empty();
-    let commit = if is_clean { commit } else { format!("{commit}, modified") };
-    Some(("FENDERLINE_COMMIT", commit))
-}
-
-/// Where the packages go.
-fn folder() -> PathBuf {
-    target_folder().join("dist")
-}
-
-/// The version of the workspace, which all packages have.
-fn version() -> Result<String, String> {
-    let manifest = std::fs::read_to_string("Cargo.toml").map_err(|e| format!("Cargo.toml: {e}"))?;
-    let versions: Vec<&str> = manifest
-        .lines()
-        .filter_map(|line| line.split_once("version = \"")?.1.split_once('"'))
-        .map(|(version, _)| version)
-        .collect();
-    let version = *versions.first().ok_or("Cargo.toml has no version")?;
-    // The crates' requirements of each other.
-    let own = manifest.lines().filter(|line| line.contains("path = \"crates/"));
-    match own.into_iter().find(|line| !line.contains(&format!("version = \"{version}\""))) {
-        None => Ok(version.to_owned()),
-        Some(line) => Err(format!("Cargo.toml: not version {version}: {line}")),
     }
 }
 
@@ -282,29 +249,4 @@ fn cheap() -> Result<Done, String> {
     publish::crates(false)?;
     version()?;
     Ok(Done::Good)
-}
-
-/// The project's licences, those of all dependencies, and the bill of materials.
-fn licences(package: &str, folder: &Path, triples: &[&str]) -> Result<(), String> {
-    copy(Path::new("LICENSE-MIT"), folder)?;
-    copy(Path::new("LICENSE-APACHE"), folder)?;
-    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
-    let mut collect = Command::new(python);
-    collect.args(["-B", "xtask/third_party.py", "--package", package, "--out"]).arg(folder);
-    if package == "fenderline" {
-        collect.arg("--pages");
-    }
-    run(collect.args(triples))
-}
-
-fn copy(file: &Path, folder: &Path) -> Result<(), String> {
-    std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let name = file.file_name().unwrap_or_default();
-    std::fs::copy(file, folder.join(name))
-        .map(|_| ())
-        .map_err(|e| format!("{}: {e}", file.display()))
-}
-
-fn size(file: &Path) -> Result<u64, String> {
-    std::fs::metadata(file).map(|of| of.len()).map_err(|e| format!("{}: {e}", file.display()))
 }

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{PROFILE, commit};
-
+use super::release::{PROFILE, commit};
 use crate::command::cargo;
 use crate::same_bits::add_target;
 use crate::tools;

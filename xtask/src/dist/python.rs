@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use super::platforms::{GLIBC, Platform, tools};
-use super::{PROFILE, folder};
+use super::release::{PROFILE, folder, version};
 use crate::command::{run, run_quietly};
 use crate::virtual_environment::target_folder;
 
@@ -49,7 +49,7 @@ fn sdist_builds() -> Result<(), String> {
         .find(|file| {
             file.file_name().is_some_and(|name| {
                 let name = name.to_string_lossy();
-                name == format!("fenderline-{}.tar.gz", super::version().unwrap_or_default())
+                name == format!("fenderline-{}.tar.gz", version().unwrap_or_default())
             })
         })
         .ok_or("maturin has made no source distribution")?;
@@ -65,7 +65,7 @@ fn sdist_builds() -> Result<(), String> {
     let mut pip = Command::new(python);
     pip.args(["-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps", "-w"]);
     // Dependencies that are built already are taken from the target folder.
-    let sources = place.join(format!("fenderline-{}", super::version()?));
+    let sources = place.join(format!("fenderline-{}", version()?));
     run(pip
         .arg(&place)
         .arg(&sources)

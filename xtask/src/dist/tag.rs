@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::version;
+use super::release::version;
 use crate::command::{cargo, run_quietly};
 use crate::virtual_environment::target_folder;
 

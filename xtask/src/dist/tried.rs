@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::platforms::Platform;
-use super::{c_package, commit, folder, shell_files, version};
+use super::release::{commit, folder, version};
+use super::{c_package, shell_files};
 use crate::command::run_quietly;
 use crate::step::Done;
 use crate::tools;

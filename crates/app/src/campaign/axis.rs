@@ -6,14 +6,14 @@ use fenderline_campaign::Variable;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Axis {
     pub(super) name: String,
-    /// Their unit as the file has it; empty where they have none.
+    /// Their unit as the file has it; empty if they have none.
     pub(super) unit: String,
     /// One for each choice.
     pub(super) places: Vec<f64>,
 }
 
 impl Axis {
-    /// The axis of a variable; `None` where a value is no number, or the units differ.
+    /// The axis of a variable; `None` if a value is no number, or the units differ.
     pub(super) fn of(variable: &Variable) -> Option<Axis> {
         let (places, unit) = variable.numbers()?;
         Some(Axis { name: variable.name.clone(), unit: unit.to_owned(), places })

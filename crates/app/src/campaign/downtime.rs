@@ -107,7 +107,8 @@ pub(super) fn printed(runs: &Runs, plan: &DowntimePlan, folder: &Path) -> Result
     {
         let _ = writeln!(
             text,
-            "of {} hours run as they are {} do not agree with their state: {} % ({} to {} %); {} would be lost more, {} fewer",
+            "of {} single hours {} do not agree with their state: {} % ({} to {} %); {} would be \
+             lost in addition, {} would not be lost",
             check.compared,
             check.by_state_alone + check.as_it_is_alone,
             percent(Some(disagree.value)),

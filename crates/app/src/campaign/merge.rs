@@ -4,7 +4,8 @@ use fenderline_campaign::Campaign;
 use fenderline_campaign::Runs;
 use fenderline_campaign::store::{self, Shard};
 
-use super::{default_folder, report};
+use super::places::default_folder;
+use super::report;
 use crate::cli::CampaignMergeArgs;
 use crate::failure::Failure;
 use crate::terminal::say;

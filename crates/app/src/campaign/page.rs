@@ -60,7 +60,10 @@ impl Layout {
         let fits = |index: &usize| *index != x && variables[*index].choices().len() <= MOST_LINES;
         if let Some(index) = lines.filter(|index| !fits(index)) {
             let count = variables[index].choices().len();
-            return Err(format!("--lines: {count} lines cannot be told apart; {MOST_LINES} can"));
+            return Err(format!(
+                "--lines: {count} lines cannot be distinguished; at most \
+                {MOST_LINES} lines are drawn"
+            ));
         }
         Ok(Layout { x, lines: lines.or_else(|| (0..variables.len()).find(fits)) })
     }

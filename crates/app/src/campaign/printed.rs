@@ -8,8 +8,8 @@ use fenderline_campaign::store::{MOST_CSV_ROWS, Shard, TABLE_CSV, TABLE_PARQUET}
 use fenderline_campaign::{Cell, Runs};
 use fenderline_report::plot::{counted, fixed};
 
-use super::FIGURE;
 use super::gathered::Gathered;
+use super::places::FIGURE;
 use super::report::REPORT;
 use crate::cli::CampaignRunArgs;
 use crate::terminal::notice;

@@ -12,7 +12,8 @@ use fenderline_campaign::table::Table;
 use fenderline_campaign::{Campaign, Draw, Plan, Variable};
 use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
 
-use super::{default_folder, downtime};
+use super::downtime;
+use super::places::default_folder;
 use crate::cli::CampaignReportArgs;
 use crate::documents::Pdf;
 use crate::failure::Failure;
@@ -181,7 +182,10 @@ pub(super) fn input(variable: &Variable) -> Input {
         Draw::Law(law, target) => with_unit(law.to_string(), &target.unit),
         Draw::Measured { file, column, .. } => {
             let file = file.file_name().unwrap_or_default().to_string_lossy();
-            format!("the measured values of column {column} of {file}, each alike")
+            format!(
+                "the measured values of column {column} of {file}, all with the same \
+                probability"
+            )
         }
         Draw::Expression { text, target } => with_unit(text.clone(), &target.unit),
         Draw::Column { column, .. } => format!("column {column} of the campaign's table"),

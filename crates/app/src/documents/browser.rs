@@ -67,9 +67,10 @@ fn find(
     let found = named.or_else(placed);
     found.map(|program| Browser { program }).ok_or_else(|| {
         format!(
-            "error: no browser to print the PDF with: looked for {} in PATH, and for Chrome, Chromium and Edge where macOS \
-             and Windows keep them\n  = help: install one (Debian and Ubuntu: apt-get install chromium), or name one by \
-             {VARIABLE}=/path/to/browser; without one, open report.html in any browser and print it",
+            "error: no browser to print the PDF: looked for {} in PATH, and for Chrome, Chromium \
+             and Edge in the usual folders of macOS and Windows\n  = help: install one (Debian and \
+             Ubuntu: apt-get install chromium), or name one by {VARIABLE}=/path/to/browser; \
+             without one, open report.html in any browser and print it",
             PROGRAMS.join(", ")
         )
     })

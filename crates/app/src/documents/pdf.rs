@@ -42,7 +42,12 @@ impl Drop for Workplace {
 /// # Errors
 /// A folder or a file that cannot be written; a browser that does not start, fails or takes too long.
 pub(super) fn print(browser: &Browser, page: &str, pdf: &Path) -> Result<Vec<u8>, String> {
-    let place = Workplace::beside(pdf).map_err(|e| format!("cannot work beside it: {e}"))?;
+    let place = Workplace::beside(pdf).map_err(|e| {
+        format!(
+            "cannot make a temporary folder beside \
+        the PDF: {e}"
+        )
+    })?;
     let failed = |what: &str, e: io::Error| format!("{what}: {e}");
     fs::write(place.file("report.html"), page).map_err(|e| failed("the page", e))?;
     let log = fs::File::create(place.file("log")).map_err(|e| failed("the log", e))?;

@@ -82,8 +82,8 @@ impl Sheets {
         match tables.rows().into_iter().find(|(_, rows)| *rows > MOST_ROWS as u64) {
             None => Ok(()),
             Some((name, _)) => Err(Failure::input(format_args!(
-                "error: --sheets: the table `{name}` has more than {MOST_ROWS} rows, the most that a sheet holds; make a row \
-                 stand for a longer time by --interval"
+                "error: --sheets: the table `{name}` has more than {MOST_ROWS} rows, the most that \
+                 a sheet holds; give a longer --interval, so that a row stands for a longer time"
             ))),
         }
     }

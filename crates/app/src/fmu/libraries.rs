@@ -22,7 +22,7 @@ const LARGEST_LIBRARY: u64 = 1 << 30;
 pub(super) struct Library {
     pub(super) platform: Platform,
     pub(super) bytes: Cow<'static, [u8]>,
-    /// Its file; `None` for one that the program carries.
+    /// File of the library; `None` for one that the program carries.
     path: Option<PathBuf>,
 }
 
@@ -95,7 +95,7 @@ fn own(wanted: &[Platform]) -> Result<Vec<Library>, Failure> {
     if let Some(lacks) = wanted.iter().find(|platform| !has.contains(&platform.name())) {
         return Err(Failure::input(format_args!(
             "error: --platforms: this program has no library for {lacks}; it has {}\n\
-             help: programs of a release have all; `--library PATH` names another",
+             help: programs of a release have all; `--library PATH` adds a library",
             has.join(", ")
         )));
     }
@@ -128,7 +128,7 @@ fn beside() -> Result<PathBuf, Failure> {
     newest.map(|(_, path)| path.clone()).ok_or_else(|| {
         Failure::case(format_args!(
             "error: this program was built without the library of FMUs, and `{name}` is not beside it ({})\n\
-             help: `cargo xtask program` builds a program that has it; or name it with `--library PATH`",
+             help: `cargo xtask program` builds a program with the library; or name the library with `--library PATH`",
             folder.display()
         ))
     })

@@ -54,9 +54,9 @@ pub(super) fn chosen(
         ManoeuvreChoice::One(_) => {}
     }
     let why = if has_propeller {
-        "she has no speed of approach in the data: give --speed"
+        "the data have no speed of approach: give --speed"
     } else {
-        "she has no propeller and no rudder in the data; crabbing is the only manoeuvre"
+        "the data have no propeller and no rudder; crabbing is the only manoeuvre"
     };
     Err(Failure::input(format_args!("error: {}: {why}", vessel.origin.title)))
 }

@@ -53,20 +53,20 @@ impl Shallow {
         let ratio = plain(self.ratio, 4);
         if self.ratio < SHALLOWEST_RATIO {
             all.push(format!(
-                "--depth: {ratio} draughts; corrections are made for {PUBLISHED_RATIO} and more, and held below \
-                 {SHALLOWEST_RATIO}"
+                "--depth: {ratio} draughts; corrections are valid from {PUBLISHED_RATIO} on, and \
+                 are constant below {SHALLOWEST_RATIO}"
             ));
         } else if self.ratio < PUBLISHED_RATIO {
             all.push(format!(
-                "--depth: {ratio} draughts; corrections are made for {PUBLISHED_RATIO} and more; here they go on along \
-                 their tangent"
+                "--depth: {ratio} draughts; corrections are valid from {PUBLISHED_RATIO} on; here \
+                 they follow their tangent"
             ));
         }
         let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * self.depth_m).sqrt();
         if froude > SLOW_FROUDE {
             all.push(format!(
-                "{} approaches at a Froude number of depth of {}; corrections know nothing of her waves, which count \
-                 above {SLOW_FROUDE}: --speed takes a lower one",
+                "{} approaches at a Froude number of depth of {}; the corrections leave out the \
+                 waves of the ship, which matter above {SLOW_FROUDE}: give a lower --speed",
                 vessel.origin.title,
                 fixed(froude, 2)
             ));

@@ -34,12 +34,10 @@ pub(super) fn text(
     }
     if asked == ManoeuvreChoice::All && vessel.ship.propulsion.is_none() {
         text.push_str(
-            "\nNo propeller and no rudder are known of her: the other manoeuvres are left out.\n",
+            "\nThe data have no propeller and no rudder: the other manoeuvres are left out.\n",
         );
     } else if asked == ManoeuvreChoice::All && chosen.len() == 1 {
-        text.push_str(
-            "\nShe has no speed of approach in the data: the other manoeuvres need --speed.\n",
-        );
+        text.push_str("\nThe data have no speed of approach: the other manoeuvres need --speed.\n");
     }
     if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
         text.push_str(
@@ -53,7 +51,7 @@ pub(super) fn text(
     } else if sea.is_model {
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
     }
-    text.push_str("\nWhere her coefficients come from:\n");
+    text.push_str("\nSources of the coefficients:\n");
     for source in &vessel.origin.sources {
         let _ = writeln!(text, "  [{}] {}: {}", source.word(), source.group, source.source);
     }

@@ -272,16 +272,17 @@ impl Trial<'_> {
         ];
         let mut notes = vec![
             "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
-            "The torque for that is not limited: a diesel may need longer.",
-            "In this model a propeller astern does not turn the ship; real ones do.",
+            "The torque for this change is not limited: a diesel may need longer.",
+            "In this model a propeller astern does not turn the ship; a real propeller does.",
         ];
         notes.push(match (models.len(), self.has_limits) {
             (2, _) => {
-                "As tested: with the friction of her model, which stops a ship too soon. Ship's: less the \
-                 difference of the ITTC 1957 line; no form factor, no roughness."
+                "As tested: with the friction of the model, which stops a ship too soon. Ship's: \
+                 less the difference by the ITTC 1957 line, without form factor and roughness."
             }
             (_, true) => {
-                "Whether her resistance is a model's is not known: a model's friction stops a ship too soon."
+                "It is not known whether the resistance is from a model: a model's friction stops \
+                 a ship too soon."
             }
             _ => "",
         });
@@ -316,7 +317,10 @@ impl Trial<'_> {
                 Row::new("revolutions", "revolutions", Unit::PerMinute, revolutions),
                 Row::new("pull", "pull on the line", Unit::Kilonewtons, pulls_kn),
             ],
-            notes: vec!["Whether the engine has the torque for this at rest is not checked."],
+            notes: vec![
+                "The program does not check whether the engine has the torque for this at \
+                rest.",
+            ],
             tracks: Vec::new(),
         })
     }

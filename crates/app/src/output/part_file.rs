@@ -159,7 +159,7 @@ impl Folder {
     fn make_durable(&self) -> Result<(), OutputError> {
         self.handle.sync().map_err(|e| {
             let why =
-                format!("its new files would not last through a power cut, so none is left: {e}");
+                format!("its new files would not survive a power cut, so all were removed: {e}");
             OutputError::new(&self.path, why)
         })
     }

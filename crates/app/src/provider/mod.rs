@@ -4,7 +4,7 @@ mod group;
 mod process;
 mod protocol;
 
-use fenderline_contact::{Rotation, Wrench};
+use fenderline_contact::Wrench;
 use fenderline_results::{ProviderNotice, ProviderNotices};
 use fenderline_sim::external::{ForceRequest, HeldWrench, ProviderEvent};
 use fenderline_sim::{ProviderSetup, Simulation};
@@ -74,14 +74,4 @@ impl Providers {
         }
         simulation.set_external(&self.wrenches);
     }
-}
-
-/// A force in a body's axes, earth-fixed.
-fn earth_fixed(
-    question: &ForceRequest,
-    forward_n: f64,
-    starboard_n: f64,
-) -> fenderline_contact::Vec2 {
-    let own = fenderline_contact::vec2(forward_n, starboard_n);
-    Rotation::from_angle(question.state.heading_rad).apply(own)
 }

@@ -50,11 +50,17 @@ pub(super) fn answer(line: &str, asked: &ForceRequest) -> Option<(u64, Wrench)> 
         (force, Value::Null) => two(force)?,
         (Value::Null, own) => {
             let own = two(own)?;
-            super::earth_fixed(asked, own.x, own.y)
+            earth_fixed(asked, own.x, own.y)
         }
         _ => return None,
     };
     Some((n, Wrench { force_n, moment_nm }))
+}
+
+/// A force in a body's axes, earth-fixed.
+fn earth_fixed(question: &ForceRequest, forward_n: f64, starboard_n: f64) -> Vec2 {
+    let own = vec2(forward_n, starboard_n);
+    Rotation::from_angle(question.state.heading_rad).apply(own)
 }
 
 fn two(value: &Value) -> Option<Vec2> {

@@ -6,7 +6,7 @@ use fenderline_report::plot::ordinal;
 use fenderline_results::Outcome;
 use fenderline_sim::berthing::{AddedMass, AddedMassFormula, BerthingOutcome};
 
-use super::printed::{decimal, one_line};
+use super::cells::{decimal, one_line};
 
 /// The energy by the formula with its factors, those by the other formulas, and what the fenders took; empty without such a
 /// study.

@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::printed::one_line;
+use super::cells::one_line;
 use fenderline_report::plot::fixed;
 use fenderline_results::Outcome;
 

@@ -6,7 +6,7 @@ use fenderline_sim::{
     ChainSummary, ConeSummary, DolphinSummary, FenderSetup, FenderSummary, PanelSummary,
 };
 
-use super::printed::{NAME_WIDTH, decimal, one_line};
+use super::cells::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{counted, shortened};
 use fenderline_results::Outcome;
 use fenderline_results::{FenderVerdict, worst_first};

@@ -3,17 +3,16 @@
 use core::fmt::Write as _;
 use std::path::Path;
 
-use fenderline_scenario::{printable_line, printable_number};
+use fenderline_scenario::printable_number;
 use fenderline_sim::PairSummary;
 
+use super::cells::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{counted, shortened};
 use fenderline_report::words::interrupted_text;
 use fenderline_results::{Outcome, WrittenFile, integrator_text, method_text};
 
 /// Most pairs in the table.
 const ROWS: usize = 20;
-/// Longest name of a pair or a fender (characters); longer ones are cut.
-pub(super) const NAME_WIDTH: usize = 48;
 
 /// Title and method; one line per pair, the largest force first; one per fender, the most used first; and the files.
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
@@ -129,14 +128,4 @@ fn impulse(impulse_kns: f64) -> String {
 fn speed(speed_mps: f64) -> String {
     let text = decimal(speed_mps, 4);
     if text == "-0.0000" { "0.0000".to_owned() } else { text }
-}
-
-/// A user's text without control characters, so that columns keep their width.
-pub(super) fn one_line(text: &str) -> String {
-    printable_line(text).into_owned()
-}
-
-/// A number with some decimals; very large ones with a power of ten.
-pub(super) fn decimal(value: f64, decimals: usize) -> String {
-    if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
 }

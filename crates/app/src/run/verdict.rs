@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::printed::one_line;
+use super::cells::one_line;
 use crate::failure::Failure;
 use fenderline_results::Outcome;
 use fenderline_sim::{Finding, Gravity, Verdict};

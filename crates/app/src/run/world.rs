@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::printed::{NAME_WIDTH, decimal, one_line};
+use super::cells::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{shortened, times};
 use fenderline_results::Outcome;
 use fenderline_results::{AnchorVerdict, LineTotals, LineVerdict};
@@ -90,8 +90,8 @@ fn warnings(outcome: &Outcome<'_>, text: &mut String) {
     }
     for (key, count) in outcome.providers.counts() {
         let what = match *key {
-            "provider_held" => "did not answer in time; its last force was held",
-            "provider_dropped" => "was silent for too long; its force was DROPPED",
+            "provider_held" => "did not answer in time; the last force was held",
+            "provider_dropped" => "was silent for too long; the force was DROPPED",
             "provider_refused" => "gave a force that is not finite or too large; it was REFUSED",
             "provider_died" => "ENDED before the run did",
             _ => "answered again",

@@ -6,7 +6,7 @@ use fenderline_campaign::statistics::fit::{Fit, FitError};
 use fenderline_campaign::statistics::{Estimate, Measured};
 use serde_json::{Value, json};
 
-use super::Column;
+use super::column::Column;
 
 /// All of it.
 pub(super) fn of(column: &Column<'_>) -> Value {

@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use fenderline_campaign::report::{quote, words};
 use fenderline_report::plot::{fixed, plain, significant};
 
-use super::Column;
+use super::column::Column;
 
 /// Widest column of parameters.
 const PARAMETERS: usize = 64;
@@ -66,7 +66,7 @@ fn design(column: &Column<'_>) -> String {
     let mut text = format!("\nDesign values{unit} with {per_cent} % bands");
     let _ = match asked.traffic {
         Some(traffic) => writeln!(text, ", for {} berthings a year", plain(traffic.per_year(), 6)),
-        None => writeln!(text, ", for one berthing (--per-year N gives those of return periods)"),
+        None => writeln!(text, ", for one berthing (--per-year N gives values of return periods)"),
     };
     for row in &findings.rows {
         let _ = writeln!(

@@ -160,7 +160,7 @@ impl Server {
         files.filter(|path| path.to_string_lossy().ends_with(".session.jsonl")).collect()
     }
 
-    /// The memory that it holds (KiB); 0 where the system does not tell.
+    /// The memory that it holds (KiB); 0 if the system does not tell.
     pub(crate) fn memory_kib(&self) -> u64 {
         let status = fs::read_to_string(format!("/proc/{}/status", self.child.id()));
         let status = status.unwrap_or_default();
@@ -169,7 +169,7 @@ impl Server {
     }
 
     /// The processor time of its thread of this name, and the time for which that was ready but had to wait for a processor (s);
-    /// `None` where the system does not tell.
+    /// `None` if the system does not tell.
     pub(crate) fn thread_times_s(&self, name: &str) -> Option<[f64; 2]> {
         let tasks = fs::read_dir(format!("/proc/{}/task", self.child.id())).ok()?;
         let mut tasks = tasks.flatten().map(|task| task.path());

@@ -2,14 +2,14 @@
 
 use fenderline_contact::number::{greater, lesser};
 
-/// The energies of one step, of all fenders that the ship touches.
+/// Energies of one step, summed over all fenders that the ship touches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HitStep {
     /// Recoverable energy stored at the end of the step (J).
     pub(super) stored_j: f64,
     /// Hysteresis loss in the step (J).
     pub(super) hysteresis_j: f64,
-    /// Sum of the energies that loading each fender to its peak deflection in the step takes (J).
+    /// Energy to load each fender to its peak deflection in the step, summed over the fenders (J).
     pub(super) peak_absorbed_j: f64,
 }
 
@@ -25,7 +25,7 @@ pub(super) struct Hit {
 }
 
 impl Hit {
-    /// Adds one step; true if the fenders absorbed more in it than in any before.
+    /// Adds one step. Returns true if the fenders had absorbed more by this step than by any step before.
     pub(super) fn add(&mut self, step: HitStep) -> bool {
         self.heat_j += step.hysteresis_j;
         self.most_stored_j = greater(self.most_stored_j, step.stored_j);
@@ -36,7 +36,7 @@ impl Hit {
         is_more
     }
 
-    /// Whether the fenders have given back half of what they stored.
+    /// Whether the fenders have given back more than half of the stored energy.
     pub(super) fn is_over(&self, step: HitStep) -> bool {
         step.stored_j < 0.5 * self.most_stored_j
     }
@@ -46,8 +46,8 @@ impl Hit {
 mod tests {
     use super::*;
 
-    /// Compression to 100 kJ on the loading curve, of which 60 kJ are recoverable, and back: by hand 60 + 40 = 100 kJ are absorbed, and
-    /// the hit is over below 30 kJ.
+    /// A fender is compressed to 100 kJ on the loading curve, of which 60 kJ are recoverable, and released. By hand, 60
+    /// + 40 = 100 kJ are absorbed, and the hit is over when less than 30 kJ are stored.
     #[test]
     fn a_hit_takes_what_is_stored_and_lost() {
         let mut hit = Hit::default();
@@ -65,7 +65,8 @@ mod tests {
         assert_eq!(hit.taken_j, 100e3);
     }
 
-    /// Heat of many small cycles is not energy of one hit: no more is absorbed than loading to the deflection takes.
+    /// The heat of many small cycles is not energy of one hit: a hit absorbs no more than it takes to load the fender
+    /// to its deflection.
     #[test]
     fn heat_of_many_cycles_does_not_add_up() {
         let mut hit = Hit::default();

@@ -1,43 +1,46 @@
-//! A simulated berthing beside the berthing formulas.
+//! A simulated berthing, compared with the berthing formulas.
 
 use fenderline_ship::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 use fenderline_world::berthing::AddedMass;
 
-/// The first contact of the ship with fenders: energies by the formulas and as simulated.
+/// The first contact of the ship with fenders: energies by the formulas, and energies of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BerthingOutcome {
     /// Start of the step of the first touch (s).
     pub first_touch_s: f64,
-    /// The fenders that she meets at once, by their index in [`fenderline_world::setup::Setup::fenders`]: the first one that is touched, and those
-    /// that are before it is compressed by a tenth of its rated deflection (of its projection, where it has no rating).
+    /// The fenders that the ship meets together, by their index in [`fenderline_world::setup::Setup::fenders`]. These fenders are the
+    /// first fender touched, and the fenders touched before the first is compressed by a tenth of its rated deflection
+    /// (or of its projection, if it has no rating).
     pub fenders: Vec<usize>,
-    /// Speed of the ship's centre of gravity square to the fender's face, relative to what carries the fender (m/s). Where another ship
-    /// does, the closing speed of the two hulls at the contact.
+    /// Speed of the ship's centre of gravity square to the fender's face, relative to the body that carries the fender
+    /// (m/s). If another ship carries the fender, it is the closing speed of the two hulls at the contact.
     pub speed_mps: f64,
-    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]: the speed of the formula, where there is one. Drag
-    /// slows the ship on her way from there to the first touch, wind or a tug may make her faster.
+    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]. If a design speed is given,
+    /// the formula uses it. On the way to the first touch, drag slows the ship, and wind or a tug may make her faster.
     pub design_speed_mps: Option<f64>,
     /// Berthing angle (rad): between the ship's centre line and the fender's face, positive with the bow towards it.
     pub angle_rad: f64,
-    /// Point of contact along the hull from the centre of gravity, positive forward (m): the middle of the face; of several
-    /// fenders the point of their stretch that is nearest to the centre of gravity. Where they reach across it, it is 0, and a ship
-    /// that comes parallel leaves all her energy: Ce = 1. (A body that is stopped dead at several points, which can only push, ends
-    /// with the impulse of the nearest alone, or of those on both sides.)
+    /// Point of contact along the hull from the centre of gravity, positive forward (m). For one fender the point is
+    /// the middle of the face. For several fenders the point of contact is the point of their stretch nearest to the
+    /// centre of gravity. If the stretch includes the centre of gravity, the point is at 0, and a ship that comes
+    /// parallel loses all her energy: Ce = 1. (If a body is stopped dead at several points that can only push, the
+    /// final impulse is that of the nearest point alone, or of points on both sides.)
     pub along_m: f64,
-    /// M, displacement without added mass (kg); where another ship carries the fender, the reduced mass of the two
+    /// M, displacement without added mass (kg). If another ship carries the fender, this is the reduced mass of the two
     /// displacements, M₁M₂/(M₁ + M₂).
     pub displacement_kg: f64,
     /// The other ship, if one carries the fender.
     pub other: Option<OtherShip>,
-    /// Cm by each formula, in the order of [`fenderline_world::berthing::AddedMassFormula::ALL`]; `None` where it does not apply to the ship.
+    /// Cm by each formula, in the order of [`fenderline_world::berthing::AddedMassFormula::ALL`]; `None` if the formula does not apply to
+    /// the ship.
     pub added_mass: [Option<f64>; 4],
-    /// Where the Cm of `energy_j` comes from.
+    /// The source of the Cm of `energy_j`.
     pub chosen: AddedMass,
-    /// That Cm.
+    /// The Cm used for `energy_j`.
     pub chosen_added_mass: f64,
     /// Mass normal to the face in the simulation, added mass included, over displacement.
     pub added_mass_simulated: f64,
-    /// What that is made of.
+    /// The parts of `added_mass_simulated`.
     pub added_sway: AddedSway,
     /// K, radius of gyration by formula (m).
     pub gyradius_m: f64,
@@ -51,36 +54,39 @@ pub struct BerthingOutcome {
     pub softness: f64,
     /// Cc.
     pub configuration: f64,
-    /// ½ M V² Cm Ce Cs Cc with the chosen Cm, and the design speed where there is one (J).
+    /// ½ M V² Cm Ce Cs Cc (J) with the chosen Cm, and with the design speed if there is one.
     pub energy_j: f64,
-    /// The same with the speed of the run at the first touch (J).
+    /// The energy of the same formula with the speed of the run at the first touch (J).
     pub energy_at_touch_j: f64,
-    /// The same with the Cm of each formula (J).
+    /// The energy of the same formula with the Cm of each formula for Cm (J).
     pub energies_j: [Option<f64>; 4],
     /// `energy_j` times the abnormal berthing factor (J).
     pub abnormal_energy_j: Option<f64>,
     /// Kinetic energy normal to the face at first touch in the simulation, ½ M Cm V² (J).
     pub kinetic_j: f64,
-    /// Largest energy absorbed by the ship's fenders together during the first hit (J), hysteresis losses included. The hit lasts
-    /// from the first touch until the fenders store less than half of their maximum. Work of other loads during that
-    /// time is included.
+    /// Largest energy that the ship's fenders together absorbed during the first hit (J), hysteresis losses included.
+    /// The hit lasts from the first touch until the fenders store less than half of their maximum. Work of other loads
+    /// during that time is included.
     pub fender_energy_j: f64,
-    /// Largest energy that bent the piles of the flexible dolphins that she touched during the first hit (J); 0 without such dolphins.
+    /// Largest energy that bent the piles of the flexible dolphins that the ship touched during the first hit (J); 0
+    /// without such dolphins.
     pub pile_energy_j: f64,
-    /// `fender_energy_j` and `pile_energy_j` over `kinetic_j`: Ce as simulated.
+    /// The sum of `fender_energy_j` and `pile_energy_j`, over `kinetic_j`: Ce in the simulation.
     pub eccentricity_measured: f64,
     /// End of the step in which the first hit was over (s); `None` while it lasts.
     pub first_hit_until_s: Option<f64>,
-    /// The later hit in which the fenders absorbed the most: when she swings in, or the loads bring her back. `None` before one.
+    /// The later hit in which the fenders absorbed the most energy: when the ship swings in, or when the loads bring
+    /// her back. `None` if there was no later hit.
     pub later: Option<LaterHit>,
 }
 
 /// Added mass in sway of the ship in the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AddedSway {
-    /// Over her displacement; of a vessel that of deep water.
+    /// Added mass over the ship's displacement. For a vessel the factor is the value in deep water.
     pub deep: f64,
-    /// The factor on it by the depth of water at the start; `None` for a body whose added mass is given as it is, and in deep water.
+    /// The factor on `deep` for the depth of water at the start. `None` in deep water, and for a body whose added mass
+    /// is given directly.
     pub shallow: Option<ShallowFactor>,
 }
 
@@ -89,7 +95,7 @@ pub struct AddedSway {
 pub struct OtherShip {
     /// Her displacement (kg).
     pub displacement_kg: f64,
-    /// Her mass normal to the face in the simulation, added mass included, over her displacement.
+    /// The ship's mass normal to the face in the simulation, added mass included, over her displacement.
     pub added_mass: f64,
 }
 
@@ -105,29 +111,32 @@ pub struct ShallowFactor {
 /// A hit after the first one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaterHit {
-    /// Its number: 2 for the second hit. Hits of less than a twentieth of the kinetic energy at the first touch are not counted.
+    /// Number of the hit: 2 for the second hit. Hits of less than a twentieth of the kinetic energy at the first touch
+    /// are not counted.
     pub number: u32,
-    /// Start of the step in which it began (s).
+    /// Start of the step in which the hit began (s).
     pub from_s: f64,
-    /// End of the step in which it was over (s); `None` while it lasts.
+    /// End of the step in which the hit was over (s); `None` while it lasts.
     pub until_s: Option<f64>,
-    /// Largest energy that the ship's fenders together absorbed (J), as that of the first hit.
+    /// Largest energy that the ship's fenders together absorbed (J), computed as for the first hit.
     pub energy_j: f64,
-    /// Start of the step of that (s).
+    /// Start of the step with the largest energy (s).
     pub at_s: f64,
 }
 
-/// The energies of design speed and of the speed at the first touch are both shown where they differ by more than this share.
+/// The energies by design speed and by the speed at the first touch are both shown if they differ by more than this
+/// share.
 const ENERGIES_DIFFER: f64 = 0.01;
 
 impl BerthingOutcome {
-    /// The speed in the formula of `energy_j` (m/s): the design speed, else that at the first touch.
+    /// The speed in the formula of `energy_j` (m/s): the design speed, or else the speed at the first touch.
     #[must_use]
     pub fn formula_speed_mps(&self) -> f64 {
         self.design_speed_mps.unwrap_or(self.speed_mps.abs())
     }
 
-    /// Whether the energy with the speed at the first touch is so far from that with the design speed that a reader must see both.
+    /// Whether the energy by the speed at the first touch differs so much from the energy by the design speed that a
+    /// reader must see both.
     #[must_use]
     pub fn energies_differ(&self) -> bool {
         let difference_j = (self.energy_at_touch_j - self.energy_j).abs();
@@ -144,7 +153,7 @@ impl BerthingOutcome {
         }
     }
 
-    /// What the Cm of the run is made of, in a sentence.
+    /// The parts of the Cm of the run, in a sentence.
     #[must_use]
     pub fn mass_of_run(&self) -> String {
         let AddedSway { deep, shallow } = self.added_sway;
@@ -182,7 +191,7 @@ impl BerthingOutcome {
         text
     }
 
-    /// Why the Cm of the run differs from that of the formula, in a sentence.
+    /// Why the Cm of the run differs from the Cm of the formula, in a sentence.
     #[must_use]
     pub fn why_masses_differ(&self) -> &'static str {
         if self.added_sway.shallow.is_some() {

@@ -1,4 +1,4 @@
-//! Follows a run for the study of berthing energy.
+//! Follows a run and collects data for the study of berthing energy.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Contact, Rotation, vec2};
@@ -15,14 +15,15 @@ use fenderline_world::fender::FenderSetup;
 use fenderline_world::record::{ContactEnergy, StepRecord};
 use fenderline_world::rigid_body::Inertia;
 
-/// The first fender is compressed by this share of its rated deflection when the group of fenders is complete.
+/// The group of fenders that the ship meets together is complete when the first fender is compressed by this share of
+/// its rated deflection.
 const GROUP_SHARE: f64 = 0.1;
 
-/// What is known of a first touch.
+/// Data of a first touch.
 #[derive(Clone, Debug)]
 struct FirstTouch {
     t_s: f64,
-    /// Index, and place along the hull (m), of each fender of the group; the first is the one that was touched first.
+    /// Index, and place along the hull (m), of each fender of the group; the first entry is the fender touched first.
     group: Vec<(usize, f64)>,
     /// Deflection of the first fender at which the group is complete (m).
     complete_at_m: f64,
@@ -31,7 +32,7 @@ struct FirstTouch {
     angle_rad: f64,
     displacement_kg: f64,
     other: Option<OtherShip>,
-    /// Mass normal to the face in the simulation, added mass included (kg); of two ships the reduced mass.
+    /// Mass normal to the face in the simulation, added mass included (kg); for two ships the reduced mass.
     mass_kg: f64,
     /// The ship's own added mass in sway over her displacement.
     added_sway: f64,
@@ -48,15 +49,15 @@ impl FirstTouch {
     }
 }
 
-/// A hit counts if the fenders took this share of the kinetic energy at the first touch.
+/// A hit counts if the fenders absorbed at least this share of the kinetic energy at the first touch.
 const COUNTED_SHARE: f64 = 0.05;
 
-/// Where the run is among the ship's hits.
+/// The phase of the run: during a hit, or between two hits.
 #[derive(Clone, Copy, Debug)]
 enum Phase {
     /// The first hit, or light touches before it.
     First(Hit),
-    /// Between two hits: the least energy that the fenders stored since the last one (J).
+    /// Between two hits. The number is the least energy that the fenders stored since the last hit (J).
     Between { least_j: f64 },
     /// A later hit, and the start of its first step (s).
     Later(Hit, f64),
@@ -68,17 +69,17 @@ pub struct Study {
     setup: BerthingSetup,
     /// Displacement of each body (kg); `None`: fixed.
     displacements_kg: Vec<Option<f64>>,
-    /// The ship's water at the start; `None`: deep, or she is no vessel.
+    /// Factor of shallow water for the ship at the start. `None`: the water is deep, or the ship is no vessel.
     shallow: Option<ShallowFactor>,
     first: Option<FirstTouch>,
     phase: Phase,
-    /// Hits that were counted and are over.
+    /// Number of counted hits that are over.
     hits: u32,
     /// The outcome; `None` before the first touch.
     pub outcome: Option<Result<BerthingOutcome, BerthingError>>,
 }
 
-/// The quantities of one step that the study uses.
+/// The data of one step that the study uses.
 pub struct StudyStep<'a> {
     t_s: f64,
     step_s: f64,
@@ -130,8 +131,8 @@ impl<'a> StudyStep<'a> {
 }
 
 impl Study {
-    /// A study of particulars that have been checked, with the displacement of each body (kg; `None`: fixed) and the factor of
-    /// shallow water on the ship's added mass in sway.
+    /// A study with particulars that have been checked. The study needs the displacement of each body (kg; `None`:
+    /// fixed), and the factor of shallow water on the ship's added mass in sway.
     pub fn new(
         setup: BerthingSetup,
         displacements_kg: Vec<Option<f64>>,
@@ -163,8 +164,8 @@ impl Study {
         }
     }
 
-    /// Notes the first touch, and the fenders of its group while it is not complete; computes the outcome anew where it
-    /// changes.
+    /// Notes the first touch, and the fenders of its group until the group is complete. Computes the outcome anew if
+    /// the group changes.
     fn follow_group(
         &mut self,
         fenders: &[FenderSetup],
@@ -185,7 +186,7 @@ impl Study {
         for contact in touched {
             let fender = contact.fender.expect("a fender's contact").0 as usize;
             let leader = group.group[0].0;
-            // At the end of the step.
+            // The group is complete at the end of the step.
             if fender == leader && contact.peak_depth_m > group.complete_at_m {
                 group.is_complete = true;
             }

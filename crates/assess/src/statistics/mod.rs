@@ -19,7 +19,7 @@ pub use peaks::MotionStatistics;
 pub use rainflow::{RAINFLOW_BINS, Rainflow};
 use series::MotionSeries;
 
-/// What a run with [`fenderline_world::limit::StatisticsSetup`] keeps.
+/// The statistics that a run with [`fenderline_world::limit::StatisticsSetup`] keeps.
 #[derive(Clone, Debug)]
 pub struct Statistics {
     from_s: f64,
@@ -30,7 +30,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Before the first step; `None` if the set-up asks for none.
+    /// Statistics before the first step; `None` if the set-up asks for none.
     pub fn new(setup: &Setup) -> Option<Statistics> {
         let from_s = setup.world.statistics.from_s?;
         Some(Statistics {
@@ -61,8 +61,8 @@ impl Statistics {
         self.from_s
     }
 
-    /// Surge, sway, heave, roll, pitch and yaw of a vessel about their means, by her index; surge and sway of her centre of gravity
-    /// along and across her mean heading.
+    /// Surge, sway, heave, roll, pitch and yaw of a vessel about their means, by the vessel's index. Surge and sway are
+    /// motions of the centre of gravity along and across the mean heading.
     ///
     /// # Panics
     /// If there is no such vessel.

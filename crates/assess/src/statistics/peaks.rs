@@ -2,37 +2,39 @@
 
 use fenderline_contact::number::greater;
 
-/// Statistics of one motion. Peaks are counted between crossings of the mean: the largest distance from it on each side is one peak, and
-/// peaks of both sides count. A range is that from the crest to the trough after it, between up-crossings. What lies before the
-/// first crossing and after the last one is part of mean, deviation and maximum only.
+/// Statistics of one motion. Peaks are counted between crossings of the mean: the largest distance from the mean
+/// between two crossings is one peak, and peaks of both sides count. A range goes from a crest to the trough after it,
+/// between up-crossings. Values before the first crossing and after the last crossing count only for mean, deviation
+/// and maximum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionStatistics {
-    /// Mean (m or rad); of surge and sway from the first place that counts.
+    /// Mean (m or rad). For surge and sway it is measured from the first position that counts.
     pub mean: f64,
     /// Standard deviation.
     pub deviation: f64,
     /// Largest distance from the mean.
     pub maximum: f64,
-    /// Mean of the highest third of the peaks; of the only ones where there are fewer than three. 0 without a peak.
+    /// Mean of the highest third of the peaks; the highest peak or peaks if there are fewer than three. 0 without a
+    /// peak.
     pub significant: f64,
     /// Largest range, crest to trough.
     pub maximum_range: f64,
     /// Mean of the highest third of the ranges.
     pub significant_range: f64,
-    /// Mean time between up-crossings of the mean (s); 0 with fewer than two.
+    /// Mean time between up-crossings of the mean (s); 0 if there are fewer than two.
     pub zero_crossing_s: f64,
     /// Number of peaks.
     pub peaks: u32,
 }
 
 impl MotionStatistics {
-    /// Of values at even times, `apart_s` from each other.
+    /// The statistics of values at even times, `apart_s` from each other.
     pub(super) fn of(values: &[f64], apart_s: f64) -> MotionStatistics {
         if values.is_empty() {
             return MotionStatistics::default();
         }
         let number = values.len() as f64;
-        // From the first value, so that the mean of a still ship has no rounding.
+        // Sums are taken relative to the first value, so that the mean of a still ship has no rounding error.
         let first = values[0];
         let mean = first + values.iter().map(|value| value - first).sum::<f64>() / number;
         let square: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
@@ -81,7 +83,7 @@ impl MotionStatistics {
     }
 }
 
-/// Mean of the highest third, rounded up to a whole number of them; 0 of nothing.
+/// Mean of the highest third of the values; the number of values is rounded up. 0 if there are no values.
 fn highest_third(mut values: Vec<f64>) -> f64 {
     let number = values.len().div_ceil(3);
     if number == 0 {
@@ -116,7 +118,8 @@ mod tests {
         assert!((197..=200).contains(&found.peaks), "{found:?}");
     }
 
-    /// By hand: mean 0, crossings after the second value. Peaks 1, 3, 2, 6; the highest third of four is two of them.
+    /// By hand: mean 0, crossings after the second value. The peaks are 1, 3, 2 and 6; the highest third of four,
+    /// rounded up, is two peaks.
     #[test]
     fn peaks_and_ranges_by_hand() {
         let values = [-4.0, -4.0, 1.0, -3.0, -1.0, 2.0, 2.0, -6.0, 5.0, 8.0];
@@ -129,8 +132,9 @@ mod tests {
         assert_eq!(MotionStatistics::of(&[3.0; 5], 1.0).deviation, 0.0);
     }
 
-    /// Narrow-banded noise has a significant amplitude near twice its deviation: 2.00 by Rayleigh's law (Longuet-Higgins 1952). Sixty
-    /// harmonics over 10 000 periods: 5 %, as their spectrum has steps.
+    /// Narrow-banded noise has a significant amplitude near twice its deviation: 2.00 by Rayleigh's law
+    /// (Longuet-Higgins 1952). The test has sixty harmonics over 10 000 periods. The tolerance is 5 %, because the
+    /// spectrum has steps.
     #[test]
     fn a_narrow_band_has_the_significant_value_of_rayleighs_law() {
         let phase = |k: u32| libm::fmod(f64::from(k) * 2.399_963, 2.0 * core::f64::consts::PI);

@@ -1,24 +1,25 @@
 //! Cycles of a tension by rainflow counting.
 
-/// Number of bins of a [`Rainflow`]: each a twentieth of the break load wide; the last holds all larger ranges too.
+/// Number of bins of a [`Rainflow`]. Each bin is a twentieth of the break load wide. The last also holds all larger
+/// ranges.
 pub const RAINFLOW_BINS: usize = 20;
 
-/// Cycles of a line's tension by range, counted as they end, by the rules of three points of ASTM E1049 (recalled). Ranges are over the
-/// break load.
+/// Cycles of a line's tension by range, counted as they end, by the three-point rules of ASTM E1049 (recalled). Ranges
+/// are divided by the break load.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rainflow {
-    /// Turning points that wait for their cycle.
+    /// Turning points whose cycle has not yet closed.
     turns: Vec<f64>,
-    /// Whole cycles, counted in halves.
+    /// Cycles in each bin, counted in half cycles.
     halves: [u64; RAINFLOW_BINS],
 }
 
-/// Smaller ranges are no cycle: rounding, and the ripple of a winch.
+/// Ranges smaller than this do not count as cycles: they are rounding, or the ripple of a winch.
 const LEAST: f64 = 0.005;
 
 impl Rainflow {
     pub(super) fn push(&mut self, share: f64) {
-        // The last entry is not a turning point yet: it moves as long as the tension goes its way.
+        // The last entry is not a turning point yet: it moves as long as the tension goes on in the same direction.
         match self.turns[..] {
             [] => return self.turns.push(share),
             [last] if (share - last).abs() < LEAST => return,
@@ -46,7 +47,7 @@ impl Rainflow {
             }
             let end = self.turns.len();
             if end == 3 {
-                // With the first point: half a cycle.
+                // A range that includes the first point counts as half a cycle.
                 add(&mut self.halves, range, 1);
                 self.turns.remove(0);
             } else {
@@ -56,8 +57,8 @@ impl Rainflow {
         }
     }
 
-    /// Cycles by range over the break load: the first bin to 5 %, the second to 10 % and so on. What is still open counts as half
-    /// cycles.
+    /// Cycles by range over the break load: the first bin up to 5 %, the second up to 10 %, and so on. Ranges that are
+    /// still open count as half cycles.
     #[must_use]
     pub fn cycles(&self) -> [f64; RAINFLOW_BINS] {
         let mut halves = self.halves;
@@ -77,13 +78,13 @@ fn add(halves: &mut [u64; RAINFLOW_BINS], range: f64, number: u64) {
 mod tests {
     use super::*;
 
-    /// The example of ASTM E1049, recalled: −2, 1, −3, 5, −1, 3, −4, 4, −2 has half cycles of 3, 4, 8, 9, 8 and 6 and a whole one of 4.
-    /// Here each unit is a bin.
+    /// The example of ASTM E1049, recalled: −2, 1, −3, 5, −1, 3, −4, 4, −2 has half cycles of 3, 4, 8, 9, 8 and 6, and
+    /// a whole cycle of 4. In this test each unit is one bin.
     #[test]
     fn the_example_of_the_standard() {
         let mut found = Rainflow::default();
         for peak in [-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0] {
-            // On the way there: points that do not turn.
+            // Points on the way that are no turning points.
             found.push(0.051 * (peak - 0.01));
             found.push(0.051 * peak);
         }

@@ -5,14 +5,14 @@ use fenderline_contact::{BodyState, Rotation, vec2};
 use super::peaks::MotionStatistics;
 use fenderline_world::world::VesselState;
 
-/// Most samples that are kept: more are thinned by half, so memory does not grow with the run.
+/// Largest number of samples kept. A longer series is thinned by half, so that memory does not grow with the run.
 const MOST: usize = 1 << 17;
 
 /// North, east, heave, roll, pitch and heading of a vessel at even times.
 #[derive(Clone, Debug)]
 pub(super) struct MotionSeries {
     samples: Vec<[f64; 6]>,
-    /// Steps from sample to sample.
+    /// Number of steps from sample to sample.
     every: u64,
     steps: u64,
 }

@@ -1,4 +1,4 @@
-//! Where a run leaves its laws and its data, step by step.
+//! Finds, step by step, where a run leaves its laws and its data.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Contact, EventKind, combined_angle_rad};
@@ -23,40 +23,40 @@ const WAVES_OUTSIDE: f64 = 0.02;
 /// The least squat for which the range of its formula matters (m); our choice.
 const SQUAT_M: f64 = 0.01;
 
-/// A law that was left.
+/// A law that the run has left.
 #[derive(Clone, Debug)]
 struct Left {
     law: Law,
     subject: Subject,
     first_s: f64,
-    /// The last step in which it was, so that it counts once in a step (s).
+    /// Time of the last step in which the law was left (s), so that a step counts once.
     last_s: f64,
-    /// Steps; `None`: it holds for the whole run.
+    /// Number of steps; `None`: the law is left for the whole run.
     steps: Option<u32>,
     extent: [f64; 2],
 }
 
-/// The contact of a fender that lasts.
+/// A contact of a fender that still lasts.
 #[derive(Clone, Debug, Default)]
 struct Met {
-    /// Number of the last step with it.
+    /// Number of the last step with this contact.
     last_step: Option<u64>,
-    /// What the factors do not cover: value and end of the range, for angle and speed.
+    /// Value and end of the range that the factors do not cover, for angle and for speed.
     beyond: [Option<[f64; 2]>; 2],
 }
 
-/// All that was left so far. Its size does not grow with the run.
+/// All laws and data that the run has left so far. The size does not grow with the run.
 #[derive(Clone, Debug)]
 pub(super) struct Departures {
     left: Vec<Left>,
-    /// Of each body's outline (m²).
+    /// Area of each body's outline (m²).
     areas_m2: Vec<f64>,
     smallest_m2: f64,
     met: Vec<Met>,
 }
 
 impl Departures {
-    /// Before the first step.
+    /// The record before the first step.
     pub(super) fn new(setup: &Setup) -> Departures {
         let areas_m2: Vec<f64> = setup.bodies.iter().map(|body| body.outline.area_m2()).collect();
         let smallest_m2 = areas_m2.iter().copied().fold(f64::INFINITY, lesser);
@@ -66,14 +66,15 @@ impl Departures {
         all
     }
 
-    /// Forgets the run.
+    /// Forgets the run so far.
     pub(super) fn restart(&mut self, setup: &Setup) {
         self.left.clear();
         self.met.fill(Met::default());
         self.note_what_holds_always(setup);
     }
 
-    /// Adds one step. `taken_j` and `gained_j` are the energies that contacts absorbed and that they returned beyond it.
+    /// Adds one step. `taken_j` is the energy that contacts absorbed, and `gained_j` the energy that they returned
+    /// beyond this.
     pub(super) fn add(
         &mut self,
         setup: &Setup,
@@ -91,7 +92,7 @@ impl Departures {
                 EventKind::PlacedInOverlap => {
                     self.note(Law::PlacedInOverlap, Subject::Bodies(bodies), t_s, [0.0; 2]);
                 }
-                // Deep overlaps are taken from the contacts, as long as they last.
+                // Deep overlaps are found from the contacts, for as long as they last.
                 EventKind::DeepOverlap | EventKind::Contained => {}
                 EventKind::ContactBegan
                 | EventKind::ContactEnded
@@ -113,8 +114,8 @@ impl Departures {
         }
     }
 
-    /// What was left, in the order of the table; `run_s` is the time of the run so far (s), `gain` whether its contacts have gained energy
-    /// by now.
+    /// The departures, in the order of the table. `run_s` is the time of the run so far (s). `gain` tells whether the
+    /// contacts of the run have gained energy in total.
     pub(super) fn departures(&self, setup: &Setup, run_s: f64, gain: bool) -> Vec<Departure> {
         let departure = |left: &Left| {
             let lasting_s = left.steps.map_or(run_s, |steps| f64::from(steps) * setup.step_s);
@@ -122,15 +123,15 @@ impl Departures {
             let &Left { law, subject, first_s, extent, .. } = left;
             Departure { law, subject, first_s, lasting_s, share_of_run, extent }
         };
-        // Energy that a contact returned too much is made up for where others lose more.
+        // Surplus energy of one contact is not reported if other contacts lose more.
         let is_told = |left: &&Left| left.law != Law::EnergyGained || gain;
         let mut all: Vec<Departure> = self.left.iter().filter(is_told).map(departure).collect();
-        // Stable: departures from one law keep the order in which they began.
+        // The sort is stable: departures from one law keep the order in which they began.
         all.sort_by_key(|departure| departure.law as usize);
         all
     }
 
-    /// Counts a step. `extent` keeps its value that is farthest from the end of the range.
+    /// Counts a step. `extent` keeps the value farthest from the end of the range.
     fn note(&mut self, law: Law, subject: Subject, t_s: f64, extent: [f64; 2]) {
         let same = |left: &&mut Left| left.law == law && left.subject == subject;
         match self.left.iter_mut().find(same) {
@@ -152,7 +153,7 @@ impl Departures {
         }
     }
 
-    /// Notes what holds from the start of the run to its end.
+    /// Notes the departures that last from the start of the run to its end.
     fn note_what_holds_always(&mut self, setup: &Setup) {
         let environment = &setup.world.environment;
         let mut always = |law, subject, extent| {
@@ -201,11 +202,11 @@ impl Departures {
         }
     }
 
-    /// Overlaps of outlines, and contacts of fenders.
+    /// Adds departures by overlaps of outlines and by contacts of fenders.
     fn add_contacts(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (index, contact) in step.contacts.iter().enumerate() {
             let Some(fender) = contact.fender else {
-                // Shortcut for most contacts: they are smaller than half of any body.
+                // Shortcut for most contacts: their area is less than half of any body's area.
                 if contact.area_m2 > 0.5 * self.smallest_m2 {
                     self.add_overlap(contact, step.t_s);
                 }
@@ -238,7 +239,8 @@ impl Departures {
         }
     }
 
-    /// Series of wind, tide and long waves that have ended.
+    /// Adds a departure for each series of wind, tide or long waves if the time of the step is before the first or after the
+    /// last time of the series: the value of that end is held.
     fn add_environment(&mut self, setup: &Setup, t_s: f64) {
         let Environment { wind, tide, long_waves, .. } = &setup.world.environment;
         for (law, is_held) in [
@@ -252,7 +254,7 @@ impl Departures {
         }
     }
 
-    /// Vessels off the current's grid, and in shallow water.
+    /// Adds departures by vessels that are off the grid of the current or in shallow water.
     fn add_vessels(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         let environment = &setup.world.environment;
         let depth_m = environment.depth_at_m(step.t_s);
@@ -279,7 +281,7 @@ impl Departures {
                 self.note(Law::SquatDepth, subject, step.t_s, [ratio, high]);
             }
             let surge_mps = vessel.velocity(state, environment, step.t_s).surge_mps.abs();
-            // As the formulas of squat: at 1.1 draughts in less water.
+            // As in the formulas of squat: in less water, the values at 1.1 draughts are used.
             let draught_m = vessel.ship.particulars.draught_m;
             let froude = surge_mps / critical_mps(greater(depth_m, SHALLOWEST_RATIO * draught_m));
             if froude > FASTEST_FROUDE {
@@ -290,12 +292,12 @@ impl Departures {
 }
 
 impl Departures {
-    /// A step in which a program that gives forces did not reply.
+    /// Notes a step in which a program that gives forces did not reply.
     pub(super) fn note_silent_provider(&mut self, provider: usize, t_s: f64) {
         self.note(Law::ProviderSilent, Subject::Provider(provider), t_s, [0.0; 2]);
     }
 
-    /// Vessels so near each other that the flow between them is left out.
+    /// Adds departures by vessels so near each other that the flow between them is left out.
     fn add_flow(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         let world = &setup.world;
         if !world.flow.between_vessels {
@@ -322,7 +324,7 @@ impl Departures {
 }
 
 impl Law {
-    /// The one of two extents that is farther out.
+    /// The extent, of two, that is farther out of the range.
     fn farther(self, one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
         match self {
             Law::EnergyGained => other,
@@ -335,7 +337,8 @@ impl Law {
     }
 }
 
-/// What a fender's factors do not cover where a contact begins: angle (rad) and compression time (s), with the end of the data.
+/// Angle (rad) and compression time (s) at the start of a contact that the fender's factors do not cover, each with the
+/// end of the data.
 fn beyond(
     fender: &FenderSetup,
     contact: &Contact,

@@ -1,11 +1,12 @@
-//! What is found with the partial factors of the user.
+//! Findings with the partial factors of the user.
 
 use super::finding::{Finding, Subject};
 use fenderline_world::factors::{Factored, PartialFactors};
 use fenderline_world::fender::FenderSummary;
 use fenderline_world::setup::Setup;
 
-/// Effects that are above their capacity with the user's factors. Where the effect alone is above it, another finding says so already.
+/// Findings on effects that exceed their capacity only with the user's factors. If the effect exceeds it without the
+/// factor, another finding says so already.
 pub(super) fn factored<'a>(
     setup: &'a Setup,
     fenders: &'a [&'a FenderSummary],
@@ -33,7 +34,7 @@ fn of_fender(factors: &PartialFactors, fender: &FenderSummary) -> Vec<Finding> {
     energy.into_iter().chain(reaction).collect()
 }
 
-/// The share, where it is above 1; with `by_factor` only where it is not so without the factor.
+/// The share if it is above 1. With `by_factor`, only if it is not above 1 without the factor.
 fn above(of: Factored, by_factor: bool) -> Option<f64> {
     let share = of.share()?;
     (share > 1.0 && !(by_factor && share / of.factor > 1.0)).then_some(share)

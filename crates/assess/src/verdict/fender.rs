@@ -1,13 +1,13 @@
-//! What is found on a fender.
+//! Findings on a fender.
 
 use super::finding::Finding;
 use fenderline_world::fender::{FenderSetup, FenderSummary};
 
-/// A share of a catalogue's rating that is shown as 101 % or more.
+/// The least share of a catalogue's rating that is printed as 101 % or more.
 const ABOVE_CATALOGUE: f64 = 1.005;
 
-/// The worst that there is to say of this fender after a run; `None` if it stayed within its rating and within the
-/// permissible hull pressure.
+/// The worst finding on this fender after a run; `None` if it stayed within its rating and within the permissible
+/// hull pressure.
 #[must_use]
 pub fn fender_finding(summary: &FenderSummary, setup: &FenderSetup) -> Option<Finding> {
     let fender = summary.fender;
@@ -26,10 +26,11 @@ pub fn fender_finding(summary: &FenderSummary, setup: &FenderSetup) -> Option<Fi
     })
 }
 
-/// The quantity, `energy` or `reaction`, that is above the catalogue's rating, its share of that, and its share of the rating
-/// with the factors of this run. `None` within the catalogue's rating, and for a fender that is beyond the run's rating too.
+/// The quantity, `energy` or `reaction`, that exceeds the catalogue's rating; its share of this rating; and its
+/// share of the rating with the factors of this run. `None` if the catalogue's rating is kept. `None` also for a
+/// fender that exceeds the run's rating too.
 ///
-/// A curve that buckles can peak a little above its rated reaction: that is within the catalogue.
+/// A curve that buckles can peak a little above its rated reaction. This does not exceed the catalogue's rating.
 fn share_above_catalogue(
     summary: &FenderSummary,
     setup: &FenderSetup,
@@ -57,8 +58,8 @@ pub(super) fn chains_parted(summary: &FenderSummary) -> impl Iterator<Item = Fin
     })
 }
 
-/// One finding on all fenders that took more than their catalogue rates, within their ratings with the factors of the run: it names the
-/// one farthest above.
+/// One finding on all fenders that took more than their catalogue's rating but stayed within their rating with the
+/// factors of the run. The finding names the fender that is farthest above.
 pub(super) fn above_catalogue<'a>(
     setups: &[FenderSetup],
     fenders: impl Iterator<Item = &'a FenderSummary>,

@@ -1,4 +1,4 @@
-//! What can be found in a run.
+//! The findings that a run can have.
 
 use super::Verdict;
 use super::law::Departure;
@@ -7,14 +7,14 @@ use fenderline_world::chain::ChainKind;
 use fenderline_world::named::called;
 use fenderline_world::setup::Setup;
 
-/// Something found in a run, with the body, fender, line or vessel that it is about: indices into the [`Setup`].
+/// Something found in a run, with the bodies, fenders, lines or vessels concerned, as indices into the [`Setup`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
     /// A hull touched a structure without a fender between them.
     StructureStruck {
         /// The two bodies.
         bodies: [usize; 2],
-        /// Start of the first step of it (s).
+        /// Start of the first step with the touch (s).
         first_s: f64,
         /// How long they touched (s).
         lasting_s: f64,
@@ -27,7 +27,7 @@ pub enum Finding {
     FenderFailed {
         /// The fender.
         fender: usize,
-        /// Start of the step of its peak deflection (s).
+        /// Start of the step with the peak deflection (s).
         at_s: f64,
         /// Peak deflection (m).
         deflection_m: f64,
@@ -36,20 +36,20 @@ pub enum Finding {
     ChainParted {
         /// The fender.
         fender: usize,
-        /// What the chain held.
+        /// The kind of chain.
         kind: ChainKind,
-        /// Start of the step (s).
+        /// Start of the step in which the chain parted (s).
         at_s: f64,
-        /// The tension at which it parted (N).
+        /// The tension at which the chain parted (N).
         tension_n: f64,
     },
     /// The pile of a flexible dolphin yielded.
     PileYielded {
         /// The dolphin.
         body: usize,
-        /// Start of the first step of it (s).
+        /// Start of the first step in which the pile yielded (s).
         first_s: f64,
-        /// Its yield load (N).
+        /// Yield load of the pile (N).
         load_n: f64,
         /// Permanent deflection (m).
         offset_m: f64,
@@ -58,18 +58,18 @@ pub enum Finding {
     LineParted {
         /// The line.
         line: usize,
-        /// When (s).
+        /// When the line parted (s).
         at_s: f64,
-        /// The tension at which it parted (N).
+        /// The tension at which the line parted (N).
         tension_n: f64,
     },
     /// An anchor was lost with its chain.
     AnchorLost {
         /// The anchor.
         anchor: usize,
-        /// When (s).
+        /// When the anchor was lost (s).
         at_s: f64,
-        /// How.
+        /// How the anchor was lost.
         by: LostBy,
         /// Tension of the chain (N).
         tension_n: f64,
@@ -78,9 +78,9 @@ pub enum Finding {
     AnchorDragged {
         /// The anchor.
         anchor: usize,
-        /// Start of the first step of it (s).
+        /// Start of the first step in which the anchor dragged (s).
         first_s: f64,
-        /// How far (m).
+        /// How far the anchor dragged (m).
         dragged_m: f64,
     },
     /// Two bodies started inside each other, or a fender started beyond its rated deflection (without a rating, beyond
@@ -88,18 +88,18 @@ pub enum Finding {
     StartInside {
         /// The two bodies.
         bodies: [usize; 2],
-        /// The fender, where one is between them.
+        /// The fender between the bodies, if there is one.
         fender: Option<usize>,
-        /// Penetration of structure, or deflection of the fender (m).
+        /// Penetration of the structure, or deflection of the fender (m).
         depth_m: f64,
     },
     /// A vessel was aground.
     Aground {
         /// The vessel.
         vessel: usize,
-        /// Start of the first step of it (s).
+        /// Start of the first step in which the vessel was aground (s).
         first_s: f64,
-        /// How long (s).
+        /// How long the vessel was aground (s).
         lasting_s: f64,
     },
     /// A limit of the scenario was exceeded.
@@ -109,65 +109,66 @@ pub enum Finding {
         /// The value (m, rad, or a share).
         value: f64,
     },
-    /// A fender or a line was within its capacity, but with the user's partial factor it is not.
+    /// A fender or a line was within its capacity, but exceeds it with the user's partial factor.
     AboveWithFactor {
         /// The fender or line.
         subject: Subject,
-        /// What it was compared with, in words.
+        /// The capacity, in words.
         capacity: &'static str,
         /// The factor.
         factor: f64,
-        /// Factored effect over capacity.
+        /// Factored result over capacity.
         share: f64,
     },
     /// A fender was beyond its rating.
     FenderOverRated {
         /// The fender.
         fender: usize,
-        /// `energy`, `deflection` or `reaction`: the one that governs.
+        /// `energy`, `deflection` or `reaction`: the quantity that governs.
         quantity: &'static str,
-        /// Its peak over the rated one.
+        /// Peak of the quantity over its rated value.
         share: f64,
     },
-    /// A fender took more than its catalogue rates. The factors of the run (temperature, tolerance, speed, angle) explain it:
-    /// with them it stayed within its rating.
+    /// A fender took more than its catalogue's rating. The factors of the run (temperature, tolerance, speed, angle)
+    /// explain this: with them the fender stayed within its rating.
     AboveCatalogue {
-        /// The fender, of several the one farthest above.
+        /// The fender. If there are several, the one farthest above its rating.
         fender: usize,
         /// `energy` or `reaction`.
         quantity: &'static str,
-        /// Its peak over the rating of the catalogue.
+        /// Peak of the quantity over the rating of the catalogue.
         share: f64,
-        /// Its peak over the rating with the factors of the run.
+        /// Peak of the quantity over the rating with the factors of the run.
         share_of_run: f64,
         /// How many other fenders are above their catalogue's rating.
         others: usize,
     },
-    /// A fender would have pressed on a hull, but she has no side at its height.
+    /// A fender would have pressed on a hull, but the hull has no side at the fender's height.
     NoSideAtFender {
         /// The fender.
         fender: usize,
-        /// The hull's body.
+        /// The body with the hull.
         body: usize,
-        /// Start of the first step of it (s).
+        /// Start of the first step in which this happened (s).
         first_s: f64,
-        /// How far the middle of its face was above the highest outline of the hull (m); negative: below the lowest.
+        /// How far the middle of the fender's face was above the highest outline of the hull (m); negative: below the
+        /// lowest outline.
         off_m: f64,
     },
-    /// A line could not be made fast: its ends were farther apart than its length.
+    /// A line could not be made fast: its ends were farther apart than the line is long.
     LineNotMadeFast {
         /// The line.
         line: usize,
-        /// When (s).
+        /// When the line should have been made fast (s).
         at_s: f64,
     },
     /// A line was above its working load.
     LineOverWorking {
         /// The line.
         line: usize,
-        /// Start of the first step of it (s).
+        /// Start of the first step with too much tension (s).
         first_s: f64,
-        /// How long (s).
+        /// How long the tension was too high (s).
         lasting_s: f64,
         /// Peak tension over working load.
         share: f64,
@@ -176,7 +177,7 @@ pub enum Finding {
     HullPressure {
         /// The fender.
         fender: usize,
-        /// Peak pressure over the permissible one.
+        /// Peak pressure over permissible pressure.
         share: f64,
     },
     /// The run left a law, or the range of its data.
@@ -185,16 +186,16 @@ pub enum Finding {
     LineRendered {
         /// The line.
         line: usize,
-        /// Line paid out by it (m).
+        /// Length of line that the brake let out (m).
         rendered_m: f64,
     },
     /// A fender without rating was touched.
     FenderNotRated {
         /// The fender.
         fender: usize,
-        /// Its largest reaction (N).
+        /// Largest reaction of the fender (N).
         peak_reaction_n: f64,
-        /// Start of the step of it (s).
+        /// Start of the step with the largest reaction (s).
         at_s: f64,
     },
     /// Two bodies touched, and no permissible load is known for them.
@@ -218,7 +219,7 @@ pub enum Subject {
 }
 
 impl Finding {
-    /// The verdict on a run with this finding alone.
+    /// The verdict on a run that has only this finding.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match self {
@@ -255,7 +256,7 @@ impl Finding {
         }
     }
 
-    /// Names of the bodies, fenders, lines, anchors or vessels that it is about.
+    /// Names of the bodies, fenders, lines, anchors or vessels concerned.
     #[must_use]
     pub fn names<'a>(&self, setup: &'a Setup) -> Vec<&'a str> {
         let body = |index: usize| setup.bodies[index].name.as_str();

@@ -1,8 +1,9 @@
-//! The laws and data of a run, and the table of all ways to leave them.
+//! The laws and data of a run, and the table of all conditions under which a run leaves them.
 //!
-//! Each force comes from a law or from data with a range. Where a run leaves the range the engine goes on, with the law beyond its range or with the
-//! value at the end of the data. [`Law::TABLE`] lists all these conditions once. Each is a [`super::Finding`]: terminal, exit code, files, pages
-//! and campaigns show it with its time and its share of the run.
+//! Each force comes from a law or from data, and each law and each data set has a range. If a run leaves the range, the
+//! engine goes on: it uses the law beyond its range, or the value at the end of the data. [`Law::TABLE`] lists all
+//! these conditions once. Each condition is a [`super::Finding`]. Terminal, exit code, files, pages and campaigns show
+//! it with its time and its share of the run.
 
 use super::Verdict;
 
@@ -11,13 +12,14 @@ use super::Verdict;
 pub enum Law {
     /// Two bodies without a fender between them overlap by more than half of the smaller body.
     DeepOverlap,
-    /// A body was placed so deep in another that the contact would eject it; it is pushed out slowly instead.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the body out
+    /// slowly instead.
     PlacedInOverlap,
     /// The coupled solve of a contact did not settle within its iteration limit.
     NotConverged,
     /// Contacts returned more energy than they absorbed.
     EnergyGained,
-    /// A vessel is off the grid of the current, or the run before or after its times.
+    /// A vessel is off the grid of the current, or the run is before or after the times of the current.
     CurrentHeld,
     /// The run is before the first or after the last time of the wind.
     WindHeld,
@@ -35,23 +37,25 @@ pub enum Law {
     WavesOfResponse,
     /// A vessel's hydrodynamic data are for another depth.
     DepthOfHydrodynamics,
-    /// The water is shallower than all shallow-water formulas: their values at 1.1 draughts are used.
+    /// The water is shallower than all shallow-water formulas cover: the values at 1.1 draughts are used.
     ShallowHeld,
-    /// The water is shallower than the published tests behind the shallow-water formulas, which are extrapolated.
+    /// The water is shallower than in the published tests behind the shallow-water formulas. The formulas are
+    /// extrapolated.
     ShallowExtrapolated,
     /// The water is deeper than the formula of squat covers.
     SquatDepth,
     /// A vessel is faster than the formula of squat covers in this depth.
     SquatSpeed,
-    /// A vessel is estimated by formulas, and a ratio of her dimensions is outside the ships that they were held against.
+    /// A vessel is estimated by formulas, and a ratio of the vessel's dimensions is outside the range of ships with
+    /// which the formulas were compared.
     EstimateOutside,
-    /// A passing ship is nearly as fast as long waves, which the flow about her does not know.
+    /// A passing ship is nearly as fast as long waves. The flow about her does not include waves.
     PassingSpeed,
-    /// A passing ship is too short for the flow about slender ships.
+    /// A passing ship is too short for the theory of slender ships.
     PassingShape,
     /// Two vessels are so near each other that the flow between them is left out.
     FlowLeftOut,
-    /// A program that gives forces did not reply: its last force was held, and later none acted.
+    /// A program that gives forces did not reply. The program's last force was held for a time, and then dropped.
     ProviderSilent,
 }
 
@@ -60,13 +64,13 @@ pub enum Law {
 pub struct LawRow {
     /// The law.
     pub law: Law,
-    /// Its key in files.
+    /// Key of the law in files.
     pub key: &'static str,
-    /// The verdict on a run that leaves it.
+    /// The verdict on a run that leaves the law.
     pub verdict: Verdict,
-    /// When it is left, for documents.
+    /// When the law is left, for documents.
     pub when: &'static str,
-    /// What the engine does then, for documents.
+    /// The engine's action in this case, for documents.
     pub then: &'static str,
 }
 
@@ -88,14 +92,14 @@ impl Law {
             "deep_overlap",
             Verdict::OutsideForceLaw,
             "two bodies overlap by more than half of the smaller one, without a fender between them",
-            "the force of the overlap's area, which no longer grows as a body's stiffness does",
+            "the force follows the area of the overlap, which no longer describes a body's stiffness",
         ),
         row(
             Law::PlacedInOverlap,
             "placed_in_overlap",
             Verdict::StartInside,
             "a body is placed so deep in another that the contact would eject it",
-            "it is pushed out slowly",
+            "the body is pushed out slowly",
         ),
         row(
             Law::NotConverged,
@@ -115,7 +119,7 @@ impl Law {
             Law::CurrentHeld,
             "current_held",
             Verdict::OutsideData,
-            "a vessel is off the grid of the current, or the run before or after its times",
+            "a vessel is off the grid of the current, or the run is outside the times of the current",
             "the current at the grid's edge",
         ),
         row(
@@ -123,21 +127,21 @@ impl Law {
             "wind_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the wind",
-            "the wind of that row",
+            "the wind of the first or last row",
         ),
         row(
             Law::TideHeld,
             "tide_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the tide",
-            "the level of that row",
+            "the level of the first or last row",
         ),
         row(
             Law::LongWavesHeld,
             "long_waves_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the long waves",
-            "level and velocity of that row",
+            "level and velocity of the first or last row",
         ),
         row(
             Law::FenderAngle,
@@ -171,8 +175,8 @@ impl Law {
             Law::DepthOfHydrodynamics,
             "depth_of_hydrodynamics",
             Verdict::OutsideData,
-            "the depth at the start is over 10 % off that of a vessel's hydrodynamic data, and not both are deep",
-            "the data as they are",
+            "the depth at the start differs by over 10 % from the depth of a vessel's hydrodynamic data, and one of the two is not deep",
+            "the hydrodynamic data without a correction",
         ),
         row(
             Law::ShallowHeld,
@@ -186,28 +190,28 @@ impl Law {
             "shallow_extrapolated",
             Verdict::Extrapolated,
             "a vessel has 1.1 to 1.2 draughts of water, less than the published tests",
-            "the factors of hull and added mass go on along their tangents",
+            "the factors of hull and added mass, continued along their tangents",
         ),
         row(
             Law::SquatDepth,
             "squat_depth",
             Verdict::Extrapolated,
             "a vessel squats by 1 cm or more in water deeper than the formula of squat covers",
-            "the formula beyond its range",
+            "the formula of squat outside its range",
         ),
         row(
             Law::SquatSpeed,
             "squat_speed",
             Verdict::OutsideData,
-            "a vessel is faster than 0.9 of long waves in this depth",
-            "the squat at 0.9",
+            "a vessel is faster than 0.9 times the speed of long waves in this depth",
+            "the squat at 0.9 times the speed of long waves",
         ),
         row(
             Law::EstimateOutside,
             "estimate_outside",
             Verdict::Extrapolated,
-            "a vessel is estimated from particulars with a ratio outside the ships that the formulas were held against",
-            "the formulas nevertheless, or simpler ones; their error is not known",
+            "a vessel is estimated from particulars, and a ratio is outside the range of the ships that the formulas were compared with",
+            "the formulas nevertheless, or simpler formulas; the error is not known",
         ),
         row(
             Law::PassingSpeed,
@@ -228,18 +232,18 @@ impl Law {
             "flow_left_out",
             Verdict::Extrapolated,
             "two vessels that act on each other are nearer than half the mean of their beams",
-            "a part of the flow between them, below a quarter none",
+            "a part of the flow between the vessels; none below a quarter of the mean of their beams",
         ),
         row(
             Law::ProviderSilent,
             "provider_silent",
             Verdict::OutsideData,
-            "a program that gives forces does not reply in time or with a force that can be used",
-            "its last force for a time, then none",
+            "a program that gives forces does not reply in time, or its force cannot be used",
+            "the program's last force for a time, then no force",
         ),
     ];
 
-    /// Its row in the table.
+    /// Row of the law in the table.
     #[must_use]
     pub fn row(self) -> &'static LawRow {
         let found = Law::TABLE.iter().find(|row| row.law == self);
@@ -247,7 +251,7 @@ impl Law {
     }
 }
 
-/// What left a law: indices into the [`fenderline_world::setup::Setup`].
+/// The part of a run that left a law, as indices into the [`fenderline_world::setup::Setup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The run as a whole.
@@ -271,20 +275,20 @@ pub enum Subject {
     Provider(usize),
 }
 
-/// A law that was left: by what, when, and how far.
+/// A law that a run left: the subject, when, and how far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// The law.
     pub law: Law,
-    /// What left it.
+    /// The part of the run that left the law.
     pub subject: Subject,
-    /// Start of the first step of it (s).
+    /// Start of the first step in which the law was left (s).
     pub first_s: f64,
-    /// How long it lasted in all (s).
+    /// How long this lasted in all (s).
     pub lasting_s: f64,
-    /// That over the time of the run so far: 1 for what holds from the start to the end.
+    /// `lasting_s` over the time of the run so far; 1 for a departure that lasts from start to end.
     pub share_of_run: f64,
-    /// How far, and the end of the range; what they are is the law's.
+    /// Two numbers that say how far the law was left. The meaning of the numbers depends on the law:
     ///
     /// | law | first | second |
     /// |---|---|---|

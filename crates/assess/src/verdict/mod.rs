@@ -1,7 +1,7 @@
-//! The verdict on a run: everything that an engineer must know before a number of it is used.
+//! The verdict on a run: everything that an engineer must know before a number of the run is used.
 //!
-//! A run collects [`Finding`]s: a hull on structure, a fender beyond its rating, a line that parted. The [`Verdict`] is the
-//! worst of them. Terminal, exit code, `summary.json`, report, Python and the live pages all show this one.
+//! A run collects [`Finding`]s: a hull on structure, a fender beyond its rating, a line that parted. The [`Verdict`] is
+//! the worst of them. Terminal, exit code, `summary.json`, report, Python and the live pages all show this verdict.
 //!
 //! | file | content |
 //! |---|---|
@@ -36,17 +36,19 @@ pub enum Verdict {
     AllWell,
     /// The scenario has fenders, and none was touched.
     NoFenderTouched,
-    /// Bodies touched where no limit is known: a fender without rating, or hulls without a fender between them.
+    /// Bodies touched, and no limit is known for the load: a fender without rating, or hulls without a fender between
+    /// them.
     NotRated,
-    /// A formula was used a little outside its range, or its error is not known there.
+    /// A formula was used a little outside its range, or in a range in which its error is not known.
     Extrapolated,
-    /// A fender took more energy or reaction than its catalogue rates, within its rating with the factors of the run.
+    /// A fender took more energy or reaction than its catalogue's rating, but stayed within its rating with the factors
+    /// of the run.
     AboveCatalogue,
     /// The brake of a line's winch rendered.
     LineRendered,
     /// An anchor dragged.
     AnchorDragged,
-    /// The run left the range of its data, whose value at the end was used.
+    /// The run left the range of its data. The value at the end of the data was used.
     OutsideData,
     /// The pressure of a fender on the hull was above the permissible pressure.
     HullPressure,
@@ -54,7 +56,7 @@ pub enum Verdict {
     LineNotMadeFast,
     /// A line was above its working load.
     LineOverWorking,
-    /// A hull passed above or below a fender, at whose height she has no side.
+    /// A hull passed above or below a fender: it has no side at the height of the fender.
     NoSideAtFender,
     /// Deflection, reaction or energy of a fender was beyond its rating.
     FenderOverRated,
@@ -78,16 +80,16 @@ pub enum Verdict {
     FenderFailed,
     /// A hull struck a structure that fenders should protect.
     StructureStruck,
-    /// Bodies were so deep in each other that the law of their force is not meant for it: the results are not valid.
+    /// Bodies overlapped so deeply that the force law does not apply: the results are not valid.
     OutsideForceLaw,
 }
 
-/// How grave a verdict is.
+/// The gravity of a verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Gravity {
     /// Within all limits.
     Ok,
-    /// Something to know; no limit was exceeded.
+    /// There is something to know, but no limit was exceeded.
     Note,
     /// A limit was exceeded, or the result is in doubt.
     Attention,
@@ -147,7 +149,7 @@ impl Verdict {
             Verdict::HullPressure => "Permissible hull pressure exceeded",
             Verdict::LineNotMadeFast => "Line could not be made fast",
             Verdict::LineOverWorking => "Line over its working load",
-            Verdict::NoSideAtFender => "A fender met no side",
+            Verdict::NoSideAtFender => "A fender met no side of a hull",
             Verdict::FenderOverRated => "Fender over its rating",
             Verdict::LimitExceeded => "A limit of the scenario exceeded",
             Verdict::Aground => "Aground",
@@ -161,7 +163,7 @@ impl Verdict {
         }
     }
 
-    /// The verdict in files and in messages of programs.
+    /// The key of the verdict in files and in messages of programs.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -198,7 +200,7 @@ impl Verdict {
         Law::TABLE.iter().any(|row| row.verdict == self)
     }
 
-    /// How grave it is.
+    /// The gravity of the verdict.
     #[must_use]
     pub fn gravity(self) -> Gravity {
         match self {
@@ -231,7 +233,7 @@ impl Verdict {
 }
 
 impl Gravity {
-    /// The gravity in files and in messages of programs.
+    /// The key of the gravity in files and in messages of programs.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! What is said of a law that was left.
+//! Sentences on a law that a run has left.
 
 use super::finding::{duration, length};
 use super::law::{Departure, Law, Subject};
@@ -30,7 +30,7 @@ impl Departure {
         format!("{}, {}", self.said(setup, names), self.when())
     }
 
-    /// When it was, and for which share of the run.
+    /// The time of the departure, and its share of the run, in words.
     fn when(&self) -> String {
         let Departure { first_s, lasting_s, share_of_run, .. } = *self;
         if share_of_run >= 1.0 {
@@ -125,7 +125,7 @@ impl Departure {
                 _ => unreachable!("an estimate is outside by a ratio"),
             },
             Law::PassingSpeed => format!(
-                "{} passes at {value:.2} of the speed of long waves: the flow knows no waves, and her forces are too small",
+                "{} passes at {value:.2} of the speed of long waves: the flow has no waves, and her forces are too small",
                 names[0]
             ),
             Law::PassingShape => format!(
@@ -137,14 +137,14 @@ impl Departure {
                 names[0], names[1]
             ),
             Law::ProviderSilent => format!(
-                "The program that gives a force on {} did not reply: its last force was held, and later none acted",
+                "The program that gives a force on {} did not reply: its last force was held for a time, and then no force acted",
                 names[0]
             ),
         }
     }
 }
 
-/// A series that had ended.
+/// The sentence on a series that had ended.
 fn held(what: &str) -> String {
     format!(
         "The run went on before the first or after the last row of the {what}, which kept that value: add a row at the end of the \

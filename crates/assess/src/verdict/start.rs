@@ -5,16 +5,16 @@ use fenderline_contact::{self as contact, BodyState, Memory, Model, Workspace};
 use super::finding::Finding;
 use fenderline_world::setup::Setup;
 
-/// Penetration of structure from which a start is reported (m); our choice: what an engineer's drawing leaves open.
+/// Penetration of structure from which a start is reported (m); our choice: the accuracy of an engineer's drawing.
 const PENETRATION_M: f64 = 0.001;
 
-/// The pairs of bodies that overlap at the start in a way that no berthing brings about: a hull inside a structure that
-/// fenders protect, or a fender compressed beyond its rated deflection (beyond half its projection without a rating). A
-/// moored ship that starts on compressed fenders is none of them.
+/// The pairs of bodies whose overlap at the start cannot come from a berthing: a hull inside a structure that fenders
+/// protect, or a fender compressed beyond its rated deflection (without a rating: beyond half its projection). A moored
+/// ship that starts on compressed fenders is not among them.
 ///
-/// `memory` is that of bodies that have never touched; it is used, and `work` too.
+/// `memory` must be that of bodies that have never touched. `memory` and `work` are used and changed.
 ///
-/// Empty too where the engine refuses the states; the first step then says why.
+/// The list is also empty if the engine refuses the states. The first step then gives the reason for the refusal.
 pub fn starts_inside(
     setup: &Setup,
     model: &Model,
@@ -22,7 +22,7 @@ pub fn starts_inside(
     (memory, work): (&mut Memory, &mut Workspace),
     is_protected: impl Fn([usize; 2]) -> bool,
 ) -> Vec<Finding> {
-    // Any Δt serves: only depths are used, which are those of the given states.
+    // Any Δt will do: only depths are used, and they follow from the given states.
     if contact::step(model, memory, work, states, setup.step_s).is_err() {
         return Vec::new();
     }
@@ -37,7 +37,7 @@ pub fn starts_inside(
         };
         if contact.depth_m > limit_m {
             let depth_m = contact.depth_m;
-            // Several patches of a pair: the deepest.
+            // If a pair has several patches, the deepest is kept.
             let same = found.iter_mut().find_map(|other| match other {
                 Finding::StartInside { bodies: b, fender: f, depth_m }
                     if (*b, *f) == (bodies, fender) =>

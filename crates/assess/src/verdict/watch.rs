@@ -1,4 +1,4 @@
-//! The totals of a run that its findings come from. Their size does not grow with the run.
+//! The totals of a run from which its findings follow. The size of the totals does not grow with the run.
 
 use fenderline_contact::number::greater;
 
@@ -27,7 +27,7 @@ impl Lasting {
         self.steps += 1;
     }
 
-    /// First time and duration (s); `None` if it never was.
+    /// First time and duration of the condition (s); `None` if it never held.
     fn first_and_lasting(self, step_s: f64) -> Option<(f64, f64)> {
         self.first_s.map(|first_s| (first_s, f64::from(self.steps) * step_s))
     }
@@ -47,28 +47,29 @@ struct LineWatch {
     over_working: Lasting,
     peak_n: f64,
     rendered_m: f64,
-    /// When (s), and under what tension (N).
+    /// When the line parted (s), and at what tension (N).
     parted: Option<(f64, f64)>,
-    /// When it could not be made fast (s).
+    /// When the line could not be made fast (s).
     not_made_fast_s: Option<f64>,
 }
 
-/// An anchor that dragged farther is a finding (m): a few metres while a ship brings up or heaves short are usual. Our choice.
+/// An anchor that dragged farther than this is a finding (m). A few metres are usual while a ship brings up or heaves
+/// short. Our choice.
 const DRAGGED_M: f64 = 10.0;
 
 #[derive(Clone, Debug, Default)]
 struct AnchorWatch {
-    /// When it dragged first (s), and how far in all (m).
+    /// When the anchor dragged first (s), and how far it dragged in all (m).
     first_s: Option<f64>,
     dragged_m: f64,
-    /// When (s), how, and under what tension (N).
+    /// When the anchor was lost (s), how, and at what tension (N).
     lost: Option<(f64, LostBy, f64)>,
 }
 
 /// The totals.
 #[derive(Clone, Debug)]
 pub struct Watch {
-    /// For each body: a contact of it without a fender is a strike.
+    /// For each body, whether a contact without a fender counts as a strike.
     protected: Vec<bool>,
     starts: Vec<Finding>,
     touches: Vec<Touch>,
@@ -78,7 +79,7 @@ pub struct Watch {
     departures: Departures,
 }
 
-/// The bodies that fenders protect: those that carry fenders, and all fixed bodies where a fixed body carries some.
+/// The bodies that fenders protect: bodies that carry fenders, and all fixed bodies if one of them carries fenders.
 fn protected(setup: &Setup) -> Vec<bool> {
     let mut all = vec![false; setup.bodies.len()];
     for fender in &setup.fenders {
@@ -92,7 +93,7 @@ fn protected(setup: &Setup) -> Vec<bool> {
 }
 
 impl Watch {
-    /// Before the first step; `starts_inside` finds what overlaps then.
+    /// The totals before the first step. `starts_inside` finds the bodies that overlap then.
     pub fn new(
         setup: &Setup,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
@@ -110,7 +111,7 @@ impl Watch {
         }
     }
 
-    /// Forgets the run; `starts_inside` finds what overlaps at the start of the next.
+    /// Forgets the run so far. `starts_inside` finds the bodies that overlap at the start of the next run.
     pub fn restart(
         &mut self,
         setup: &Setup,
@@ -125,12 +126,12 @@ impl Watch {
         departures.restart(setup);
     }
 
-    /// A step in which a program that gives forces did not reply.
+    /// Notes a step in which a program that gives forces did not reply.
     pub fn note_silent_provider(&mut self, provider: usize, t_s: f64) {
         self.departures.note_silent_provider(provider, t_s);
     }
 
-    /// What was found before the first step.
+    /// The findings from before the first step.
     pub fn starts(&self) -> &[Finding] {
         &self.starts
     }
@@ -140,7 +141,8 @@ impl Watch {
         self.lines.iter().map(|line| line.peak_n).collect()
     }
 
-    /// Adds one step. `energies_j` are those that contacts absorbed so far, and that they returned beyond it.
+    /// Adds one step. `energies_j` are the energy that contacts absorbed so far, and the energy that they returned
+    /// beyond this.
     pub fn add(&mut self, setup: &Setup, step: &StepRecord<'_>, energies_j: [f64; 2]) {
         self.add_touches(step);
         if setup.world.changes() {
@@ -149,7 +151,7 @@ impl Watch {
         self.departures.add(setup, step, energies_j);
     }
 
-    /// Vessels, lines and anchors.
+    /// Adds the findings on vessels, lines and anchors.
     fn add_world(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (own, now) in self.aground.iter_mut().zip(step.vessels) {
             if now.aground {
@@ -169,7 +171,7 @@ impl Watch {
         }
     }
 
-    /// Patches of a pair are adjacent in the list: their forces in a step add up.
+    /// Adds contacts without fenders. Patches of a pair are adjacent in the list, and their forces in a step add up.
     fn add_touches(&mut self, step: &StepRecord<'_>) {
         let mut last: Option<(usize, f64)> = None;
         for contact in step.contacts.iter().filter(|contact| contact.fender.is_none()) {
@@ -194,8 +196,9 @@ impl Watch {
         }
     }
 
-    /// What was found so far, the worst first; findings of one kind in the order of the set-up, contacts in that of first
-    /// touch. `run_s` is the time of the run so far (s); `has_gained` says whether its contacts have gained energy in all.
+    /// The findings so far, the worst first. Findings of one kind are in the order of the set-up, contacts in the order
+    /// of first touch. `run_s` is the time of the run so far (s). `has_gained` tells whether the contacts have gained
+    /// energy in total.
     pub fn findings<'a>(
         &self,
         setup: &Setup,
@@ -242,7 +245,7 @@ impl Watch {
         }
         let departures = self.departures.departures(setup, run_s, has_gained).into_iter();
         all.extend(departures.map(Finding::OutsideLaw));
-        // Stable: findings of one kind keep their order.
+        // The sort is stable: findings of one kind keep their order.
         all.sort_by_key(|finding| core::cmp::Reverse(finding.verdict()));
         all
     }

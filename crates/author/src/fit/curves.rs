@@ -15,13 +15,14 @@ pub type Branch = Vec<(f64, f64)>;
 /// The loading curve at one speed and temperature, with its unloading curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingCurve {
-    /// Speed of compression (m/s), where the file has speeds.
+    /// Speed of compression (m/s), if the file has speeds.
     pub speed_mps: Option<f64>,
-    /// Temperature (°C), where the file has temperatures.
+    /// Temperature (°C), if the file has temperatures.
     pub temperature_c: Option<f64>,
     /// From (0, 0).
     pub loading: Branch,
-    /// From (0, 0) to the deflection where unloading began, nowhere above `loading`; empty where the file has none.
+    /// From (0, 0) to the deflection where unloading began, nowhere above `loading`; empty if the file has no
+    /// unloading rows.
     pub unloading: Branch,
 }
 
@@ -40,7 +41,7 @@ pub struct CatalogueScale {
     pub rated_reaction_n: Option<f64>,
 }
 
-/// Columns of such a file: one deflection, one reaction, and any of the others.
+/// Columns of a file of curves: one deflection, one reaction, and any of the other columns.
 const COLUMNS: [&str; 9] = [
     "deflection_m",
     "deflection_mm",
@@ -121,7 +122,7 @@ impl FenderCurves {
     }
 }
 
-/// A unit of a column: the column's name and its factor to SI, `None` where that is not given.
+/// A unit of a column: the column's name and its factor to SI, `None` if the factor is not given.
 type ColumnUnit = (&'static str, Option<f64>);
 
 /// Which of the alternative columns the file has, and its factor to SI.
@@ -135,8 +136,9 @@ fn one_of(csv: &Csv<'_>, units: [ColumnUnit; 3], to_scale: &str) -> Read<(usize,
         }
         (Some((name, Some(factor))), None) => Ok((csv.column(name)?, *factor)),
         (Some((name, None)), None) => {
-            let message =
-                format!("the column `{name}` is in per cent of a number that is not given");
+            let message = format!(
+                "the column `{name}` is in per cent, but the number for 100 % is not given"
+            );
             Err(csv.header_error(message).with_help(to_scale))
         }
         (None, _) => {
@@ -172,7 +174,7 @@ fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
     // compared by their bits: no cell is -0.
     let mut places: BTreeMap<(bool, Option<u64>, Option<u64>), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
-    for row in 0..csv.len() {
+    for row in 0..csv.row_count() {
         let deflection_m =
             to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
         let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;
@@ -222,7 +224,7 @@ fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
     Ok(groups)
 }
 
-/// A curve sorted by deflection, with (0, 0) added where the file does not have it.
+/// A curve sorted by deflection, with (0, 0) added if the file does not have this point.
 fn from_origin(rows: &[(f64, f64, usize)]) -> Branch {
     let mut branch: Branch = rows.iter().map(|(d, r, _)| (*d, *r)).collect();
     branch.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -294,7 +296,7 @@ fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Re
     Ok(())
 }
 
-/// The deflection at which a branch ends; 0 for an empty one.
+/// The deflection at which a branch ends; 0 for an empty branch.
 pub(super) fn end(branch: &Branch) -> f64 {
     branch.last().map_or(0.0, |last| last.0)
 }
@@ -304,7 +306,7 @@ pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     fenderline_scenario::curve_value(points, x)
 }
 
-/// The integral from the curve's start to `x`, which lies on it.
+/// The integral from the curve's start to `x`, which lies within the curve.
 pub(super) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
     fenderline_scenario::curve_integral(points, x)
 }
@@ -349,7 +351,7 @@ mod tests {
             (CatalogueScale { rated_reaction_n: None, ..scale }, "--rated-reaction"),
         ] {
             let error = FenderCurves::parse(text, "page.csv", scale).unwrap_err().to_string();
-            assert!(error.contains("per cent of a number that is not given"), "{error}");
+            assert!(error.contains("the number for 100 % is not given"), "{error}");
             assert!(error.contains(fragment) && error.contains("page.csv:1"), "{error}");
         }
     }

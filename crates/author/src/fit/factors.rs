@@ -4,7 +4,7 @@ use super::curves::{Branch, FenderCurves, LoadingCurve, end, integral};
 use super::options::FitError;
 use fenderline_keys::printable::printable_number;
 
-/// Energy of a curve to the rated deflection over that of the reference.
+/// Energy of a curve to the rated deflection over the energy of the reference curve.
 fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Result<f64, FitError> {
     let end_m = end(&curve.loading);
     if end_m < rated_m {
@@ -14,7 +14,7 @@ fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Resul
     Ok(integral(&curve.loading, rated_m) / integral(&reference.loading, rated_m))
 }
 
-/// Time to rated deflection (s) against factor; empty where the file has fewer than two speeds.
+/// Time to rated deflection (s) against factor; empty if the file has fewer than two speeds.
 pub(super) fn velocity(
     curves: &FenderCurves,
     reference: &LoadingCurve,
@@ -33,7 +33,7 @@ pub(super) fn velocity(
     Ok(if rows.len() > 1 { rows } else { Branch::new() })
 }
 
-/// Temperature (°C) against factor; empty where the file has fewer than two temperatures.
+/// Temperature (°C) against factor; empty if the file has fewer than two temperatures.
 pub(super) fn temperature(
     curves: &FenderCurves,
     reference: &LoadingCurve,

@@ -7,7 +7,7 @@ use super::thinning::{below, insert, thinned};
 use fenderline_keys::printable::printable_number;
 use fenderline_keys::rating::odd_reaction;
 
-/// Temperature for which catalogues rate fenders (°C). The reference curve is the one nearest to it.
+/// Temperature for which catalogues rate fenders (°C). The reference curve is the curve nearest to this temperature.
 const RATED_TEMPERATURE_C: f64 = 23.0;
 
 /// A fender fitted to curves.
@@ -22,11 +22,11 @@ pub struct FittedFender {
     pub rated_reaction_n: f64,
     /// Deflection over height against reaction over rated reaction.
     pub points: Branch,
-    /// The unloading curve in the same form; empty where there is none.
+    /// The unloading curve in the same form; empty without an unloading curve.
     pub unloading: Branch,
-    /// Time to rated deflection (s) against factor on the reaction; empty where the file has no speeds.
+    /// Time to rated deflection (s) against factor on the reaction; empty if the file has no speeds.
     pub velocity: Branch,
-    /// Temperature (°C) against factor on the reaction; empty where the file has no temperatures.
+    /// Temperature (°C) against factor on the reaction; empty if the file has no temperatures.
     pub temperature: Branch,
 }
 
@@ -115,7 +115,8 @@ impl FittedFender {
             .map(|r| r * self.rated_reaction_n)
     }
 
-    /// Fraction of the energy that unloading returns: by the fitted unloading curve, or as given where there is none.
+    /// Fraction of the energy that unloading returns: by the fitted unloading curve, or as given if there is no
+    /// unloading curve.
     #[must_use]
     pub fn returned_energy(&self) -> Option<f64> {
         if self.unloading.is_empty() {
@@ -126,7 +127,8 @@ impl FittedFender {
     }
 }
 
-/// How far the curve's reaction at the rated deflection may be from the rated one: catalogues round both to a per cent.
+/// Largest difference of the curve's reaction at the rated deflection from the rated reaction: catalogues round both
+/// to a per cent.
 const RATED_FITS: f64 = 0.02;
 
 /// Refuses a curve that does not have the catalogue's rated reaction at the rated deflection.
@@ -153,7 +155,7 @@ fn check_rated(
     })
 }
 
-/// The slowest curve at the temperature nearest to the rated one; the first of equal ones.
+/// The slowest curve at the temperature nearest to the rated temperature; the first of equal curves.
 fn reference(curves: &FenderCurves) -> &LoadingCurve {
     let away =
         |curve: &LoadingCurve| curve.temperature_c.map_or(0.0, |c| (c - RATED_TEMPERATURE_C).abs());
@@ -313,8 +315,9 @@ mod tests {
         assert!(fit(25e3, None).is_ok());
         assert!(fit(16e3, Some(0.2)).is_ok());
         let message = fit(16e3, None).unwrap_err();
-        let expected = "at the end of the curve, 250 mm, the reaction is 156.3 % of the rated one; it must be 100 % at the \
-                        rated deflection: the curve is last at 100 % at 200 mm, 40 % of the height";
+        let expected = "at the end of the curve, 250 mm, the reaction is 156.3 % of the rated \
+            reaction; it must be 100 % at the rated deflection: the curve is at 100 % for the \
+            last time at 200 mm, 40 % of the height";
         assert!(message.contains(expected), "{message}");
         assert!(message.contains("give --rated-deflection \"200 mm\""), "{message}");
         let message = fit(40e3, Some(0.2)).unwrap_err();
@@ -322,7 +325,7 @@ mod tests {
             message.contains("at the rated deflection, 200 mm, the reaction is 40 %"),
             "{message}"
         );
-        assert!(message.contains("has the rated reaction nowhere"), "{message}");
+        assert!(message.contains("never reaches the rated reaction"), "{message}");
     }
 
     #[test]

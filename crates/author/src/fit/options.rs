@@ -20,7 +20,8 @@ pub struct FitOptions {
     pub length_m: Option<f64>,
     /// Rated deflection (m); `None`: where the reference loading curve ends.
     pub rated_deflection_m: Option<f64>,
-    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection; `None`: that of the curve.
+    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection;
+    /// `None`: the curve's reaction at the rated deflection.
     pub rated_reaction_n: Option<f64>,
     /// Fraction of the energy that unloading returns, where the file has no unloading curve.
     pub returned_energy: Option<f64>,
@@ -50,18 +51,18 @@ pub enum FitError {
     Ends {
         /// Which curve.
         curve: String,
-        /// Where it ends (m).
+        /// Deflection at which the curve ends (m).
         end_m: f64,
-        /// What it conflicts with.
+        /// The option with which the end conflicts.
         conflict: String,
     },
-    /// The curve's reaction at the rated deflection is not the rated one.
+    /// The curve's reaction at the rated deflection is not the rated reaction.
     NotRated {
         /// The rated deflection (m).
         deflection_m: f64,
-        /// The curve's reaction there over the rated reaction.
+        /// The curve's reaction at the rated deflection over the rated reaction.
         share: f64,
-        /// Whether that deflection was given; otherwise it is the end of the curve.
+        /// Whether the rated deflection was given; otherwise it is the end of the curve.
         is_given: bool,
         /// The last deflection at which the curve has the rated reaction (m), and its share of the height.
         at: Option<(f64, f64)>,
@@ -95,21 +96,23 @@ impl fmt::Display for FitError {
                 let [mm, percent] = [deflection_m * 1e3, share * 100.0].map(shown);
                 write!(
                     f,
-                    "at {what}, {mm} mm, the reaction is {percent} % of the rated one; it must be 100 % at the rated \
-                     deflection: "
+                    "at {what}, {mm} mm, the reaction is {percent} % of the rated reaction; it \
+                     must be 100 % at the rated deflection: "
                 )?;
                 match at {
                     Some((at_m, of_height)) => {
                         let [mm, percent] = [at_m * 1e3, of_height * 100.0].map(shown);
                         write!(
                             f,
-                            "the curve is last at 100 % at {mm} mm, {percent} % of the height: if that is the rated \
-                             deflection of the catalogue, give --rated-deflection \"{mm} mm\""
+                            "the curve is at 100 % for the last time at {mm} mm, {percent} % of \
+                             the height: if this is the rated deflection of the catalogue, give \
+                             --rated-deflection \"{mm} mm\""
                         )
                     }
                     None => write!(
                         f,
-                        "the curve has the rated reaction nowhere: compare --rated-reaction with the catalogue, or add rows"
+                        "the curve never reaches the rated reaction: compare --rated-reaction with \
+                         the catalogue, or add rows"
                     ),
                 }
             }

@@ -12,8 +12,9 @@ pub(super) fn insert(branch: &mut Branch, point: (f64, f64)) {
     }
 }
 
-/// Keeps as few points as leave all others within the tolerance of the straight lines between them (Ramer, 1972;
-/// Douglas and Peucker, 1973, with the distance in reaction). The point at the abscissa `kept` stays.
+/// Keeps few points, such that all dropped points are within the tolerance of the straight lines between the kept
+/// points (Ramer, 1972; Douglas and Peucker, 1973, with the distance in reaction). The point at the abscissa `kept`
+/// stays.
 pub(super) fn thinned(points: &Branch, tolerance: f64, kept: f64) -> Branch {
     let Some(last) = points.len().checked_sub(1) else { return Branch::new() };
     let mut stays = vec![false; points.len()];
@@ -40,7 +41,8 @@ pub(super) fn thinned(points: &Branch, tolerance: f64, kept: f64) -> Branch {
     kept.map(|(point, _)| *point).collect()
 }
 
-/// Lowers the unloading curve to the loading curve where thinning has put the loading curve below it.
+/// Lowers the unloading curve to the loading curve where thinning has put the loading curve below the unloading
+/// curve.
 pub(super) fn below(unloading: Branch, loading: &Branch) -> Branch {
     let mut all = unloading.clone();
     if let Some(end) = unloading.last().map(|last| last.0) {

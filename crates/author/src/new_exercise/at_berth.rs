@@ -38,16 +38,16 @@ const REMOVED: [&str; 17] = [
 /// Weather that is not chosen, or is chosen anew.
 const WEATHER: [&str; 5] = ["wind", "current", "waves", "visibility", "interaction"];
 
-/// A scenario whose berth is taken.
+/// A scenario whose berth the new exercise uses.
 #[derive(Clone, Copy, Debug)]
 pub struct BerthSource<'s> {
-    /// Name of its file, for messages.
+    /// Name of the scenario's file, for messages.
     pub file: &'s str,
     /// Its text.
     pub text: &'s str,
 }
 
-/// The berth of a scenario: that with the most fenders on a body that does not float; `None` without one.
+/// The berth of a scenario: the body with most fenders that does not float; `None` without such a body.
 #[must_use]
 pub fn fixed_berth(setup: &Setup) -> Option<Berth> {
     let first = setup.bodies.iter().position(|body| !body.is_fixed()).unwrap_or(0);
@@ -112,7 +112,7 @@ impl NewExercise {
         }
     }
 
-    /// Takes away what floats and what belongs to it, and sets the weather.
+    /// Removes floating bodies and everything that belongs to them, and sets the weather.
     fn edits(&self, document: &DeTable<'_>, kept: &[&str]) -> Vec<Edit> {
         let mut edits: Vec<Edit> = REMOVED.iter().map(|key| Edit::remove(&[key])).collect();
         let is_kept = |value: Option<&DeValue<'_>>| matches!(value, Some(DeValue::String(name)) if kept.contains(&name.as_ref()));
@@ -143,7 +143,7 @@ impl NewExercise {
             _ => false,
         };
         if pairs.iter().any(|pair| stays(pair)) {
-            // From the last, as numbers behind a removed one change.
+            // From the last on, because the numbers behind a removed item change.
             for (index, _) in pairs.iter().enumerate().rev().filter(|(_, pair)| !stays(pair)) {
                 edits.push(Edit::remove(&["pair", &index.to_string()]));
             }

@@ -1,5 +1,6 @@
-//! A new exercise from choices: a straight berth or that of another scenario, a ship, tugs and weather, as the text of a scenario file. The page's editor
-//! makes one; what it makes is an ordinary file, to run, serve and change by hand.
+//! A new exercise from choices: a straight berth or that of another scenario, a ship, tugs and weather, as
+//! the text of a scenario file. The page's editor makes such an exercise: an ordinary file, to run, serve and
+//! change by hand.
 
 mod at_berth;
 mod text;
@@ -27,7 +28,7 @@ const MOST_BOLLARDS: usize = 60;
 pub struct NewExercise {
     /// Title of the scenario.
     pub title: String,
-    /// The straight berth, which is not used where `berth_of` is given.
+    /// The straight berth, which is not used if `berth_of` is given.
     pub berth: NewBerth,
     /// The scenario whose berth is taken, by its file's name: for [`NewExercise::text_at`].
     #[serde(default)]
@@ -70,13 +71,13 @@ pub struct NewBerth {
 pub struct NewShip {
     /// Name in the library.
     pub vessel: String,
-    /// The side with which she berths.
+    /// The side of the ship towards the berth.
     pub side: BerthingSide,
-    /// From her side to the face of the quay (m).
+    /// Distance from the ship's side to the face of the quay (m).
     pub off_m: f64,
-    /// From abreast of the middle of the berth to where she starts, astern (m).
+    /// Distance of the start astern of the middle of the berth (m).
     pub astern_m: f64,
-    /// Her speed ahead (m/s).
+    /// Speed ahead of the ship (m/s).
     pub speed_mps: f64,
 }
 
@@ -108,7 +109,7 @@ pub struct NewWeather {
     pub wind_mps: f64,
     /// Where the wind comes from (rad).
     pub wind_from_rad: f64,
-    /// Whether it has gusts.
+    /// Whether the wind has gusts.
     pub gusts: bool,
     /// Speed of the current (m/s).
     pub current_mps: f64,

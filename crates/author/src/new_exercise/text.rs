@@ -10,7 +10,7 @@ use fenderline_scenario::VesselData;
 
 /// Width of the quay (m).
 const QUAY_M: f64 = 25.0;
-/// From the ship's side to the middle of a tug that stands by (m).
+/// Distance from the ship's side to the middle of a tug that stands by (m).
 const TUG_OFF_M: f64 = 45.0;
 /// Half of a hull's outline, from stern to stem: shares of length and beam. For ships whose library has no outline.
 const HULL: [(f64, f64); 6] =
@@ -61,7 +61,7 @@ pub(super) fn bollards(berth: &NewBerth) -> usize {
     if places < 1e4 { places as usize + 1 } else { usize::MAX }
 }
 
-/// The file; `None` where fenders have neither a size nor height and reaction.
+/// The file; `None` if fenders have neither a size nor height and reaction.
 pub(super) fn compose(
     of: &NewExercise,
     ship: &VesselData,
@@ -100,9 +100,9 @@ pub(super) fn compose(
 pub(super) struct Hull {
     length_m: f64,
     beam_m: f64,
-    /// Of her centre of gravity, north and east (m).
+    /// Place of the ship's centre of gravity, north and east (m).
     at_m: Vec2,
-    /// Her direction ahead, and that from the berth to the water.
+    /// The ship's direction ahead, and the direction from the berth to the water.
     ahead: Vec2,
     to_sea: Vec2,
     /// The side of the quay: 1 starboard, −1 port.
@@ -123,7 +123,7 @@ impl Hull {
             BerthingSide::Starboard => 1.0,
             BerthingSide::Port => -1.0,
         };
-        // With the berth to starboard her bow is a quarter turn to port of the direction to it.
+        // With the berth to starboard, the bow is a quarter turn to port of the direction to the berth.
         let ahead = vec2(-to_sea.y, to_sea.x) * shore;
         let off_m = of.ship.off_m + 0.5 * particulars.beam_m;
         let at_m = middle_m + to_sea * off_m - ahead * of.ship.astern_m;
@@ -289,7 +289,7 @@ fn tenth(value_m: f64) -> f64 {
     libm::round(10.0 * value_m) / 10.0 + 0.0
 }
 
-/// A text in quotes: those of JSON are those of TOML.
+/// A text in quotes: JSON's form of a text is valid in TOML.
 pub(super) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

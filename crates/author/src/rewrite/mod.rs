@@ -1,5 +1,5 @@
-//! A scenario written anew: the keys of a file with some of them changed, as another file that people can read. Comments are lost,
-//! values stay as they were written.
+//! Writes a scenario anew: the keys of a file, some of them changed, as a new file that people can read. Comments are
+//! lost, values stay as they were written.
 
 mod write;
 
@@ -26,7 +26,7 @@ impl Edit {
         Edit { path: names(path), value: Some(value.into()) }
     }
 
-    /// Removes a key, if it is there.
+    /// Removes a key, if it exists.
     #[must_use]
     pub fn remove(path: &[&str]) -> Edit {
         Edit { path: names(path), value: None }

@@ -1,4 +1,4 @@
-//! TOML from its tree: tables under headers, in the order of the file; what is small stays in one line.
+//! TOML from its tree: tables under headers, in the order of the file; small values stay in one line.
 
 use core::fmt::Write as _;
 
@@ -32,7 +32,7 @@ pub(super) fn document(document: &DeTable<'_>) -> String {
     text
 }
 
-/// True for what stands under headers of its own: a table, or a list of tables.
+/// True for values that need headers: a table, or a list of tables.
 fn is_deep(value: &DeValue<'_>) -> bool {
     match value {
         DeValue::Table(_) => true,
@@ -44,7 +44,7 @@ fn is_deep(value: &DeValue<'_>) -> bool {
     }
 }
 
-/// A table under a header. One that holds nothing but tables, as those of all bodies, has none itself.
+/// A table under a header. A table that holds only tables, such as the table of all bodies, has no header.
 fn section(text: &mut String, path: &str, table: &DeTable<'_>) {
     let pairs = in_order(table);
     let holds_tables = |value: &DeValue<'_>| match value {

@@ -4,12 +4,13 @@ use super::outcome::Outcome;
 use super::plan::DowntimePlan;
 use crate::statistics::{Confidence, Estimate, wilson};
 
-/// Hours that were run as they are, against their states.
+/// Single hours that were run with their own weather, compared with their states.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatesCheck {
     /// Hours that were drawn.
     pub drawn: usize,
-    /// Those of which both the hour and its state could be run: the numbers below are of these.
+    /// Number of drawn hours for which both the hour and its state could be run: the following numbers are of these
+    /// hours.
     pub compared: usize,
     /// Lost as they are and by their state.
     pub both: usize,
@@ -19,9 +20,9 @@ pub struct StatesCheck {
     pub as_it_is_alone: usize,
     /// Lost by neither.
     pub neither: usize,
-    /// Share of hours that do not agree with their state, with Wilson's interval; `None` where none could be compared.
+    /// Share of hours that do not agree with their state, with Wilson's interval; `None` if none could be compared.
     pub disagree: Option<Estimate>,
-    /// Share of hours that are lost as they are, with Wilson's interval.
+    /// Share of hours that are lost when run singly, with Wilson's interval.
     pub lost_as_they_are: Option<Estimate>,
     /// Probability of the intervals.
     pub confidence: Confidence,

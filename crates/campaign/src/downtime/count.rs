@@ -1,4 +1,4 @@
-//! Counts the hours that are lost: an hour is lost where its state is.
+//! Counts the lost hours: an hour is lost if its state is lost.
 
 use core::fmt;
 
@@ -22,16 +22,16 @@ pub const SECTOR_NAMES: [&str; 16] = [
 pub struct Count {
     /// All.
     pub hours: f64,
-    /// Those that are lost.
+    /// Lost hours of the group.
     pub lost: f64,
-    /// Those of states that could not be run.
+    /// Hours of states that could not be run.
     pub not_run: f64,
-    /// Those that are lost by their gravest reason, in the order of [`DowntimeTable::reasons`].
+    /// Lost hours by their gravest reason, in the order of [`DowntimeTable::reasons`].
     pub by_reason: Vec<f64>,
 }
 
 impl Count {
-    /// The lost hours over all that are known.
+    /// The lost hours over all hours with a result.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
         let known = self.hours - self.not_run;
@@ -44,11 +44,11 @@ impl Count {
 pub struct Reason {
     /// The limit's name, or a verdict in words.
     pub name: String,
-    /// Hours for which it holds, alone or with others.
+    /// Hours for which the reason holds, alone or with other reasons.
     pub hours: f64,
-    /// Hours for which it is the only reason.
+    /// Hours for which this reason is the only reason.
     pub alone: f64,
-    /// Hours for which it is the gravest.
+    /// Hours for which this reason is the gravest.
     pub gravest: f64,
 }
 
@@ -57,7 +57,7 @@ pub struct Reason {
 pub struct Group {
     /// The property: `month`, `wave direction`.
     pub name: String,
-    /// Its values with their counts.
+    /// Values of the group with their counts.
     pub counts: Vec<(String, Count)>,
 }
 
@@ -68,11 +68,12 @@ pub struct DowntimeTable {
     pub outcomes: Vec<Outcome>,
     /// All hours.
     pub all: Count,
-    /// Reasons, that of the most hours first; limits of the scenario that were never exceeded are there with 0.
+    /// Reasons, the reason with most hours first; limits of the scenario that were never exceeded
+    /// are listed with 0.
     pub reasons: Vec<Reason>,
     /// By month, wave direction and wind direction, as far as the weather has them.
     pub groups: Vec<Group>,
-    /// The hours that were run as they are against their states; `None` without a sample.
+    /// The single hours compared with their states; `None` without a sample.
     pub check: Option<StatesCheck>,
 }
 
@@ -81,7 +82,7 @@ pub struct DowntimeTable {
 pub enum DowntimeError {
     /// The table.
     Table(TableError),
-    /// It has another number of rows than there are runs.
+    /// The table has another number of rows than there are runs.
     Rows {
         /// Rows of the table.
         own: usize,

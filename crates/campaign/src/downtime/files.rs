@@ -11,12 +11,12 @@ use crate::statistics::Estimate;
 
 /// Name of the table of hours lost.
 pub const DOWNTIME_CSV: &str = "downtime.csv";
-/// Name of the same for programs, with the error of the states.
+/// Name of the file of lost hours for other programs, with the error of the states.
 pub const DOWNTIME_JSON: &str = "downtime.json";
 /// Name of the table of all rows of the weather, each with its state.
 pub const HOURS_CSV: &str = "hours.csv";
 
-/// A share in per cent, rounded to a thousandth of one; empty where nothing is known.
+/// A share in per cent, rounded to a thousandth of a per cent; empty if nothing is known.
 fn percent(share: Option<f64>) -> String {
     share.map_or_else(String::new, |share| shortest(100.0 * share))
 }
@@ -29,7 +29,7 @@ fn shortest(value: f64) -> String {
 /// The table of hours lost: in all, by reason, month and direction.
 ///
 /// # Errors
-/// Why it cannot be written as text.
+/// The reason why the table cannot be written as text.
 pub fn downtime_csv(table: &DowntimeTable) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -79,7 +79,7 @@ pub fn downtime_csv(table: &DowntimeTable) -> Result<String, csv::Error> {
 /// All rows of the weather: time or number of the row, hours, state, whether it is lost, and by which reasons.
 ///
 /// # Errors
-/// Why it cannot be written as text.
+/// The reason why the table cannot be written as text.
 pub fn hours_csv(plan: &DowntimePlan, table: &DowntimeTable) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let weather = plan.weather();

@@ -7,7 +7,7 @@ pub enum Outcome {
     Works,
     /// Beyond limits: their names, the gravest first.
     Lost(Vec<String>),
-    /// It could not be made, or not to its end: nothing is known.
+    /// The run could not be made, or not to its end: nothing is known.
     NotRun,
 }
 

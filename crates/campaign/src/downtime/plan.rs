@@ -12,10 +12,10 @@ use crate::error::CampaignError;
 
 /// Column of the table with the reasons for which a run is lost.
 pub(crate) const LOST_BY: &str = "lost_by";
-/// What stands between two reasons in it.
+/// Separator between two reasons in the column.
 pub(crate) const BETWEEN: &str = "; ";
 
-/// The stream of the random numbers that draw the sample: no run has it.
+/// The stream of the random numbers that draw the sample: no run has this stream.
 const STREAM_OF_SAMPLE: u64 = u64::MAX / 2;
 
 /// The values of a variable, one a run.
@@ -25,21 +25,21 @@ pub(crate) enum Given {
     Texts(Vec<String>),
 }
 
-/// The weather of a berth, its states, and the hours that are run as they are.
+/// The weather of a berth, its states, and the sample of single hours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DowntimePlan {
     weather: Weather,
     states: Vec<State>,
     /// The state of each row of the weather.
     state_of: Vec<usize>,
-    /// Rows that are run as they are, rising.
+    /// Rows of the sample, which are run with their own weather, rising.
     sample: Vec<usize>,
     most_states: u64,
     seed: u64,
 }
 
 impl DowntimePlan {
-    /// Reads the weather of a downtime and puts its hours together.
+    /// Reads the weather of a downtime campaign and groups its hours into states.
     ///
     /// # Errors
     /// A weather that is refused; a sample of more hours than there are, or of a scatter diagram.
@@ -76,7 +76,7 @@ impl DowntimePlan {
         self.states.len()
     }
 
-    /// The most states that were asked for.
+    /// Largest number of states.
     #[must_use]
     pub fn most_states(&self) -> u64 {
         self.most_states
@@ -100,7 +100,7 @@ impl DowntimePlan {
         self.weather.quantities.iter().map(|own| (own.name, own.unit)).collect()
     }
 
-    /// The rows that are run as they are, after the states.
+    /// The rows of the sample, which are run after the states.
     #[must_use]
     pub fn sample(&self) -> &[usize] {
         &self.sample
@@ -111,7 +111,8 @@ impl DowntimePlan {
         (self.states.len() + self.sample.len()) as u64
     }
 
-    /// Refuses a scenario without limits, one whose water is too shallow for the seas, and names that cannot stand in a list.
+    /// Refuses a scenario without limits, a scenario whose water is too shallow for the seas, and
+    /// names that cannot stand in a list.
     pub(crate) fn check(&self, base: &Scenario) -> Result<(), CampaignError> {
         let world = &base.setup.world;
         let limits = &world.statistics.limits;
@@ -121,7 +122,8 @@ impl DowntimePlan {
         }
         if let Some(limit) = limits.iter().find(|limit| limit.name.contains(BETWEEN.trim())) {
             let why = format!(
-                "the name of the limit `{}` has a semicolon, which parts the reasons of the table",
+                "the name of the limit `{}` has a semicolon, which separates the reasons in the \
+                 table",
                 limit.name
             );
             return Err(CampaignError::part("downtime", why));
@@ -162,7 +164,7 @@ impl DowntimePlan {
         let states = self.states.len();
         let kind = |run: usize| if run < states { "state" } else { "hour" }.to_owned();
         all.push((
-            variable("kind", None, "", "a state, or an hour as it is".to_owned()),
+            variable("kind", None, "", "a state, or a single hour".to_owned()),
             Given::Texts((0..runs).map(kind).collect()),
         ));
         if self.weather.is_series() {
@@ -184,7 +186,7 @@ impl DowntimePlan {
                 "state",
                 None,
                 "",
-                "number of the state, or of the state that the hour is in".to_owned(),
+                "number of the state, or of the state to which the hour belongs".to_owned(),
             ),
             Given::Numbers((0..runs).map(|run| number(run) as f64).collect()),
         ));
@@ -193,7 +195,12 @@ impl DowntimePlan {
             None => self.states[run].hours,
         };
         all.push((
-            variable("hours", None, "h", "hours of the weather that the run stands for".to_owned()),
+            variable(
+                "hours",
+                None,
+                "h",
+                "hours of the weather for which the run stands".to_owned(),
+            ),
             Given::Numbers((0..runs).map(hours).collect()),
         ));
         for (index, quantity) in self.weather.quantities.iter().enumerate() {
@@ -211,7 +218,7 @@ impl DowntimePlan {
         agents.dedup();
         for (name, key) in agents.into_iter().filter_map(Agent::seed) {
             all.push((
-                variable(name, Some(key), "", "each run has phases of its own".to_owned()),
+                variable(name, Some(key), "", "each run has other phases".to_owned()),
                 Given::Numbers((0..runs).map(|run| seed_of_run(self.seed, run)).collect()),
             ));
         }

@@ -16,7 +16,7 @@ pub enum Agent {
 /// What a quantity of an agent is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// How strong it is: height or speed.
+    /// Strength of the agent: height or speed.
     Strength,
     /// Period of waves.
     Period,
@@ -43,7 +43,8 @@ pub struct Quantity {
     pub(super) range: [f64; 2],
 }
 
-/// All quantities; those of an agent stand together and go together. The ranges are those of the scenario's keys.
+/// All quantities. The quantities of an agent stand together, and a file must have all of them or none. The ranges are
+/// the ranges of the scenario's keys.
 pub(super) static QUANTITIES: [Quantity; 8] = [
     Quantity {
         column: "hs_m",
@@ -119,14 +120,14 @@ pub(super) static QUANTITIES: [Quantity; 8] = [
     },
 ];
 
-/// Columns that say which hour a row is, or for how many hours it stands.
+/// Columns with the time of a row, or the number of hours for which the row stands.
 pub(super) const TIME: &str = "time";
 pub(super) const SECONDS: &str = "t_s";
 pub(super) const HOURS: &str = "hours";
 pub(super) const SHARE: &str = "share";
 
 impl Agent {
-    /// What its strength does to the ship: waves by their height, wind and current by the square of their speed.
+    /// Effect of the strength on the ship: waves by their height, wind and current by the square of their speed.
     pub(super) fn load(self, strength: f64) -> f64 {
         match self {
             Agent::Waves | Agent::Level => strength,
@@ -134,7 +135,7 @@ impl Agent {
         }
     }
 
-    /// Key of the seed of its random phases, where it has any, and the name of that variable.
+    /// Key of the seed of the agent's random phases, if it has random phases, and the name of the variable.
     pub(super) fn seed(self) -> Option<(&'static str, &'static str)> {
         match self {
             Agent::Waves => Some(("wave_seed", "environment.waves.seed")),

@@ -1,4 +1,4 @@
-//! The states of a weather: hours that are much alike, put together.
+//! The states of a weather: groups of similar hours.
 //!
 //! All hours are one state at first. Then, again and again, the state that spreads most in one quantity is split in two at its mean,
 //! until there are as many as wanted. Spread is measured by what it does to a ship: that of waves by height, that of wind and current by the
@@ -15,13 +15,14 @@ use super::weather::Weather;
 pub(super) struct State {
     /// Its rows of the weather, rising.
     pub(super) rows: Vec<usize>,
-    /// The mean of each quantity; of height and speeds the root mean square; of directions that of the sum of vectors.
+    /// The mean of each quantity; for heights and speeds the root mean square; for directions the direction of the
+    /// vector sum.
     pub(super) means: Vec<f64>,
     /// Hours.
     pub(super) hours: f64,
 }
 
-/// The states of a series, at most so many, from the mildest on. Of a scatter diagram each row is one.
+/// The states of a series, at most `most`, from the mildest on. Each row of a scatter diagram is a state.
 pub(super) fn states(weather: &Weather, most: usize) -> Vec<State> {
     let mut all: Vec<Part> = match weather.is_series() {
         true => split(weather, most),
@@ -56,7 +57,7 @@ fn split(weather: &Weather, most: usize) -> Vec<Part> {
         let part = &parts[widest];
         let (upper, lower): (Vec<usize>, Vec<usize>) =
             part.rows.iter().partition(|row| part.is_above(weather, **row));
-        // A spread that is rounding alone.
+        // The spread is rounding alone.
         if upper.is_empty() || lower.is_empty() {
             parts[widest].spread = 0.0;
             continue;
@@ -71,7 +72,7 @@ fn split(weather: &Weather, most: usize) -> Vec<Part> {
 struct Part {
     rows: Vec<usize>,
     means: Vec<f64>,
-    /// The quantity in which it spreads most, and how much.
+    /// The quantity in which the state spreads most, and the spread.
     widest: usize,
     spread: f64,
 }
@@ -92,7 +93,7 @@ impl Part {
         part
     }
 
-    /// Sum of the squares of what a quantity's distance from its mean does, over hours.
+    /// Sum over the hours of the squared effects of a quantity's distance from its mean.
     fn squares(&self, weather: &Weather, index: usize) -> f64 {
         let quantity = weather.quantities[index];
         let mean = self.means[index];
@@ -111,7 +112,7 @@ impl Part {
         self.rows.iter().map(of_row).sum()
     }
 
-    /// Whether a row lies above the mean of the widest quantity, or clockwise of it.
+    /// Whether a row lies above the mean of the widest quantity, or clockwise of the mean.
     fn is_above(&self, weather: &Weather, row: usize) -> bool {
         let way = weather.rows[row][self.widest] - self.means[self.widest];
         match weather.quantities[self.widest].role {

@@ -13,25 +13,25 @@ use crate::table::Table;
 pub const HOURS_OF_A_YEAR: f64 = 8760.0;
 
 /// No single wave is higher than this share of the depth (McCowan 1894, by Turner 2010, "Testing a ratio for the relationship between
-/// wave height and water depth"): a significant height above it is a mistake in the file or in the depth.
+/// wave height and water depth"): a significant height above this share is a mistake in the file or in the depth.
 const BREAKING: f64 = 0.78;
 
-/// Shares of a scatter diagram may miss 1 by so much: they are rounded.
+/// Rounded shares of a scatter diagram may miss a sum of 1 by this much.
 const ROUNDED: f64 = 0.01;
 
 /// The weather: a row an hour, or a row a class of a scatter diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weather {
     table: Table,
-    /// The quantities that it has.
+    /// The quantities that the weather has.
     pub(super) quantities: Vec<&'static Quantity>,
     /// The values of each row, in the order of the quantities.
     pub(super) rows: Vec<Vec<f64>>,
-    /// Hours that each row stands for.
+    /// Hours for which each row stands.
     pub(super) hours: Vec<f64>,
-    /// Time of each row as the file has it; empty for a scatter diagram.
+    /// Time of each row as written in the file; empty for a scatter diagram.
     pub(super) times: Vec<String>,
-    /// Month of each row, from 0; `None` where the file has no dates.
+    /// Month of each row, from 0; `None` if the file has no dates.
     pub(super) months: Option<Vec<usize>>,
 }
 
@@ -50,7 +50,7 @@ impl Weather {
         }
         let count = columns[0].len();
         if count == 0 {
-            return Err(refused(file, "it has no rows below its head"));
+            return Err(refused(file, "the file has no rows below its head"));
         }
         let mut rows: Vec<Vec<f64>> =
             (0..count).map(|row| columns.iter().map(|column| column[row]).collect()).collect();
@@ -81,14 +81,15 @@ impl Weather {
                 let sum: f64 = shares.iter().sum();
                 if (sum - 1.0).abs() > ROUNDED {
                     let why = format!(
-                        "the column `{SHARE}` sums to {sum:.4}: that of a whole year sums to 1"
+                        "the column `{SHARE}` sums to {sum:.4}: for a whole year it must sum to 1"
                     );
                     return Err(refused(file, &why));
                 }
                 hours = shares.iter().map(|share| share / sum * HOURS_OF_A_YEAR).collect();
             }
             [] => {
-                let why = "a series has a column `time` or `t_s`, a scatter diagram `hours` or `share`: there is none of them";
+                let why = "a series has a column `time` or `t_s`, a scatter diagram a column \
+                    `hours` or `share`: the file has none of these";
                 return Err(refused(file, why));
             }
             _ => {
@@ -108,7 +109,7 @@ impl Weather {
         Ok(Weather { table, quantities, rows, hours, times, months })
     }
 
-    /// Whether it is a series of hours, rather than a scatter diagram.
+    /// Whether the weather is a series of hours, rather than a scatter diagram.
     #[must_use]
     pub fn is_series(&self) -> bool {
         !self.times.is_empty()
@@ -137,8 +138,8 @@ impl Weather {
         self.quantities.iter().position(|own| own.agent == agent && own.role == role)
     }
 
-    /// Refuses a sea that is higher than the water allows. `level_m` is the highest level of the scenario's tide, for a weather without
-    /// levels of its own.
+    /// Refuses a sea that is higher than the water allows. `level_m` is the highest level of the scenario's tide, for a
+    /// weather without levels.
     ///
     /// # Errors
     /// The first such row.
@@ -188,8 +189,8 @@ fn quantities(table: &Table) -> Result<Vec<&'static Quantity>, CampaignError> {
         }
     }
     if found.iter().all(|own| own.agent == Agent::Level) {
-        let why =
-            "it has neither waves (hs_m), wind (wind_speed_mps) nor current (current_speed_mps)";
+        let why = "the file has neither waves (hs_m), wind (wind_speed_mps) nor current \
+             (current_speed_mps)";
         return Err(refused(table.path(), why));
     }
     Ok(found)
@@ -226,10 +227,10 @@ fn dates(table: &Table) -> Result<Vec<Time>, CampaignError> {
     table.texts(TIME)?.iter().enumerate().map(read).collect()
 }
 
-/// The hours that each row of a series stands for: its step.
+/// The hours for which each row of a series stands: the step of the series.
 fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, CampaignError> {
     let [first_s, second_s, ..] = times_s else {
-        return Err(refused(table.path(), "a series has two rows at least"));
+        return Err(refused(table.path(), "a series needs at least two rows"));
     };
     let step_s = second_s - first_s;
     for (row, pair) in times_s.windows(2).enumerate() {
@@ -239,7 +240,7 @@ fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, Campa
                 table,
                 column,
                 row + 1,
-                "it is not later than the row before".to_owned(),
+                "the row is not later than the row before".to_owned(),
             ));
         }
         // Steps are compared to a second.

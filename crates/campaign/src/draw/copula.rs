@@ -14,7 +14,7 @@ pub(super) struct Copula {
 }
 
 impl Copula {
-    /// The copula of these correlations; those that are not named are 0.
+    /// The copula of these correlations; other correlations are 0.
     ///
     /// # Errors
     /// A matrix that is not positive definite.
@@ -35,9 +35,13 @@ impl Copula {
                 own.push((coefficient(row, column) - known) / above[column]);
             }
             let left = 1.0 - own.iter().map(|a| a * a).sum::<f64>();
-            // Less is rounding: one of the variables would be a function of the others.
+            // A smaller value is rounding: one of the variables would be a function of the others.
             if left < 1e-12 {
-                return Err("the matrix of the correlations is not positive definite: no variables have all of them".to_owned());
+                return Err(
+                    "the matrix of the correlations is not positive definite: no variables \
+                    can have all these correlations"
+                        .to_owned(),
+                );
             }
             own.push(libm::sqrt(left));
             factor.push(own);

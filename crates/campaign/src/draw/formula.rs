@@ -1,4 +1,4 @@
-//! Formulas of the user. Their functions are those of `libm`, so that a campaign has the same bits on every platform.
+//! Formulas of the user. They use the functions of `libm`, so a campaign has the same bits on every platform.
 
 use exmex::prelude::*;
 use exmex::{
@@ -6,7 +6,7 @@ use exmex::{
 };
 use fenderline_contact::number::{greater, lesser};
 
-/// 1 where a comparison holds, else 0; not a number where one of the two is none.
+/// 1 if a comparison holds, else 0; not a number if one of the two is not a number.
 fn truth(a: f64, b: f64, holds: bool) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { f64::from(u8::from(holds)) }
 }
@@ -72,7 +72,7 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// Why it is none.
+    /// The reason why the text is not a formula.
     pub fn parse(text: &str) -> Result<Formula, String> {
         let expression = FlatEx::<f64, Operators, Numbers>::parse(text)
             .map_err(|error| format!("\"{text}\": {error}"))?;
@@ -80,13 +80,14 @@ impl Formula {
         Ok(Formula { expression, names })
     }
 
-    /// The names of its numbers, in the order in which [`Formula::value`] takes them.
+    /// The names of the formula's numbers, in the order in which [`Formula::value`] takes them.
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Its value; not a number where one of its numbers is none, or where it has no value, such as the root of a negative number.
+    /// The formula's value; not a number if one of its numbers is not a number, or if the formula has no value, such as
+    /// the root of a negative number.
     ///
     /// # Panics
     /// If there is not one number for each name.

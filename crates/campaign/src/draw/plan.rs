@@ -50,7 +50,7 @@ impl Probabilities {
 
     /// The probabilities of a run.
     pub(super) fn of_run(&self, run: u64) -> Vec<f64> {
-        // Each run has a stream of its own.
+        // Each run has a separate stream.
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(run);
         let mut one = |dimension: usize| {
@@ -61,7 +61,7 @@ impl Probabilities {
                     let parts = &parts[dimension];
                     (f64::from(parts[run as usize]) + inside) / parts.len() as f64
                 }
-                // The library's numbers have 24 bits: what is below comes from the run's own numbers.
+                // The library's numbers have 24 bits: the lower bits come from the random numbers of the run.
                 Kind::Sobol => {
                     let seed = (self.seed ^ (self.seed >> 32)) as u32;
                     let coarse = sobol_burley::sample(run as u32, dimension as u32, seed);
@@ -74,7 +74,7 @@ impl Probabilities {
     }
 }
 
-/// The distance of 1 from the number below it.
+/// The distance between 1 and the next smaller number.
 const LEAST: f64 = f64::EPSILON / 2.0;
 
 /// The upper 53 bits as a number between 0 and 1, both excluded.
@@ -85,7 +85,7 @@ fn between_0_and_1(bits: u64) -> f64 {
 /// The numbers below `number` in random order (Fisher and Yates).
 fn shuffled(number: u64, dimension: usize, seed: u64) -> Vec<u32> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    // Streams from the other end than those of the runs.
+    // Streams counted from the other end than the streams of the runs.
     random.set_stream(u64::MAX - dimension as u64);
     let mut order: Vec<u32> = (0..number).map(|part| part as u32).collect();
     for last in (1..order.len()).rev() {

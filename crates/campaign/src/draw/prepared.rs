@@ -32,7 +32,7 @@ pub struct Drawn {
     pub values: Vec<Cell>,
     /// The changes of the scenario as `--set` takes them, KEY=VALUE.
     pub settings: Vec<String>,
-    /// Of each variable the number of the choice, or the row of its file, both from 0; 0 for others.
+    /// For each variable the number of the choice, or the row of its file, both from 0; 0 for other variables.
     picked: Vec<usize>,
 }
 
@@ -154,7 +154,7 @@ impl Draws {
         &self.heads
     }
 
-    /// What a run draws; `run` counts from 0.
+    /// The values that a run draws; `run` counts from 0.
     ///
     /// # Panics
     /// If there is no such run.
@@ -171,11 +171,12 @@ impl Draws {
         self.at(run, probabilities.as_deref())
     }
 
-    /// What is drawn at these probabilities, one for each variable; those of formulas are not used. Rare-event methods choose their
-    /// own.
+    /// The values at these probabilities, one for each variable; probabilities of formulas are not used. Rare-event
+    /// methods choose the probabilities.
     ///
     /// # Errors
-    /// A campaign without a random plan; another number of probabilities than of variables; one that is not between 0 and 1.
+    /// A campaign without a random plan; another number of probabilities than of variables; a probability that is not
+    /// between 0 and 1.
     pub fn at_probabilities(&self, probabilities: &[f64]) -> Result<Drawn, String> {
         if self.probabilities.is_none() {
             return Err("the campaign's plan is not random: it has no probabilities".to_owned());
@@ -260,8 +261,9 @@ impl Draws {
         Drawn { values, settings, picked }
     }
 
-    /// The changes of what was drawn, each with its place in the campaign's file or in the file of its values: errors about them point
-    /// there. `run` counts from 0; it is for the words below the place. Slower than [`Drawn::overrides`].
+    /// The changes by the drawn values, each with its place in the campaign's file or in the file of its values: errors
+    /// point to this place. `run` counts from 0; the text below the place names the run. Slower than
+    /// [`Drawn::overrides`].
     ///
     /// # Errors
     /// A value that cannot stand in a scenario, such as the empty text of a table.
@@ -294,7 +296,7 @@ impl Draws {
     }
 }
 
-/// The value of a target's keys, as `--set` takes it.
+/// The value of a target's keys, written as for `--set`.
 fn text_of(target: &Target, value: &Cell) -> String {
     match value {
         Cell::Number(number) => target.value(*number),
@@ -304,7 +306,7 @@ fn text_of(target: &Target, value: &Cell) -> String {
     }
 }
 
-/// The formulas, each after those that it uses.
+/// The formulas, each after the formulas that it uses.
 fn formulas(
     variables: &[Variable],
     sources: &[Source],
@@ -343,7 +345,8 @@ fn formulas(
             let name = format!("variable.{}.expression", variables[waiting[0].0].name);
             return Err(CampaignError::part(
                 name,
-                "it needs a formula that needs it: there is no order to compute them",
+                "the formula needs another formula that needs this formula: there is no order to \
+                 compute them",
             ));
         };
         ordered.push(waiting.remove(ready));

@@ -26,7 +26,7 @@ pub(super) enum Source {
     Formula(Target),
     Numbers(Column<f64>),
     Texts(Column<String>),
-    /// The numbers of a downtime's states and hours, one a run.
+    /// The numbers of the states and hours of a downtime campaign, one for each run.
     States {
         values: Vec<f64>,
         target: Target,
@@ -58,7 +58,7 @@ pub(super) struct Column<T> {
 }
 
 impl Source {
-    /// Where the values go; `None` for choices, which have their own changes.
+    /// The keys that get the values; `None` for choices, which have separate changes.
     pub(super) fn target(&self) -> Option<&Target> {
         match self {
             Source::Choices { .. } => None,
@@ -70,7 +70,7 @@ impl Source {
         }
     }
 
-    /// The number of choices; 1 where it has none.
+    /// The number of choices; 1 for a source without choices.
     pub(super) fn choices(&self) -> usize {
         match self {
             Source::Choices { choices, .. } => choices.len().max(1),
@@ -92,7 +92,8 @@ impl Source {
         }
     }
 
-    /// Where the value of a row of its file is, from 0; for a law or formula the line of the campaign's file.
+    /// Place of the value in row `row` of the file, from 0; for a law or formula the line of the
+    /// campaign's file.
     pub(super) fn origin(&self, row: usize) -> Option<Origin> {
         let column = match self {
             Source::Measured(own) => own.column.as_str(),
@@ -133,7 +134,7 @@ fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String
     Ok((read.values, unit.to_owned()))
 }
 
-/// A target with the unit of the file's head, where the campaign names none.
+/// A target with the unit of the file's head, if the campaign names no unit.
 ///
 /// # Errors
 /// Two units that differ.
@@ -149,7 +150,7 @@ fn with_unit(variable: &Variable, target: &Target, unit: String) -> Result<Targe
     }
 }
 
-/// Where a variable's value comes from, with the files read; and its unit.
+/// The source of a variable's values, with the files read; and the unit.
 pub(super) fn source(
     variable: &Variable,
     table: Option<&Table>,
@@ -179,8 +180,8 @@ pub(super) fn source(
             let target = with_unit(variable, target, unit)?;
             if target.unit.is_empty() && !target.is_plain && !target.keys.is_empty() {
                 let why = format!(
-                    "column `{column}` of {} has no unit: write it in its head, as in `{column} [cm/s]`, or give `unit`; \
-                     `unit = \"\"` says that the numbers have none",
+                    "column `{column}` of {} has no unit: write it in its head, as in `{column} \
+                     [cm/s]`, or give `unit`; `unit = \"\"` means plain numbers",
                     file.display()
                 );
                 return Err(CampaignError::part(format!("variable.{}", variable.name), why));

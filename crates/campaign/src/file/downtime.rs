@@ -2,25 +2,25 @@
 
 use std::path::PathBuf;
 
-use super::Read;
+use super::kinds::Read;
 use fenderline_keys::checked::Table;
 use fenderline_keys::origin::Origin;
 use fenderline_keys::sources::Sources;
 
-/// Which weather a berth has, and how it is run.
+/// The weather at a berth, and how the weather is run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Downtime {
     /// File of a series or scatter diagram, CSV or Parquet.
     pub file: PathBuf,
-    /// Most states that the hours of a series are put together to.
+    /// Largest number of states into which the hours of a series are grouped.
     pub states: u64,
-    /// Number of hours of a series that are run as they are.
+    /// Number of single hours of a series that are run with their own weather.
     pub sample: u64,
-    /// Where the campaign's file names the file; `None` only where the campaign was not read from a file.
+    /// Place of the weather file's name in the campaign's file; `None` only if the campaign was not read from a file.
     pub origin: Option<Origin>,
 }
 
-/// Keys of a campaign that do not go with it.
+/// Keys of a campaign that do not go together with `downtime`.
 const OTHERS: [&str; 9] =
     ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
 
@@ -36,9 +36,10 @@ pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>
         let error = sources.error(&item.span, key, message);
         return Err(error.with_help(match key {
             "limit" => {
-                "the limits of a downtime are those of the scenario: write [limit.NAME] there"
+                "a downtime campaign uses the limits of the scenario: write [limit.NAME] in the \
+                 scenario"
             }
-            _ => "the weather's file says what differs from run to run",
+            _ => "the file of the weather determines what differs from run to run",
         }));
     }
     let table = item.table();

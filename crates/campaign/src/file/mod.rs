@@ -1,7 +1,9 @@
-//! Campaigns: many runs of one scenario, from a file that says what differs from run to run and how it is chosen.
+//! Campaigns: many runs of one scenario, from a file that says what differs from run to run and how the values are
+//! chosen.
 
 mod downtime;
 mod keys;
+mod kinds;
 pub(crate) mod law;
 mod number;
 mod plan;
@@ -12,39 +14,17 @@ use std::path::{Path, PathBuf};
 
 pub use self::downtime::Downtime;
 pub(crate) use self::keys::CAMPAIGN_FILE;
-use self::law::LawFamily;
+use self::kinds::Read;
+pub use self::kinds::{MOST_CASES, Statistic};
 pub(crate) use self::plan::Limit;
-pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
+pub use self::plan::{Correlation, Design, Output, Plan, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
 use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::error::ScenarioError;
 use fenderline_keys::reader;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::syntax;
 use fenderline_scenario::{LoadError, read_text};
-
-type Read<T> = Result<T, ScenarioError>;
-
-/// Most cases of a full factorial.
-pub const MOST_CASES: usize = 1_000_000;
-
-/// The word of the key `plan`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PlanKind {
-    FullFactorial,
-    MonteCarlo,
-    LatinHypercube,
-    Sobol,
-    Table,
-}
-
-/// The word of the key `distribution`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FamilyKind {
-    Law(LawFamily),
-    Empirical,
-}
 
 /// Many runs of one scenario.
 ///
@@ -84,7 +64,7 @@ pub(crate) enum FamilyKind {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Campaign {
-    /// Title of its page.
+    /// Title of the campaign's page.
     pub title: String,
     /// The scenario's file, as the campaign's file names it.
     pub scenario: PathBuf,
@@ -94,7 +74,8 @@ pub struct Campaign {
     pub plan: Plan,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// What differs from run to run; in a full factorial the last one changes fastest. None of a downtime until its weather is read.
+    /// What differs from run to run; in a full factorial the last variable changes fastest. A downtime campaign has no
+    /// variables until its weather is read.
     pub variables: Vec<Variable>,
     /// Correlations of variables with a distribution.
     pub correlations: Vec<Correlation>,
@@ -102,11 +83,11 @@ pub struct Campaign {
     pub outputs: Vec<String>,
     /// Outputs by expressions.
     pub expressions: Vec<Output>,
-    /// Output that is 1 where a run succeeds.
+    /// Output that is 1 if a run succeeds.
     pub success: Option<String>,
     /// Limits that the report compares outputs with.
     pub limits: Vec<Limit>,
-    /// When it may end early.
+    /// When the campaign may end early.
     pub stop: Option<Stop>,
     /// What design values are for.
     pub design: Option<Design>,
@@ -139,7 +120,7 @@ impl Campaign {
         Ok(campaign)
     }
 
-    /// Whether a text is that of a campaign rather than of a scenario, by its keys; not for a text that is not TOML.
+    /// Whether a text is a campaign rather than a scenario, by its keys; false for a text that is not TOML.
     #[must_use]
     pub fn is_one(text: &str) -> bool {
         let document = syntax::parse(&Sources::new("", text, &[]));
@@ -218,7 +199,7 @@ impl Campaign {
         chosen
     }
 
-    /// The value of each variable in a case of a full factorial, as the file has it; empty for an expression.
+    /// The value of each variable in a case of a full factorial, as written in the file; empty for an expression.
     #[must_use]
     pub fn labels(&self, case: usize) -> Vec<&str> {
         let choices = self.choices(case).into_iter();

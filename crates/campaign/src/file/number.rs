@@ -3,7 +3,7 @@
 /// The number at the beginning of a text, and its unit.
 ///
 /// # Errors
-/// Why it is none.
+/// The reason why the text has no number.
 pub(super) fn split(text: &str) -> Result<(f64, &str), String> {
     let text = text.trim();
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);

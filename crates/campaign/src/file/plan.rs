@@ -1,11 +1,11 @@
-//! How a campaign chooses its values, when it ends, what else it reports, and what design values are for.
+//! How a campaign chooses its values, when it ends, what else it reports, and the events of design values.
 
 use std::path::PathBuf;
 
 use super::downtime::Downtime;
 use super::keys::PLANS;
+use super::kinds::{MOST_CASES, PlanKind, Read, Statistic};
 use super::variable::{Draw, Variable};
-use super::{MOST_CASES, PlanKind, Read};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::choices::AnyChoices as _;
 use fenderline_keys::sources::{Sources, quoted};
@@ -75,32 +75,23 @@ pub struct Correlation {
 /// An output by an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Output {
-    /// Its name.
+    /// Name of the output.
     pub name: String,
     /// The formula.
     pub expression: String,
-    /// Its unit; empty for none.
+    /// Unit of the output; empty for none.
     pub unit: String,
 }
 
 /// A value of an output that should seldom be exceeded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limit {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
     /// Column of the output.
     pub output: String,
     /// Number and unit, as the file has them.
     pub text: String,
-}
-
-/// What a stop rule estimates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Statistic {
-    /// The mean.
-    Mean,
-    /// A quantile.
-    Quantile,
 }
 
 /// When a campaign may end early.
@@ -110,7 +101,7 @@ pub struct Stop {
     pub output: String,
     /// What is estimated.
     pub statistic: Statistic,
-    /// Probability of the quantile; 1/2 for the mean, which has none.
+    /// Probability of the quantile; 1/2 for the mean, which has no probability.
     pub probability: f64,
     /// Half the width of the confidence interval over the estimate.
     pub half_width: f64,
@@ -147,7 +138,7 @@ pub(super) fn kind(file: &Table) -> PlanKind {
     }
 }
 
-/// The plan, with what goes along with it.
+/// The plan, with the keys that belong to the plan.
 pub(super) fn read(
     sources: &Sources<'_>,
     file: &Table,
@@ -179,7 +170,7 @@ pub(super) fn read(
     if matches!(kind, PlanKind::FullFactorial | PlanKind::Table) && file.item("number").is_some() {
         return refused(
             "number",
-            "goes with a random plan: here the values themselves say how many runs there are"
+            "goes with a random plan: in this plan the values determine the number of runs"
                 .to_owned(),
         );
     }
@@ -202,8 +193,9 @@ pub(super) fn read(
             if number > MOST_OF_HYPERCUBE / count {
                 let most = MOST_OF_HYPERCUBE / count;
                 let message = format!(
-                    "of a Latin hypercube of {count} variables is at most {most}, as the order of their parts is held in memory, but is {number}; \
-                     a \"Monte Carlo\" plan has no such bound"
+                    "of a Latin hypercube of {count} variables is at most {most}, because the \
+                     order of their parts is held in memory, but is {number}; a \"Monte Carlo\" \
+                     plan has no such bound"
                 );
                 return refused("number", message);
             }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::DeValue;
 
+use super::kinds::{FamilyKind, PlanKind, Read};
 use super::law::{Law, LawFamily};
-use super::{FamilyKind, PlanKind, Read, number};
+use super::number;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::origin::Origin;
 use fenderline_keys::overrides::Override;
@@ -15,11 +16,11 @@ use fenderline_keys::sources::{Sources, Span, quoted};
 /// What differs from run to run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
-    /// Where its values come from, in words.
+    /// Source of the variable's values, in words.
     pub source: Option<String>,
-    /// How it gets its value.
+    /// How the variable gets its value.
     pub draw: Draw,
 }
 
@@ -62,23 +63,23 @@ pub struct Target {
     pub keys: Vec<String>,
     /// Unit of the numbers; empty for SI, and for plain numbers.
     pub unit: String,
-    /// Whether the file says by an empty unit that the numbers have none.
+    /// Whether an empty unit in the file says that the numbers are plain.
     pub is_plain: bool,
     /// Where the campaign's file has keys and law, for errors.
     pub origins: TargetOrigins,
 }
 
-/// Where the campaign's file has the keys of a variable, and what gives it its values.
+/// Places in the campaign's file of a variable's keys, and of its values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TargetOrigins {
     /// Of each key.
     pub keys: Vec<Origin>,
-    /// Of the distribution, the expression or the column; `None` only where the campaign was not read from a file.
+    /// Place of the distribution, the expression or the column; `None` only if the campaign was not read from a file.
     pub values: Option<Origin>,
 }
 
 impl Target {
-    /// The value of the keys for a number, as `--set` takes it.
+    /// The value of the keys for a number, written as for `--set`.
     #[must_use]
     pub fn value(&self, number: f64) -> String {
         match self.unit.as_str() {
@@ -91,25 +92,25 @@ impl Target {
 /// A value of a variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// The value or the name, as the file has it.
+    /// The value or the name, as written in the file.
     pub label: String,
-    /// The keys that it sets.
+    /// The keys that the choice sets.
     pub changes: Vec<Change>,
-    /// Its weight in a random plan; not negative.
+    /// Weight of the choice in a random plan; not negative.
     pub weight: f64,
 }
 
 /// A change of a scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// KEY=VALUE, as `--set` takes it.
+    /// KEY=VALUE, written as for `--set`.
     pub text: String,
     /// The same, read.
     pub set: Override,
 }
 
 impl Variable {
-    /// Its choices; none where it has a law, a file, a column or an expression.
+    /// The choices of the variable; empty for a variable with a law, a file, a column or an expression.
     #[must_use]
     pub fn choices(&self) -> &[Choice] {
         match &self.draw {
@@ -118,8 +119,8 @@ impl Variable {
         }
     }
 
-    /// The numbers of its choices' labels and their unit, as of "9 m" and "12 m"; `None` where one is no number, where their units
-    /// differ, and without choices.
+    /// The numbers of the choices' labels and their unit, as of "9 m" and "12 m"; `None` if a label is no number, if
+    /// units differ, and without choices.
     #[must_use]
     pub fn numbers(&self) -> Option<(Vec<f64>, &str)> {
         let parts = self.choices().iter().map(|choice| number::split(&choice.label).ok());
@@ -182,7 +183,7 @@ impl Reader<'_, '_> {
         }
         let of_law = OF_LAWS.into_iter().filter_map(given).next();
         if let (Some(item), None) = (of_law, given("distribution")) {
-            return self.refused(item, "is of a `distribution`, which is missing".to_owned());
+            return self.refused(item, "belongs to a `distribution`, which is missing".to_owned());
         }
         match ways.first().map(|item| item.name) {
             Some("values") => self.values().map(Draw::Choices),
@@ -234,7 +235,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// Keys and unit; `found` is the unit of the numbers that were read, `values` the place of what gives them.
+    /// Keys and unit; `found` is the unit of the numbers that were read, `values` the place of the values.
     fn target(&self, found: Option<String>, values: &Span) -> Read<Target> {
         let (keys, key_origins): (Vec<String>, Vec<Origin>) = self.keys()?.into_iter().unzip();
         let values = self.sources.origin(values);
@@ -265,7 +266,7 @@ impl Reader<'_, '_> {
         if let Some(unit) = self.table.item("unit") {
             return self.refused(
                 unit,
-                "does not go together with `values`, which have their own units".to_owned(),
+                "does not go together with `values`, which have units themselves".to_owned(),
             );
         }
         let weights = match self.given("weights") {
@@ -312,7 +313,7 @@ impl Reader<'_, '_> {
         self.checked(choices, item)
     }
 
-    /// Choices that differ, and of which one can be drawn.
+    /// Checks that the choices differ, and that at least one choice can be drawn.
     fn checked(&self, choices: Vec<Choice>, item: &Item) -> Read<Vec<Choice>> {
         if choices.is_empty() {
             return self.refused(item, "is empty".to_owned());
@@ -544,7 +545,7 @@ fn origins(sources: &Sources<'_>, item: &Item) -> Vec<Origin> {
             let one = |span: Span| sources.origin(&(start + span.start..start + span.end));
             nodes.iter().map(|node| one(node.span())).collect()
         }
-        // The reader took it for a list.
+        // The reader has read the value as a list.
         _ => whole(),
     }
 }

@@ -1,4 +1,4 @@
-//! What is shown of one column: exceedance, fits, design values; and the page of the command `statistics`.
+//! The tables and charts of one column: exceedance, fits, design values; and the page of the command `statistics`.
 
 use fenderline_contact::number::greater;
 use fenderline_report::plot::{
@@ -15,13 +15,14 @@ use crate::statistics::design::{Asked, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::table::Head;
 
-/// Fits are drawn to so many times the largest value.
+/// Fits are drawn up to this many times the largest value.
 const REACH: f64 = 2.0;
 
 /// Points of a fitted line.
 const LINE: u32 = 120;
 
-/// The page of one column of a table; `source` is the file as it is named to the reader, `missing` the number of its empty cells.
+/// The page of one column of a table; `source` is the name of the file for the reader, `missing` the number of
+/// empty cells.
 #[must_use]
 pub fn column_page(
     source: &str,
@@ -44,8 +45,8 @@ pub fn column_page(
 }
 
 /// What stays the user's.
-pub(super) const USERS_OWN: &str = "Return periods, percentiles and partial factors are those that the user gave; whether they \
-    meet a guideline is for the designer to judge, and nothing here states it.";
+pub(super) const USERS_OWN: &str = "Return periods, percentiles and partial factors were given by \
+    the user; the designer must judge whether they meet a guideline.";
 
 /// Number of values, mean, deviation.
 pub(super) fn counts(head: &Head, missing: usize, findings: &Findings) -> String {
@@ -89,7 +90,7 @@ pub(super) fn sections(
     }
 }
 
-/// Exceedance with its band, fits drawn through, to the rarest level that is asked for.
+/// Exceedance with its band, fits drawn through, to the rarest level of the design values.
 fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> Chart {
     let curve = &findings.curve;
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
@@ -113,7 +114,7 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> 
     series.extend(limits::lines(limits, rarest));
     // On top of the lines.
     series.push(Series::dots("data", data).styled(6));
-    // Those of a lifetime lie too close to those of periods.
+    // Levels of a lifetime lie too close to levels of periods.
     let drawn = findings.rows.iter().filter(|row| !matches!(row.rarity, Rarity::Life { .. }));
     let references =
         drawn.map(|row| Reference { label: words::rarity(row.rarity), value: row.exceedance });
@@ -126,8 +127,10 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> 
         references: references.collect(),
         linked: None,
         note: format!(
-            "The band holds the true probability at each point with {per_cent} % confidence (Clopper and Pearson), not the whole \
-             curve at once. A dot is the share of the values that reach it. Beyond the last point only a fitted law speaks, and the laws differ there."
+            "The band holds the true probability at each point with {per_cent} % confidence \
+             (Clopper and Pearson), not the whole curve at once. A dot is the share of the values \
+             that reach the dot's value. Beyond the last point only the fitted laws give values, \
+             and the laws differ there."
         ),
     }
 }
@@ -137,11 +140,11 @@ pub(super) fn words_of(head: &Head) -> String {
     head.name.replace('_', " ")
 }
 
-/// A fit as a line down to the rarest probability; that over a threshold from there.
+/// A fit as a line down to the rarest probability; a fit over a threshold begins at the threshold.
 fn line(fit: &Fit, findings: &Findings, rarest: f64) -> Vec<Point> {
     let most = fit.distribution.threshold().map_or(0.999, |(_, share)| 0.9999 * share);
     let ratio = rarest / most;
-    // A law with a tail that is far too heavy would flatten the others; values below all of the data say nothing.
+    // A law with a tail that is far too heavy would flatten the others; values below all data have no meaning.
     let (least, largest) = (findings.sample.least(), findings.sample.largest());
     let end = greater(REACH * largest, least);
     (0..=LINE)
@@ -187,7 +190,8 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
         p class="note" {
             @match asked.traffic {
                 Some(traffic) => {
-                    "For " (plain(traffic.per_year(), 6)) " berthings a year, independent and alike. "
+                    "For " (plain(traffic.per_year(), 6)) " berthings a year, independent and with \
+                        the same distribution. "
                     @if rows.iter().any(|row| matches!(row.rarity, Rarity::Period(_))) {
                         "A value of T years is exceeded in a year with a chance of 1/T. "
                     }
@@ -196,10 +200,11 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
                     }
                     "Below each level: the probability of one berthing. "
                 }
-                None => "The number of berthings a year is not given, so the levels are those of one berthing. ",
+                None => "The number of berthings a year is not given, so the levels refer to one \
+                    berthing. ",
             }
-            "Below each value the " (per_cent) " % band: of the data by order statistics, of a fit by the delta method. The band of a fit \
-             holds if its law is the true one."
+            "Below each value the " (per_cent) " % band: of the data by order statistics, of a fit \
+                by the delta method. The band of a fit holds if the values follow its law."
             @if rows.iter().any(|row| words::by_data(&row.by_data).contains('?')) { " A question mark: the data do not reach there." }
         }
     }
@@ -264,8 +269,9 @@ fn fits(findings: &Findings) -> Markup {
             }
         } }
         p class="note" {
-            "By maximum likelihood, the smallest AIC first. AIC, distance and A² judge the whole of the data; the last column judges \
-             the tail, which decides a design value: how many values the law expects where the data have so many."
+            "By maximum likelihood, the smallest AIC first. AIC, distance and A² judge the fit to \
+             all data. The last column judges the tail, which decides a design value: it is the \
+             number of values that the law expects in the tail, beside the number in the data."
         }
     }
 }
@@ -284,13 +290,17 @@ pub(super) fn methods(asked: &Asked) -> Markup {
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
     html! {
         ul class="plain" {
-            li { "Probabilities that were counted have intervals of Clopper and Pearson; quantiles of the data those of order \
-                  statistics. Both hold whatever the distribution, at " (per_cent) " % or more." }
-            li { "Laws are fitted by maximum likelihood; their standard errors are those of the observed information, their bands those of \
-                  the delta method on the logarithm of the value." }
-            li { "The law to quote is the one with the smallest AIC of those that fit all values (Kolmogorov and Smirnov, 1 %), expect as \
-                  many values in the tail as there are (within 2.6 standard deviations of a count), and whose value the data do not \
-                  contradict and decide within a factor of ten. Where there is none it is the law over the threshold; else none." }
+            li { "Counted probabilities have intervals of Clopper and Pearson; quantiles of the \
+                data have intervals of order statistics. Both kinds of interval hold for any \
+                distribution, at " (per_cent) " % or more." }
+            li { "Laws are fitted by maximum likelihood; their standard errors come from the \
+                observed information, their bands from the delta method on the logarithm of the \
+                value." }
+            li { "The law to quote is chosen among the laws that fit all values (Kolmogorov and \
+                Smirnov, 1 %), that expect as many values in the tail as the data have (within 2.6 \
+                standard deviations of a count), and whose design value the data do not contradict \
+                and decide within a factor of ten. Of these laws the law with the smallest AIC is \
+                quoted. Without such a law, the law over the threshold is quoted; else no law." }
             @if asked.traffic.is_some() {
                 li { "With n berthings a year the value of T years is exceeded by one berthing with probability p, where \
                       1 − (1 − p)ⁿ = 1/T. The largest of the N berthings of a lifetime is at most x with probability F(x)ᴺ." }

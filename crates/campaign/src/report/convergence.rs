@@ -10,7 +10,7 @@ use crate::statistics::design::Asked;
 /// Numbers of runs at which an estimate is made.
 const STEPS: usize = 40;
 
-/// The probability of the quantile that is followed.
+/// The probability of the quantile in the chart.
 const P: f64 = 0.01;
 
 /// Fewest runs of a section.
@@ -22,8 +22,8 @@ pub(super) fn section(outputs: &[Output<'_>], asked: &Asked) -> Markup {
     html! {
         @if !charts.is_empty() {
             h2 { "Convergence" }
-            p { "Each line is the estimate of the first runs. Where it still moves, or its band is wider than the answer needs, more runs \
-                are due." }
+            p { "Each line is the estimate of the first runs. If the line still moves at the end, \
+                or its band is wider than you need, make more runs." }
             @for chart in charts { (chart.render()) }
         }
     }
@@ -45,7 +45,7 @@ fn chart(output: &Output<'_>, asked: &Asked) -> Option<Chart> {
         let point = |step: &Step| Some(Point { x: step.runs as f64, y: of(step)? });
         steps.iter().filter_map(point).collect()
     };
-    // A band has both ends or none.
+    // A band needs both ends.
     let known = |step: &Step| step.quantile.low.zip(step.quantile.high);
     let name = column::words_of(output.head);
     let per_cent = plain(100.0 * asked.confidence.level(), 4);

@@ -11,14 +11,14 @@ use crate::downtime::{
 use crate::statistics::Estimate;
 use crate::table::{Table, TableError};
 
-/// States that are listed.
+/// Largest number of listed states.
 const LISTED: usize = 25;
 
 /// What the report of a downtime is about.
 pub struct DowntimeReport<'a> {
     /// Title of the campaign.
     pub title: &'a str,
-    /// The scenario, as it is named to the reader.
+    /// Name of the scenario for the reader.
     pub scenario: &'a str,
     /// Duration of each run (s).
     pub duration_s: f64,
@@ -26,7 +26,7 @@ pub struct DowntimeReport<'a> {
     pub plan: &'a DowntimePlan,
     /// What was counted.
     pub counted: &'a DowntimeTable,
-    /// The limits: name, and what it is of with its value, in words.
+    /// The limits: name, and the limited quantity with its value, in words.
     pub limits: &'a [(String, String)],
     /// The table, a row a run.
     pub table: &'a Table,
@@ -51,13 +51,14 @@ pub fn downtime_page(of: &DowntimeReport<'_>) -> Result<String, TableError> {
         (headline(of))
         (reasons(of))
         @for group in &of.counted.groups { (group_section(of, group)) }
-        h2 { "What the states leave out" }
+        h2 { "Error of the states" }
         (check(of))
         h2 { "States that are lost" }
         (states(of)?)
         h2 { "How it was computed" }
         (methods(of))
-        footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". Limits, weather, ship and lines are those of the user." }
+        footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". Limits, weather, ship and \
+            lines were given by the user." }
     };
     Ok(page(of.title, &body))
 }
@@ -101,13 +102,15 @@ fn headline(of: &DowntimeReport<'_>) -> Markup {
             "."
         }
         @if let Some((check, own)) = of.counted.check.as_ref().and_then(|check| Some((check, check.disagree.as_ref()?))) {
-            p { "Of " (counted(check.compared as u64, "hour", "hours")) " drawn at random and run as they are, "
+            p { "Of " (counted(check.compared as u64, "hour", "hours")) " drawn at random and each \
+                run with its own weather, "
                 (check.as_it_is_alone + check.by_state_alone) " do not agree with their state: " (band(own)) "; " (check.as_it_is_alone)
                 " would be lost more, " (check.by_state_alone) " fewer." }
         }
         @if all.not_run > 0.0 {
             p { strong class="over" { (hours(all.not_run)) " h could not be run" }
-                " and are in no share: the column `error` of the table has the reasons." }
+                " and are not counted in any share: the column `error` of the table has the \
+                 reasons." }
         }
     }
 }
@@ -137,8 +140,9 @@ fn reasons(of: &DowntimeReport<'_>) -> Markup {
                 }
             } }
         } }
-        p class="note" { "An hour may exceed several limits: “alone” counts those that exceed this one only, “gravest” those that exceed it by the \
-            largest factor; what parts, fails or strikes comes before limits." }
+        p class="note" { "An hour may exceed several limits: “alone” counts hours that exceed only \
+            this limit, “gravest” hours that exceed this limit by the largest factor; parted \
+            lines, failures and strikes come before limits." }
     }
 }
 
@@ -185,17 +189,19 @@ fn check(of: &DowntimeReport<'_>) -> Markup {
     let Some(check) = &of.counted.check else {
         return match of.plan.weather().is_series() {
             true => {
-                html! { p { "No hours were run as they are: `sample` is 0, and the error of the states is not known." } }
+                html! { p { "No single hours were run: `sample` is 0, and the error of the states \
+                is not known." } }
             }
             false => {
-                html! { p { "Each class of the diagram is a state: nothing was put together here. What the classes of the diagram leave out \
-                is not known." } }
+                html! { p { "Each class of the diagram is a state: no hours were grouped here. The \
+                error of the classes of the diagram is not known." } }
             }
         };
     };
     html! {
-        p { (counted(check.compared as u64, "hour", "hours")) " drawn at random by seed " (of.seed) " were run as they are, with waves and gusts of \
-            their own, and compared with their states."
+        p { (counted(check.compared as u64, "hour", "hours")) " drawn at random by seed " (of.seed) " \
+            were run singly, each with its own weather and its own phases of waves and gusts, and \
+            compared with their states."
             @if check.compared < check.drawn {
                 " " (counted((check.drawn - check.compared) as u64, "further hour", "further hours")) " could not be compared: a run was not made."
             }
@@ -210,11 +216,13 @@ fn check(of: &DowntimeReport<'_>) -> Markup {
                     (percent(Some((check.both + check.by_state_alone) as f64 / check.compared as f64))) " % of the same hours, and "
                     (percent(of.counted.all.share())) " % of all."
                     @if of.counted.all.share().is_some_and(|share| !own.interval.holds(share)) {
-                        " The draw has another share of lost hours than the whole by its states: compare both ways of the same hours, or draw more."
+                        " The share of lost hours in the sample differs from the share in all \
+                         hours: compare both methods for the same hours, or draw more hours."
                     } }
             }
-            li { "The difference has two causes: what putting hours together leaves out, and chance: an hour near a limit exceeds it with some waves \
-                and gusts and not with others." }
+            li { "The difference has two causes: the grouping of hours with different weather, and \
+                chance, because an hour near a limit exceeds the limit with some waves and gusts \
+                and not with others." }
         }
     }
 }
@@ -235,7 +243,7 @@ fn check_table(check: &StatesCheck) -> Markup {
     }
 }
 
-/// The states that are lost, those of the most hours first.
+/// The lost states, the states with most hours first.
 fn states(of: &DowntimeReport<'_>) -> Result<Markup, TableError> {
     let mut lost: Vec<usize> = (0..of.plan.states())
         .filter(|state| of.counted.outcomes[*state] != Outcome::Works)
@@ -283,18 +291,23 @@ fn methods(of: &DowntimeReport<'_>) -> Markup {
     html! {
         ul class="plain" {
             @if is_series {
-                li { "The hours are put together to at most " (of.plan.most_states()) " states. All hours are one state at first; then the state that \
-                    spreads most in one quantity is split at its mean, again and again. Spread is that of the height of waves and of the square of the \
-                    speeds of wind and current, each over that of the whole series; a change of direction (rad), or of the period over its mean, \
-                    counts as that share of them. This choice is ours." }
-                li { "A state has the root mean square of heights and speeds, the mean of periods and levels, and the direction of the sum of its \
-                    vectors. An hour is lost where its state is; its month and direction are its own." }
+                li { "The hours are grouped into at most " (of.plan.most_states()) " states. At \
+                    first all hours are in one state; then the state with the largest spread in \
+                    one quantity is split at its mean, again and again. The spread is measured in \
+                    wave height and in the square of the speeds of wind and current, each over the \
+                    spread of the whole series; a change of direction (rad), or a change of period \
+                    over the mean period, counts as a relative change of wave height or squared \
+                    speed. This choice is ours." }
+                li { "A state has the root mean square of heights and speeds, the mean of periods \
+                    and levels, and the direction of the vector sum of its hours. An hour is lost \
+                    if its state is lost; month and direction are taken from the hour." }
             }
-            li { "A run is lost where a limit of the scenario is exceeded, a fender is over its rating, a line over its working load, something parts, \
-                fails, strikes or grounds, or the result is in doubt. The ship lies at the berth in every hour: that she leaves before a storm is not \
-                in it, its hours are lost all the same." }
-            li { "The hours are independent runs: how long a time of lost hours lasts is in " code { "hours.csv" } "." }
-            li { "Each run has phases of waves and gusts of its own, by seed " (of.seed) " and its number. The same files give the same bits." }
+            li { "A run is lost if a limit of the scenario is exceeded, a fender is over its \
+                rating, a line over its working load, something parts, fails, strikes or grounds, \
+                or the result is in doubt. The ship lies at the berth in every hour; she does not \
+                leave before a storm, but the hours of the storm are lost in either case." }
+            li { "The hours are independent runs: the length of each period of lost hours is in " code { "hours.csv" } "." }
+            li { "Each run has other phases of waves and gusts, by seed " (of.seed) " and its number. The same files give the same bits." }
             @for notice in of.notices { li { "Notice of the scenario: " (notice) } }
         }
     }

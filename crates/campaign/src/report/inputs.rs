@@ -1,4 +1,4 @@
-//! The inputs with their distributions, sources, and what was drawn.
+//! The inputs with their distributions, sources, and drawn values.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use super::{Campaign, column, words};
 use crate::statistics::{Moments, Sample};
 use crate::table::TableError;
 
-/// Different words of an input that are listed.
+/// Largest number of different words of an input that are listed.
 const WORDS: usize = 6;
 
 /// The table of inputs.

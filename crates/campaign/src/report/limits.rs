@@ -1,4 +1,4 @@
-//! Limits of an output: how often the runs exceed them, and how often the law does that may be quoted.
+//! Limits of an output: how often the runs exceed the limits, and how often the law that may be quoted exceeds them.
 
 use fenderline_report::plot::{Point, Series, significant};
 use fenderline_report::{Head as TableHead, table_head};
@@ -22,7 +22,7 @@ pub(super) fn lines<'l>(
     })
 }
 
-/// A row a limit; nothing where there is none.
+/// One row for each limit; nothing without limits.
 pub(super) fn section(limits: &[&Limit], unit: &str, findings: &Findings, asked: &Asked) -> Markup {
     let quoted = quote(findings, unit).and_then(|quote| quote.law);
     let fit = quoted.and_then(|law| findings.fits.iter().flatten().find(|fit| fit.law == law));

@@ -34,11 +34,11 @@ pub use quote::{Quote, quote};
 /// An input of a campaign.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
-    /// Its column in the table.
+    /// Column of the input in the table.
     pub column: String,
-    /// Its distribution in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
+    /// Distribution of the input in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
     pub distribution: String,
-    /// Where that comes from; empty where nobody said.
+    /// Source of the distribution; empty if none was given.
     pub source: String,
 }
 
@@ -46,7 +46,7 @@ pub struct Input {
 pub struct Campaign<'a> {
     /// Title of the campaign.
     pub title: &'a str,
-    /// The scenario that was varied, as it is named to the reader.
+    /// Name of the varied scenario for the reader.
     pub scenario: &'a str,
     /// How the runs were drawn, such as `Latin hypercube, seed 7`.
     pub plan: &'a str,
@@ -56,17 +56,17 @@ pub struct Campaign<'a> {
     pub notices: &'a [String],
     /// The table, a row a run.
     pub table: &'a Table,
-    /// The inputs. Two of them whose columns are called `wind_speed` and `wind_direction` (degrees) make a rose.
+    /// The inputs. Two inputs with the columns `wind_speed` and `wind_direction` (degrees) make a rose.
     pub inputs: &'a [Input],
     /// Columns of numbers that the report shows, the most important first.
     pub outputs: &'a [String],
     /// The column with the weights of importance sampling, if the runs have any.
     pub weights: Option<&'a str>,
-    /// Column that is 1 where a run succeeds and 0 where not; without it the verdict decides.
+    /// Column that is 1 if a run succeeds and 0 if not; without this column the verdict decides.
     pub success: Option<&'a str>,
     /// Limits of outputs.
     pub limits: &'a [Limit],
-    /// Runs whose paths are drawn; none for a table of unknown runs.
+    /// Runs whose paths are drawn; empty for a table of unknown runs.
     pub seen: &'a [crate::run::Seen],
     /// Berthings a year, return periods, laws.
     pub asked: &'a Asked,
@@ -74,15 +74,15 @@ pub struct Campaign<'a> {
     pub replay: &'a dyn Fn(usize) -> String,
 }
 
-/// An output with what was found about it.
+/// An output with its statistics.
 struct Output<'a> {
     head: &'a Head,
-    /// A value a run; NaN where there is none.
+    /// A value for each run; NaN for a run without a value.
     values: Vec<f64>,
     missing: usize,
     /// Values of 0, which are in no statistics.
     apart: usize,
-    /// What was asked of the others.
+    /// Return periods and levels for the other values.
     asked: Asked,
     findings: Result<Findings, SampleError>,
 }
@@ -118,7 +118,8 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
     Ok(page(campaign.title, &body))
 }
 
-/// The number of runs and the scenario. Fewer runs than planned are said: the campaign was interrupted, or its rule ended it.
+/// The number of runs and the scenario. If there are fewer runs than planned, the text says so: the
+/// campaign was interrupted, or its stop rule ended it.
 fn subtitle(campaign: &Campaign<'_>, runs: usize) -> String {
     let (scenario, planned) = (campaign.scenario, campaign.planned);
     match runs as u64 {
@@ -134,7 +135,8 @@ fn provenance(campaign: &Campaign<'_>) -> maud::Markup {
         ul class="plain" {
             li { "Plan: " (campaign.plan) ". The same file gives the same runs, bit for bit." }
             @for notice in campaign.notices { li { "Notice of the scenario: " (notice) } }
-            li { "What a ship's or a fender's data are from, and what is estimated, is in the report of a single run (" code { (replay) } " and the like)." }
+            li { "The sources of the data of ships and fenders, and the estimates, are in the \
+                report of a single run (" code { (replay) } " and the like)." }
         }
     }
 }
@@ -142,7 +144,7 @@ fn provenance(campaign: &Campaign<'_>) -> maud::Markup {
 /// Share of the values above the threshold of the law of tails.
 const TAIL: f64 = 0.1;
 
-/// What each column of the outputs tells, in their order; each is found on a thread of its own.
+/// The statistics of each output, in their order; each is computed on a separate thread.
 fn all_outputs<'a>(
     campaign: &Campaign<'a>,
     weights: Option<&[f64]>,
@@ -157,7 +159,7 @@ fn all_outputs<'a>(
     })
 }
 
-/// Reads a column and finds what it tells; values of 0 are left out as [`zeros_apart`] says.
+/// Reads a column and computes its statistics; values of 0 are left out by the rule of [`zeros_apart`].
 fn output<'a>(
     table: &'a Table,
     asked: &Asked,
@@ -218,7 +220,9 @@ fn section(output: &Output<'_>, limits: &[Limit]) -> maud::Markup {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
                 @if output.apart > 0 {
-                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or the run ended before the ship arrived (a longer time.duration shows which). The statistics are of the others"
+                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or \
+                        the run ended before the ship arrived (a longer time.duration shows \
+                        which). The statistics are of the other runs"
                         @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
                         "." }
                 }

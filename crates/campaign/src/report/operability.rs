@@ -1,4 +1,4 @@
-//! Success by wind speed and direction, and the wind up to which it holds.
+//! Success by wind speed and direction, and the wind up to which runs succeed.
 
 use fenderline_report::plot::{
     Axis, Chart, Point, Reference, Ring, Rose, Series, counted, fixed, plain,
@@ -19,10 +19,10 @@ const SECTORS: usize = 16;
 const RINGS: usize = 6;
 const BINS: usize = 12;
 
-/// Probability of success that the limit is given for.
+/// Probabilities of success for which the limit is given.
 const REQUIRED: [f64; 2] = [0.95, 0.99];
 
-/// The section; empty where wind speed and direction are no inputs, or the table has no verdicts.
+/// The section; empty if wind speed and direction are no inputs, or the table has no verdicts.
 pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Markup, TableError> {
     let is_input = |name: &str| campaign.inputs.iter().any(|input| input.column == name);
     let successes = match campaign.success {
@@ -38,7 +38,7 @@ pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Ma
     let unit = campaign.table.head(SPEED)?.unit.clone();
     let speeds = campaign.table.numbers(SPEED)?.values;
     let directions = campaign.table.numbers(DIRECTION)?.values;
-    // Runs that could not be made say nothing.
+    // Runs that could not be made do not count.
     let runs = speeds.iter().zip(&directions).zip(&successes);
     let runs =
         runs.filter_map(|((speed, direction), success)| Some((*speed, *direction, (*success)?)));
@@ -56,8 +56,9 @@ pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Ma
     Ok(html! {
         h2 { "Operability" }
         @match campaign.success {
-            None => p { "A run succeeds where its verdict is “all well” or a note: no limit was exceeded and nothing is in doubt." },
-            Some(name) => p { "A run succeeds where the output “" (name.replace('_', " ")) "” of the campaign's file is 1." },
+            None => p { "A run succeeds if its verdict is “all well” or a note: no limit was \
+                exceeded and nothing is in doubt." },
+            Some(name) => p { "A run succeeds if the output “" (name.replace('_', " ")) "” of the campaign's file is 1." },
         }
         ul class="plain" { @for (required, limit) in limits { li { (sentence(required, limit, &unit)) } } }
         (rose(&runs, &rings, &unit).render())
@@ -102,12 +103,13 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
     let filled: Vec<usize> =
         counts.iter().flatten().map(|cell| cell.0).filter(|runs| *runs > 0).collect();
     let fewest = filled.iter().copied().min().unwrap_or(0);
-    // Of so few runs a share cannot be told from 95 %.
+    // With so few runs, a share cannot be distinguished from 95 %.
     let note = match fewest {
         0..=20 => {
             let interval = binomial(fewest, fewest.max(1), Confidence::USUAL).interval;
             format!(
-                "Some sectors have {} only: even where all of those succeed, the probability may be {} %.",
+                "Some sectors have only {}: even if all of these succeed, the true probability may \
+                 be {} %.",
                 counted(fewest as u64, "run", "runs"),
                 fixed(100.0 * interval.low, 0)
             )
@@ -115,7 +117,7 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
         _ => format!("Each sector has {fewest} runs or more."),
     };
     Rose {
-        title: "Success by the direction that the wind comes from, and by its speed".to_owned(),
+        title: "Success by the direction from which the wind comes, and by its speed".to_owned(),
         rings: counts.iter().enumerate().map(ring).collect(),
         quantity: "share of runs that succeed".to_owned(),
         note,

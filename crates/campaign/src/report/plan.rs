@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use crate::run::Seen;
 
-/// Runs whose ships are drawn at their ends: more would cover each other.
+/// Largest number of runs whose ships are drawn at the end of the run: more ships would cover each other.
 const ENDS: usize = 25;
 
 /// Room around them, over the size of the scene.

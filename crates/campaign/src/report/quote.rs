@@ -1,4 +1,4 @@
-//! Which value may be quoted: that of one of the fitted laws, or that of the data.
+//! Chooses the value that may be quoted: the value of a fitted law, or the value of the data.
 
 use fenderline_report::plot::fixed;
 
@@ -6,21 +6,22 @@ use super::words::{self, with_unit};
 use crate::statistics::design::{DesignRow, Findings, Rarity};
 use crate::statistics::fit::{Fit, Law};
 
-/// A law whose number of values in the tail is farther from that of the data than so many standard deviations of a count says
-/// something else than the data there; a chance of 1 % for a law that is true.
+/// A law contradicts the data in the tail if its expected number of values there differs from the number in the data by
+/// more than this many standard deviations of a count. For a true law the chance of this is 1 %.
 const TAIL_DEVIATIONS: f64 = 2.576;
 
 /// What may be quoted of a column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quote {
-    /// The law to quote; `None` where none may be quoted.
+    /// The law to quote; `None` if none may be quoted.
     pub law: Option<Law>,
     /// Which law or value to quote and why, in one or two sentences for a report.
     pub sentence: String,
 }
 
-/// What may be quoted: of the laws of all values that nothing speaks against the one with the smallest criterion of Akaike; where there
-/// is none, the law of the values over the threshold, if nothing speaks against it; else the data themselves. `unit` is that of the column.
+/// The value that may be quoted. Of the laws of all values that the data do not contradict, the law with the smallest
+/// criterion of Akaike; without such a law, the law of the values over the threshold, if the data do not contradict it;
+/// else the data themselves. `unit` is the unit of the column.
 #[must_use]
 pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     let row = quoted_row(&findings.rows)?;
@@ -38,20 +39,23 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
         }
         let title = fit.law.title();
         let why = match (fit.law, &objections[..]) {
-            (Law::Pareto, []) => "nothing speaks against it".to_owned(),
+            (Law::Pareto, []) => "the data do not contradict it".to_owned(),
             (Law::Pareto, all) => format!("no law of all values may be quoted ({})", listed(all)),
             (_, []) => {
-                "of the fitted laws it has the smallest AIC, and the data do not speak against it"
+                "of the fitted laws it has the smallest AIC, and the data do not contradict it"
                     .to_owned()
             }
             (_, all) => format!(
-                "it has the smallest AIC of the laws that the data do not speak against ({})",
+                "it has the smallest AIC of the laws that the data do not contradict ({})",
                 listed(all)
             ),
         };
         let beyond = match row.by_data.value {
             Some(_) => "",
-            None => " The runs do not reach this level: the value holds only if the law does.",
+            None => {
+                " The runs do not reach this level: the value is right only if the law is \
+                right there."
+            }
         };
         let sentence = format!(
             "Quote the law {title}: {why}. Its value of {} is {}.{beyond}",
@@ -67,7 +71,7 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     Some(Quote { law: None, sentence: format!("{why}. {}", of_data(findings, unit)) })
 }
 
-/// What speaks against the laws; those with the same objection together.
+/// The objections against the laws; laws with the same objection are named together.
 fn listed(objections: &[(&str, String)]) -> String {
     let mut kinds: Vec<(Vec<&str>, &String)> = Vec::new();
     for (law, objection) in objections {
@@ -81,14 +85,14 @@ fn listed(objections: &[(&str, String)]) -> String {
     each.join("; ")
 }
 
-/// The rarest return period; the rarest level where there is no period.
+/// The rarest return period; the rarest level if there is no period.
 fn quoted_row(rows: &[DesignRow]) -> Option<&DesignRow> {
     let is_period = |row: &&DesignRow| matches!(row.rarity, Rarity::Period(_));
     let rarest = |a: &&DesignRow, b: &&DesignRow| a.exceedance.total_cmp(&b.exceedance);
     rows.iter().filter(is_period).min_by(rarest).or_else(|| rows.iter().min_by(rarest))
 }
 
-/// What the data say at the rarest level that they reach.
+/// The value of the data at the rarest level that the data reach.
 fn of_data(findings: &Findings, unit: &str) -> String {
     let reached = findings.rows.iter().filter(|row| row.by_data.value.is_some());
     let rarest = reached.min_by(|a, b| a.exceedance.total_cmp(&b.exceedance));
@@ -99,13 +103,13 @@ fn of_data(findings: &Findings, unit: &str) -> String {
             with_unit(&words::by_data(&row.by_data), unit)
         ),
         None => format!(
-            "The {} values do not reach the levels that are asked for either: make more runs.",
+            "The {} values do not reach the required levels either: make more runs.",
             findings.sample.count()
         ),
     }
 }
 
-/// Why a law may not be quoted, in words that follow its name; `None` if nothing speaks against it.
+/// The reason why a law may not be quoted, in words that follow its name; `None` if the data do not contradict it.
 fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
     if fit.is_rejected() {
         return Some("rejected by the data (Kolmogorov and Smirnov, 1 %)".to_owned());
@@ -118,7 +122,7 @@ fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
             let above = words::number(tail.above);
             let expected = fixed(expected, 0);
             return Some(format!(
-                "with {expected} values above {above}, where the data have {count}"
+                "it expects {expected} values above {above}, but the data have {count}"
             ));
         }
     }

@@ -1,4 +1,4 @@
-//! Energy of each run beside that of the formula with the same inputs.
+//! Energy of each run compared with the energy by the formula with the same inputs.
 
 use fenderline_contact::number::greater;
 use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, significant};
@@ -10,11 +10,11 @@ use crate::table::{Table, TableError};
 const ENERGY: &str = "energy";
 const FORMULA: &str = "formula_energy";
 
-/// Runs that are drawn: the highest ones all, the others each so many.
+/// Drawn runs: all of the highest runs, and of the others every n-th.
 const HIGHEST: usize = 400;
 const OTHERS: usize = 2000;
 
-/// The section; empty where the table lacks one of the columns.
+/// The section; empty if the table lacks one of the columns.
 pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     if !(table.has(ENERGY) && table.has(FORMULA)) {
         return Ok(html! {});
@@ -34,7 +34,7 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     let drawn = thinned(pairs);
     let note = if drawn.len() < count {
         format!(
-            "{} of {count} runs are drawn, the {HIGHEST} of the largest energy among them.",
+            "{} of {count} runs are drawn, including the {HIGHEST} with the largest energy.",
             drawn.len()
         )
     } else {
@@ -55,8 +55,8 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     };
     Ok(html! {
         h2 { "Beside the formula" }
-        p { "In " (fixed(100.0 * above as f64 / count as f64, 1)) " % of the runs one fender took more than the formula gives for \
-            the whole berthing with the same inputs."
+        p { "In " (fixed(100.0 * above as f64 / count as f64, 1)) " % of the runs one fender took \
+            more energy than the formula gives for the whole berthing with the same inputs."
             @if let Some(median) = ratios.get(ratios.len() / 2) {
                 " Half of the runs had less than " (significant(*median, 3)) " times the formula's energy, the largest ratio is "
                 (significant(ratios[ratios.len() - 1], 3)) "."
@@ -66,7 +66,7 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     })
 }
 
-/// The points of the highest energies, and of the others each so many.
+/// The points of the highest energies, and of the other points every n-th.
 fn thinned(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.y.total_cmp(&a.y));
     let every = points.len().saturating_sub(HIGHEST).div_ceil(OTHERS).max(1);

@@ -19,7 +19,7 @@ pub(super) fn section(
     for input in campaign.inputs {
         let head = campaign.table.head(&input.column)?;
         let name = column::words_of(head);
-        // A mix of ships is words: it has no rank.
+        // A mix of ships is in words, which have no rank.
         let Ok(numbers) = campaign.table.numbers(&input.column) else {
             words.push(name);
             continue;
@@ -46,8 +46,9 @@ pub(super) fn section(
     Ok(html! {
         @if !tornadoes.is_empty() {
             h2 { "Sensitivity" }
-            p { "Spearman’s rank correlation of each input with each output: 1 where the output always rises with the input, −1 where it \
-                always falls, near 0 where it does not follow it in one direction. The line across a bar is the " (per_cent) " % interval."
+            p { "Spearman’s rank correlation of each input with each output: 1 if the output \
+                always rises with the input, −1 if it always falls, near 0 if it neither rises nor \
+                falls steadily. The line across a bar is the " (per_cent) " % interval."
                 @if !words.is_empty() { " Inputs in words have no rank: " (words.join(", ")) "." }
             }
             @for tornado in tornadoes { (tornado.render()) }

@@ -12,14 +12,14 @@ use crate::table::{Table, TableError, Texts};
 const VERDICT: &str = "verdict";
 const GRAVITY: &str = "gravity";
 
-/// What a run that could not be made has for its verdict.
+/// The verdict of a run that could not be made.
 const ERROR: &str = "error";
 
 /// The verdicts of all runs.
 pub(super) struct Verdicts {
     /// Number of rows.
     pub(super) runs: usize,
-    /// Verdict and gravity of each row, where the table has them.
+    /// Verdict and gravity of each row, if the table has these columns.
     columns: Option<[Texts; 2]>,
 }
 
@@ -35,14 +35,14 @@ impl Verdicts {
         Ok(Verdicts { runs: first.map_or(0, |texts| texts.len()), columns: None })
     }
 
-    /// The verdict of a row in words; empty where the table has none.
+    /// The verdict of a row in words; empty if the table has none.
     pub(super) fn words(&self, row: usize) -> String {
         let key = self.columns.as_ref().and_then(|[verdict, _]| verdict.get(row));
         key.map_or_else(String::new, in_words)
     }
 
-    /// Whether each run succeeded: no limit exceeded, nothing in doubt. `None` where the table has no verdicts. A run that could
-    /// not be made is no success and no failure: it has `None`.
+    /// Whether each run succeeded: no limit exceeded, nothing in doubt. `None` if the table has no verdicts. A run that
+    /// could not be made is neither a success nor a failure: its entry is `None`.
     pub(super) fn successes(&self) -> Option<Vec<Option<bool>>> {
         let [verdict, gravity] = self.columns.as_ref()?;
         let one = |(verdict, gravity): (&str, &str)| {
@@ -79,7 +79,7 @@ impl Verdicts {
             } }
             @if failed > 0 {
                 p { strong class="over" { (fixed(failed as f64, 0)) " runs could not be made" }
-                    " and are in no statistics below. The column `error` has their reasons." }
+                    " and are not in the statistics below. The column `error` has the reasons." }
             }
         }
     }
@@ -89,7 +89,7 @@ fn percent(share: f64) -> String {
     if share > 0.1 { fixed(100.0 * share, 1) } else { significant(100.0 * share, 2) }
 }
 
-/// A verdict's key in words; a text that is no key as it is.
+/// A verdict's key in words; a text that is no key is returned unchanged.
 fn in_words(key: &str) -> String {
     if key == ERROR {
         return "Run could not be made".to_owned();

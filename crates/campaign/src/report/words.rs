@@ -65,17 +65,17 @@ pub fn parameters(fit: &Fit) -> String {
     fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// A number to three digits, without spaces between thousands where it has four.
+/// A number to three digits; a number of four digits has no space between thousands.
 #[must_use]
 pub fn number(value: f64) -> String {
     if value.abs() >= 1000.0 { fixed(value, 0) } else { significant(value, 3) }
 }
 
-/// A band that spans a greater factor says that the data do not decide the value.
+/// If a band spans a greater factor than this, the data do not decide the value.
 const WIDEST: f64 = 10.0;
 
-/// What a reader must know before a design value is used: laws that the data speak against, levels that the data do not reach, values
-/// that contradict the data.
+/// Warnings for the reader of a design value: laws that the data contradict, levels that the data
+/// do not reach, values that contradict the data.
 #[must_use]
 pub fn remarks(findings: &Findings) -> Vec<String> {
     let sample = &findings.sample;
@@ -99,7 +99,7 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
         fits().filter(|(_, fit)| fit.is_rejected()).map(|(_, fit)| fit.law.title()).collect();
     if !rejected.is_empty() {
         all.push(format!(
-            "the data speak against {} (Kolmogorov and Smirnov, 1 %): its design values mean nothing",
+            "the data contradict {} (Kolmogorov and Smirnov, 1 %): its design values mean nothing",
             rejected.join(", ")
         ));
     }
@@ -107,7 +107,8 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
     let rarest = findings.rows.iter().map(|row| row.exceedance).fold(1.0, lesser);
     if rarest < reach && !sample.is_weighted() {
         all.push(format!(
-            "{} is rarer than {} values can show: there only a law speaks, and the laws differ",
+            "{} is rarer than {} values can show: only the fitted laws give values there, and the \
+             laws differ",
             one_in(rarest),
             sample.count()
         ));
@@ -139,7 +140,8 @@ fn values(findings: &Findings, place: usize) -> impl Iterator<Item = (&DesignRow
     findings.rows.iter().filter_map(move |row| Some((row, row.by_fit[place].as_ref()?)))
 }
 
-/// The first value of a fit that is rarer than the data reach and yet below their largest.
+/// The first value of a fit that is rarer than the data reach and yet below the largest value of
+/// the data.
 pub(super) fn contradiction(findings: &Findings, place: usize) -> Option<(&DesignRow, &Estimate)> {
     let sample = &findings.sample;
     let reach = 1.0 / sample.count() as f64;
@@ -153,7 +155,7 @@ pub(super) fn undecided(findings: &Findings, place: usize) -> Option<(&DesignRow
         .find(|(_, value)| value.value > 0.0 && value.interval.high > WIDEST * value.interval.low)
 }
 
-/// A value with its band, `28.5 (24.6 to 33.0)`, with the unit behind the value.
+/// A value with its band, `28.5 (24.6 to 33.0)`, with the unit after the value.
 pub(super) fn with_unit(text: &str, unit: &str) -> String {
     match text.split_once(" (") {
         _ if unit.is_empty() => text.to_owned(),

@@ -1,4 +1,4 @@
-//! The worst runs, each with the command that plays it again.
+//! The worst runs, each with the command that makes the run again.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use super::verdicts::Verdicts;
 use super::{Campaign, Output, column, words};
 
-/// Runs that are shown, and the columns of numbers beside them.
+/// Largest number of shown runs, and of columns beside them.
 const RUNS: usize = 10;
 const COLUMNS: usize = 4;
 

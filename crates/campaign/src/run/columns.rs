@@ -15,7 +15,7 @@ fn number(value: Option<f64>) -> Cell {
     value.filter(|value| value.is_finite()).map_or(Cell::Empty, Cell::Number)
 }
 
-/// 0 where no fender was touched.
+/// 0 if no fender was touched.
 fn or_none(of: &Numbers, value: Cell) -> Cell {
     if of.touched == 0 { Cell::Number(0.0) } else { value }
 }
@@ -59,9 +59,12 @@ const COLUMNS: [Column; 28] = [
     column("governing_quantity", "", "the quantity that is nearest to its limit", |of| {
         text(of.governing.as_ref().map(|g| g.1))
     }),
-    column("governing_share", "%", "that quantity over its rated value", |of| {
-        or_none(of, number(of.governing.as_ref().map(|g| 100.0 * g.2)))
-    }),
+    column(
+        "governing_share",
+        "%",
+        "the quantity nearest to its limit, over its rated value",
+        |of| or_none(of, number(of.governing.as_ref().map(|g| 100.0 * g.2))),
+    ),
     column("energy", "kJ", "largest energy that one fender absorbed", |of| {
         or_none(of, scaled(of.energy.as_ref(), 1e-3))
     }),
@@ -85,7 +88,7 @@ const COLUMNS: [Column; 28] = [
     column("hull_pressure", "kN/m²", "largest pressure of one fender on a hull", |of| {
         or_none(of, scaled(of.pressure.as_ref(), 1e-3))
     }),
-    column("hull_pressure_share", "%", "over the permissible one", |of| {
+    column("hull_pressure_share", "%", "largest pressure over the permissible pressure", |of| {
         or_none(of, share(of.pressure.as_ref()))
     }),
     column("fenders_touched", "", "number of fenders that were touched", |of| {
@@ -103,7 +106,7 @@ const COLUMNS: [Column; 28] = [
         "speed at which the first fender was touched, normal to its face",
         |of| number(of.first_touch.map(|touch| touch.0)),
     ),
-    column("first_touch_angle", "deg", "angle between hull and face then", |of| {
+    column("first_touch_angle", "deg", "angle between hull and face at the first touch", |of| {
         number(of.first_touch.map(|t| t.1.to_degrees()))
     }),
     column("struck_force", "kN", "largest force on structure that was struck", |of| {

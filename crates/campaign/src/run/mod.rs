@@ -1,4 +1,4 @@
-//! One run of a campaign, and the numbers that are kept of it.
+//! One run of a campaign, and the numbers that are kept from the run.
 
 mod columns;
 mod motion;

@@ -1,9 +1,9 @@
-//! How far bodies move from where they start.
+//! How far bodies move from their place at the start.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation};
 
-/// The largest excursions of a body, along the axes that it has at the start.
+/// The largest excursions of a body, along the axes of the body at the start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Excursion {
     start: BodyState,

@@ -57,16 +57,19 @@ static OF_FENDERS: [OfFender; 11] = [
     quantity("hull_pressure", "kN/m²", "largest pressure on the hull", |of| {
         of.peak_hull_pressure_npm2.map(|x| x * 1e-3)
     }),
-    quantity("hull_pressure_share", "%", "over the permissible one", |of| {
+    quantity("hull_pressure_share", "%", "largest pressure over the permissible pressure", |of| {
         of.share_of_hull_pressure.map(|x| 100.0 * x)
     }),
-    quantity("first_touch", "s", "start of the first step in which it was touched", |of| {
+    quantity("first_touch", "s", "start of the first step in which the fender was touched", |of| {
         Some(of.first_touch_s)
     }),
-    quantity("approach_speed", "m/s", "speed normal to its face then", |of| {
-        Some(of.approach_speed_mps)
-    }),
-    quantity("approach_angle", "deg", "angle between hull and face then", |of| {
+    quantity(
+        "approach_speed",
+        "m/s",
+        "speed normal to the fender's face at the first touch",
+        |of| Some(of.approach_speed_mps),
+    ),
+    quantity("approach_angle", "deg", "angle between hull and face at the first touch", |of| {
         Some(of.approach_angle_rad.to_degrees())
     }),
 ];
@@ -82,10 +85,20 @@ static OF_LINES: [OfLine; 3] = [
 ];
 
 static OF_BODIES: [OfBody; 8] = [
-    quantity("largest_surge", "m", "largest way from the start along its axis", |of| {
-        Some(of.surge_m)
-    }),
-    quantity("largest_sway", "m", "largest way from the start to its side", |of| Some(of.sway_m)),
+    quantity(
+        "largest_surge",
+        "m",
+        "largest distance from the start along the body's axis at the \
+        start",
+        |of| Some(of.surge_m),
+    ),
+    quantity(
+        "largest_sway",
+        "m",
+        "largest distance from the start across the body's axis at the \
+        start",
+        |of| Some(of.sway_m),
+    ),
     quantity("largest_yaw", "deg", "largest change of heading", |of| Some(of.yaw_rad.to_degrees())),
     quantity("end_north", "m", "north at the end", |of| Some(of.last.position_m.x)),
     quantity("end_east", "m", "east at the end", |of| Some(of.last.position_m.y)),
@@ -148,7 +161,7 @@ impl Named {
         }
     }
 
-    /// The body whose motion it needs.
+    /// The body whose motion the output needs.
     pub(super) fn body(self) -> Option<usize> {
         match self {
             Named::Body(index, _) => Some(index),
@@ -162,7 +175,7 @@ impl Named {
             Named::Line(_, own) => (own.unit, own.meaning),
             Named::Body(_, own) => (own.unit, own.meaning),
             Named::Tug(_, own) => (own.unit, own.meaning),
-            Named::Limit(_) => ("%", "what the limit is of, over the most that is permissible"),
+            Named::Limit(_) => ("%", "the limited value over the permissible value"),
         };
         Head::new(name, unit, meaning)
     }

@@ -10,13 +10,13 @@ use crate::downtime::BETWEEN;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Numbers {
     pub(super) verdict: Verdict,
-    /// The worst finding in a sentence; empty where all is well.
+    /// The worst finding in a sentence; empty if all is well.
     pub(super) finding: String,
     /// Fenders that were touched.
     pub(super) touched: usize,
     /// The most used fender, the quantity that governs it, and that quantity's share of its rating.
     pub(super) governing: Option<(String, &'static str, f64)>,
-    /// Largest reaction of one fender (N), that fender, and its share of the rated one.
+    /// Largest reaction of one fender (N), the fender, and the share of its rated reaction.
     pub(super) reaction: Option<Peak>,
     /// Largest deflection (m).
     pub(super) deflection: Option<Peak>,
@@ -24,7 +24,7 @@ pub(super) struct Numbers {
     pub(super) energy: Option<Peak>,
     /// Largest pressure on the hull (N/m²).
     pub(super) pressure: Option<Peak>,
-    /// Energy by formula, and that of the fenders in the first hit (J).
+    /// Energy by formula, and energy of the fenders in the first hit (J).
     pub(super) formula_j: Option<f64>,
     pub(super) first_hit_j: Option<f64>,
     /// Speed (m/s) and angle (rad) of the first touch of a fender.
@@ -33,7 +33,7 @@ pub(super) struct Numbers {
     pub(super) struck_n: Option<f64>,
     /// Largest normal force (N) and depth (m) between two bodies.
     pub(super) contact: Option<(f64, f64)>,
-    /// Largest share of a line's working load, or break load where it has no working load.
+    /// Largest share of a line's working load, or of its break load if it has no working load.
     pub(super) line_share: Option<f64>,
     /// Least under-keel clearance (m).
     pub(super) under_keel_m: Option<f64>,
@@ -43,7 +43,8 @@ pub(super) struct Numbers {
     pub(super) alongside_s: f64,
     /// Lines that parted.
     pub(super) lines_parted: usize,
-    /// Names of the limits that were exceeded, and verdicts of as grave findings, the gravest first; empty where there are none.
+    /// Names of the limits that were exceeded, and verdicts of findings that are equally grave, the gravest first;
+    /// empty without such findings.
     pub(super) lost_by: String,
 }
 
@@ -105,8 +106,9 @@ impl Numbers {
     }
 }
 
-/// Why she cannot stay: limits by their names, that which is exceeded most first, after graver findings by their verdicts. A run that left the
-/// range of its data is in doubt, which its verdict says; that alone is no reason to leave.
+/// The reasons why the ship cannot stay: first graver findings by their verdicts, then limits by their names, the limit
+/// that is exceeded most first. A run that left the range of its data is in doubt, which its verdict says; doubt alone
+/// is no reason to leave.
 fn lost_by(setup: &Setup, findings: &[Finding]) -> String {
     let limits = &setup.world.statistics.limits;
     let is_reason = |of: Verdict| of.gravity() >= Gravity::Attention && of != Verdict::OutsideData;

@@ -20,7 +20,7 @@ pub(super) struct Outputs {
     formulas: Vec<(Formula, Vec<usize>)>,
     /// Bodies whose motion is needed.
     pub(super) bodies: Vec<usize>,
-    /// The runs are those of a downtime: why each is lost is a column.
+    /// True for a downtime campaign, which has a column of the reasons of a loss.
     is_downtime: bool,
     /// Heads of variables and results, in the order of the table, without the number of the run.
     pub(super) heads: Vec<Head>,
@@ -51,7 +51,7 @@ impl Outputs {
             let refused = |why: String| CampaignError::part("outputs", why);
             let own = Named::parse(text, setup).map_err(refused)?;
             if heads.iter().any(|head| head.name == *text) {
-                return Err(refused(format!("\"{text}\" stands there twice")));
+                return Err(refused(format!("\"{text}\" is given twice")));
             }
             heads.push(own.head(text));
             named.push(own);
@@ -67,7 +67,10 @@ impl Outputs {
                     let near = nearest(own, heads.iter().map(|head| head.name.as_str()));
                     let near =
                         near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
-                    return Err(refused(format!("there is no number `{own}` above it{near}")));
+                    return Err(refused(format!(
+                        "there is no number `{own}` above this \
+                        formula{near}"
+                    )));
                 };
                 if heads[input].is_text {
                     return Err(refused(format!("`{own}` is a word, not a number")));
@@ -82,18 +85,19 @@ impl Outputs {
         }
         let is_downtime = matches!(campaign.plan, Plan::Downtime(_));
         if is_downtime {
-            let meaning = "limits that were exceeded, and other findings against her stay at the berth, the gravest first";
+            let meaning = "limits that were exceeded, and other findings that prevent the ship \
+                from staying at the berth, the gravest first";
             heads.push(Head::of_text(LOST_BY, meaning));
         }
         heads.push(Head::new("notices", "", "number of notices of the scenario"));
-        heads.push(Head::of_text("error", "why the run was not made, or not to its end"));
+        heads.push(Head::of_text("error", "reason why the run was not made, or not finished"));
         let mut bodies: Vec<usize> = named.iter().filter_map(|own: &Named| own.body()).collect();
         bodies.sort_unstable();
         bodies.dedup();
         Ok(Outputs { named, formulas, bodies, is_downtime, heads })
     }
 
-    /// The cells of a run that has ended, after those of its variables.
+    /// The cells of a run that has ended, after the cells of its variables.
     pub(super) fn cells(
         &self,
         variables: Vec<Cell>,

@@ -24,13 +24,13 @@ pub struct Runs {
     draws: Draws,
     source: Source,
     base: Scenario,
-    /// The base is the scenario with the changes of all runs, so that a run may differ from it in its start alone.
+    /// The base is the scenario with the changes of all runs, so a run may differ from the base only in its start.
     is_common: bool,
     outputs: Outputs,
     limits: Vec<Limit>,
 }
 
-/// The scenario's text and the files that it names, read once.
+/// The scenario's text and the files that the scenario names, read once.
 struct Source {
     name: String,
     text: String,
@@ -48,8 +48,8 @@ impl Source {
         Scenario::parse_among(&self.text, &self.name, overrides, &mut read)
     }
 
-    /// Reads the scenario with the changes of all runs; where it is none without those of a run, with those of `first`: then
-    /// false.
+    /// Reads the scenario with the changes of all runs. If this is not a valid scenario, reads it with the changes of
+    /// the run `first` too, and returns false.
     fn load(
         path: &Path,
         changes: &[Override],
@@ -69,7 +69,7 @@ impl Source {
             Err(_) => {
                 let all: Vec<Override> = changes.iter().chain(first).cloned().collect();
                 let base = Scenario::parse_among(&text, &name, &all, &mut read);
-                // Neither: `refuse_hopeless` looks at other runs, and needs a base to say what they are.
+                // Neither is valid: `refuse_hopeless` tries other runs, and needs a base to describe them.
                 (base.map_err(LoadError::Refused)?, false)
             }
         };
@@ -81,8 +81,8 @@ impl Runs {
     /// Reads the scenario and everything that the campaign names.
     ///
     /// # Errors
-    /// [`CampaignError`]: what is wrong with the campaign, its files, or the scenario with the changes of all runs; a scenario that
-    /// none of the first thousand runs can be made of.
+    /// [`CampaignError`]: what is wrong with the campaign, its files, or the scenario with the changes of all runs; a
+    /// scenario for which none of the first thousand runs can be made.
     pub fn new(campaign: Campaign) -> Result<Runs, CampaignError> {
         let draws = Draws::new(&campaign)?;
         let changes: Vec<Override> =
@@ -129,7 +129,7 @@ impl Runs {
         &self.campaign
     }
 
-    /// The draws of its variables.
+    /// The draws of the campaign's variables.
     #[must_use]
     pub fn draws(&self) -> &Draws {
         &self.draws
@@ -165,7 +165,8 @@ impl Runs {
         &self.limits
     }
 
-    /// A number that differs where two campaigns may have different rows: of the draws, the scenario with its files, and the columns.
+    /// A number that differs if two campaigns may have different rows: a hash of the draws, the scenario with its
+    /// files, and the columns.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let mut hash = Fnv1a::default();
@@ -187,14 +188,14 @@ impl Runs {
         hash.finish()
     }
 
-    /// All settings of a run, as `--set` takes them: those of all runs, then its own.
+    /// All settings of a run, written as for `--set`: first the settings of all runs, then those of this run.
     #[must_use]
     pub fn settings(&self, run: u64) -> Vec<String> {
         let common = self.campaign.changes.iter().map(|change| change.text.clone());
         common.chain(self.draws.of_run(run).settings).collect()
     }
 
-    /// Refuses a campaign of which none of the first runs can start: the first error is then about the file, not about a run.
+    /// Refuses a campaign if none of its first runs can start: the first error then concerns the file, not a run.
     fn refuse_hopeless(&self) -> Result<(), CampaignError> {
         let mut first = None;
         for run in 0..self.count().min(TRIED) {
@@ -233,7 +234,7 @@ impl Runs {
         }
     }
 
-    /// Why a scenario was refused, with the file and line of the value where it came from a file of values.
+    /// The reason why a scenario was refused, with the file and line of the value if the value came from a file.
     fn with_row(&self, drawn: &Drawn, why: String) -> String {
         let refused = match self.draws.located(drawn, None) {
             Ok(overrides) => self.scenario(&overrides).err(),
@@ -257,7 +258,8 @@ impl Runs {
     }
 }
 
-/// A campaign without what changes no row: its title, what the report is about, and where its files lie. Their content counts.
+/// A campaign without the parts that change no row: title, parts for the report, and the folders of its files. The
+/// content of the files counts.
 fn rows_of(campaign: &Campaign) -> Campaign {
     let mut campaign = campaign.clone();
     campaign.title = String::new();
@@ -293,16 +295,16 @@ fn unplaced(change: &mut Change) {
     change.set = change.set.clone().without_origins();
 }
 
-/// Runs of which one must be able to start.
+/// Of this many first runs, at least one must be able to start.
 const TRIED: u64 = 1000;
 
 /// Makes runs one after the other; one for each thread.
 pub struct Runner<'r> {
     runs: &'r Runs,
     start: Start,
-    /// A simulation of the base scenario, which is started again where runs differ in their start alone.
+    /// A simulation, which is restarted if runs differ only in their start.
     own: Option<Simulation>,
-    /// `own` is one of the base scenario.
+    /// `own` is a simulation of the base scenario.
     is_of_base: bool,
 }
 

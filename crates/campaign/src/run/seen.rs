@@ -13,7 +13,7 @@ const POINTS: u64 = 150;
 pub struct Seen {
     /// Outlines of the fixed bodies (m).
     pub fixed_m: Vec<Vec<Vec2>>,
-    /// Of each floating body the path of its centre of gravity (m).
+    /// For each floating body the path of its centre of gravity (m).
     pub paths_m: Vec<Vec<Vec2>>,
     /// Of each floating body the outline at the end (m).
     pub ends_m: Vec<Vec<Vec2>>,

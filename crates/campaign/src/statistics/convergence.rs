@@ -7,7 +7,7 @@ use super::{Confidence, Moments, Quantile, Sample, value_exceeded};
 pub struct Step {
     /// Number of runs.
     pub runs: usize,
-    /// Their mean, and its standard error.
+    /// Mean of the first values, and its standard error.
     pub mean: super::Measured,
     /// The value that is exceeded with the probability asked for.
     pub quantile: Quantile,

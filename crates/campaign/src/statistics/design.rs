@@ -1,5 +1,5 @@
-//! Everything about one column at once: moments, exceedance, fits and design values. What the command `statistics` prints and the
-//! reports show.
+//! Everything about one column at once: moments, exceedance, fits and design values. The command `statistics` prints
+//! them and the reports show them.
 
 use super::exceedance::{self, Point};
 use super::fit::{Fit, FitError, Law, fit};
@@ -12,7 +12,7 @@ const CURVE: usize = 160;
 /// Chances that the largest berthing of a lifetime exceeds its design value: the median, 10 % and 5 %.
 const LIFE_CHANCES: [f64; 3] = [0.5, 0.1, 0.05];
 
-/// Probabilities of one berthing that are shown where no number of berthings a year is given.
+/// Probabilities of one berthing, which are shown if no number of berthings a year is given.
 const PER_BERTHING: [f64; 3] = [1e-2, 1e-3, 1.0 / 3000.0];
 
 /// What is asked about a column.
@@ -24,7 +24,7 @@ pub struct Asked {
     pub traffic: Option<Traffic>,
     /// Return periods (years); they need the traffic.
     pub periods_years: Vec<f64>,
-    /// Lifetime (years); it needs the traffic.
+    /// Lifetime (years); needs the traffic.
     pub life_years: Option<f64>,
     /// Laws to fit.
     pub laws: Vec<Law>,
@@ -35,15 +35,15 @@ pub struct Asked {
 /// How rarely a design value is exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rarity {
-    /// By one berthing with this probability.
+    /// One berthing exceeds the value with this probability.
     Berthing(f64),
-    /// In a year with a chance of one over this number of years.
+    /// A year exceeds the value with a chance of one over this number of years.
     Period(f64),
     /// In a lifetime with a chance.
     Life {
         /// Lifetime (years).
         years: f64,
-        /// Chance that its largest berthing exceeds the value.
+        /// Chance that the largest berthing of the life exceeds the value.
         chance: f64,
     },
 }
@@ -51,22 +51,22 @@ pub enum Rarity {
 /// A design value by the data and by each fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignRow {
-    /// How rarely it is exceeded.
+    /// How rarely the value is exceeded.
     pub rarity: Rarity,
-    /// Probability that one berthing exceeds it.
+    /// Probability that one berthing exceeds the value.
     pub exceedance: f64,
     /// By the data alone.
     pub by_data: Quantile,
-    /// By each fit, in the order of the laws; `None` where the fit failed or says nothing there.
+    /// The value by each fit, in the order of the laws; `None` if the fit failed or has no value there.
     pub by_fit: Vec<Option<Estimate>>,
 }
 
-/// How many values a fit expects in the tail where the data have some.
+/// Number of values that a fit expects in the tail of the data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TailCheck {
     /// The tail is above this value.
     pub above: f64,
-    /// Values above it.
+    /// Number of values above the level.
     pub count: usize,
 }
 
@@ -79,7 +79,7 @@ pub struct Findings {
     pub moments: Moments,
     /// Their exceedance curve.
     pub curve: Vec<Point>,
-    /// A fit for each law, or why there is none.
+    /// A fit for each law, or the reason why there is none.
     pub fits: Vec<Result<Fit, FitError>>,
     /// The design values.
     pub rows: Vec<DesignRow>,
@@ -110,8 +110,9 @@ impl Asked {
     }
 }
 
-/// How many values are 0, where they are those of runs in which nothing happened: none is negative, and fewer are 0 than positive. The
-/// statistics are then of the others, with as many fewer a year; for rare values that is the same as the statistics of all.
+/// How many values are 0, if these are the values of runs in which nothing happened: no value is negative, and fewer
+/// values are 0 than positive. The statistics are then of the other values, with correspondingly fewer events a
+/// year; for rare values this equals the statistics of all values.
 #[must_use]
 pub fn zeros_apart(values: &[f64]) -> usize {
     let count = |is: fn(f64) -> bool| values.iter().filter(|value| is(**value)).count();
@@ -146,7 +147,7 @@ pub fn findings(sample: Sample, asked: &Asked) -> Result<Findings, TrafficError>
     })
 }
 
-/// The highest tenth of a small sample, of a large one the highest hundredth or so: ten values or more.
+/// The highest tenth of a small sample, about the highest hundredth of a large sample: at least ten values.
 fn tail(sample: &Sample) -> Option<TailCheck> {
     let n = sample.count();
     if n < 20 || sample.is_weighted() {
@@ -158,7 +159,7 @@ fn tail(sample: &Sample) -> Option<TailCheck> {
 }
 
 impl TailCheck {
-    /// How many of the values a fit expects in the tail; `None` where it begins below the threshold of the fit.
+    /// How many values a fit expects in the tail; `None` if the tail begins below the threshold of the fit.
     #[must_use]
     pub fn expected(&self, fit: &Fit, sample: &Sample) -> Option<f64> {
         match fit.distribution.threshold() {
@@ -169,8 +170,8 @@ impl TailCheck {
 }
 
 impl Findings {
-    /// The places of the fits in the order of Akaike's criterion, the best first; those over a threshold and those that failed
-    /// last, because theirs compares with no other.
+    /// The places of the fits in the order of Akaike's criterion, the best first; fits over a threshold and
+    /// failed fits come last, because their criterion cannot be compared.
     #[must_use]
     pub fn ranking(&self) -> Vec<usize> {
         let rank = |place: &usize| match &self.fits[*place] {

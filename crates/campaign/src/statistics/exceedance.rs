@@ -7,15 +7,15 @@ use super::{Confidence, Estimate, Sample, share_above};
 pub struct Point {
     /// Value.
     pub value: f64,
-    /// Probability that a run exceeds it, with a pointwise interval: each point by itself holds the true probability at the
-    /// confidence level, not the whole curve at once.
+    /// Probability that a run exceeds the value, with a pointwise interval: each point by itself holds the true
+    /// probability at the confidence level, not the whole curve at once.
     pub probability: Estimate,
-    /// Share of the runs that reach the value: above 0 at the largest one too.
+    /// Share of the runs that reach the value: above 0 even at the largest value.
     pub reached: f64,
 }
 
-/// The exceedance curve of a sample at no more than about `most` values: the largest ones each, the others ever further apart.
-/// Without weights the band is that of Clopper and Pearson, see [`share_above`].
+/// The exceedance curve of a sample at no more than about `most` values: all of the largest values, the other
+/// values at growing distances. Without weights the band is that of Clopper and Pearson, see [`share_above`].
 #[must_use]
 pub fn curve(sample: &Sample, most: usize, confidence: Confidence) -> Vec<Point> {
     let values = sample.values();
@@ -38,7 +38,7 @@ pub fn curve(sample: &Sample, most: usize, confidence: Confidence) -> Vec<Point>
     points
 }
 
-/// Ranks from the top, ascending: the first ones each, then by a constant factor up to `n`.
+/// Ranks from the top, ascending: first every rank, then by a constant factor up to `n`.
 fn ranks(n: usize, most: usize) -> Vec<usize> {
     if n <= most {
         return (1..=n).collect();

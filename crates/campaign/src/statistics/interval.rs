@@ -15,7 +15,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Whether the value is in it.
+    /// Whether the value is in the interval.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         self.low <= value && value <= self.high
@@ -27,7 +27,7 @@ impl Interval {
 pub struct Estimate {
     /// The estimate.
     pub value: f64,
-    /// Its interval.
+    /// Interval of the estimate.
     pub interval: Interval,
 }
 

@@ -9,7 +9,7 @@ use super::{Confidence, Estimate, binomial};
 pub struct Bin {
     /// Number of runs.
     pub runs: usize,
-    /// Number of those that succeeded.
+    /// Number of runs that succeeded.
     pub successes: usize,
     /// Probability of success with the interval of [`binomial`]; `None` for a bin without runs.
     pub success: Option<Estimate>,
@@ -22,7 +22,7 @@ impl Bin {
     }
 }
 
-/// Bins of one condition: from each edge to the next, the last one with its end.
+/// Bins of one condition: from each edge to the next; the last bin includes its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edges(Vec<f64>);
 
@@ -40,7 +40,7 @@ impl Edges {
         if rises { Ok(Edges(edges)) } else { Err(EdgesDoNotRise) }
     }
 
-    /// `count` bins of equal width over the range of the finite values; `None` where they have no range.
+    /// `count` bins of equal width over the range of the finite values; `None` if they have no range.
     #[must_use]
     pub fn over(values: &[f64], count: usize) -> Option<Edges> {
         let finite = || values.iter().copied().filter(|value| value.is_finite());
@@ -95,7 +95,7 @@ pub fn by_one(x: &[f64], is_success: &[bool], edges: &Edges, confidence: Confide
     counts.into_iter().map(|(runs, successes)| Bin::of(runs, successes, confidence)).collect()
 }
 
-/// Probability of success by two conditions: a row a bin of `y`, in it a bin of `x` each.
+/// Probability of success by two conditions: one row for each bin of `y`, with the bins of `x` in each row.
 #[must_use]
 pub fn by_two(
     (x, x_edges): (&[f64], &Edges),
@@ -126,11 +126,12 @@ pub fn sector(direction_deg: f64, count: usize) -> usize {
 /// How far a condition may go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
-    /// Success falls below what is required at this value, by interpolation between the middles of two bins.
+    /// The probability of success falls below the required probability at this value, by interpolation
+    /// between the middles of two bins.
     At(f64),
-    /// It is not met in the first bin with runs, of this middle.
+    /// The limit is not met in the first bin with runs, of this middle.
     Below(f64),
-    /// It is met in all bins with runs, up to this middle.
+    /// The limit is met in all bins with runs, up to this middle.
     Beyond(f64),
     /// No bin has runs.
     Unknown,

@@ -6,11 +6,11 @@ use super::{Confidence, Sample};
 /// A quantile of a sample. What the sample cannot tell is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantile {
-    /// The estimate; `None` where fewer runs were made than the probability needs: it is beyond the data.
+    /// The estimate; `None` if fewer runs were made than the probability needs: it is beyond the data.
     pub value: Option<f64>,
-    /// Lower end of the interval; `None` where it lies below all values.
+    /// Lower end of the interval; `None` if it lies below all values.
     pub low: Option<f64>,
-    /// Upper end of the interval; `None` where it lies above all values.
+    /// Upper end of the interval; `None` if it lies above all values.
     pub high: Option<f64>,
 }
 
@@ -44,7 +44,7 @@ pub fn value_exceeded(sample: &Sample, p: f64, confidence: Confidence) -> Quanti
         }
     });
     let tail = confidence.tail();
-    // Of m values above the quantile, the one of rank m + 1 from the top is below it.
+    // Of m values above the quantile, the one of rank m + 1 from the top is below the quantile.
     let fewest = first_count(n, |m| at_most(m, n, p) > tail);
     let most = first_count(n, |m| at_most(m, n, p) >= 1.0 - tail);
     // No more than `most` values are above: the next one is a lower bound. At least `fewest` are: the last of them is an upper one.

@@ -11,7 +11,7 @@ pub struct Traffic {
     per_year: f64,
 }
 
-/// A number that is no traffic, return period or lifetime.
+/// A number that is not a valid traffic, return period or lifetime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrafficError {
     /// Berthings a year must be a positive number.

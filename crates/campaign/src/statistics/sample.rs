@@ -4,8 +4,8 @@ use core::fmt;
 
 /// The values of a column, sorted, with weights where runs were drawn by importance sampling.
 ///
-/// A weight is the ratio of the density that a run is to stand for to the density that it was drawn from; its mean over many
-/// runs is 1. Without weights all are 1.
+/// A weight is the ratio of the density that a run is to stand for to the density from which the run was
+/// drawn; its mean over many runs is 1. Without weights, all weights are 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     values: Vec<f64>,
@@ -37,7 +37,7 @@ pub enum SampleError {
     },
     /// A weight is negative, or all are zero.
     BadWeights {
-        /// Place in the column, from 0; that of the first for weights that are all zero.
+        /// Place in the column, from 0; the first place if all weights are zero.
         place: usize,
     },
     /// Values and weights are not of one number.
@@ -53,7 +53,7 @@ impl fmt::Display for SampleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SampleError::TooFew { count, needed } => {
-                write!(f, "it has {count} of the {needed} values that are needed at least")
+                write!(f, "at least {needed} values are needed, but it has {count}")
             }
             SampleError::NotFinite { place } => write!(f, "value {} is not finite", place + 1),
             SampleError::BadWeights { place } => {
@@ -72,7 +72,7 @@ impl std::error::Error for SampleError {}
 const FEWEST: usize = 2;
 
 impl Sample {
-    /// A sample of values that count alike.
+    /// A sample of values with equal weights.
     ///
     /// # Errors
     /// Fewer than two values, or one that is not finite.
@@ -138,12 +138,12 @@ impl Sample {
         self.weights.is_some()
     }
 
-    /// The weights in the order of the values; `None` where all are 1.
+    /// The weights in the order of the values; `None` if all are 1.
     pub(super) fn weights(&self) -> Option<&[f64]> {
         self.weights.as_ref().map(|weights| weights.each.as_slice())
     }
 
-    /// The sum of the weights; the number of values without weights.
+    /// The sum of the weights. A sample that has no weights gives the number of its values.
     pub(super) fn weight_sum(&self) -> f64 {
         self.weights.as_ref().map_or(self.count() as f64, |weights| weights.sum)
     }

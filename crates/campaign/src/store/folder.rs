@@ -21,9 +21,9 @@ const LOCK: &str = ".fenderline.lock";
 /// A share of a campaign's runs: every n-th.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Its number, from 1.
+    /// Number of the shard, from 1.
     pub number: u64,
-    /// How many there are.
+    /// How many shards there are.
     pub of: u64,
 }
 
@@ -48,7 +48,7 @@ impl Shard {
         (self.number - 1..count).step_by(usize::try_from(self.of).unwrap_or(usize::MAX))
     }
 
-    /// The number of its runs.
+    /// The number of runs of the shard.
     #[must_use]
     pub fn count(self, all: u64) -> u64 {
         let first = self.number - 1;
@@ -59,11 +59,11 @@ impl Shard {
 /// How a folder is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opened {
-    /// It must not hold a campaign.
+    /// The folder must not hold a campaign.
     New,
-    /// It goes on with what it holds.
+    /// The folder goes on with what it holds.
     Resumed,
-    /// What it holds is removed first.
+    /// What the folder holds is removed first.
     Replaced,
 }
 
@@ -77,11 +77,11 @@ pub struct Store<'r> {
 }
 
 impl<'r> Store<'r> {
-    /// Opens the folder and reads what it holds; `visit` sees each row.
+    /// Opens the folder and reads its rows; `visit` gets each row.
     ///
     /// # Errors
-    /// Another program works in it; it holds a campaign and `opened` is new; it is resumed, and holds none or another; it cannot be
-    /// written.
+    /// Another program works in it; it holds a campaign and `opened` is new; it is resumed, and holds no
+    /// campaign or another campaign; it cannot be written.
     pub fn open(
         folder: &Path,
         runs: &'r Runs,
@@ -104,7 +104,7 @@ impl<'r> Store<'r> {
             }
             (Opened::Resumed, Some(own)) => own.check(runs, shard, folder)?,
             (Opened::New | Opened::Replaced, _) => {
-                // In this order, so that a manifest never stands beside the rows of another campaign.
+                // Removed in this order, so a manifest never stands beside the rows of another campaign.
                 for name in [MANIFEST, JOURNAL, TABLE_PARQUET, super::tables::TABLE_CSV] {
                     match fs::remove_file(folder.join(name)) {
                         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
@@ -190,7 +190,8 @@ impl<'r> Store<'r> {
     }
 }
 
-/// Refuses a folder that holds no campaign, or another one: its table would be described by the wrong file.
+/// Refuses a folder that holds no campaign, or another campaign: the wrong file would describe its
+/// table.
 ///
 /// # Errors
 /// What the folder holds.
@@ -230,13 +231,13 @@ fn lock(folder: &Path) -> Result<File, CampaignError> {
         Ok(()) => Ok(file),
         Err(fs::TryLockError::WouldBlock) => Err(CampaignError::folder(
             folder,
-            "another program writes here; give each shard a folder of its own",
+            "another program writes here; give each shard another folder",
         )),
         Err(fs::TryLockError::Error(error)) => Err(CampaignError::disk(&path, &error)),
     }
 }
 
-/// What a folder says of its campaign.
+/// The manifest of a folder: a description of its campaign.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Manifest {
     pub(super) fingerprint: String,
@@ -290,7 +291,7 @@ impl Manifest {
     }
 }
 
-/// The manifest of a folder; `None` where there is none.
+/// The manifest of a folder; `None` if there is none.
 fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
@@ -314,17 +315,17 @@ fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
 /// The manifest and the journal of a share, to be merged.
 pub(super) fn open_share(folder: &Path, runs: &Runs) -> Result<(Shard, Journal), CampaignError> {
     let Some(manifest) = read_manifest(&folder.join(MANIFEST))? else {
-        return Err(CampaignError::folder(folder, "there is no share of a campaign"));
+        return Err(CampaignError::folder(folder, "the folder holds no share of a campaign"));
     };
     manifest.check(runs, manifest.shard, folder)?;
     let path = folder.join(JOURNAL);
     if !path.exists() {
         return Err(CampaignError::folder(
             folder,
-            "it has no rows: its campaign is whole, or did not begin",
+            "the folder has no rows: its campaign is not a share, or did not begin",
         ));
     }
-    // Nobody may append while it is read.
+    // Nobody may append while the folder is read.
     let _lock = lock(folder)?;
     let journal = Journal::open(&path, runs.count(), runs.heads().len(), &mut |_| {})?;
     Ok((manifest.shard, journal))

@@ -67,7 +67,7 @@ fn decode(body: &[u8]) -> Option<Row> {
     Some(Row { run, cells })
 }
 
-/// The next record of a stream; `None` at its end and where it is torn or damaged.
+/// The next record of a stream; `None` at the end of the stream, and if the record is torn or damaged.
 fn next(stream: &mut impl Read) -> std::io::Result<Option<(Row, u64)>> {
     let mut head = [0; 8];
     if !filled(stream, &mut head)? {
@@ -85,7 +85,7 @@ fn next(stream: &mut impl Read) -> std::io::Result<Option<(Row, u64)>> {
     Ok(decode(&body).map(|row| (row, 8 + u64::from(length))))
 }
 
-/// Fills the buffer; false where the stream ends before.
+/// Fills the buffer; false if the stream ends before the buffer is full.
 fn filled(stream: &mut impl Read, buffer: &mut [u8]) -> std::io::Result<bool> {
     match stream.read_exact(buffer) {
         Ok(()) => Ok(true),
@@ -120,7 +120,8 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Opens a journal, or makes it. A torn record at its end is cut off; a run that stands there twice counts once.
+    /// Opens a journal, or makes a new journal. A torn record at the end is cut off; a run with two records counts
+    /// once.
     pub(super) fn open(
         path: &Path,
         runs: u64,
@@ -172,7 +173,7 @@ impl Journal {
         }
         let record = encode(row);
         if let Err(error) = self.file.write_all(&record) {
-            // What was written of it is cut off, so that the journal stays good.
+            // The written part of the record is cut off, so the journal stays intact.
             let _ = self.file.set_len(self.end);
             let _ = self.file.seek(SeekFrom::Start(self.end));
             return Err(CampaignError::disk(&self.path, &error));
@@ -213,7 +214,7 @@ pub(super) struct Reader<'j> {
 }
 
 impl Reader<'_> {
-    /// The row of the next run that has one.
+    /// The row of the next run that has a row.
     pub(super) fn next(&mut self) -> Result<Option<Row>, CampaignError> {
         let path = &self.journal.path;
         let failed = |error: std::io::Error| CampaignError::folder(path, error);
@@ -222,7 +223,7 @@ impl Reader<'_> {
         // Runs end nearly in order: most jumps stay within the buffer.
         self.file.seek_relative(start as i64 - self.at as i64).map_err(failed)?;
         let Some((row, length)) = next(&mut self.file).map_err(failed)? else {
-            return Err(CampaignError::folder(path, "a record that was good is damaged now"));
+            return Err(CampaignError::folder(path, "a record that was intact is now damaged"));
         };
         self.at = start + length;
         Ok(Some(row))

@@ -9,7 +9,8 @@ use crate::error::CampaignError;
 use crate::row::Row;
 use crate::run::Runs;
 
-/// Merges the shares in `folders` into the tables of `out`. The result is that of one campaign, byte for byte.
+/// Merges the shares in `folders` into the tables of `out`. The result equals the result of a single campaign, byte for
+/// byte.
 ///
 /// # Errors
 /// A folder that holds no share of this campaign; a share that is missing, there twice, or not finished; a folder that cannot be
@@ -23,8 +24,11 @@ pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), Campaig
                 .resize_with(usize::try_from(shard.of).unwrap_or(usize::MAX).min(1 << 20), || None);
         }
         if shard.of != shares.len() as u64 {
-            let why =
-                format!("it is one of {} shards, the first one of {}", shard.of, shares.len());
+            let why = format!(
+                "it is one of {} shards, but the first folder is one of {}",
+                shard.of,
+                shares.len()
+            );
             return Err(CampaignError::folder(folder, why));
         }
         let wanted = shard.count(runs.count());
@@ -59,7 +63,7 @@ pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), Campaig
     write_tables(out, runs, runs.count(), &mut |use_row| in_turn(&journals, use_row))
 }
 
-/// The rows of all shares in the order of the runs: every n-th is of one share, so that they take turns.
+/// The rows of all shares in the order of the runs: every n-th run belongs to the same share, so the shares take turns.
 fn in_turn(
     journals: &[Journal],
     use_row: &mut dyn FnMut(&Row) -> Result<(), CampaignError>,

@@ -1,4 +1,5 @@
-//! Where the record of each run stands in a journal. The numbers of runs are known before their rows: what is held follows the rows.
+//! Where the record of each run stands in a journal. The numbers of runs are known before their rows; memory is used
+//! only for runs that have rows.
 
 /// Runs of a page: 128 KiB of places.
 const PAGE: usize = 1 << 14;
@@ -6,7 +7,8 @@ const PAGE: usize = 1 << 14;
 /// Places of records by the number of their run.
 pub(super) struct Places {
     runs: u64,
-    /// Of each run of a page where its record begins, plus 1; 0 for a run that has none. A page without rows is not held.
+    /// For each run of a page the place where its record begins, plus 1; 0 for a run without a record. A page without
+    /// rows is not held in memory.
     pages: Vec<Option<Box<[u64]>>>,
 }
 
@@ -17,7 +19,7 @@ impl Places {
         Places { runs, pages: vec![None; pages] }
     }
 
-    /// Where the record of a run begins; `None` for a run that has none.
+    /// The place where the record of a run begins; `None` for a run without a record.
     ///
     /// # Panics
     /// If there is no such run.

@@ -25,10 +25,10 @@ pub const TABLE_PARQUET: &str = "cases.parquet";
 pub const TABLE_CSV: &str = "cases.csv";
 /// Most rows of the table as text.
 pub const MOST_CSV_ROWS: u64 = 100_000;
-/// Rows of a row group: what is held in memory.
+/// Rows of a row group, which is held in memory.
 const ROWS_PER_GROUP: usize = 1 << 15;
 
-/// Gives each row in order to what it is called with.
+/// Calls the given function with each row in order.
 pub type EachRow<'a> = &'a mut dyn FnMut(
     &mut dyn FnMut(&Row) -> Result<(), CampaignError>,
 ) -> Result<(), CampaignError>;
@@ -146,7 +146,8 @@ fn write_parquet(
     Ok(())
 }
 
-/// The schema: `case`, then a column for each head. Names may have any characters, so that it is not written as text.
+/// The schema: `case`, then a column for each head. Names may have any characters, so the schema is not written as
+/// text.
 fn schema(heads: &[Head]) -> Result<TypePtr, ParquetError> {
     let plain = parse_message_type(
         "message m { REQUIRED INT64 case; REQUIRED DOUBLE number; REQUIRED BYTE_ARRAY text (STRING); }",

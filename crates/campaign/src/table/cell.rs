@@ -1,6 +1,6 @@
 //! One cell of a text as a number.
 
-/// The number of a cell; NaN for a missing one. With `decimal_comma` a comma is the decimal point.
+/// The number of a cell; NaN for a missing number. With `decimal_comma` a comma is the decimal point.
 ///
 /// # Errors
 /// The cell is neither a finite number nor missing.

@@ -11,7 +11,7 @@ use super::error::{TableError, TableFault};
 use super::head::Head;
 use super::{LARGEST_BYTES, Numbers, Texts, cell};
 
-/// Bytes that a line of heads is looked for in.
+/// Number of bytes in which the line of heads must end.
 const HEAD_BYTES: u64 = 1 << 20;
 
 /// The mark that some programs put before a text.
@@ -39,7 +39,7 @@ pub(super) fn heads(path: &Path) -> Result<(Vec<Head>, u8), TableError> {
     Ok((cells.iter().map(|cell| Head::of_text(cell)).collect(), separator))
 }
 
-/// A column as numbers; the first line that is refused is the error.
+/// A column as numbers; the error names the first refused line.
 pub(super) fn numbers(
     path: &Path,
     separator: u8,
@@ -90,7 +90,7 @@ fn each(
     }
 }
 
-/// A line of a text, and where a cell is in it.
+/// A line of a text, and the place of a cell in the line.
 pub(super) struct Line {
     /// From 1.
     pub(super) number: usize,
@@ -101,12 +101,12 @@ pub(super) struct Line {
     pub(super) length: usize,
 }
 
-/// The line of a row, from 0, and the cell of a column in it; `None` where the file cannot be read any more or has no such row.
+/// The line of a row, from 0, and the cell of a column in it; `None` if the file cannot be read any more or has no such row.
 pub(super) fn line_of_row(path: &Path, separator: u8, place: usize, row: usize) -> Option<Line> {
     let mut reader = reader(path, separator).ok()?;
     let record = reader.byte_records().nth(row)?.ok()?;
     let after = usize::try_from(record.position()?.line()).ok()?;
-    // The reader counts from before the empty lines that it passes over.
+    // The reader's position is before the empty lines that it skips.
     let lines = BufReader::new(open(path).ok()?).split(b'\n').enumerate().skip(after - 1);
     let is_empty = |line: &[u8]| line.iter().all(|byte| *byte == b'\r');
     let (index, line) = lines
@@ -125,7 +125,7 @@ pub(super) fn line_of_row(path: &Path, separator: u8, place: usize, row: usize) 
     Some(Line { number: index + 1, text, column: before + 1, length })
 }
 
-/// The text of a cell. What is not UTF-8 is Latin-1, as older programs write it.
+/// The text of a cell. Text that is not UTF-8 is taken as Latin-1, which older programs write.
 fn text_of(cell: &[u8]) -> Cow<'_, str> {
     match str::from_utf8(cell) {
         Ok(text) => Cow::Borrowed(text),
@@ -155,7 +155,7 @@ fn reader(path: &Path, separator: u8) -> Result<csv::Reader<File>, TableError> {
     Ok(csv::ReaderBuilder::new().delimiter(separator).from_reader(open(path)?))
 }
 
-/// The separator of the head line: a tab or a semicolon where it has one, else a comma.
+/// The separator of the head line: a tab or a semicolon if the line has one, else a comma.
 fn separator(path: &Path) -> Result<u8, TableError> {
     use std::io::Read as _;
     let mut start = Vec::new();

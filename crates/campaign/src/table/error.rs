@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use fenderline_scenario::{FileError, nearest, printable_line};
 
-/// A table that cannot be read, or does not hold what is asked for.
+/// A table that cannot be read, or does not hold the requested data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableError {
     /// The file.
@@ -19,14 +19,14 @@ pub struct TableError {
 pub enum TableFault {
     /// The file cannot be opened.
     File(FileError),
-    /// The file is damaged, or not of its form.
+    /// The file is damaged, or is not a file of this form.
     Damaged {
         /// The reader's text.
         why: String,
     },
     /// The first line is not a line of names.
     NoHead {
-        /// The first of its cells that is a number; `None` for an empty file.
+        /// The first cell of the first line that is a number; `None` for an empty file.
         number: Option<String>,
     },
     /// Two columns have this name.
@@ -36,9 +36,9 @@ pub enum TableFault {
     },
     /// There is no such column.
     NoColumn {
-        /// The name that was asked for.
+        /// The requested name.
         name: String,
-        /// The nearest one that there is.
+        /// The nearest existing name.
         nearest: Option<String>,
         /// All columns.
         columns: Vec<String>,
@@ -119,12 +119,13 @@ impl fmt::Display for TableError {
             }
             TableFault::UnequalLines { line, cells, heads } => write!(
                 f,
-                "{path}:{line}: the number of cells, {cells}, is not that of the columns, {heads}; with decimal commas, put semicolons between \
-                 the columns"
+                "{path}:{line}: the row has {cells} cells, but the file has {heads} columns; with \
+                 decimal commas, put semicolons between the columns"
             ),
             TableFault::NotANumber { column, line, text } => write!(
                 f,
-                "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty where there is none",
+                "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty if there \
+                 is no number",
                 cut(column),
                 cut(text)
             ),

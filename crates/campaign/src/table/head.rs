@@ -5,14 +5,14 @@
 pub struct Head {
     /// Name without unit.
     pub name: String,
-    /// Unit as it is printed; empty where there is none.
+    /// Unit as printed; empty without a unit.
     pub unit: String,
-    /// What the column holds; empty where the file does not say.
+    /// What the column holds; empty if the file does not say.
     pub meaning: String,
 }
 
 impl Head {
-    /// Of the head line of a text: `energy [kJ]` is `energy` in kJ, and so is `energy (kJ)`.
+    /// The head from the head line of a text: `energy [kJ]` is `energy` in kJ, and so is `energy (kJ)`.
     pub(super) fn of_text(text: &str) -> Head {
         let text = text.trim();
         let within = |open, close| text.strip_suffix(close).and_then(|rest| rest.split_once(open));

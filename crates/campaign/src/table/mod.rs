@@ -21,7 +21,7 @@ pub use texts::Texts;
 /// Largest file that is read (bytes): 64 GiB, more than 10⁸ rows of a campaign.
 const LARGEST_BYTES: u64 = 64 << 30;
 
-/// A table in a file, of which the heads are known.
+/// A table in a file whose heads are known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     path: PathBuf,
@@ -41,7 +41,7 @@ enum Form {
 /// A column of numbers, a value a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers {
-    /// One value a row; NaN where the cell is empty.
+    /// One value for each row; NaN for an empty cell.
     pub values: Vec<f64>,
     /// Number of empty cells.
     pub missing: usize,
@@ -56,8 +56,9 @@ impl Numbers {
 }
 
 impl Table {
-    /// Opens a table and reads its heads. A file whose name ends in `.parquet` is Parquet, every other one text. The separator
-    /// of text is that of its head line: a tab, a semicolon, or a comma. With semicolons a comma in a number is its decimal point.
+    /// Opens a table and reads its heads. A file whose name ends in `.parquet` is Parquet, every other file is text.
+    /// The separator of a text is the separator of its head line: a tab, a semicolon, or a comma. With semicolons a
+    /// comma in a number is its decimal point.
     ///
     /// # Errors
     /// A file that cannot be read, has no head line, or has two columns of one name.
@@ -105,10 +106,12 @@ impl Table {
         self.place(name).map(|place| &self.heads[place])
     }
 
-    /// A column of numbers. Empty cells, and those that say `NaN`, `NA` or `n/a`, are missing; `true` and `false` are 1 and 0.
+    /// A column of numbers. Empty cells, and cells with `NaN`, `NA` or `n/a`, are missing; `true` and `false` are 1 and
+    /// 0.
     ///
     /// # Errors
-    /// There is no such column, the file cannot be read, or a cell holds another text or a number that is not finite.
+    /// The table has no column `name`, the file cannot be read, or a cell holds a text that is no number, or a number that is not
+    /// finite.
     pub fn numbers(&self, name: &str) -> Result<Numbers, TableError> {
         let place = self.place(name)?;
         match self.form {

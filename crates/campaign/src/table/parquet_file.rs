@@ -16,7 +16,7 @@ use super::{LARGEST_BYTES, Numbers, Texts};
 /// Rows that are read at once.
 const BATCH: usize = 1 << 14;
 
-/// What our own tables call the metadata of a column: unit and meaning.
+/// Key of the metadata of a column in fenderline's tables: unit and meaning.
 const COLUMN_KEY: &str = "fenderline.column.";
 
 /// The heads of a table, with the units that its metadata give; else of its names, as in `energy [kJ]`.

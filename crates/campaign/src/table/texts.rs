@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// A column of texts. A text that many rows have is held once.
+/// A column of texts. A text that many rows have is stored once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Texts {
     distinct: Vec<String>,

@@ -15,19 +15,20 @@ use crate::report::{
 };
 use crate::touch::{Scene, Touch, arms_m};
 
-/// A memory with more energy than this could not be restored (J).
+/// A memory with more energy than this cannot be restored from a snapshot (J).
 const MOST_TAKEN_J: f64 = 1e29;
 
 /// The totals of a step.
 pub(crate) struct Totals<'w> {
     /// Mean wrenches of the step up to this sub-step, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// Reported forces are means over the sub-steps' time: at rest they are the force, however the sub-steps change.
+    /// The sub-step that is added. Reported forces are means over the sub-steps, weighted by their time. At rest the
+    /// mean is the force, however the lengths of the sub-steps change.
     pub(crate) sub_step: SubStep,
 }
 
 impl Totals<'_> {
-    /// Adds a solved contact of these bodies, A and B, to their wrenches, and updates its memory.
+    /// Adds a solved contact to the wrenches of its bodies A and B, and updates its memory.
     #[inline(always)]
     pub(crate) fn add(
         &mut self,
@@ -39,7 +40,7 @@ impl Totals<'_> {
         let (mean_n, mean_t) = (normal_n * self.sub_step.share, tangential_n * self.sub_step.share);
         let (force_n, on_a_nm) = constraint.jacobian(Side::A).wrench(mean_n, mean_t);
         let (_, on_b_nm) = constraint.jacobian(Side::B).wrench(mean_n, mean_t);
-        // The force on B is exactly the opposite of that on A (eq. 1).
+        // The force on B is exactly the opposite of the force on A (eq. 1).
         let on_a = &mut self.wrenches[id_a.0 as usize];
         on_a.force_n += force_n;
         on_a.moment_nm += on_a_nm;
@@ -49,7 +50,7 @@ impl Totals<'_> {
 
         let slip = Slip::of(constraint, memory.shear_m, self.sub_step.h);
         let after_mps = constraint.after.tangential_mps;
-        // The next sub-step's kinematics add the bodies' motion in this one.
+        // The kinematics of the next sub-step add the bodies' motion in this sub-step.
         memory.shear_m = slip.shear_m - self.sub_step.h * after_mps;
         if constraint.shear.slides_on(slip.shear_m, after_mps, friction) {
             memory.flags |= PatchMemory::SLIPPING;
@@ -66,7 +67,7 @@ impl Totals<'_> {
         slip
     }
 
-    /// As [`Totals::add`]. Returns what the report of the contact needs.
+    /// Does as [`Totals::add`]. Returns what the report of the contact needs.
     #[inline(always)]
     fn entry<'w>(
         &mut self,
@@ -81,7 +82,7 @@ impl Totals<'_> {
     }
 }
 
-/// The contacts of a solved sub-step, one entry a patch in each list.
+/// The contacts of a solved sub-step, each list with one entry per patch.
 pub(crate) struct Solved<'w> {
     pub(crate) patches: &'w [Patch],
     pub(crate) constraints: &'w [Constraint],
@@ -94,7 +95,7 @@ pub(crate) struct Reports<'w> {
     pub(crate) contacts: &'w mut Vec<Contact>,
     /// The first contact of the present group of islands.
     pub(crate) first: usize,
-    /// Set to false when a later sub-step adds a contact at the end.
+    /// Set to false when a later sub-step appends a contact at the end of the list.
     pub(crate) in_order: &'w mut bool,
 }
 
@@ -126,8 +127,8 @@ impl Reports<'_> {
         }
     }
 
-    /// Adds an entry to the step's report of this patch; returns false if there is none yet. The report is at `guess` as
-    /// long as the patches are those of the first sub-step.
+    /// Adds an entry to the step's report of this patch. Returns false if the patch has no report yet. The report is at
+    /// index `guess` as long as the patches are those of the first sub-step.
     #[inline(never)]
     fn has_added(
         &mut self,
@@ -150,9 +151,9 @@ impl Reports<'_> {
     }
 }
 
-/// How a contact's bodies moved at the contact while its forces acted, and its shear spring afterwards.
+/// How a contact's bodies moved at the contact while the forces acted, and the shear spring afterwards.
 pub(crate) struct Slip {
-    /// By the mean speeds of the sub-step, over κ (m).
+    /// Way along the normal by the mean speeds of the sub-step, over the time κ (m).
     closing_m: f64,
     slip_m: f64,
     /// Δs (m).
@@ -161,7 +162,7 @@ pub(crate) struct Slip {
 }
 
 impl Slip {
-    /// `shear_m`: Δs at the sub-step's start.
+    /// Computes the slip of a contact. `shear_m` is Δs at the start of the sub-step.
     #[inline(always)]
     fn of(constraint: &Constraint, shear_m: f64, h: f64) -> Slip {
         let Constraint { shear, after, forces, kick_s, .. } = constraint;
@@ -181,12 +182,12 @@ fn between_0_and(most_j: f64, value_j: f64) -> f64 {
     lesser(greater(value_j, 0.0), most_j)
 }
 
-/// What a sub-step adds to the report of a contact.
+/// The values that a sub-step adds to the report of a contact.
 struct Entry<'w> {
     constraint: &'w Constraint,
     diagnostics: &'w Diagnostics,
     slip: Slip,
-    /// A and B.
+    /// Bodies A and B.
     ids: [BodyId; 2],
     memory: &'w PatchMemory,
 }
@@ -203,7 +204,7 @@ impl Entry<'_> {
         }
     }
 
-    /// The parts of N: those of f, and what the solve took off.
+    /// The parts of N: the parts of the law's force f, less what the solve took off.
     fn parts(&self) -> ForceParts {
         let limiter_n = self.constraint.law_n - self.constraint.forces.normal_n;
         ForceParts { limiter_n, ..self.diagnostics.parts }
@@ -253,7 +254,7 @@ impl Entry<'_> {
         }
     }
 
-    /// Adds a later sub-step, which is this `share` of the step.
+    /// Adds a later sub-step. The length of this sub-step is this `share` of the step.
     fn add_to(&self, contact: &mut Contact, share: f64) {
         let Entry { constraint, diagnostics, slip, .. } = self;
         let Forces { normal_n, tangential_n, friction } = constraint.forces;

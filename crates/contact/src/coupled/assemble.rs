@@ -27,48 +27,51 @@ use crate::touch::{Movers, Scene, Touch, touch, touch_again};
 use crate::unloading::{Loading, PLAYS, unload};
 use crate::vec2::Vec2;
 
-/// What is reported of a contact of a sub-step besides what its [`Constraint`] and its [`PatchMemory`] have.
+/// The data that the report of a contact in a sub-step needs besides [`Constraint`] and [`PatchMemory`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Diagnostics {
-    /// As in [`Touch`].
+    /// Depth of the contact, as in [`Touch`] (m).
     pub(crate) depth_m: f64,
     pub(crate) tilt_rad: f64,
-    /// The parts of f.
+    /// The parts of the law's force f.
     pub(crate) parts: ForceParts,
-    /// Energy stored in a fender's spring and stop, with its factor (J); with an unloading law the recoverable part.
+    /// Energy stored in a fender's spring and stop, with its factor (J); with an unloading law, only the part that the
+    /// fender can return.
     pub(crate) stored_j: f64,
-    /// Energy that loads them to their deflection, of the loading curve, with its factor (J).
+    /// Energy that loads spring and stop to their deflection by the loading curve, with the fender's factor (J).
     pub(crate) absorbed_j: f64,
-    /// Heat by a fender's unloading law since the last (sub-)step, with its factor (J).
+    /// Heat that a fender's unloading law has made since the last step or sub-step, with the fender's factor (J).
     pub(crate) hysteresis_j: f64,
 }
 
-/// The bodies of a sub-step as its contacts see them. Lists are by rank.
+/// The bodies at the start of a sub-step, as the contacts need them. Lists are by rank.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'w> {
     pub(crate) scene: Scene<'w>,
     pub(crate) inverses: &'w [InverseMatrix],
     pub(crate) roles: &'w [Role],
-    /// As in [`crate::coupled::dynamics::Dynamics`].
+    /// Velocity lag of each body (s), as in [`crate::coupled::dynamics::Dynamics`].
     pub(crate) velocity_lags_s: &'w [f64],
     /// Length of the sub-step (s).
     pub(crate) h: f64,
 }
 
 impl Start<'_> {
-    /// A floating body's part of the inverse effective mass at a contact along n, with these levers of n and t.
+    /// The part of a floating body in the inverse effective mass of a contact, along the contact's normal n. `levers`
+    /// are the levers of n and t.
     #[inline(always)]
     fn response(&self, rank: u32, n: Vec2, levers: Levers) -> Response {
         let body = &self.scene.model.ranked[rank as usize];
         if body.is_alike {
-            // The same bits as by the matrix, and less work.
+            // This gives the same bits as the matrix, with less work.
             Response::isotropic(body.lightest_inverse_mass, body.inverse_of_turning, levers)
         } else {
             Response::of(&self.inverses[rank as usize], n, levers)
         }
     }
 
-    /// As [`Start::response`] for two moving bodies, one of which may be fixed; and whether each floats.
+    /// Does as [`Start::response`] for both bodies of a contact, of which one may be fixed. Also returns whether each
+    /// body floats.
     #[inline(never)]
     fn response_of_both(
         &self,
@@ -89,7 +92,7 @@ impl Start<'_> {
     }
 }
 
-/// Buffers that the laws write to besides a contact's own.
+/// Buffers beside those of a contact that the laws write to.
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) clip: &'w mut ClipBuffers,
@@ -98,23 +101,23 @@ pub(crate) struct Aside<'w> {
     pub(crate) parted: &'w mut Vec<u32>,
 }
 
-/// What a patch inherits from the last (sub-)step.
+/// The memory that a patch inherits from the last step or sub-step.
 #[derive(Clone, Copy)]
 pub(crate) struct Heritage<'m> {
     pub(crate) inherited: Inherited,
     pub(crate) old: Option<&'m PatchMemory>,
-    /// Number of the bodies' contacts if the host displaced one of them before this sub-step, else 0.
+    /// Number of contacts between the two bodies, if the host displaced one of them before this sub-step; else 0.
     pub(crate) displaced: u32,
 }
 
-/// Where a contact of a sub-step is written.
+/// The place to which a contact of a sub-step is written.
 pub(crate) struct Target<'w> {
     pub(crate) constraint: &'w mut Constraint,
     /// `None` if contacts are not reported.
     pub(crate) diagnostics: Option<&'w mut Diagnostics>,
 }
 
-/// Computes laws and effective masses of a patch into `target`. Returns the patch's memory as it is before the solve.
+/// Computes laws and effective masses of a patch into `target`. Returns the patch's memory before the solve.
 #[inline(always)]
 pub(crate) fn assemble(
     start: &Start<'_>,
@@ -145,7 +148,7 @@ pub(crate) fn assemble(
     if let Some(face) = face
         && let Some(chains) = breaking(face, aside)
     {
-        // Without the chains, under the same hull: what they stored is lost.
+        // The panel without the parted chains, under the same hull. The energy that these chains stored is lost.
         let intact_j = touch.stored_j;
         broken = chains;
         add_parted(aside.parted, patch.candidate.face, broken.chains);
@@ -153,7 +156,8 @@ pub(crate) fn assemble(
         touch = touch_again(&start.scene, aside.clip, patch, Some(face), old, movers);
         let before = unloaded;
         unloaded = unload(&mut touch, before.as_ref().map(|before| &before.tops_j));
-        // At its break load, not at the tension that the sub-step overshot to: energy is as the square of tension.
+        // The chain parts at its break load, not at the tension to which the sub-step overshot. Energy grows as the
+        // square of tension.
         let overshoot = broken.overshoot * broken.overshoot;
         snapped_j = greater(intact_j - touch.stored_j, 0.0) * overshoot;
         if let (Some(now), Some(before)) = (&mut unloaded, before) {
@@ -276,25 +280,27 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
     match old {
         _ if displaced => Answered::AllThereIs,
         None => Answered::Nothing,
-        // The host's motion is not the engine's.
+        // The host's motion is not the engine's motion.
         Some(_) if lag_s < 0.0 => Answered::AllThereIs,
         Some(memory) => Answered::Area(memory.damped_m2),
     }
 }
 
-/// γ v_ref of a fender with an unloading law: its reaction falls by that law alone, never because of a speed (m/s).
+/// The value of γ v_ref for a fender with an unloading law (m/s). This value is so large that no speed reduces the
+/// reaction: only the unloading law does.
 const UNBOUNDED_MPS: f64 = 1e12;
 
-/// The state of a fender's unloading law: the tops of its plays, and its loss (J).
+/// The state of a fender's unloading law: the tops of its plays, and the energy lost (J).
 #[derive(Clone, Copy)]
 struct Unloaded {
     tops_j: [f64; PLAYS],
     lost_j: f64,
-    /// Force over the loading force.
+    /// Force by the unloading law, over the force of the loading curve.
     share: f64,
 }
 
-/// Changes a touch's forces and stored energy from those of loading to those of the fender's unloading law.
+/// Replaces the forces and the stored energy of a touch. They are those for loading; the new ones follow from the
+/// fender's unloading law.
 #[inline(never)]
 fn apply_unloading(
     model: &Model,
@@ -317,7 +323,7 @@ fn apply_unloading(
     Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j, share: unloaded.share })
 }
 
-/// The chains that part under the panel that was pressed last; `None` in most sub-steps.
+/// The chains of the panel pressed last that part in this sub-step; `None` in most sub-steps.
 #[inline(never)]
 fn breaking(face: &RankedFender, aside: &Aside<'_>) -> Option<Broken> {
     let tensions_n = aside.clip.panel.pressed.tensions_n;
@@ -325,7 +331,7 @@ fn breaking(face: &RankedFender, aside: &Aside<'_>) -> Option<Broken> {
     (broken.chains != 0).then_some(broken)
 }
 
-/// Reports the panel that was pressed last. `factor` is on its reaction.
+/// Reports the panel pressed last. `factor` is the factor of its reaction.
 #[inline(never)]
 fn note_panel(
     model: &Model,
@@ -339,7 +345,7 @@ fn note_panel(
     PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
 }
 
-/// Adds what the fender of a touch holds.
+/// Adds the force and the energy that the fender of a touch holds.
 pub(crate) fn add_held(
     held: &mut Held,
     model: &Model,
@@ -361,8 +367,8 @@ pub(crate) fn add_held(
     held.force_n += (touch.spring_n + touch.stop_n) * factor;
 }
 
-/// The energy that a contact stores beyond what its last force balances (J). Between outlines at least a third of f δ: a
-/// flat side stores half of it, a wedge a third.
+/// The energy that a contact stores beyond what the last force of the contact balances (J). Between outlines a third of
+/// f δ counts as stored: a flat side stores half of f δ, a wedge a third.
 fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -> f64 {
     let Some(memory) = old else { return 0.0 };
     if memory.normal_force_n >= law_n {
@@ -376,12 +382,13 @@ fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory
     stored_j * share * share
 }
 
-/// The most energy that a contact may give the bodies: what it has taken from them (J).
+/// The most energy that a contact may give to the bodies: the energy that it has taken from them (J).
 ///
-/// A spring whose force is that of the sub-step's start returns a little more than it took, by up to ωh/2. If it gives
-/// nearly all of it back (γ near 1), or the first touch fell deep into a sub-step, bodies would leave faster than they
-/// came. Bodies that the host displaced into one another get what the spring stores, because the host has compressed it.
-/// Between outlines, whose law has no potential, f δ is the bound.
+/// A spring acts through a whole sub-step with the force of its start, so it returns up to ωh/2 more energy than it
+/// took. If the spring returns nearly all energy (γ near 1), or if the first touch fell deep into a sub-step, the
+/// bodies would leave faster than they came. If the host displaced the bodies into one another, the host has compressed
+/// the spring, and the bodies get all the energy that the spring stores. Contacts between outlines have no potential: f
+/// δ bounds their stored energy.
 fn available_j(
     touch: &Touch,
     factor: f64,
@@ -400,8 +407,8 @@ fn available_j(
     greater(taken_j, stored_j)
 }
 
-/// v_ref, the largest approach speed since V_n last changed sign, and whether the contact approaches. The speed at first
-/// touch, kept for ever, would not let a ship that starts at rest settle at her static depth.
+/// Returns v_ref, the largest approach speed since V_n last changed sign, and whether the contact approaches. If v_ref
+/// stayed at the speed of the first touch, a ship that starts at rest would never settle at her static depth.
 fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) {
     let approaching = v_normal_mps > 0.0;
     let before = old.map_or(0.0, |m| m.v_normal_0_mps);

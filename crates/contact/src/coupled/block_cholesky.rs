@@ -1,10 +1,10 @@
-//! Sparse Cholesky factors of symmetric positive definite matrices of 3 × 3 blocks, a block row a floating body.
+//! Sparse Cholesky factors of symmetric positive definite matrices of 3 × 3 blocks. Each block row is a floating body.
 //!
-//! An island of a hundred barges has a matrix of 300 rows, of which each has entries for a body and its neighbours only.
-//! The blocks are eliminated in the order of minimum degree (Tinney and Walker 1967; George and Liu 1989): the body with
-//! the fewest neighbours left goes first, of several the first in the island. That order, and where the factor has
-//! blocks, follow from the graph of the contacts alone ([`Pattern`]), so they are kept while the graph stays. The same
-//! graph gives the same order, whether it is kept or found again: the bits do not depend on it.
+//! The matrix of an island of a hundred barges has 300 rows. A row has entries only for its own body and for the bodies
+//! that this body touches. The blocks are eliminated in the order of minimum degree (Tinney and Walker 1967; George and
+//! Liu 1989): next is the body with the fewest neighbours left, and among equals the first in the island. The graph of
+//! the contacts alone determines this order and the places of the factor's blocks ([`Pattern`]), so both are kept while
+//! the graph stays. The same graph gives the same order, kept or found again, so the bits do not depend on it.
 
 use alloc::vec::Vec;
 
@@ -14,7 +14,8 @@ pub(crate) type Block = [[f64; 3]; 3];
 /// Surge, sway and yaw of one body.
 pub(crate) type Triple = [f64; 3];
 
-/// Where the factor of a graph's matrix has blocks. Nodes are numbered by their place in the order of elimination.
+/// The places of the blocks in the factor of a graph's matrix. Nodes are numbered by their place in the order of
+/// elimination.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pattern {
     /// The graph: number of nodes, and edges between nodes, as they were given.
@@ -26,7 +27,8 @@ pub(crate) struct Pattern {
     first: Vec<u32>,
     /// Row of each block below the diagonal, ascending within a column.
     rows: Vec<u32>,
-    /// For each column, and each pair of its rows i ≥ k: the block (i, k) that the elimination of the column changes.
+    /// For each column, and for each pair of its rows i ≥ k: the block (i, k) that the elimination of this column
+    /// changes.
     targets: Vec<u32>,
     search: Search,
 }
@@ -38,7 +40,7 @@ struct Search {
     neighbours: Vec<Vec<u32>>,
     /// The nodes that are not yet eliminated, ascending.
     left: Vec<u32>,
-    /// The others, in the order of elimination.
+    /// The eliminated nodes, in the order of elimination.
     order: Vec<u32>,
     merged: Vec<u32>,
 }
@@ -46,7 +48,7 @@ struct Search {
 const NOT_YET: u32 = u32::MAX;
 
 impl Pattern {
-    /// The pattern of a graph. Costs a comparison if the graph is that of the last call.
+    /// The pattern of a graph. If the graph is the same as in the last call, this costs only a comparison.
     pub(crate) fn update(&mut self, nodes: usize, edges: &[[u32; 2]]) {
         if self.nodes == nodes && self.edges == edges {
             return;
@@ -105,7 +107,8 @@ impl Pattern {
         self.nodes + self.rows.len()
     }
 
-    /// Which block couples two places; `row` is not the lower one. The first blocks are those of the diagonal.
+    /// The index of the block that couples two places. `row` is not the smaller place. The blocks of the diagonal come
+    /// first.
     pub(crate) fn block(&self, row: u32, column: u32) -> u32 {
         if row == column {
             return row;
@@ -186,7 +189,7 @@ impl Search {
         self.order.clear();
     }
 
-    /// Finds the order. Leaves in `neighbours` those that each node had when it was eliminated.
+    /// Finds the order. Afterwards `neighbours` has the neighbours that each node had when it was eliminated.
     fn eliminate(&mut self) {
         let Search { neighbours, left, order, merged } = self;
         while !left.is_empty() {
@@ -207,7 +210,7 @@ impl Search {
     }
 }
 
-/// Merges two ascending lists, each number once, without those of `omitted`.
+/// Merges two ascending lists into one that has each number once and none of the numbers in `omitted`.
 fn merge(one: &[u32], two: &[u32], omitted: [u32; 2], merged: &mut Vec<u32>) {
     let (mut one, mut two) = (one.iter().peekable(), two.iter().peekable());
     loop {
@@ -230,7 +233,8 @@ fn dot(p: &Triple, q: &Triple) -> f64 {
     p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 }
 
-/// The lower Cholesky factor of a block, from its lower part. Its diagonal is inverted: solves multiply by it.
+/// The lower Cholesky factor of a block, from the lower part of the block. The diagonal of the factor is inverted,
+/// because solves multiply by it.
 #[inline(always)]
 fn cholesky(a: &Block) -> Option<Block> {
     let inverse_root = |square: f64| (square > 0.0).then(|| 1.0 / libm::sqrt(square));
@@ -242,7 +246,7 @@ fn cholesky(a: &Block) -> Option<Block> {
     Some([[l00, 0.0, 0.0], [l10, l11, 0.0], [l20, l21, l22]])
 }
 
-/// x of L x = b.
+/// Solves L x = b for x.
 #[inline(always)]
 fn forward(l: &Block, b: Triple) -> Triple {
     let x = b[0] * l[0][0];
@@ -251,7 +255,7 @@ fn forward(l: &Block, b: Triple) -> Triple {
     [x, y, z]
 }
 
-/// x of Lᵀ x = b.
+/// Solves Lᵀ x = b for x.
 #[inline(always)]
 fn backward(l: &Block, b: Triple) -> Triple {
     let z = b[2] * l[2][2];
@@ -260,7 +264,7 @@ fn backward(l: &Block, b: Triple) -> Triple {
     [x, y, z]
 }
 
-/// a −= b cᵀ.
+/// Subtracts b cᵀ from a.
 #[inline(always)]
 fn subtract_product(a: &mut Block, b: &Block, c: &Block) {
     for (a, b) in a.iter_mut().zip(b) {
@@ -275,7 +279,7 @@ mod tests {
     use super::*;
     use alloc::vec;
 
-    /// Edges of a grid with diagonals, as of barges in rows that lie slightly askew.
+    /// Edges of a grid with diagonals, like the contacts of barges that lie in rows, slightly askew.
     fn grid(side: u32) -> Vec<[u32; 2]> {
         let mut edges = Vec::new();
         for row in 0..side {
@@ -301,7 +305,7 @@ mod tests {
         f64::from((*state >> 40) as u32) / f64::from(1_u32 << 23) - 1.0
     }
 
-    /// The residual of the sparse solve, by the full matrix, relative to the right side.
+    /// The residual of the sparse solve, computed with the full matrix, relative to the right side.
     #[test]
     fn a_grid_s_equations_are_solved_to_rounding() {
         let side = 7;
@@ -354,7 +358,7 @@ mod tests {
         assert_eq!(pattern.blocks(), 199);
     }
 
-    /// Kept or found anew after another graph: the same order.
+    /// The order is the same, whether the pattern was kept or found anew after another graph.
     #[test]
     fn the_pattern_does_not_depend_on_the_graph_before() {
         let mut kept = Pattern::default();

@@ -13,17 +13,17 @@ use crate::state::Velocity;
 use crate::touch::{Movers, Touch};
 use crate::vec2::Vec2;
 
-/// Sweeps over a sliding contact are damped if they would overshoot by more than this. Below it they settle by
-/// themselves in less than 50 sweeps.
+/// Sweeps over a sliding contact are damped if they would overshoot by more than this factor. With less overshoot the
+/// sweeps settle by themselves, in less than 50 sweeps.
 const OVERSHOOT: f64 = 0.5;
 
-/// A contact's forces and all that a sweep needs: it reads nothing else but the bodies' velocities.
+/// A contact's forces and all that a sweep needs of it. A sweep reads only constraints and the bodies' velocities.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Constraint {
-    /// Ranks.
+    /// Ranks of bodies A and B.
     pub(crate) a: u32,
     pub(crate) b: u32,
-    /// Forces act on floating bodies only.
+    /// Whether A floats, and whether B floats. Forces act on floating bodies only.
     a_floats: bool,
     b_floats: bool,
     pub(crate) movers: Movers,
@@ -33,24 +33,24 @@ pub(crate) struct Constraint {
     levers_b: Levers,
     /// n·K n, t·K n and t·K t: the inverse of the effective mass (1/kg).
     pub(crate) inverse_mass: Response,
-    /// κ: how long its forces act on the velocities in this sub-step (s).
+    /// κ: the time for which the contact's forces act on the velocities in this sub-step (s).
     pub(crate) kick_s: f64,
     /// V_n at the start of the sub-step (m/s).
     pub(crate) normal_before_mps: f64,
     /// f, the normal law's force: the upper bound of N (N).
     pub(crate) law_n: f64,
-    /// γ v_ref: V_n⁺ may not fall below its negative (m/s).
+    /// γ v_ref: V_n⁺ may not fall below −γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
     /// The most energy that N may give the bodies in this sub-step (J).
     pub(crate) available_j: f64,
-    /// Stored energy that no load balances: see [`super::release`] (J).
+    /// Stored energy that no load balances (J): see [`super::release`].
     pub(crate) unbalanced_j: f64,
     pub(crate) shear: ShearSpring,
-    /// N was less than its law's force in the last (sub-)step.
+    /// N was less than its law's force in the last step or sub-step.
     pub(crate) was_limited: bool,
-    /// Which bound the direct solve takes to decide N, while it knows of others than the law's force.
+    /// The bound that the direct solve takes to decide N, while the solve includes bounds other than the law's force.
     pub(crate) bound: NormalBound,
-    /// The forces that sweeps begin with; after the solve its result.
+    /// The forces that sweeps begin with. After the solve, the resulting forces.
     pub(crate) forces: Forces,
     /// V_n⁺ and V_t⁺ after the solve (m/s).
     pub(crate) after: Speeds,
@@ -77,7 +77,7 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// The change of N and T from `other` to these.
+    /// The change of N and T from the forces `other` to these forces.
     #[inline]
     pub(crate) fn minus(&self, other: &Forces) -> Change {
         Change {
@@ -110,7 +110,7 @@ pub(crate) struct Speeds {
     pub(crate) tangential_mps: f64,
 }
 
-/// What the laws say of a contact.
+/// The results of the laws for a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Laws<'m> {
     pub(crate) material: &'m Material,
@@ -118,20 +118,20 @@ pub(crate) struct Laws<'m> {
     pub(crate) law_n: f64,
     /// γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most energy that N, and T, may give the bodies in this sub-step (J).
+    /// The most energy that N may give to the bodies in this sub-step (J), and the same for T.
     pub(crate) available_j: f64,
     pub(crate) shear_available_j: f64,
     /// Stored energy that no load balances (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) slide: Slide,
-    /// N was less than its law's force in the last (sub-)step.
+    /// N was less than its law's force in the last step or sub-step.
     pub(crate) was_limited: bool,
-    /// Length of the sub-step, and κ (s).
+    /// Length h of the sub-step, and the time κ (s).
     pub(crate) h: f64,
     pub(crate) kick_s: f64,
 }
 
-/// Which of a contact's two bodies.
+/// One of a contact's two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     A,
@@ -186,7 +186,7 @@ impl Jacobian {
 }
 
 impl Constraint {
-    /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
+    /// A contact between two bodies of these ranks and inverse masses, with the forces that the solve begins with.
     #[cfg(test)]
     pub(crate) fn new(
         a: (u32, &InverseMatrix),
@@ -206,7 +206,7 @@ impl Constraint {
     }
 
     /// Sets bodies, Jacobian and V_n.
-    // Set in three steps, each in place, as soon as its inputs are known.
+    // The constraint is set in three steps, each in place, as soon as the inputs are known.
     #[inline(always)]
     pub(crate) fn set_kinematics(&mut self, [a, b]: [u32; 2], movers: Movers, touch: &Touch) {
         let Touch { normal, levers_a, levers_b, .. } = *touch;
@@ -215,7 +215,7 @@ impl Constraint {
         self.normal_before_mps = touch.v_normal_mps;
     }
 
-    /// Sets the effective mass, and which of A and B float.
+    /// Sets the effective mass, and whether A and B float.
     #[inline(always)]
     pub(crate) fn set_masses(&mut self, inverse_mass: Response, [a_floats, b_floats]: [bool; 2]) {
         (self.a_floats, self.b_floats) = (a_floats, b_floats);
@@ -254,7 +254,7 @@ impl Constraint {
         Speeds { normal_mps, tangential_mps }
     }
 
-    /// Changes the two bodies' velocities by the impulse of these forces over h.
+    /// Changes the velocities of the constraint's two bodies by the impulse of the constraint's forces over the sub-step h.
     #[inline(always)]
     pub(crate) fn apply_impulse(
         &self,
@@ -280,7 +280,7 @@ impl Constraint {
         }
     }
 
-    /// Change of velocity and yaw rate of one of its floating bodies by an impulse and its moment.
+    /// Change of velocity and yaw rate of a floating body of the contact by an impulse and its moment.
     #[inline(always)]
     fn response(
         &self,
@@ -308,10 +308,11 @@ impl Constraint {
         }
     }
 
-    /// Its forces given those of all other contacts; `speeds` are those with its present forces.
+    /// The contact's forces if the forces of all other contacts stay as they are. `speeds` are the speeds with the
+    /// present forces of all contacts.
     ///
-    /// N = mid(0, N at which V_n⁺ = −γ v_ref, f), or less if that would give more energy than is available. Then T by the
-    /// implicit shear spring within Coulomb's limit.
+    /// N = mid(0, N at which V_n⁺ = −γ v_ref, f), or less if this N would give more energy than is available. Then T
+    /// follows from the implicit shear spring within Coulomb's limit.
     #[inline]
     pub(crate) fn relaxed(&self, speeds: Speeds, h: f64) -> Forces {
         let (now, k) = (&self.forces, &self.inverse_mass);
@@ -331,11 +332,12 @@ impl Constraint {
         Forces { normal_n, tangential_n, friction }
     }
 
-    /// N of a sliding contact, if N would be `normal_n` at constant T.
+    /// N of a sliding contact. `normal_n` is the N that would result if T stayed constant.
     ///
-    /// T = ±μ_k N follows each change of N, and changes V_n in its turn through t·K n: by ρ = μ_k |t·K n| / n·K n of the
-    /// change by N itself, and against it if T drives the bodies apart. Undamped sweeps would overshoot by ρ, and never
-    /// settle if ρ > 1. A change divided by 1 + ρ is exact where V_n⁺ = −γ v_ref decides.
+    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. With ρ = μ_k |t·K n| / n·K n, V_n changes
+    /// by friction ρ times as much as the change by N itself. The two changes are opposed if T drives the bodies apart.
+    /// Undamped sweeps would then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact
+    /// where V_n⁺ = −γ v_ref decides N.
     #[inline]
     fn damped_by_friction(&self, normal_n: f64) -> f64 {
         let k = &self.inverse_mass;
@@ -353,9 +355,10 @@ impl Constraint {
         1.0 / (h * self.inverse_mass.normal)
     }
 
-    /// `normal_n`, or less if it would give the bodies more energy than is available.
+    /// Returns `normal_n`, or less if `normal_n` would give the bodies more energy than is available.
     ///
-    /// The work of N on the bodies is N h (½ N h n·K n − s), with s the mean of V_n before the sub-step and V_n⁺ at N = 0.
+    /// The work of N on the bodies is N h (½ N h n·K n − s), where s is the mean of V_n before the sub-step and V_n⁺ at
+    /// N = 0.
     #[inline]
     fn passive_normal_n(&self, normal_mps: f64, normal_n: f64, h: f64) -> f64 {
         let k_n = self.inverse_mass.normal;
@@ -369,7 +372,8 @@ impl Constraint {
         greater((mean_mps + root) * self.force_per_speed(h), 0.0)
     }
 
-    /// T and the speeds if N = f, the contact sticks and no other force acts; `free` are the speeds without contact.
+    /// T and the speeds of a contact that sticks, with N = f and no other contact. `free` are the speeds without
+    /// contact.
     #[inline]
     pub(crate) fn sticking(&self, free: Speeds, h: f64) -> (f64, Speeds) {
         let k = &self.inverse_mass;
@@ -384,15 +388,15 @@ impl Constraint {
         (tangential_n, speeds)
     }
 
-    /// Do N = f and this T keep all bounds, if with all contacts' forces the speeds become these?
+    /// Do N = f and this T keep within all bounds? `speeds` are the speeds that the forces of all contacts give.
     #[inline]
     pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
         speeds.normal_mps >= -self.rebound_mps
             && self.has_energy_and_holds(speeds, (self.law_n, tangential_n), h)
     }
 
-    /// Do N and this T of the sticking spring keep to the energies that are available, and to Coulomb's limit, if with all contacts'
-    /// forces the speeds become these?
+    /// Do N and this T of the sticking spring keep within the available energies and Coulomb's limit? `speeds` are the
+    /// speeds that the forces of all contacts give.
     #[inline(always)]
     pub(crate) fn has_energy_and_holds(
         &self,
@@ -405,20 +409,20 @@ impl Constraint {
             && self.shear.is_within_bounds(tangential_n, normal_n, speeds.tangential_mps, h)
     }
 
-    /// Sets the result to N = f and this T of the sticking spring.
+    /// Sets the solution to N = f and this T of the sticking spring.
     #[inline(always)]
     pub(crate) fn set_sticking(&mut self, speeds: Speeds, tangential_n: f64) {
         self.forces = Forces { normal_n: self.law_n, tangential_n, friction: Friction::Stick };
         self.after = speeds;
     }
 
-    /// The ranks of its floating bodies, A's and B's.
+    /// The ranks of the contact's floating bodies: A's, then B's.
     #[inline(always)]
     pub(crate) fn floating(&self) -> [Option<u32>; 2] {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
-    /// The rank of its floating body, if there is exactly one.
+    /// The rank of the contact's floating body, if exactly one of the two floats.
     #[inline(always)]
     pub(crate) fn only_floating(&self) -> Option<u32> {
         match (self.a_floats, self.b_floats) {
@@ -428,26 +432,26 @@ impl Constraint {
         }
     }
 
-    /// The rank of one of its floating bodies.
+    /// The rank of a floating body of the contact.
     #[inline(always)]
     pub(crate) fn one_floating(&self) -> u32 {
         if self.a_floats { self.a } else { self.b }
     }
 
-    /// The side of its floating body, if there is exactly one.
+    /// The side of the contact's floating body, if exactly one of the two floats.
     #[inline(always)]
     pub(crate) fn floating_side(&self) -> Side {
         if self.a_floats { Side::A } else { Side::B }
     }
 
-    /// Its only floating body's part of the Jacobian, and the sign of its side.
+    /// The Jacobian of the contact's only floating body, and the sign of its side.
     #[inline]
     pub(crate) fn floating_jacobian(&self) -> (Jacobian, f64) {
         let side = self.floating_side();
         (self.jacobian(side), side.sign())
     }
 
-    /// One body's part of the Jacobian, with the sign of A.
+    /// The Jacobian of one body, with the sign of A.
     #[inline(always)]
     pub(crate) fn jacobian(&self, side: Side) -> Jacobian {
         Jacobian {
@@ -459,7 +463,7 @@ impl Constraint {
         }
     }
 
-    /// The largest change of its own speeds by a change of its forces (m/s).
+    /// The largest change of the contact's speeds by a change of the contact's forces (m/s).
     #[inline]
     pub(crate) fn change_mps(&self, more: Change, h: f64) -> f64 {
         let k = &self.inverse_mass;

@@ -22,9 +22,9 @@ use crate::room::room_for;
 /// The contact constraints of a sub-step, and the solver's buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Constraints {
-    /// One a patch; room for more beyond them. Computed by [`Assembly`] and [`solve_islands`].
+    /// One constraint per patch; the list has room for more. Computed by [`Assembly`] and [`solve_islands`].
     list: Vec<Constraint>,
-    /// One a patch if contacts are reported.
+    /// Diagnostics of each patch if contacts are reported.
     diagnostics: Vec<Diagnostics>,
     pub(crate) solver: SolverBuffers,
 }
@@ -32,12 +32,12 @@ pub(crate) struct Constraints {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SolverBuffers {
     newton: NewtonBuffers,
-    /// For release: unbalanced stored energy of each body's contacts with fixed ones, by rank (J).
+    /// Buffer for release: unbalanced stored energy of each body's contacts with fixed bodies, by rank (J).
     unbalanced_j: Vec<f64>,
 }
 
 impl Constraints {
-    /// With room for so many contacts, of so many bodies.
+    /// Buffers with room for this number of contacts and bodies.
     pub(crate) fn with_room(contacts: usize, bodies: usize) -> Constraints {
         Constraints {
             list: vec![Constraint::default(); contacts],
@@ -74,20 +74,21 @@ pub(crate) struct Assembly<'w> {
     pub(crate) start: Start<'w>,
     pub(crate) aside: Aside<'w>,
     pub(crate) patches: &'w [Patch],
-    /// The islands of these patches, and the first patch of the first.
+    /// The islands of these patches, and the number of the first island's first patch.
     pub(crate) islands: (&'w [Island], usize),
-    /// One a patch.
+    /// One constraint per patch.
     pub(crate) constraints: &'w mut [Constraint],
-    /// One a patch if contacts are reported, else empty.
+    /// One entry per patch if contacts are reported, else empty.
     pub(crate) diagnostics: &'w mut [Diagnostics],
     pub(crate) next_patches: &'w mut Vec<PatchMemory>,
 }
 
 impl Assembly<'_> {
-    /// The laws of the first contacts, as long as each continues the old one in its place. Returns their number.
+    /// Adds the laws of the first contacts, as long as each contact continues the old contact at the same place in the
+    /// list. Returns the number of contacts added.
     ///
-    /// In most sub-steps these are all contacts, and the search for what each inherits is skipped. If the host displaced
-    /// bodies there are none.
+    /// In most sub-steps these are all contacts, and no search for what each contact inherits is needed. If the host
+    /// displaced bodies, no contact is added here.
     #[inline(always)]
     pub(crate) fn add_matched(&mut self, past: Past<'_>) -> usize {
         if !past.displaced.all.is_empty() {
@@ -111,7 +112,8 @@ impl Assembly<'_> {
         count
     }
 
-    /// The laws of the contacts from number `from` on: new ones, and heirs of several old ones or of a part.
+    /// Adds the laws of the contacts from number `from` on: new contacts, and contacts that inherit from several old
+    /// contacts or from a part of one.
     #[inline(never)]
     pub(crate) fn add_others(&mut self, past: Past<'_>, inheritance: &Inheritance, from: usize) {
         let (islands, first) = self.islands;
@@ -133,7 +135,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// How many contacts a contact's floating bodies have, this one included. All of them are in its island.
+    /// The number of contacts that a contact's floating bodies have, this contact included. All these contacts are in
+    /// its island.
     #[cold]
     fn contacts_beside(&self, index: usize, island: Range<usize>) -> u32 {
         let floats = |rank: u32| !self.start.scene.model.ranked[rank as usize].is_fixed();
@@ -143,7 +146,7 @@ impl Assembly<'_> {
         (self.patches[island].iter().filter(beside).count() as u32).max(1)
     }
 
-    /// The law of a contact of two outlines.
+    /// Adds the law of a contact between two outlines.
     #[inline(always)]
     fn add_outline(&mut self, index: usize, heritage: Heritage<'_>) {
         let target = Target {
@@ -155,7 +158,7 @@ impl Assembly<'_> {
         self.next_patches.push(memory);
     }
 
-    /// The law of any contact.
+    /// Adds the law of any contact.
     #[inline(never)]
     fn add(&mut self, index: usize, heritage: Heritage<'_>) {
         let target = Target {
@@ -169,14 +172,14 @@ impl Assembly<'_> {
     }
 }
 
-/// The contacts of a group, one entry a patch in each list.
+/// The contacts of a group, each list with one entry per patch.
 pub(crate) struct Contacts<'w> {
     pub(crate) patches: &'w [Patch],
     pub(crate) constraints: &'w mut [Constraint],
     pub(crate) memories: &'w mut [PatchMemory],
 }
 
-/// Solves the contacts of each island of a group: new velocities, and forces in the constraints.
+/// Solves the contacts of each island of a group. Writes the new velocities, and the forces in the constraints.
 pub(crate) fn solve_islands(
     model: &Model,
     group: &Group,

@@ -1,21 +1,23 @@
-//! The direct solve: all forces at once, for an island with one floating body whose contacts stick. Most sub-steps of most
-//! islands are of this kind.
+//! The direct solve: computes all forces at once, for an island with one floating body whose contacts stick. Most
+//! islands are of this kind in most sub-steps.
 //!
-//! With N_i = f_i, and T_i the implicit shear spring's force while it sticks, which is a line in V_t⁺,
+//! The normal force is N_i = f_i. The force T_i of the implicit shear spring is linear in V_t⁺ while the contact
+//! sticks:
 //!
 //! T_i = T_i(V_t⁺ = 0) − c_i V_t,i⁺,  c_i = ϑ² k_s h,
 //!
-//! the body's velocity v⁺ follows from a system of three equations, whatever the number of contacts. With fixed bodies at
-//! rest it is
+//! The body's velocity v⁺ then follows from three equations, whatever the number of contacts. If the fixed bodies are
+//! at rest, the equations are
 //!
 //! (1 + h M⁻¹ Σ c_i j_t j_tᵀ) v⁺ = v_free + h M⁻¹ Σ (−f_i j_n + T_i(0) j_t).
 //!
-//! A ship that comes off her fenders has contacts that are at a bound of N for many steps: some are open, N = 0, and one or
-//! two are tight, V_n⁺ = −γ v_ref, which gives an equation more for each ([`hold`]). Which these are is first taken from
-//! the last sub-step. What the solution contradicts is corrected, and the equations are solved once more.
+//! When a ship comes off her fenders, some contacts are at a bound of N for many steps. Most of these are open, N = 0.
+//! One or two are tight, V_n⁺ = −γ v_ref, and each tight contact adds an equation ([`hold`]). The solver first assumes
+//! the bounds of the last sub-step. If the solution contradicts a bound, the bound is corrected, and the equations are
+//! solved again.
 //!
-//! This is the sweeps' answer if it reaches no other bound on N and T. That is tested for each contact; if one fails, the
-//! sweeps have to find which bounds are reached.
+//! If the solution reaches no other bound on N and T, it is the answer that the sweeps would give. Each contact is
+//! tested for this. If one contact fails, the sweeps take over and find the bounds.
 
 use crate::coupled::constraint::{Constraint, Forces, NormalBound, Side, Speeds};
 use crate::coupled::direct_system::{Push, Stiffness, System};
@@ -24,25 +26,26 @@ use crate::report::Friction;
 use crate::state::Velocity;
 use crate::touch::Movers;
 
-/// Most times that the bounds are corrected.
+/// The bounds are corrected this many times at most.
 const CORRECTIONS: u32 = 6;
 
-/// Most tight contacts: at fenders in a line more would not determine N of each.
+/// Most tight contacts. More tight contacts, at fenders in a line, would not determine N of each.
 const MOST_TIGHT: usize = 2;
 
-/// What a solution says of the bounds that it was computed with.
+/// The result of checking the assumed bounds against a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
-    /// They are the right ones.
+    /// The assumed bounds are right.
     Right,
-    /// Others are.
+    /// Other bounds are right; the constraints have them now.
     Corrected,
-    /// A bound is passed that the direct solve does not know.
+    /// The solution passes a bound that the direct solve does not include.
     Beyond,
 }
 
-/// Computes the new velocity in `bodies` and the forces in `constraints`, from velocities without contact. Returns false
-/// if that needs sweeps or more than one body floats: `bodies` are unchanged then, the forces undefined.
+/// Computes the new velocity in `bodies` and the forces in `constraints`, from velocities without contact. Returns
+/// false if sweeps are needed, or if more than one body floats. Then `bodies` are unchanged and the forces are
+/// undefined.
 #[inline]
 pub(crate) fn solve(
     bodies: &mut [Velocity],
@@ -62,7 +65,7 @@ pub(crate) fn solve(
     solve_below_law(bodies, body, &response, constraints, h)
 }
 
-/// As [`solve`], of contacts of which some are below their law's force.
+/// Does as [`solve`] where some contacts are below their law's force.
 #[inline(never)]
 fn solve_below_law(
     bodies: &mut [Velocity],
@@ -88,7 +91,8 @@ fn solve_below_law(
     false
 }
 
-/// Solves the contacts of a body at their [`Constraint::bound`]s; all at their law's force if they are not `BELOW_LAW`.
+/// Solves the contacts of a body at their [`Constraint::bound`]s; without `BELOW_LAW`, all contacts at their law's
+/// force.
 // Not inlined: it needs all registers.
 #[inline(never)]
 fn solve_at_bounds<const BELOW_LAW: bool>(
@@ -137,7 +141,8 @@ fn solve_at_bounds<const BELOW_LAW: bool>(
         }
     }
     if verdict == Verdict::Right {
-        // From the sum of the forces: so momentum is conserved to rounding, however stiff the springs.
+        // The velocity is computed from the sum of the forces, so momentum is conserved to rounding, however stiff the
+        // springs are.
         let (dv, dr) = push.response(response);
         *velocity = (free_mps + dv, free_radps + dr);
     } else if BELOW_LAW {
@@ -146,8 +151,8 @@ fn solve_at_bounds<const BELOW_LAW: bool>(
     verdict
 }
 
-/// Makes the contact tight whose law's force drives its bodies apart fastest beyond γ v_ref, if there is one. Only that:
-/// with one force less the others may be right.
+/// Finds the contact whose law's force drives its bodies apart fastest beyond γ v_ref, and makes it tight. Only this
+/// one contact: with its force reduced, the others may be right.
 fn tighten(constraints: &mut [Constraint]) {
     let mut fastest = None;
     let mut least_mps = 0.0;
@@ -163,7 +168,8 @@ fn tighten(constraints: &mut [Constraint]) {
     }
 }
 
-/// Adds a contact: its forces if both bodies stood still, and the slope of its shear spring. N of a tight contact follows.
+/// Adds a contact: its forces if both bodies stood still, and the slope of its shear spring. N of a tight contact is
+/// added later.
 #[inline(always)]
 fn add<const BELOW_LAW: bool>(
     constraint: &Constraint,
@@ -181,10 +187,11 @@ fn add<const BELOW_LAW: bool>(
     stiffness.add(&jacobian, constraint.shear.slope);
 }
 
-/// Sets N of the tight contacts so that V_n⁺ = −γ v_ref at each, and adds them to the body's velocity and push. Returns
-/// false if that does not determine them.
+/// Sets N of the tight contacts so that V_n⁺ = −γ v_ref at each, and adds these forces to the body's velocity and push.
+/// Returns false if the equations do not determine N.
 ///
-/// N changes the velocity by N w, with w that of a unit of it. So with Σ_k (j_i·w_k) N_k each V_n,i⁺ is what it has to be.
+/// A force N changes the velocity by N w, where w is the change by a unit force. The sums Σ_k (j_i·w_k) N_k must bring
+/// each V_n,i⁺ to −γ v_ref.
 #[inline(never)]
 fn hold(
     constraints: &mut [Constraint],
@@ -206,7 +213,7 @@ fn hold(
         }
     }
     let tight = &tight[..count];
-    // One equation a row; rows beyond the tight contacts are N = 0.
+    // One equation a row; the rows beyond the tight contacts say N = 0.
     let (mut rows, mut wanted_mps) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; MOST_TIGHT]);
     for (row, &index) in tight.iter().enumerate() {
         let constraint = &constraints[index];
@@ -222,7 +229,7 @@ fn hold(
     }
     let [[a, b], [c, d]] = rows;
     let determinant = a * d - b * c;
-    // Two contacts at one place share N in any way.
+    // Two contacts at one place could share N in any way.
     if determinant.abs() <= 1e-9 * (a * d).abs() {
         return false;
     }
@@ -240,7 +247,7 @@ fn hold(
     true
 }
 
-/// Adds the shear by the motion of fixed bodies, such as lock gates.
+/// Adds the shear that the motion of fixed bodies, such as lock gates, causes.
 #[cold]
 #[inline(never)]
 fn add_moving_fixed<const BELOW_LAW: bool>(
@@ -264,8 +271,9 @@ fn add_moving_fixed<const BELOW_LAW: bool>(
     }
 }
 
-/// Sets forces and speeds for this velocity of the floating body; `of_fixed` is the fixed body's part of the speeds.
-/// Corrects the bound on N if it is another, but for that of a contact at its law's force: see [`tighten`].
+/// Sets forces and speeds for this velocity of the floating body; `of_fixed` is what the fixed body's motion adds to
+/// the speeds. Corrects the bound on N if another bound is right. A contact at its law's force is not corrected here:
+/// see [`tighten`].
 #[inline(always)]
 fn settle<const BELOW_LAW: bool>(
     constraint: &mut Constraint,
@@ -301,7 +309,7 @@ fn settle<const BELOW_LAW: bool>(
     Verdict::Right
 }
 
-/// As [`settle`], of a contact that is tight or open; a tight one has its N already.
+/// Does as [`settle`] for a contact that is tight or open. A tight contact has its N already.
 #[inline(never)]
 fn settle_below_law(constraint: &mut Constraint, speeds: Speeds, h: f64) -> Verdict {
     constraint.after = speeds;
@@ -319,7 +327,7 @@ fn settle_below_law(constraint: &mut Constraint, speeds: Speeds, h: f64) -> Verd
     let normal_n = constraint.forces.normal_n;
     if normal_n >= constraint.law_n || normal_n <= 0.0 {
         constraint.bound = if normal_n <= 0.0 { NormalBound::Open } else { NormalBound::Full };
-        // Not a rounding error beyond it, for which it would be made tight again.
+        // A rounding error beyond the bound would make the contact tight again.
         constraint.after.normal_mps = -constraint.rebound_mps;
         return Verdict::Corrected;
     }
@@ -351,7 +359,7 @@ mod tests {
     };
     const H: f64 = 0.1;
 
-    /// A ship that closes on four fenders and slides along them, as body B, with a full mass matrix.
+    /// A ship with a full mass matrix, as body B. She closes on four fenders and slides along them.
     fn ship_on_fenders(
         friction_static: f64,
         closing_mps: f64,
@@ -389,7 +397,7 @@ mod tests {
         ([Velocity::default(), ship].to_vec(), inverses, constraints)
     }
 
-    /// To rounding: each contact's forces are those that it would have with all others' as they are.
+    /// A sweep over the direct solution changes no contact's forces, to rounding.
     #[test]
     fn the_direct_solution_is_a_fixed_point_of_the_sweep() {
         let moving = (vec2(4e-3, 1e-2), 2e-4);
@@ -421,8 +429,8 @@ mod tests {
         }
     }
 
-    /// Each contact's forces are those that it would have with all others' as they are, also where they come from a wrong guess
-    /// of the contacts that are below their law's force.
+    /// A sweep changes no contact's forces, to rounding, even if the solve began with a wrong guess which contacts are
+    /// below their law's force.
     #[test]
     fn contacts_below_their_law_are_a_fixed_point_of_the_sweep() {
         let moving = (vec2(4e-3, 2e-4), 1e-6);

@@ -1,21 +1,22 @@
-//! The equations of the direct solve: what contacts push on a body, and how stiff their shear springs hold it.
+//! The equations of the direct solve: the forces of contacts on a body, and the stiffness with which shear springs hold
+//! the body.
 
 use crate::coupled::constraint::{Constraint, Jacobian};
 use crate::mass::InverseMatrix;
 use crate::state::Velocity;
 use crate::vec2::{Vec2, vec2};
 
-/// Σ (−N n + T t) and its moment on the floating body, with N and T as they act on it.
+/// Σ (−N n + T t) and its moment on the floating body. N and T are the forces on the floating body.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Push {
-    /// Σ N n and Σ T n: the quarter turn from n to t is taken once, of the sum.
+    /// Σ N n and Σ T n: the quarter turn from n to t is applied once, to the sum.
     pub(super) normal_n: Vec2,
     tangential_n: Vec2,
     pub(super) moment_nm: f64,
 }
 
 impl Push {
-    /// Of this N alone.
+    /// The push of this N alone.
     pub(super) fn of_normal(constraint: &Constraint, normal_n: f64) -> Push {
         let (jacobian, sign) = constraint.floating_jacobian();
         Push {
@@ -44,7 +45,7 @@ impl Push {
         self.moment_nm -= jacobian.levers.t_m * tangential_n;
     }
 
-    /// The change of velocity and yaw rate, with h M⁻¹.
+    /// The change of velocity and yaw rate by the push; `response` is h M⁻¹.
     #[inline(always)]
     pub(super) fn response(&self, response: &InverseMatrix) -> Velocity {
         let force_n = self.tangential_n.quarter_turn() - self.normal_n;
@@ -95,7 +96,7 @@ impl Stiffness {
     }
 }
 
-/// A system of three equations, by the columns of its matrix.
+/// A system of three equations, given by the columns of its matrix.
 pub(super) struct System {
     a: [f64; 3],
     b: [f64; 3],
@@ -106,7 +107,7 @@ pub(super) struct System {
 }
 
 impl System {
-    /// v of (a b c) v = `free`, by Cramer's rule.
+    /// Solves (a b c) v = `free` for v, by Cramer's rule.
     #[inline]
     pub(super) fn solve(&self, (dv, dr): Velocity) -> Velocity {
         let System { a, b, c, b_c, scale } = *self;

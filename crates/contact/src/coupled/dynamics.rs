@@ -1,8 +1,9 @@
-//! The bodies' dynamics in the coupled method: what a step begins with, and how bodies move.
+//! The bodies' dynamics in the coupled method: the state at the start of a step, and the motion in it.
 //!
 //! Sub-steps are a leapfrog: x⁺ = x + h v⁺ with v⁺ = v + κ M⁻¹ (W + contact). So v⁺ belongs to the middle of its
-//! sub-step, v to the middle of the one before, and κ, the time between the two, is (h_before + h)/2. That is h as long as
-//! all sub-steps have one length. At rest loads and contacts have the same κ and cancel, whatever the sub-steps.
+//! sub-step, and v to the middle of the sub-step before. The time between v and v⁺ is κ = (h_before + h)/2. While all
+//! sub-steps have the same length, κ = h. Loads and contacts have the same κ, so that at rest they cancel, whatever the
+//! sub-steps.
 
 use alloc::vec::Vec;
 
@@ -25,38 +26,39 @@ use crate::results::Results;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
-/// What the coupled method knows of the bodies. Lists are by rank.
+/// The data of the bodies for the coupled method. Lists are by rank.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dynamics {
-    /// Layout of the model that all lists are valid for; `None` if the last step was not one of this method, or failed.
+    /// Layout of the model that all lists are valid for. `None` if the last step used another method, or failed.
     pub(crate) layout: Option<u64>,
     /// Ranks of the fixed bodies with a velocity, such as lock gates.
     pub(crate) moving_fixed: Vec<u32>,
     pub(crate) roles: Vec<Role>,
-    /// Time by which each velocity is older than its position (s). Negative if the host gave the velocity: then it is taken
-    /// to lag by half of this step.
+    /// Time by which each velocity is older than the position (s). Negative if the host gave the velocity: then half of
+    /// this step is taken as the lag.
     pub(crate) velocity_lags_s: Vec<f64>,
     pub(crate) speed_bounds: Vec<SpeedBound>,
     /// M⁻¹, earth-fixed.
     pub(crate) inverses: Vec<InverseMatrix>,
     /// States at the start of the sub-step.
     pub(crate) states: Vec<BodyState>,
-    /// Before the solve of a sub-step v_free, without contact; after it v⁺.
+    /// Before the solve of a sub-step, v_free: the velocities without contact. After the solve, v⁺.
     pub(crate) velocities: Vec<Velocity>,
     /// The bodies on piles, as in [`Model::piles`].
     pub(crate) piles: Vec<MovingPile>,
-    /// A sum over all states that the step has computed: it is finite if they are, except for the very largest.
+    /// A sum over all states that the step has computed: the sum is finite if all states are, except for states near
+    /// the largest number.
     state_sum: f64,
 }
 
-/// What the host gives for a step.
+/// The input of the host for a step.
 #[derive(Clone, Copy)]
 pub(crate) struct HostInput<'a> {
-    /// By id.
+    /// States by id.
     pub(crate) states: &'a [BodyState],
     pub(crate) loads: &'a [Wrench],
     pub(crate) step_s: f64,
-    /// Bodies have the velocities that the engine left them, which lag behind their positions.
+    /// The bodies still have the velocities of the engine's last step, which lag behind their positions.
     pub(crate) velocities_continue: bool,
 }
 
@@ -71,12 +73,12 @@ impl Dynamics {
         self.layout = None;
     }
 
-    /// Stage 1: checks the host's input, places the bodies, and computes what loads alone do to them.
+    /// Stage 1: checks the host's input, places the bodies, and computes their motion by loads alone.
     ///
     /// Settled bodies, such as quays, are skipped while their state stays the same.
     ///
     /// # Errors
-    /// Input that is not sound. Nothing that matters to a later step has changed then.
+    /// Input with a number that is not finite or too large. Then nothing has changed that a later step needs.
     pub(crate) fn begin(
         &mut self,
         model: &Model,
@@ -98,7 +100,7 @@ impl Dynamics {
         let Dynamics { roles, velocity_lags_s, speed_bounds, moving_fixed, .. } = self;
         let Dynamics { inverses, states, velocities, .. } = self;
         let Bodies { input: inputs, poses, reach_m, active } = bodies;
-        // Slices of one known length, so that ranks are not bounds-checked.
+        // Slices of one known length, so that the compiler needs no bounds checks for ranks.
         let (roles, inverses) = (&mut roles[..count], &mut inverses[..count]);
         let lags_s = &mut velocity_lags_s[..count];
         let speed_bounds = &mut speed_bounds[..count];
@@ -119,7 +121,7 @@ impl Dynamics {
             }
             active.push(rank as u32);
             let body = &model.ranked[rank];
-            // The last step has left this attitude, of a body whose inverse mass turns with it.
+            // The last step left the body at this attitude. The inverse mass of this body turns with the body.
             let is_turned = role.moves && !body.is_alike && {
                 states[rank].heading_rad.to_bits() == state.heading_rad.to_bits()
             };
@@ -148,7 +150,7 @@ impl Dynamics {
             } else {
                 let lag_s = match memory.behind_s.get(rank) {
                     _ if !input.velocities_continue => NOT_BEHIND,
-                    // Before the first step velocities and positions belong to the same time.
+                    // Before the first step, velocities and positions belong to the same time.
                     None => 0.0,
                     Some(_) if change != PoseChange::Consistent => NOT_BEHIND,
                     Some(&last_s) => last_s,
@@ -169,7 +171,7 @@ impl Dynamics {
         Ok(())
     }
 
-    /// Lists of the right length for a model of which nothing is known yet.
+    /// Resets the lists to the right length for a model, with nothing known of it yet.
     #[cold]
     #[inline(never)]
     fn forget(&mut self, model: &Model) {
@@ -184,8 +186,8 @@ impl Dynamics {
         self.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
     }
 
-    /// Begins a sub-step of a group: v_free under these loads, by id. `islands` are those of the group, if they have more
-    /// than one floating body.
+    /// Begins a sub-step of a group: computes v_free under these loads, by id. `islands` are the group's islands, if
+    /// one of them has more than one floating body.
     pub(crate) fn begin_sub_step(
         &mut self,
         model: &Model,
@@ -203,7 +205,7 @@ impl Dynamics {
         }
         let changed = sub_step.is_first()
             && islands.is_some_and(|islands| self.agree(model, group, islands, patches));
-        // `begin` has computed v_free for a sub-step that is the whole step.
+        // For a sub-step that is the whole step, `begin` has already computed v_free.
         if changed || !sub_step.is_only() {
             self.free_velocities(model, loads, group, sub_step.h);
             if !model.piles.is_empty() {
@@ -212,8 +214,8 @@ impl Dynamics {
         }
     }
 
-    /// Gives bodies that touch each other the same κ, the least: otherwise a contact would push one and not the other.
-    /// Their loads act for the same time. Returns whether any κ has changed.
+    /// Gives bodies that touch each other the same κ, the least of theirs. Otherwise a contact would push one body and
+    /// not the other. The loads of these bodies act for the same time. Returns whether any κ has changed.
     #[inline(never)]
     fn agree(
         &mut self,
@@ -238,7 +240,7 @@ impl Dynamics {
         changed
     }
 
-    /// v_free = v + κ M⁻¹ W of the bodies of a group.
+    /// Computes v_free = v + κ M⁻¹ W for the bodies of a group.
     fn free_velocities(&mut self, model: &Model, loads: &[Wrench], group: &Group, h: f64) {
         for &rank in &group.bodies {
             let rank = rank as usize;
@@ -249,8 +251,8 @@ impl Dynamics {
         }
     }
 
-    /// x⁺ = x + h v⁺ of the bodies of a group, with poses and inverse masses; and how far the bodies moved, by the mean
-    /// velocity of the sub-step: a force times it is exactly that force's work.
+    /// Moves the bodies of a group: x⁺ = x + h v⁺, with poses and inverse masses. Also computes the displacement of
+    /// each body by the mean velocity of the sub-step: a force times this displacement is exactly the force's work.
     pub(crate) fn advance_positions(
         &mut self,
         model: &Model,
@@ -260,7 +262,7 @@ impl Dynamics {
         sub_step: SubStep,
     ) {
         let (count, h) = (model.ranked.len(), sub_step.h);
-        // Slices of one known length, so that each rank is bounds-checked once.
+        // Slices of one known length, so that the compiler checks the bounds of each rank once.
         let (states, lags_s) = (&mut self.states[..count], &mut self.velocity_lags_s[..count]);
         let (poses, velocities) = (&mut bodies.poses[..count], &self.velocities[..count]);
         let (id_of, displacements) = (&model.id_of[..count], &mut results.displacements[..count]);
@@ -295,7 +297,8 @@ impl Dynamics {
         }
     }
 
-    /// Marks the fixed bodies that a group has moved through the step. They may be in other groups as well.
+    /// Marks the fixed bodies that a group has moved through the step. Such a fixed body may be in other groups as
+    /// well.
     pub(crate) fn mark_moved_fixed(&mut self) {
         for &rank in &self.moving_fixed {
             let role = &mut self.roles[rank as usize];
@@ -318,8 +321,8 @@ impl Dynamics {
 
     /// Moves the bodies that no island contains.
     ///
-    /// Returns true if all states at the end of the step are finite, except for the very largest; a wrench that is not
-    /// finite makes a state so.
+    /// Returns true if all states at the end of the step are finite, except for states near the largest number. A
+    /// wrench that is not finite makes a state not finite.
     pub(crate) fn drift(
         &mut self,
         model: &Model,
@@ -345,7 +348,8 @@ impl Dynamics {
         self.state_sum.is_finite()
     }
 
-    /// Moves a body for a step with the velocity that `begin` gave it: by its load alone, or that of a fixed body.
+    /// Moves a body through a step with the velocity that `begin` gave it. A floating body moves by its load alone, a
+    /// fixed body as the host says.
     #[inline(never)]
     fn drift_one(
         &mut self,
@@ -370,7 +374,7 @@ impl Dynamics {
     }
 }
 
-/// Calls with the rank of each floating body of these patches, once a patch.
+/// Calls with the rank of each floating body of these patches, once per patch.
 #[inline(always)]
 fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usize)) {
     for patch in patches {
@@ -382,20 +386,20 @@ fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usiz
     }
 }
 
-/// Not finite if a number of the state is not.
+/// The sum of a state's numbers. The sum is not finite if one of the numbers is not finite.
 #[inline(always)]
 fn sum_of(state: &BodyState) -> f64 {
     let linear = state.position_m + state.velocity_mps;
     linear.x + linear.y + state.heading_rad + state.yaw_rate_radps
 }
 
-/// v_free = v + κ M⁻¹ W.
+/// Returns v_free = v + κ M⁻¹ W.
 #[inline(always)]
 fn free_velocity(state: &BodyState, (way, turn): Velocity, kick_s: f64) -> Velocity {
     (state.velocity_mps + way * kick_s, state.yaw_rate_radps + turn * kick_s)
 }
 
-/// The motion after another sub-step, by the mean of the velocities before and after it.
+/// Adds another sub-step to a displacement, by the mean of the velocities before and after that sub-step.
 #[inline(always)]
 fn moved(so_far: Displacement, before: Velocity, after: Velocity, kick_s: f64) -> Displacement {
     let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
@@ -413,7 +417,7 @@ fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
-/// Moves the pose of a body with it, and turns its momentum.
+/// Moves a body's pose with the body, and turns the body's momentum.
 fn turn_with(body: &Rest, state: &mut BodyState, pose: &mut Pose, h: f64) {
     let before = core::mem::replace(pose, state.pose()).rotation;
     if let Some(kirchhoff) = &body.kirchhoff {

@@ -1,5 +1,5 @@
 //! Islands: bodies that may touch each other in this step, directly or through others. Each island is solved by itself,
-//! in sub-steps of its own. Fixed bodies do not connect islands.
+//! and has its own number of sub-steps. Fixed bodies do not connect islands.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -15,11 +15,11 @@ use crate::room::room_for;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
     pub(crate) list: Vec<Island>,
-    /// The candidates are in the order of their keys, although sorted by island.
+    /// Whether the candidates are in the order of their keys, although they are sorted by island.
     pub(crate) in_order: bool,
-    /// Some islands have more than one floating body.
+    /// Whether some islands have more than one floating body.
     joined: bool,
-    /// A body of each body's island, by rank, while islands are joined.
+    /// One body of each body's island, by rank; used while islands are joined.
     root: Vec<u32>,
 }
 
@@ -27,7 +27,7 @@ pub(crate) struct Islands {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
     candidates: Range<u32>,
-    /// Its patches in the overlap of its sub-step.
+    /// Patches of the island: a range of the overlap of its sub-step.
     patches: Range<u32>,
     pub(crate) sub_steps: u32,
 }
@@ -36,22 +36,22 @@ pub(crate) struct Island {
 /// [`Group::enter`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Group {
-    /// In `Candidates::pairings`.
+    /// Candidates of the group: a range of `Candidates::pairings`.
     pub(crate) candidates: Range<usize>,
-    /// In the overlap of the sub-step.
+    /// Patches of the group: a range of the overlap of the sub-step.
     pub(crate) patches: Range<usize>,
-    /// Ranks of its moving bodies, ascending.
+    /// Ranks of the group's moving bodies, ascending.
     pub(crate) bodies: Vec<u32>,
-    /// Where its patches, places and hints begin in the next memory.
+    /// The indices at which the group's patches, places and hints begin in the memory of the next step.
     pub(crate) first: [usize; 3],
-    /// Where its contacts begin in the results.
+    /// The index at which the group's contacts begin in the results.
     pub(crate) first_contact: usize,
 }
 
 /// How islands are ordered in the list of candidates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Order {
-    /// By their bodies' ranks: the candidates are in the order of their keys.
+    /// By the ranks of their bodies: then the candidates are in the order of their keys.
     Ranked,
     Mixed,
     /// Some candidates' islands are not known yet.
@@ -59,7 +59,7 @@ enum Order {
 }
 
 impl Islands {
-    /// With room for so many of them.
+    /// Islands, with room for `count` of them.
     pub(crate) fn with_room(count: usize) -> Islands {
         Islands { list: room_for(count), ..Islands::default() }
     }
@@ -74,7 +74,7 @@ impl Islands {
         }
         self.in_order = order == Order::Ranked;
         if !self.in_order {
-            // By island; within an island in the order of the keys.
+            // Sorted by island, and within an island by key.
             candidates.sort_unstable_by_key(|p| (p.island, p.candidate.key()));
             self.part(candidates);
         }
@@ -103,7 +103,8 @@ impl Islands {
         if in_order { Order::Ranked } else { Order::Mixed }
     }
 
-    /// Finds the islands if floating bodies may touch each other (union–find). An island is known by its lowest rank.
+    /// Finds the islands if floating bodies may touch each other (union–find). The lowest rank of a body in an island
+    /// identifies the island.
     fn join(&mut self, model: &Model, candidates: &mut [Pairing]) {
         let root = &mut self.root;
         root.clear();
@@ -138,7 +139,7 @@ impl Island {
         Island { candidates, patches: 0..0, sub_steps: 0 }
     }
 
-    /// Its place in `Candidates::pairings`.
+    /// The island's range of `Candidates::pairings`.
     #[inline(always)]
     pub(crate) fn candidates(&self) -> Range<usize> {
         self.candidates.start as usize..self.candidates.end as usize
@@ -149,14 +150,14 @@ impl Island {
         self.patches = patches.start as u32..patches.end as u32;
     }
 
-    /// Its patches in the overlap of its sub-step, counted from patch number `first`.
+    /// The island's patches in the overlap of its sub-step, counted from patch number `first`.
     #[inline(always)]
     pub(crate) fn patches_from(&self, first: usize) -> Range<usize> {
         self.patches.start as usize - first..self.patches.end as usize - first
     }
 }
 
-/// Finds each island's patches in an overlap of these islands alone.
+/// Finds each island's patches in an overlap that has only these islands.
 pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
     let mut from = 0;
     for island in islands {
@@ -167,12 +168,12 @@ pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
     }
 }
 
-/// Most islands of one sub-step that go through it together: so few that what one stage writes is still in the
-/// processor's cache when the next one reads it.
+/// Most islands that go through a sub-step together. With so few islands, what one stage writes is still in the
+/// processor's cache when the next stage reads it.
 const MOST_TOGETHER: usize = 64;
 
-/// Parts islands into groups. Islands that take several sub-steps are not parted, because a fixed body's peak wrench is
-/// that of a group.
+/// Divides islands into groups. Islands that take several sub-steps stay in one group, because a fixed body's peak
+/// wrench is computed for a group.
 pub(crate) fn groups(islands: &mut [Island]) -> impl Iterator<Item = &mut [Island]> {
     islands.chunk_by_mut(|one, next| one.sub_steps == next.sub_steps).flat_map(|alike| {
         let most = if alike[0].sub_steps > 1 { alike.len() } else { MOST_TOGETHER };
@@ -181,12 +182,12 @@ pub(crate) fn groups(islands: &mut [Island]) -> impl Iterator<Item = &mut [Islan
 }
 
 impl Group {
-    /// With room for so many bodies.
+    /// A group with room for this number of bodies.
     pub(crate) fn with_room(bodies: usize) -> Group {
         Group { bodies: room_for(bodies), ..Group::default() }
     }
 
-    /// Sets the group to these islands, with their moving bodies, which are marked as in an island.
+    /// Sets the group to these islands and their moving bodies. Marks these bodies as being in an island.
     pub(crate) fn enter(&mut self, islands: &[Island], candidates: &[Pairing], roles: &mut [Role]) {
         self.begin(islands);
         for Pairing { candidate, .. } in &candidates[self.candidates.clone()] {
@@ -203,7 +204,7 @@ impl Group {
         }
     }
 
-    /// As [`Group::enter`], if each island has one moving body. Saves 0.7 % of a coupled step of `ship`.
+    /// Does as [`Group::enter`], if each island has one moving body. This saves 0.7 % of a coupled step of `ship`.
     pub(crate) fn enter_alone(
         &mut self,
         islands: &[Island],
@@ -212,7 +213,7 @@ impl Group {
     ) {
         self.begin(islands);
         for island in islands {
-            // An island is known by that body.
+            // The rank of its moving body identifies the island.
             let rank = candidates[island.candidates.start as usize].island;
             roles[rank as usize].in_island = true;
             self.bodies.push(rank);

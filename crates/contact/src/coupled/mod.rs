@@ -1,8 +1,8 @@
-//! The coupled method: one solve for all contacts of an island, with the external loads in it, in sub-steps if the step is
+//! The coupled method: solves all contacts of an island together with the external loads, in sub-steps if the step is
 //! too long for the contact.
 //!
-//! It mends three faults of the paper's method: the limits of several contacts add up, the limiter does not know the
-//! loads, so that bodies creep through it, and a step can be longer than the contact itself.
+//! The method mends three faults of the paper's method. There, the limits of several contacts add up. The limiter does
+//! not know the loads, so bodies creep through it. And a step can be longer than the contact itself.
 //!
 //! One sub-step of length h of an island (bodies that may touch each other, directly or through others):
 //!
@@ -58,23 +58,25 @@ use crate::results::Results;
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method, and the states at its
-/// end. `states` and `loads` are in the order in which bodies were added. `loads` is all that acts on each body in this
-/// step except contact, about its centre of gravity: hull forces, wind, lines, and the Coriolis and centripetal terms if
-/// the host has them.
+/// Computes the contact forces by the coupled method, for the step of `step_s` seconds that begins at `states`, and the
+/// states at the end of the step. `states` and `loads` are in the order in which bodies were added. `loads` is all that
+/// acts on each body in this step except contact, about the body's centre of gravity: hull forces, wind, lines, and the
+/// Coriolis and centripetal terms if the host has them.
 ///
-/// Results are in `work`. [`Workspace::wrenches`] has the *mean* contact wrench over the step, which a host that
-/// integrates by itself adds to its forces; [`Workspace::peak_wrenches_into`] the greatest within it; [`Workspace::states_after`]
-/// the states at the end of the step; [`Workspace::contacts`] mean forces and true peaks. Hosts that let the engine move
-/// their bodies call [`advance_from_engine_states`] or [`advance_in_place`], which know to which time the velocities belong.
+/// Results are in `work`. [`Workspace::wrenches`] has the *mean* contact wrench over the step: a host that integrates
+/// by itself adds it to its forces. [`Workspace::peak_wrenches_into`] has the greatest wrench within the step,
+/// [`Workspace::states_after`] the states at the end of the step, and [`Workspace::contacts`] mean forces and true
+/// peaks. Hosts that let the engine move their bodies call [`advance_from_engine_states`] or [`advance_in_place`]
+/// instead: the engine's velocities belong to the middle of a sub-step, and only these two functions know it.
 ///
-/// A step of 0 s, of a host that is paused, does not change `memory`. The states after it are the input states; wrenches
-/// and contacts are those of the last step, without work and events.
+/// A step of 0 s means that the host is paused. It does not change `memory`. The states after it are the input states.
+/// Wrenches and contacts are those of the last step, without work and events.
 ///
-/// If a host displaces a body farther than its velocities lead it, contacts give back the energy that they store there.
+/// If a host displaces a body farther than its velocities lead, contacts give back all the energy that they store at
+/// the new place.
 ///
 /// # Errors
-/// As [`crate::step()`]; but `work` has no valid results after [`StepError::NotFinite`].
+/// As [`crate::step()`], except that `work` has no valid results after [`StepError::NotFinite`].
 pub fn advance(
     model: &Model,
     memory: &mut Memory,
@@ -87,12 +89,12 @@ pub fn advance(
     advance_copy(model, memory, work, &input)
 }
 
-/// As [`advance`], for hosts that let the engine move their bodies: `states` have the velocities that it left in
-/// [`Workspace::states_after`], except for what the host itself changes.
+/// As [`advance`], for hosts that let the engine move their bodies. `states` have the velocities of
+/// [`Workspace::states_after`], unless the host itself changed them.
 ///
-/// These velocities belong to the middle of the last sub-step. That matters if the sub-steps of this step are longer or
-/// shorter: a body on a fender that meets a stiffer one, or a change of Δt, would otherwise give a rebound that is wrong by
-/// some per cent.
+/// These velocities belong to the middle of the last sub-step. This matters if the sub-steps of the new step are longer
+/// or shorter, because Δt changes or because a body meets a stiffer fender. [`advance`] would then give a rebound that
+/// is wrong by some per cent.
 ///
 /// # Errors
 /// As [`advance`].
@@ -108,8 +110,8 @@ pub fn advance_from_engine_states(
     advance_copy(model, memory, work, &input)
 }
 
-/// As [`advance_from_engine_states`], and `states` become those at the end of the step. This saves a copy of all states.
-/// [`Workspace::states_after`] is empty afterwards.
+/// As [`advance_from_engine_states`], but writes the states at the end of the step into `states`. This saves a copy of
+/// all states. [`Workspace::states_after`] is empty afterwards.
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -161,7 +163,7 @@ pub fn advance_in_place(
     outcome
 }
 
-/// A step whose states at the end go to the workspace.
+/// Does a step, and leaves the states at its end in the workspace.
 fn advance_copy(
     model: &Model,
     memory: &mut Memory,
@@ -176,7 +178,7 @@ fn advance_copy(
         return pause(model, memory, work, states, Some(loads));
     }
     begin(model, memory, work, input)?;
-    // States of settled bodies are those of the last step and are not rewritten.
+    // Settled bodies keep the states of the last step: these are not rewritten.
     if work.results.states_after.len() != states.len() {
         work.results.states_after.clear();
         work.results.states_after.extend_from_slice(states);
@@ -206,7 +208,7 @@ fn begin(
     Ok(())
 }
 
-/// Stages 2 to 6, after [`begin`]. `Results::states_after` has the states of bodies that do not move already.
+/// Stages 2 to 6, after [`begin`]. `Results::states_after` already has the states of bodies that do not move.
 fn carry_out(
     model: &Model,
     memory: &mut Memory,
@@ -237,7 +239,7 @@ fn carry_out(
     }
     results.layout = Some(model.layout);
 
-    // The step is done: its memory becomes that of the next.
+    // The step is done. The new memory becomes the memory of the next step.
     next_memory.exchange(&mut memory.contacts, keeps_hints);
     memory.parted.clone_from(&results.parted);
     if !model.piles.is_empty() {
@@ -252,8 +254,8 @@ fn carry_out(
     Ok(())
 }
 
-/// Moves all islands through the step: together if they are in the order of the memory, else one by one. Returns true if
-/// all hints of the memory stay as they are.
+/// Moves all islands through the step: together if they are in the order of the memory, else one by one. Returns true
+/// if all hints of the memory stay unchanged.
 fn advance_islands(
     model: &Model,
     memory: &Memory,
@@ -292,7 +294,7 @@ fn advance_islands(
     for island in &mut islands.list {
         let own = &candidates.pairings[island.candidates()];
         gathered.gather(&memory.contacts, own);
-        // Other islands have moved them.
+        // The islands before this one have moved these bodies.
         sub_steps.dynamics.reset_moving_fixed(sub_steps.bodies, own);
         let past = gathered.past(memory.last_step_s, displaced);
         if sub_steps.advance(past, core::slice::from_mut(island), overlap, kept, step_s) {
@@ -302,8 +304,8 @@ fn advance_islands(
     false
 }
 
-/// Reports the end of contacts whose pairs are no candidates any more. [`crate::inherit`] does not see these; they exist
-/// only if a body was teleported.
+/// Reports the end of contacts whose pairs are no longer candidates. [`crate::inherit`] does not see these contacts.
+/// They exist only if a body was teleported.
 fn end_contacts_of_teleported(
     model: &Model,
     memory: &Memory,

@@ -1,26 +1,26 @@
-//! What decides how a body moves in a step of the coupled method.
+//! The data that decide how a body moves in a step of the coupled method.
 
 use crate::mass::InverseMatrix;
 use crate::ranked::RankedBody;
 use crate::report::Wrench;
 use crate::state::{BodyState, Velocity};
 
-/// How a body takes part in a step. Kept apart from [`SpeedBound`] and the like: stages that ask it of every body of every
-/// contact read little else.
+/// How a body takes part in a step. Kept apart from [`SpeedBound`] and the like, because the stages that need the role
+/// of every body of every contact read little else.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Role {
     /// True for all but fixed bodies at rest.
     pub(crate) moves: bool,
     /// A fixed body at rest whose state was the same twice.
     pub(crate) settled: bool,
-    /// The present group of islands contains it, or an earlier one does and it floats.
+    /// Whether the present group of islands contains the body; for a floating body, also whether an earlier group does.
     pub(crate) in_island: bool,
-    /// It is fixed, and a group of islands has moved it through this step.
+    /// Whether the body is fixed and a group of islands has moved it through this step.
     pub(crate) has_moved: bool,
 }
 
 impl Role {
-    /// Of a body that is in no island yet.
+    /// The role of a body that is in no island yet.
     #[inline(always)]
     pub(crate) fn new(moves: bool, settled: bool) -> Role {
         Role { moves, settled, in_island: false, has_moved: false }
@@ -30,14 +30,14 @@ impl Role {
 /// Bounds on the speed of any point of a body within a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SpeedBound {
-    /// (m/s)
+    /// Largest speed of any point of the body (m/s).
     pub(crate) fastest_mps: f64,
-    /// The part of it by acceleration and rotation (m/s).
+    /// The part of the bound that comes from acceleration and rotation (m/s).
     pub(crate) room_mps: f64,
 }
 
 impl SpeedBound {
-    /// Of a body that this acceleration acts on for this time.
+    /// The bounds for a body on which this acceleration acts for this time.
     #[inline(always)]
     pub(crate) fn of(
         body: &RankedBody,
@@ -51,7 +51,7 @@ impl SpeedBound {
     }
 }
 
-/// M⁻¹ W of a body with this earth-fixed M⁻¹ (m/s², rad/s²).
+/// M⁻¹ W of a body (m/s², rad/s²). `inverse` is M⁻¹, earth-fixed.
 #[inline(always)]
 pub(crate) fn acceleration(body: &RankedBody, inverse: &InverseMatrix, load: &Wrench) -> Velocity {
     if body.is_alike {
@@ -61,7 +61,7 @@ pub(crate) fn acceleration(body: &RankedBody, inverse: &InverseMatrix, load: &Wr
     }
 }
 
-/// κ of a sub-step of length h, of a body whose velocity lags by `lag_s`.
+/// κ for a sub-step of length h and a body whose velocity lags by `lag_s`.
 #[inline(always)]
 pub(crate) fn kick_s(lag_s: f64, h: f64) -> f64 {
     lag_s.abs() + 0.5 * h

@@ -7,9 +7,9 @@ use crate::vec2::Vec2;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct MovingPile {
     pub(crate) state: PileState,
-    /// Neither load nor motion: it needs no sub-steps of its own.
+    /// Whether the pile has neither load nor motion. Such a pile needs no sub-steps of its own.
     pub(crate) is_still: bool,
-    /// The body's velocity before the sub-step (m/s), and κ of that (s).
+    /// The body's velocity before the sub-step (m/s), and the κ for this velocity (s).
     pub(crate) before_mps: Vec2,
     pub(crate) kick_s: f64,
 }

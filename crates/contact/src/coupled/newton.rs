@@ -1,17 +1,17 @@
-//! Newton acceleration: finds at once where the sweeps of an island would end.
+//! Newton acceleration: finds in one go the forces at which the sweeps of an island would end.
 //!
 //! A ship that comes to rest on many fenders has more tight contacts than degrees of freedom, and the sweeps pass the
 //! load from one contact to the next for hundreds of rounds. In a raft of barges they pass it from barge to barge. The
-//! velocities have three unknowns a body only. So each N is made a very stiff line through its present force,
-//! N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f), which is right wherever N no longer changes (the method of multipliers;
-//! Hestenes 1969, Powell 1969). The velocities are those at which the forces balance: the minimum of a convex, piecewise
-//! quadratic function of the velocities. Newton's method with a line search finds it (Castro et al. 2022, IEEE Trans.
-//! Robotics 38(2)). Each step solves
+//! velocities, however, have only three unknowns per body. So the acceleration makes each N a very stiff line through
+//! the present force, N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f). The line is right where N no longer changes (the method
+//! of multipliers; Hestenes 1969, Powell 1969). The velocities wanted are those at which the forces balance. These
+//! velocities are the minimum of a convex, piecewise quadratic function. Newton's method with a line search finds it
+//! (Castro et al. 2022, IEEE Trans. Robotics 38(2)). Each Newton step solves
 //!
-//! (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j's times the forces that are not yet balanced),
+//! (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j times the forces that are not yet balanced),
 //!
-//! whose matrix is positive definite, however many contacts there are, and sparse: [`super::block_cholesky`]. The sweeps
-//! check the result: the acceleration affects how fast they settle, not where.
+//! The matrix is positive definite, however many contacts there are, and sparse: see [`super::block_cholesky`]. The
+//! sweeps check the result. The acceleration affects how fast the sweeps settle, not where they settle.
 
 use alloc::vec::Vec;
 
@@ -22,18 +22,19 @@ use crate::mass::InverseMatrix;
 use crate::number::{greater, lesser};
 use crate::state::Velocity;
 
-/// How the forces are made lines in an acceleration.
+/// The stiff lines that replace the forces in an acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lines {
     /// Length over which forces act (s).
     pub(crate) h: f64,
     /// κ h n·K n: each acceleration divides the remaining error by about this.
     pub(crate) stiffness: f64,
-    /// A Newton step that changes no speed at a contact by more than this is the last (m/s).
+    /// Newton ends after a step that changes no speed at a contact by more than this (m/s).
     pub(crate) settled_mps: f64,
 }
 
-/// Most Newton steps, and trials in each line search, which ends when the share changes by less than this part.
+/// Most Newton steps, and most trials in each line search. A line search ends when the share changes by less than
+/// `NEAR`.
 const NEWTON_STEPS: u32 = 40;
 const SEARCHES: u32 = 40;
 const NEAR: f64 = 1e-4;
@@ -47,7 +48,7 @@ pub(crate) struct Trial {
     bounds: Bounds,
     /// κ of the stiff line (N·s/m).
     stiffness: f64,
-    /// T is limited by the energy that the shear spring stores. It stays as it is until the next sweep.
+    /// Whether the energy that the shear spring stores limits T. Then T stays as it is until the next sweep.
     limited: bool,
 }
 
@@ -60,7 +61,7 @@ impl Trial {
     }
 }
 
-/// Which bounds decide a contact's forces.
+/// The bounds that decide a contact's forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Bounds {
     normal: NormalBound,
@@ -74,11 +75,12 @@ enum ShearBound {
     Sticks,
     /// Friction.
     Slides,
-    /// It stays as it is.
+    /// Neither: T stays as it is.
     Held,
 }
 
-/// Forces as lines: their change from now, and their slopes with the speeds, against which they act (N·s/m).
+/// A contact's forces as lines: their change from the present forces, and their slopes (N·s/m). The forces act against
+/// the speeds.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     change: Change,
@@ -90,15 +92,15 @@ struct Line {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NewtonBuffers {
     pub(crate) unknowns: Unknowns,
-    /// One a contact of the island.
+    /// One trial per contact of the island.
     trials: Vec<Trial>,
-    /// By place: the last step, and the change of the velocities by all steps.
+    /// For each contact by its place: the last Newton step, and the change of the velocities by all Newton steps.
     pub(crate) step: Vec<Triple>,
     moved: Vec<Triple>,
 }
 
-/// Changes the forces in `constraints` and the bodies' `velocities` to where the sweeps converge. The island is that of
-/// `buffers.unknowns`.
+/// Changes the forces in `constraints` and the bodies' `velocities` to the values to which the sweeps converge. The
+/// island is the one set in `buffers.unknowns`.
 pub(crate) fn accelerate(
     velocities: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -155,12 +157,12 @@ pub(crate) fn accelerate(
     }
 }
 
-/// N of a tight contact as a stiff line through its present force.
+/// N of a tight contact, on the stiff line through the present force.
 fn on_stiff_line_n(constraint: &Constraint, normal_mps: f64, stiffness: f64) -> f64 {
     constraint.forces.normal_n + stiffness * (normal_mps + constraint.rebound_mps)
 }
 
-/// Which bounds decide the forces at these speeds.
+/// The bounds that decide the forces at these speeds.
 fn bounds_at(constraint: &Constraint, speeds: Speeds, limited: bool, stiffness: f64) -> Bounds {
     let normal = match on_stiff_line_n(constraint, speeds.normal_mps, stiffness) {
         n if n >= constraint.law_n => NormalBound::Full,
@@ -177,14 +179,14 @@ fn bounds_at(constraint: &Constraint, speeds: Speeds, limited: bool, stiffness: 
     Bounds { normal, shear }
 }
 
-/// T within what the present N allows: with a limit that follows N the function would not be convex. The sweeps and the next
-/// acceleration have the new N.
+/// T within Coulomb's limit for the present N. With a limit that follows N, the function would not be convex. The
+/// sweeps and the next acceleration use the new N.
 fn clamped_n(constraint: &Constraint, spring_n: f64) -> f64 {
     let Forces { normal_n, friction, .. } = constraint.forces;
     constraint.shear.coulomb.clamped(spring_n, normal_n, friction)
 }
 
-/// The change of the forces at these speeds, and how it changes with them.
+/// The change of the forces at these speeds, and the slope of that change.
 fn line(constraint: &Constraint, speeds: Speeds, bounds: Bounds, stiffness: f64) -> Line {
     let now = &constraint.forces;
     let (normal_n, normal_slope) = match bounds.normal {
@@ -204,7 +206,7 @@ fn line(constraint: &Constraint, speeds: Speeds, bounds: Bounds, stiffness: f64)
     Line { change: forces.minus(now), normal_slope, tangential_slope }
 }
 
-/// The forces at a trial's speeds, by the same lines and within all bounds.
+/// The forces at a trial's speeds, on the trial's lines and within all bounds.
 fn forces_at(constraint: &Constraint, trial: &Trial) -> Forces {
     let change = line(constraint, trial.speeds, trial.bounds, trial.stiffness).change;
     let now = &constraint.forces;
@@ -214,8 +216,8 @@ fn forces_at(constraint: &Constraint, trial: &Trial) -> Forces {
     Forces { normal_n, tangential_n, friction: now.friction }
 }
 
-/// Writes Newton's `step` from where the bodies' velocities have `moved` to. Returns false if the matrix is not positive
-/// definite to rounding.
+/// Writes Newton's `step`, from the velocities that the bodies have `moved` to. Returns false if the matrix is not
+/// positive definite to rounding.
 fn newton_step(
     unknowns: &mut Unknowns,
     constraints: &[Constraint],
@@ -240,7 +242,7 @@ fn newton_step(
     unknowns.solve(step)
 }
 
-/// The fraction of a Newton step, at most 1, at which the function is least along it.
+/// The fraction of a Newton step, at most 1, at which the function has its minimum along the step.
 fn line_search(
     unknowns: &Unknowns,
     constraints: &[Constraint],
@@ -251,7 +253,8 @@ fn line_search(
 ) -> f64 {
     let at_start = unknowns.mass_product(moved, step);
     let along = unknowns.mass_product(step, step);
-    // The function is convex and piecewise quadratic: its slope along the step rises with the share, in straight pieces.
+    // The function is convex and piecewise quadratic: the slope along the step rises with the share, in straight
+    // pieces.
     let slope_at = |share: f64| {
         let (mut slope, mut curvature) = (at_start + share * along, along);
         for (constraint, trial) in constraints.iter().zip(trials) {
@@ -268,7 +271,7 @@ fn line_search(
         }
         (slope, curvature)
     };
-    // By Newton's method, which is exact on the last piece, within a bracket.
+    // Newton's method within a bracket. It is exact on the last piece.
     let (mut low, mut high, mut share) = (0.0, f64::INFINITY, 1.0);
     for _ in 0..SEARCHES {
         let (slope, curvature) = slope_at(share);
@@ -286,6 +289,6 @@ fn line_search(
         }
         share = next;
     }
-    // Not beyond the minimum, unless that lies very near the start.
+    // Stay before the minimum, unless the minimum lies very near the start.
     if low > 0.0 { low } else { share }
 }

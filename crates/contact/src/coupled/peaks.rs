@@ -1,7 +1,8 @@
 //! The greatest contact wrench on each body within a step of several sub-steps.
 //!
-//! The step's wrenches are means over the step, so that the impulse is right. If a force falls off within a long step its
-//! mean is much less than its peak. In a step of one sub-step the two are equal and nothing is recorded here.
+//! The wrenches of a step are means over the step, so that the impulse is right. If a force falls off within a long
+//! step, its mean is much less than its peak. In a step of one sub-step mean and peak are equal, and nothing is
+//! recorded here.
 
 use alloc::vec::Vec;
 
@@ -14,14 +15,15 @@ use crate::report::Wrench;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PeakWrench {
     id: u32,
-    /// The accumulated mean wrench before the group's first sub-step, and after its last one so far.
+    /// The accumulated mean wrench before the group's first sub-step, and the same after the group's last sub-step so
+    /// far.
     at_start: Wrench,
     so_far: Wrench,
     greatest: Wrench,
 }
 
-/// Adds an entry for each body of a group, before its first sub-step: the floating ones of `bodies`, and the fixed ones
-/// of its candidates.
+/// Adds an entry for each body of a group, before the group's first sub-step: for the floating bodies among `bodies`,
+/// and for the fixed bodies of the group's candidates.
 pub(crate) fn begin(
     model: &Model,
     bodies: &[u32],
@@ -46,7 +48,7 @@ pub(crate) fn begin(
     remove_duplicates(peaks, first_fixed);
 }
 
-/// Leaves one entry a body from `from` on.
+/// Removes duplicates: leaves one entry per body from index `from` on.
 fn remove_duplicates(peaks: &mut Vec<PeakWrench>, from: usize) {
     peaks[from..].sort_unstable_by_key(|peak| peak.id);
     let mut kept = from;
@@ -59,7 +61,8 @@ fn remove_duplicates(peaks: &mut Vec<PeakWrench>, from: usize) {
     peaks.truncate(kept);
 }
 
-/// Updates a group's entries after one of its sub-steps, which is this `share` of the step.
+/// Updates a group's entries after one of the group's sub-steps. The length of the sub-step is this `share` of the
+/// step.
 pub(crate) fn update(peaks: &mut [PeakWrench], wrenches: &[Wrench], share: f64) {
     for peak in peaks {
         let wrench = wrenches[peak.id as usize];
@@ -71,7 +74,7 @@ pub(crate) fn update(peaks: &mut [PeakWrench], wrenches: &[Wrench], share: f64) 
     }
 }
 
-/// Writes the greatest wrenches of the step, one a body; `means` are the mean ones.
+/// Writes the greatest wrench of the step for each body. `means` are the mean wrenches.
 pub(crate) fn write(peaks: &[PeakWrench], means: &[Wrench], into: &mut Vec<Wrench>) {
     into.clear();
     into.extend_from_slice(means);

@@ -1,8 +1,8 @@
 //! Bodies on piles in the coupled method.
 //!
-//! A sub-step treats such a body as any other, but with m′ for its mass and with the pile's force in v_free: see
-//! [`crate::pile`]. Its deflection is kept at the time of the velocity, so that the midpoint rule holds to the bit; the
-//! position follows from both.
+//! A sub-step treats such a body as any other, but with the mass m′ and with the pile's force in v_free: see
+//! [`crate::pile`]. The deflection is kept for the time to which the velocity belongs, so that the midpoint rule holds
+//! to the bit. The position follows from deflection and velocity.
 
 use crate::bodies::{Bodies, Displaced};
 use crate::coupled::dynamics::{Dynamics, HostInput};
@@ -20,10 +20,10 @@ use crate::report::{Displacement, Wrench};
 use crate::results::Results;
 use crate::vec2::Vec2;
 
-/// Largest ωh of a body on a pile that touches nothing. Its period is too long by 3e-5 of itself then.
+/// Largest ωh of a body on a pile that touches nothing. The relative error of the period is 3e-5 at this ωh.
 const TURN_WHEN_FREE: f64 = 0.02;
 
-/// A pile that would swing by less than this is still (m).
+/// A pile whose swing would be smaller than this counts as still (m).
 const STILL_M: f64 = 1e-9;
 
 impl Dynamics {
@@ -35,13 +35,13 @@ impl Dynamics {
         results.piles.extend(both.map(|(of, moving)| PileMotion::begin(&of.pile, &moving.state)));
     }
 
-    /// The permanent deflections become those of the next step.
+    /// Stores the permanent deflections for the next step.
     pub(crate) fn store_offsets(&self, memory: &mut Memory) {
         memory.pile_offsets_m.clear();
         memory.pile_offsets_m.extend(self.piles.iter().map(|moving| moving.state.offset_m));
     }
 
-    /// Stage 1 for bodies on piles, after that for all bodies: where their piles are, and how fast they may become.
+    /// Stage 1 for bodies on piles, after stage 1 for all bodies: places the piles, and bounds their speeds.
     #[inline(never)]
     pub(crate) fn begin_piles(
         &mut self,
@@ -55,7 +55,7 @@ impl Dynamics {
         for (index, ranked) in model.piles.iter().enumerate() {
             let (rank, pile) = (ranked.rank as usize, &ranked.pile);
             let (state, load) = (self.states[rank], &input.loads[model.id_of[rank].0 as usize]);
-            // A swinging body may end a long step anywhere: only the host's mark tells a teleport.
+            // A swinging body may end a long step anywhere, so only the host's mark shows a teleport.
             if memory.placed.binary_search(&ranked.rank).is_err() {
                 displaced.forget(ranked.rank);
                 self.velocity_lags_s[rank] = memory.behind_s.get(rank).copied().unwrap_or(0.0);
@@ -87,7 +87,7 @@ impl Dynamics {
         }
     }
 
-    /// v_free and M⁻¹ of a body on a pile for a sub-step of length h.
+    /// Computes v_free and M⁻¹ of a body on a pile for a sub-step of length h.
     fn free_pile(&mut self, model: &Model, index: usize, load: &Wrench, h: f64) {
         let ranked = &model.piles[index];
         let (rank, pile, moving) = (ranked.rank as usize, &ranked.pile, &mut self.piles[index]);
@@ -149,7 +149,8 @@ impl Dynamics {
 
     /// Moves the bodies on piles that no island contains, after [`Dynamics::drift`] for all bodies.
     ///
-    /// Their sub-steps have one length from the time of the velocity on, so that a long step before this one costs nothing.
+    /// The sub-steps begin at the time to which the velocity belongs, and have one length. So a long step before this
+    /// one costs nothing.
     #[inline(never)]
     pub(crate) fn drift_piles(
         &mut self,
@@ -171,7 +172,7 @@ impl Dynamics {
             let most = f64::from(MOST_SUB_STEPS);
             let count = if moving.is_still { 1.0 } else { libm::ceil(bounded(turn, 1.0, most)) };
             let lead_s = 0.5 * step_s / count;
-            // `begin_piles` set κ of the whole step: the velocity's lag and half the step.
+            // `begin_piles` set κ for the whole step: the lag of the velocity plus half the step.
             let kick_s = (moving.kick_s + 0.5 * step_s - lead_s) / count;
             let mut velocity_mps = input.velocity_mps;
             let from_m = moving.state.deflection_m;

@@ -1,11 +1,11 @@
-//! Islands with several floating bodies against a dense reference: a quadratic programme that a library solves.
+//! Compares islands of several floating bodies with a dense reference: a quadratic programme that a library solves.
 //!
 //! Without friction the solver's velocities are the minimum of
 //!
 //! ½ (v − v*)ᵀ M (v − v*) + κ Σ f max(0, V_n + γ v_ref),
 //!
-//! whose gradient is the balance of momentum with N = mid(0, N at which the bound is tight, f). With a variable for each max
-//! it is a quadratic programme.
+//! The gradient of this function is the balance of momentum with N = mid(0, N at which the bound is tight, f). With a
+//! variable for each max the minimum is a quadratic programme.
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
@@ -36,7 +36,8 @@ const YAW_INERTIA_KGM2: f64 = 1.4e8;
 const LONG_M: f64 = 40.0;
 const WIDE_M: f64 = 11.0;
 
-/// A raft of barges between a quay ahead and one to starboard: the last body. Neighbours touch at two places.
+/// A raft of barges between a quay ahead and a quay to starboard. The two quays are one body, the last. Neighbouring
+/// barges touch at two places.
 struct Raft {
     before: Vec<Velocity>,
     inverses: Vec<InverseMatrix>,
@@ -120,7 +121,7 @@ impl Raft {
         self.before.len() - 1
     }
 
-    /// Solves it by the engine: velocities and forces.
+    /// Solves the raft by the engine: velocities and forces.
     fn solved(&self) -> (Vec<Velocity>, Vec<Constraint>) {
         let (mut bodies, mut constraints) = (self.before.clone(), self.constraints.clone());
         let memories = vec![PatchMemory::default(); constraints.len()];
@@ -151,7 +152,7 @@ impl Raft {
         rows
     }
 
-    /// The minimum: velocities, and N of each contact. In units of m, s and 1,000 t.
+    /// The minimum: velocities, and N of each contact. Units are m, s and 1,000 t.
     fn by_quadratic_programme(&self) -> (Vec<f64>, Vec<f64>) {
         const UNIT_KG: f64 = 1e6;
         let (count, contacts) = (3 * self.bodies(), self.constraints.len());
@@ -167,7 +168,7 @@ impl Raft {
                 linear[3 * rank + axis] = -mass * before;
             }
         }
-        // V_n − s ≤ −γ v_ref, then −s ≤ 0.
+        // First V_n − s ≤ −γ v_ref, then −s ≤ 0.
         let mut limits = vec![vec![0.0; all]; 2 * contacts];
         let mut bounds = vec![0.0; 2 * contacts];
         for (index, constraint) in self.constraints.iter().enumerate() {
@@ -201,7 +202,7 @@ impl Raft {
         (solver.solution.x[..count].to_vec(), normal_n)
     }
 
-    /// Momentum that the contacts give each body in the direction of each velocity, by these forces.
+    /// Momentum that these contact forces give each body, in the direction of each velocity component.
     fn momenta(&self, forces: &[[f64; 2]]) -> Vec<f64> {
         let mut momenta = vec![0.0; 3 * self.bodies()];
         for (constraint, [normal_n, tangential_n]) in self.constraints.iter().zip(forces) {
@@ -218,8 +219,8 @@ fn flat(velocities: &[Velocity]) -> Vec<f64> {
     velocities.iter().flat_map(|(velocity, turn)| [velocity.x, velocity.y, *turn]).collect()
 }
 
-/// Velocities and the forces on each body within 1e-6. Where two bodies touch at two places and others hold them too, N
-/// alone need not be unique; its sums are.
+/// Velocities and the sums of forces on each body agree within 1e-6. Where two bodies touch at two places and other
+/// contacts hold them too, a single N need not be unique, but the sums are.
 #[test]
 fn rafts_have_the_forces_of_a_quadratic_programme() {
     for (side, seed) in [(2, 1), (3, 2), (4, 3), (5, 4), (6, 5)] {
@@ -247,8 +248,8 @@ fn rafts_have_the_forces_of_a_quadratic_programme() {
     }
 }
 
-/// With friction that gives way the solution is no minimum, since Coulomb's limit follows N. What makes it the solution can be
-/// checked contact by contact: the balance of momentum, N by its bounds, T by the spring and Coulomb.
+/// With friction that slides, the solution is no minimum, since Coulomb's limit follows N. But each contact can be
+/// checked by itself: the balance of momentum, N against its bounds, T against spring and Coulomb.
 #[test]
 fn rafts_that_slide_fulfil_the_law_of_each_contact() {
     let mut slipping = 0;
@@ -268,7 +269,8 @@ fn rafts_that_slide_fulfil_the_law_of_each_contact() {
             let [normal, tangential] = raft.rows(constraint);
             let along = |row: &[f64]| row.iter().zip(&after).map(|(j, v)| j * v).sum::<f64>();
             let room_mps = along(&normal) + constraint.rebound_mps;
-            // 1e-9 of the largest speeds, some 0.05 m/s, as settled, with what the neighbours still pass on.
+            // The sweeps end at 1e-9 of the largest speed, some 0.05 m/s. Twice this allows for what neighbours still
+            // pass on.
             let close_mps = 2e-9;
             assert!((0.0..=constraint.law_n).contains(&normal_n), "{normal_n}");
             if normal_n < constraint.law_n {

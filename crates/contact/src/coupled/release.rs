@@ -1,4 +1,4 @@
-//! Release: contacts that store more energy than their load balances come apart.
+//! Release: contacts come apart if they store more energy than balances their load.
 
 use crate::coupled::constraint::Constraint;
 use crate::memory::PatchMemory;
@@ -6,18 +6,19 @@ use crate::model::Model;
 use crate::number::greater;
 use crate::patch::Patch;
 
-/// Fraction of the speed that unbalanced energy would give. It keeps that speed below v_ref in a hit, where the time
-/// step's error in the stored energy is a few per cent.
+/// Fraction used of the speed that unbalanced energy would give. The fraction keeps this speed below v_ref in a hit,
+/// where the stored energy has an error of a few per cent because of the time step.
 const SHARE: f64 = 0.8;
 
 /// Raises v_ref of each contact of an island to the speed that the unbalanced stored energy would give.
 /// `unbalanced_j` has room for one number a body.
 ///
-/// v_ref alone forgets: if the relative velocity changes sign by a small amount, as when a ship on several fenders yaws a
-/// little while she comes back, v_ref starts again from almost nothing. She would rest for ever deeper than her load
-/// holds her, or stay pressed on after the wind has died. A spring at δ that is held by N < f has about U (1 − N/f)² more
-/// than it needs (exactly, if it is linear). All contacts between the same two bodies, or of one body with fixed ones,
-/// release together. N ≤ f still holds, and N < f only while the contact opens, so this makes no energy.
+/// v_ref alone forgets. If the relative velocity changes sign by a small amount, v_ref starts again from almost
+/// nothing. This happens when a ship on several fenders yaws a little while she comes back. The ship would then rest
+/// deeper than her load holds her, for ever, or stay pressed on after the wind has died. A spring with deflection δ
+/// that is held by N < f stores about U (1 − N/f)² more than N balances (exactly, if it is linear). All contacts
+/// between the same two bodies release together, and so do all contacts of one body with fixed bodies. N ≤ f still
+/// holds, and N < f only while the contact opens, so release creates no energy.
 #[inline]
 pub(crate) fn release_island(
     model: &Model,
@@ -26,7 +27,7 @@ pub(crate) fn release_island(
     constraints: &mut [Constraint],
     unbalanced_j: &mut [f64],
 ) {
-    // Most islands stop here: even the energy of all contacts together raises no v_ref.
+    // Most islands stop here: even the sum of all unbalanced energy raises no v_ref.
     let all_j = constraints.iter().map(|constraint| constraint.unbalanced_j).sum();
     let rises = |(memory, constraint)| rises(all_j, memory, constraint);
     if memories.iter().zip(&*constraints).any(rises) {
@@ -34,7 +35,7 @@ pub(crate) fn release_island(
     }
 }
 
-/// As [`release_island`], for the only contact of an island.
+/// Does as [`release_island`] for the only contact of an island.
 #[inline(always)]
 pub(crate) fn release_single(
     model: &Model,
@@ -52,14 +53,15 @@ fn rises(unbalanced_j: f64, memory: &PatchMemory, constraint: &Constraint) -> bo
     speed_squared(unbalanced_j, constraint) > memory.v_normal_0_mps * memory.v_normal_0_mps
 }
 
-/// Square of the speed that unbalanced energy would give the two bodies of a contact, without rotation [m²/s²]:
+/// Square of the speed that unbalanced energy would give the two bodies of a contact (m²/s²). Rotation is left out:
 /// contacts at both ends of a ship do not turn her.
 #[inline(always)]
 fn speed_squared(unbalanced_j: f64, constraint: &Constraint) -> f64 {
     SHARE * SHARE * 2.0 * unbalanced_j * constraint.inverse_mass.linear
 }
 
-/// Raises v_ref, which the memory keeps until the contact closes again: otherwise the bound would come and go with N.
+/// Raises v_ref. The memory keeps the new v_ref until the contact closes again; otherwise the bound would come and go
+/// with N.
 #[cold]
 #[inline(never)]
 fn raise(

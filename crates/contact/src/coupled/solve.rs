@@ -1,18 +1,18 @@
-//! The solver: normal and tangential forces of all contacts of an island together.
+//! The solver: computes normal and tangential forces of all contacts of an island together.
 //!
-//! Unknown N_i, T_i. With V⁺ the relative velocity at a contact after *all* forces of the sub-step:
+//! The unknowns are N_i and T_i. V⁺ is the relative velocity at a contact after *all* forces of the sub-step:
 //!
-//! - 0 ≤ N_i ≤ f_i, V_n,i⁺ + γ v_ref,i ≥ 0, and N_i < f_i only where that bound is tight: a boxed linear complementarity
-//!   problem, N_i = mid(0, N at which the bound is tight, f_i). With one contact and no load this is the paper's limiter
-//!   (eq. 26).
+//! - 0 ≤ N_i ≤ f_i, V_n,i⁺ + γ v_ref,i ≥ 0, and N_i < f_i only where the bound on V_n,i⁺ is tight: a boxed linear
+//!   complementarity problem, N_i = mid(0, N at which the bound is tight, f_i). With one contact and no load this is
+//!   the paper's limiter (eq. 26).
 //! - T_i = −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺: the shear spring, taken implicitly, within Coulomb's limit
 //!   (eq. 4–8). See [`crate::law::friction`].
-//! - N_i gives the bodies no more energy than it has taken from them, and neither does T_i.
+//! - N_i gives the bodies no more energy than N_i has taken from them, and T_i no more than T_i has taken.
 //!
-//! If no bound is reached in an island with one floating body, the forces follow directly ([`super::direct`]). Otherwise by projected
-//! Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed order of the contacts. Newton
-//! acceleration ([`super::newton`]) helps where sweeps converge slowly. The work is bounded: what has not settled after [`SWEEPS`]
-//! sweeps is reported.
+//! If an island with one floating body reaches no bound, the forces follow directly ([`super::direct`]). Otherwise the
+//! solver uses projected Gauss–Seidel sweeps on the bodies' velocities. The sweeps start with the last forces and run
+//! in the fixed order of the contacts. Where sweeps converge slowly, Newton acceleration ([`super::newton`]) helps. The
+//! work is bounded: if the forces have not settled after [`SWEEPS`] sweeps, this is reported.
 
 use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
 use crate::coupled::direct;
@@ -25,23 +25,24 @@ use crate::state::Velocity;
 
 /// Most sweeps over the contacts.
 const SWEEPS: u32 = 400;
-/// Most accelerations, and sweeps before each: of an island with one floating body, whose sweeps mostly settle by
-/// themselves, and with several.
+/// Most accelerations of an island, and sweeps before each acceleration. The first number of sweeps is for islands with
+/// one floating body, whose sweeps mostly settle by themselves; the second is for islands with several.
 const ACCELERATIONS: usize = 20;
 const SWEEPS_PER_ACCELERATION: [u32; 2] = [6, 2];
-/// Stiffnesses of the lines in one acceleration after the other ([`Lines`]). With several floating bodies they rise: the soft
-/// lines of the first find in few steps which bounds are reached, the stiff ones of the later where exactly. In a raft of
-/// 10 × 10 barges stiff lines alone take ten times as many steps.
+/// Stiffnesses of the lines ([`Lines`]), one for each acceleration in turn. For several floating bodies the stiffness
+/// rises: the soft lines of the first accelerations find the reached bounds in few steps, and the stiff lines of later
+/// ones find the exact forces. In a raft of 10 × 10 barges stiff lines alone take ten times as many steps.
 const STIFFNESSES: [f64; 3] = [1e2, 1e3, 1e4];
-/// A sweep has settled that changes no velocity at a contact by more than this share of the island's speeds, or by more
-/// than this (m/s).
+/// The sweeps have settled when a sweep changes no velocity at a contact by more than this share of the island's
+/// speeds, or by more than `SETTLED_MPS`.
 const SETTLED: f64 = 1e-9;
 const SETTLED_MPS: f64 = 1e-13;
 /// A larger change in the last sweep is reported to the user (m/s).
 pub(crate) const REPORTED_MPS: f64 = 1e-6;
 
-/// Computes the new velocities of an island's `bodies`, from those without contact, and the forces in its `constraints`.
-/// `memories` have the forces that sweeps begin with. Returns the last sweep's largest change of velocity (m/s).
+/// Computes the new velocities of an island's `bodies`, from those without contact, and the forces in its
+/// `constraints`. The sweeps begin with the forces in `memories`. Returns the last sweep's largest change of velocity
+/// (m/s).
 #[inline]
 pub(crate) fn solve_island(
     bodies: &mut [Velocity],
@@ -77,18 +78,19 @@ pub(crate) fn solve_island(
     change_mps
 }
 
-/// Which equations the Newton acceleration has.
+/// The equations of the Newton acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Equations {
     /// None: a mass matrix cannot be inverted.
     None,
-    /// Those of one floating body. They are set up when the first acceleration needs them: most sweeps settle before.
+    /// The equations of one floating body. These equations are set up when the first acceleration needs them, because
+    /// most sweeps settle before.
     OfOne,
-    /// Those of several floating bodies, set up.
+    /// The equations of several floating bodies, already set up.
     Joined,
 }
 
-/// Is more than one floating body in contact?
+/// Does more than one floating body touch something?
 fn is_joined(constraints: &[Constraint]) -> bool {
     let first = constraints.first().and_then(Constraint::only_floating);
     first.is_none() || constraints.iter().any(|constraint| constraint.only_floating() != first)
@@ -131,7 +133,8 @@ fn sweep_until_settled(
     change_mps
 }
 
-/// The change of velocity at which an island has settled (m/s), from the speeds that its contacts have and could give.
+/// The change of velocity at which an island counts as settled (m/s), from the speeds at the contacts and the speeds
+/// that their forces could give.
 fn settled_mps(constraints: &[Constraint], h: f64) -> f64 {
     let speed_mps = |of: &Constraint| {
         greater(of.normal_before_mps.abs(), of.law_n * h * of.inverse_mass.normal)
@@ -139,7 +142,7 @@ fn settled_mps(constraints: &[Constraint], h: f64) -> f64 {
     greater(SETTLED * constraints.iter().map(speed_mps).fold(0.0, greater), SETTLED_MPS)
 }
 
-/// Applies the impulses of the forces that all contacts begin with.
+/// Applies the impulses of the forces with which the sweeps begin.
 fn warm_start(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -171,8 +174,8 @@ fn sweep(
     change_mps
 }
 
-/// As [`solve_island`], for an island of one contact: its own two speeds are the only unknowns. If no bound is reached
-/// its forces follow directly.
+/// Does as [`solve_island`] for an island with one contact. The two speeds of this contact are the only unknowns. If
+/// the contact reaches no bound, its forces follow directly.
 #[inline(always)]
 pub(crate) fn solve_single(
     bodies: &mut [Velocity],
@@ -233,7 +236,7 @@ mod tests {
     };
     const H: f64 = 0.1;
 
-    /// A ship on eight fenders that would throw her back too fast, each with a bound of its own.
+    /// A ship on eight fenders that would throw her back too fast. Each fender has its own bound.
     fn ship_on_fenders() -> (Vec<Velocity>, Vec<InverseMatrix>, Vec<Constraint>) {
         let bodies = [(vec2(1e-3, 1e-3), 3e-6), Velocity::default()];
         let inverses = [InverseMatrix::isotropic(9e7, 5e11), InverseMatrix::default()];
@@ -286,14 +289,14 @@ mod tests {
             assert!(count < 1_000_000);
         }
         assert!(count > 30, "{count}: slow without acceleration");
-        // Both have settled to 1e-13 m/s a sweep; the slowest sweeps take a few per cent off what is left.
+        // Both have settled to 1e-13 m/s a sweep; the slowest sweeps reduce the rest by a few per cent each.
         let apart = swept[0].0 - bodies[0].0;
         let turn = swept[0].1 - bodies[0].1;
         assert!(apart.length() < 1e-11 && turn.abs() < 1e-13, "{apart:?} {turn}");
     }
 
-    /// It gained 0.5 % in one of 100,000 random hits, by a shear spring stiff for the time step while the
-    /// other forces changed.
+    /// In one of 100,000 random hits the ship gained 0.5 % energy, from a shear spring that was stiff for the time step
+    /// while other forces changed.
     #[test]
     fn a_stiff_shear_spring_returned_more_energy_than_it_absorbed() {
         let material = Material { shear_stiffness_npm: 1e8, friction_static: 1e30, ..RUBBER };
@@ -305,7 +308,7 @@ mod tests {
         let start_j = kinetic_j(body);
         let (mut shear_m, mut stored_j) = (0.0, 0.0);
         for step in 0..400_i32 {
-            // A push to and fro, as neighbouring contacts give it.
+            // A push to and fro, as from neighbouring contacts.
             let pushed_mps = 0.02 * f64::from((step * step) % 7 - 3);
             let touch = Touch {
                 shear_m,

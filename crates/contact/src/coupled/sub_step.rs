@@ -3,13 +3,13 @@
 /// Length and place of a sub-step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SubStep {
-    /// From 0.
+    /// Number of the sub-step, from 0.
     number: u32,
-    /// Sub-steps of the step.
+    /// Number of sub-steps of the step.
     count: u32,
-    /// Its length (s).
+    /// Length of the sub-step (s).
     pub(crate) h: f64,
-    /// Its share of the step.
+    /// Length of the sub-step over the length of the step.
     pub(crate) share: f64,
 }
 
@@ -33,7 +33,7 @@ impl SubStep {
         self.number + 1 == self.count
     }
 
-    /// Is it the whole step?
+    /// Is this sub-step the whole step?
     pub(crate) fn is_only(&self) -> bool {
         self.count == 1
     }

@@ -1,4 +1,5 @@
-//! The number of sub-steps that an island needs in a step: from bounds on its natural frequencies and its travel.
+//! The number of sub-steps that an island needs in a step. The number follows from bounds on the island's natural
+//! frequencies and on the travel of its bodies.
 
 use alloc::vec::Vec;
 
@@ -22,38 +23,40 @@ use crate::ranked::RankedBody;
 use crate::reaction::FenderLaw;
 use crate::vec2::{Pose, Vec2};
 
-/// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
-/// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
+/// Largest ωh of a sub-step. A contact that begins within a sub-step acts up to h late. This costs at most (ωh)²/2 of
+/// the depth: 0.5 % here, and less because the bounds on ω below are wide.
 pub(crate) const TURN_PER_SUB_STEP: f64 = 0.1;
 
-/// Largest ωh for the springs of an existing contact. The sub-steps are a leapfrog: its oscillation on a linear spring has
-/// an amplitude error of (ωh)²/8 and a frequency error of (ωh)²/24: 0.3 % and 0.1 % here.
+/// Largest ωh for the springs of an existing contact. The sub-steps are a leapfrog: its oscillation on a linear spring
+/// has an amplitude error of (ωh)²/8 and a frequency error of (ωh)²/24. Here these are 0.3 % and 0.1 %.
 const TURN_IN_CONTACT: f64 = 0.15;
 
-/// Weight of an existing contact's ω² beside that of a contact that may begin.
+/// Weight of ω² of an existing contact, relative to the ω² of a contact that may begin.
 const EXISTING: f64 = (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP / TURN_IN_CONTACT);
 
-/// Largest fraction of the thinner body's half-width that two bodies may close in a sub-step.
+/// Largest distance that two bodies may close in a sub-step, as a fraction of the thinner body's half-width.
 const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 
-/// Most sub-steps of a step: bounded work, whatever the host asks for.
+/// Most sub-steps of a step. This limit bounds the work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// What the candidates of an island demand.
+/// The demands of an island's candidates on its sub-steps.
 #[derive(Clone, Copy, Default)]
 struct Demand {
     /// A bound on the largest ω² of their springs and dampers (1/s²): see [`Sums`].
     rate_squared: f64,
-    /// The distance that they may close in the step, in sub-steps of the largest travel.
+    /// The distance that the candidates may close in the step, over the largest travel of a sub-step.
     travel: f64,
 }
 
-/// Sums over each floating body's contacts of their ω², by rank (1/s²), while islands have several floating bodies.
+/// For each floating body, by rank, the sum of ω² over its contacts (1/s²). Used if islands have several floating
+/// bodies.
 ///
-/// The largest of these sums bounds the ω² of the whole island. For a contact of stiffness k and Jacobian j = (j_a, j_b),
-/// k j jᵀ is at most the block diagonal of k (1 + w_b/w_a) j_a j_aᵀ and k (1 + w_a/w_b) j_b j_bᵀ, with w the inverse masses of the
-/// bodies there. In M^(−1/2) K M^(−1/2) the largest eigenvalue of a body's block is at most its trace, to which each of its contacts adds
-/// k (w_a + w_b): the contact's own ω². So a chain of a hundred barges needs no more sub-steps than one of three.
+/// The largest of these sums bounds the ω² of the whole island. For a contact of stiffness k and Jacobian j = (j_a,
+/// j_b), k j jᵀ is at most the block diagonal of k (1 + w_b/w_a) j_a j_aᵀ and k (1 + w_a/w_b) j_b j_bᵀ, with the
+/// inverse masses w of the two bodies at the contact. In M^(−1/2) K M^(−1/2) the largest eigenvalue of a body's block
+/// is at most the block's trace. Each contact of the body adds k (w_a + w_b) to this trace, which is the contact's own
+/// ω². So a chain of a hundred barges needs no more sub-steps than a chain of three.
 pub(crate) type Sums = Vec<f64>;
 
 impl Demand {
@@ -64,7 +67,7 @@ impl Demand {
         self.rate_squared += one.rate_squared;
     }
 
-    /// As [`Demand::add`], if the island may have several floating bodies.
+    /// Does as [`Demand::add`] if the island may have several floating bodies.
     fn add_joined(&mut self, one: Demand, candidate: &Candidate, model: &Model, sums: &mut Sums) {
         self.travel = greater(self.travel, one.travel);
         for rank in [candidate.a, candidate.b] {
@@ -76,7 +79,7 @@ impl Demand {
         }
     }
 
-    /// Number of sub-steps. `turn` is the step's length over [`TURN_PER_SUB_STEP`].
+    /// Number of sub-steps. `turn` is the length of the step divided by [`TURN_PER_SUB_STEP`].
     #[inline(always)]
     fn sub_steps(self, turn: f64) -> u32 {
         if self.rate_squared * (turn * turn) <= 1.0 && self.travel <= 1.0 {
@@ -87,7 +90,7 @@ impl Demand {
     }
 }
 
-/// What the count is computed from.
+/// The data from which the number of sub-steps is computed.
 #[derive(Clone, Copy)]
 pub(crate) struct Bounded<'w> {
     pub(crate) model: &'w Model,
@@ -100,7 +103,7 @@ pub(crate) struct Bounded<'w> {
 }
 
 impl Bounded<'_> {
-    /// Sets each island's patches of the first overlap, and its number of sub-steps.
+    /// Sets the number of sub-steps of each island, and each island's patches in the first overlap.
     #[inline(never)]
     pub(crate) fn set_sub_steps(
         &self,
@@ -128,7 +131,7 @@ impl Bounded<'_> {
         }
     }
 
-    /// Adds what bodies on piles that move or touch something need.
+    /// Raises the number of sub-steps to what bodies on piles need that move or touch something.
     #[inline(never)]
     fn add_piles(&self, islands: &mut [Island], turn: f64) {
         for island in islands {
@@ -152,9 +155,9 @@ impl Bounded<'_> {
         }
     }
 
-    /// Is the island one contact of two outlines whose ω² is at most `share`, and that closes no more than in one sub-step?
-    /// Returns the patches that are left then. This spares such islands the sums over candidates: 2.5 % of a step of
-    /// `pairs-1000`.
+    /// Tests whether the island is a single contact of two outlines whose ω² is at most `share`, and which closes by no
+    /// more than one sub-step may. For such an island, returns the patches of the islands after it. Such an island
+    /// needs no sums over candidates: this saves 2.5 % of a step of `pairs-1000`.
     #[inline(always)]
     fn slow<'p>(&self, island: &Island, left: &'p [Patch], share: f64) -> Option<&'p [Patch]> {
         let [Pairing { candidate, pair, .. }] = &self.candidates.pairings[island.candidates()]
@@ -173,7 +176,7 @@ impl Bounded<'_> {
         is_slow.then_some(others)
     }
 
-    /// The number of sub-steps of an island. Takes its patches off those that are left.
+    /// The number of sub-steps of an island. Removes the island's patches from the front of the list of patches.
     #[inline(never)]
     fn sub_steps(
         &self,
@@ -183,11 +186,11 @@ impl Bounded<'_> {
         sums: Option<&mut Sums>,
     ) -> u32 {
         let pairings = &self.candidates.pairings[island.candidates()];
-        // Each candidate's share of ω² that needs no further sub-step.
+        // The share of ω² of each candidate that needs no further sub-step.
         let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
         let candidates = (island.candidates().start..).zip(pairings);
         let mut demand = Demand::default();
-        // Two loops, so that a ship on fenders does not ask of each for what only islands of several floating bodies need.
+        // Two loops. For a ship on fenders the first loop skips what only islands of several floating bodies need.
         let Some(sums) = sums else {
             let all = *left;
             let mut is_bound = false;
@@ -217,8 +220,9 @@ impl Bounded<'_> {
         demand.sub_steps(turn)
     }
 
-    /// What a candidate with these patches demands, or a bound on it: then true. Of a fender that is not touched the bound spares
-    /// the gap to its hull, a quarter of a step of a ship before eight fenders.
+    /// The demand of a candidate with these patches, and false; or a bound on this demand, and true. If a fender is not
+    /// touched, the bound saves the computation of the gap to the hull: a quarter of a step of a ship before eight
+    /// fenders.
     #[inline(always)]
     fn demand_at_most(&self, pairing: &Pairing, own: &[Patch], share: f64) -> (Demand, bool) {
         let Pairing { candidate, .. } = pairing;
@@ -234,13 +238,13 @@ impl Bounded<'_> {
         (self.demand_of(pairing, own, share), false)
     }
 
-    /// As [`Bounded::demand_of`]; not inlined.
+    /// Does as [`Bounded::demand_of`], but is not inlined.
     #[inline(never)]
     fn demand_of_joined(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         self.demand_of(pairing, own, share)
     }
 
-    /// What a candidate with these patches demands.
+    /// The demand of a candidate with these patches.
     #[inline(always)]
     fn demand_of(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         let Pairing { candidate, pair, .. } = pairing;
@@ -263,7 +267,8 @@ impl Bounded<'_> {
         }
     }
 
-    /// A bound on ω² of an existing contact of two outlines in one patch (1/s²). `share` is what needs no further sub-step.
+    /// A bound on ω² of an existing contact of two outlines in one patch (1/s²). A rate of `share` or less needs no
+    /// further sub-step.
     #[inline(always)]
     fn existing_rate_squared(
         &self,
@@ -274,7 +279,8 @@ impl Bounded<'_> {
     ) -> f64 {
         let (spring, damping) =
             (EXISTING * bounds.spring_rate_squared, bounds.damping_rate_squared);
-        // Tighter bounds are computed only if that of the pair is too large: first by the patch's lever, then by its chord.
+        // Tighter bounds are computed only if the pair's bound is too large: first a bound by the patch's lever, then
+        // one by its chord.
         if spring + damping <= share || only.per_chord_m <= 0.0 {
             return spring + damping;
         }
@@ -289,13 +295,13 @@ impl Bounded<'_> {
         lesser(rate_squared_of_patch(bounds, material, only, closing_m), by_lever)
     }
 
-    /// May two outlines close more than the largest travel of a sub-step?
+    /// May two outlines close by more than the largest travel of a sub-step?
     #[inline(always)]
     fn may_travel(&self, candidate: &Candidate, bounds: &Bounds) -> bool {
         self.fastest_m(candidate) > TRAVEL_PER_SUB_STEP * bounds.half_width_m
     }
 
-    /// What a candidate demands that is not two outlines in contact in one patch.
+    /// The demand of a candidate that is not two outlines that touch in one patch.
     #[inline(never)]
     fn demand_of_other(&self, pairing: &Pairing, own: &[Patch]) -> Demand {
         let model = self.model;
@@ -314,7 +320,7 @@ impl Bounded<'_> {
         }
     }
 
-    /// What a fender demands that its hull touches, or may touch. `counts` is the weight of its spring.
+    /// The demand of a fender if its hull touches it or may touch it. `counts` is the weight of the fender's spring.
     #[inline(never)]
     fn demand_of_face(
         &self,
@@ -332,14 +338,14 @@ impl Bounded<'_> {
         }
     }
 
-    /// The distance that two outlines may close in the step, in sub-steps of the largest travel.
+    /// The distance that two outlines may close in the step, over the largest travel of a sub-step.
     #[cold]
     fn travel(&self, candidate: &Candidate, bounds: &Bounds) -> f64 {
         self.closing_mps(candidate) * self.step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
     }
 
-    /// A bound on ω² of a fender in contact in one patch (1/s²). `None` if that exceeds `share`, if the fender may reach its
-    /// stop in this step, or if more may be closed than in one sub-step.
+    /// A bound on ω² of a fender in contact in one patch (1/s²). `None` if the bound exceeds `share`, if the fender may
+    /// reach its stop in this step, or if the contact may close by more than one sub-step allows.
     #[inline(always)]
     fn slow_rate_squared(
         &self,
@@ -373,8 +379,8 @@ impl Bounded<'_> {
         (rate_squared <= share).then_some(rate_squared)
     }
 
-    /// Bounds on ω² of a fender and its hull [1/s²]: by spring and stop, for all deflections that this step can reach, and by
-    /// the damper.
+    /// Bounds on ω² of a fender and its hull (1/s²). The first is by spring and stop, for all deflections that this
+    /// step can reach; the second is by the damper.
     #[inline(never)]
     fn rates_squared_of_face(
         &self,
@@ -386,7 +392,7 @@ impl Bounded<'_> {
         let fender = &self.model.fenders()[face.id.0 as usize];
         let material = &self.model.materials()[face.material.0 as usize];
         let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
-        // Behind a panel: of all cones, at the place of the outermost.
+        // A fender with a panel: the bound takes all cones together, at the place of the outermost.
         let (deflection_m, cones, reach_m) = match &face.panel {
             None => (area_m2 / face.width_m + closing_m, 1.0, 0.0),
             Some(law) => {
@@ -425,13 +431,13 @@ impl Bounded<'_> {
         let hull = if face.host == candidate.a { candidate.b } else { candidate.a };
         let edges = model.edges_met(candidate.face, hull);
         let poses = &self.bodies.poses;
-        // Relative to the host, where no digits are lost far from the origin.
+        // Computed relative to the host, so that no digits are lost far from the origin.
         let hull_in_host = poses[face.host as usize].to(poses[hull as usize]);
         let to_face = face.hull_to_face(Pose::IDENTITY, hull_in_host);
         deepest_m(edges, to_face, face.panel_reach())
     }
 
-    /// Could the candidate touch in this step? By its boxes, and by the gaps between its pieces.
+    /// Could the candidate touch in this step? The test compares boxes, and then gaps between convex pieces.
     #[inline(never)]
     fn may_touch(&self, candidate: &Candidate) -> bool {
         if are_apart(self.model, self.bodies, candidate) {
@@ -464,7 +470,7 @@ impl Bounded<'_> {
         apart + self.dynamics.speed_bounds[a].room_mps + self.dynamics.speed_bounds[b].room_mps
     }
 
-    /// A cheaper bound than `closing_mps`, on the distance that is closed in this step (m).
+    /// A bound on the distance that closes in this step (m). Cheaper than `closing_mps`, and wider.
     #[inline(always)]
     fn fastest_m(&self, candidate: &Candidate) -> f64 {
         let [a, b] = [candidate.a, candidate.b]
@@ -473,8 +479,9 @@ impl Bounded<'_> {
     }
 }
 
-/// A bound on ω² of a contact of two outlines in one patch, while the bodies close by `closing_m` (1/s²): of the spring along its
-/// normal and the shear spring together, and of the damper. The wider bounds by the longest chord do without the shear spring; so far no test has needed it there.
+/// Bounds on ω² of a contact of two outlines in one patch while the bodies close by `closing_m` (1/s²): for the spring
+/// along the normal together with the shear spring, and for the damper. The wider bounds by the longest chord leave the
+/// shear spring out; so far no test has needed it there.
 fn rate_squared_of_patch(
     bounds: &Bounds,
     material: &Material,
@@ -485,7 +492,7 @@ fn rate_squared_of_patch(
     let chord_m = 2.0 * half_chord_m;
     let [normal, tangential, cross] = inverse_masses(bounds, patch, half_chord_m);
     let (spring_npm, shear_npm) = (material.stiffness_npm2 * chord_m, material.shear_stiffness_npm);
-    // The larger eigenvalue.
+    // The larger eigenvalue of the two springs.
     let (along, across) = (spring_npm * normal, shear_npm * tangential);
     let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
     let larger = mean + libm::sqrt(half * half + spring_npm * shear_npm * (cross * cross));
@@ -495,9 +502,10 @@ fn rate_squared_of_patch(
 
 /// A bound on half of a patch's chord while the bodies close by `closing_m` (m), at most that of the pair.
 ///
-/// The chord c is the derivative of the area A along the normal. For convex outlines √A is a concave function of the depth
-/// (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)): that of a corner grows so. Exact for motion
-/// along the normal; turning counts by the way of the points that move most.
+/// The chord c is the derivative of the area A along the normal. For convex outlines √A is a concave function of the
+/// depth (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)). The chord of a corner
+/// grows at exactly this rate. The bound is exact for motion along the normal; for turning it uses the way of the
+/// points that move most.
 #[inline(always)]
 fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
     let half_m = 0.5 * patch.chord_m.length_squared() * patch.per_chord_m;
@@ -505,7 +513,7 @@ fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
     lesser(grown_m, bounds.half_chord_m)
 }
 
-/// Takes the patches of candidate number `index` off the front of `patches`.
+/// Removes the patches of candidate number `index` from the front of `patches`, and returns them.
 #[inline(always)]
 fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     let is_own = |patch: &&Patch| patch.of as usize == index;
@@ -518,21 +526,23 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// Bounds on the inverse effective mass of a contact (1/kg): along its normal, along its chord, and what couples both.
+/// Bounds on the inverse effective mass of a contact (1/kg): along the normal, along the chord, and the coupling of the
+/// two.
 ///
-/// Along the normal, twice the value without rotation allows for a contact off the centre. The lever may show that rotation adds less:
-/// the patch lies on the chord, so it moves by half of that at most, and within the smaller body, so it comes no further from
-/// that body's centre of gravity.
+/// Along the normal, the bound is twice the value without rotation, which allows for a contact off the centre. The
+/// lever may show that rotation adds less. The patch lies on the chord, so its place varies by half the chord at most.
+/// The patch also lies within the smaller body, so it comes no farther from that body's centre of gravity.
 #[inline(always)]
 fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3] {
     let chord = patch.chord_m * patch.per_chord_m;
-    // Places of the patch and of B's centre of gravity about A's, along the chord and along the normal.
+    // Places of the patch and of B's centre of gravity relative to A's centre of gravity, along the chord and along the
+    // normal.
     let by_chord = |place_m: Vec2| (place_m.dot(chord), place_m.cross(chord));
     let (along_m, across_m) = by_chord(patch.centroid_m);
     let (b_along_m, b_across_m) = by_chord(patch.b_in_a.position_m);
     let smaller_m = b_along_m * bounds.b_is_smaller;
     let [a, b] = &bounds.bodies;
-    // Those of a fixed body are zero.
+    // The bounds of a fixed body are zero.
     let of_a =
         inverse_masses_of(a, lesser(along_m.abs(), smaller_m.abs()) + half_chord_m, across_m);
     let b_lever_m = lesser((along_m - b_along_m).abs(), (smaller_m - b_along_m).abs());
@@ -540,7 +550,7 @@ fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3]
     core::array::from_fn(|part| of_a[part] + of_b[part])
 }
 
-/// The bounds of one body, by the levers of forces along the normal and along the chord (m).
+/// The bounds for one body, from the levers of forces along the normal and along the chord (m).
 #[inline(always)]
 fn inverse_masses_of(body: &InverseMassBound, normal_m: f64, chord_m: f64) -> [f64; 3] {
     let linear = body.lightest_inverse_mass;

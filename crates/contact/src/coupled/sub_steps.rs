@@ -27,10 +27,10 @@ use crate::touch::Scene;
 /// The parts of the workspace that sub-steps read and write.
 pub(crate) struct SubSteps<'w> {
     pub(crate) model: &'w Model,
-    /// By id.
+    /// Loads by id.
     pub(crate) loads: &'w [Wrench],
     pub(crate) candidates: &'w Candidates,
-    /// Some islands have more than one floating body.
+    /// Whether some islands have more than one floating body.
     pub(crate) joined: bool,
     pub(crate) bodies: &'w mut Bodies,
     pub(crate) dynamics: &'w mut Dynamics,
@@ -44,36 +44,37 @@ pub(crate) struct SubSteps<'w> {
     pub(crate) in_order: &'w mut bool,
 }
 
-/// What is kept while islands are in their sub-steps.
+/// Buffers that are kept while islands go through their sub-steps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// The hints left by the step's first overlap.
+    /// The hints that the step's first overlap leaves.
     first_hints: Vec<HintMemory>,
     rate_sums: Sums,
     later: Later,
 }
 
 impl Kept {
-    /// With room for the hints of so many contacts.
+    /// Buffers with room for the hints of this number of contacts.
     pub(crate) fn with_room(contacts: usize) -> Kept {
         Kept { first_hints: room_for(contacts), ..Kept::default() }
     }
 }
 
-/// What is kept between the sub-steps of a group.
+/// Buffers that are kept between the sub-steps of a group.
 #[derive(Clone, Debug, Default)]
 struct Later {
-    /// What the group's last sub-step left.
+    /// The memory that the group's last sub-step left.
     last: ContactMemory,
     /// The overlap of a later sub-step.
     overlap: Overlap,
 }
 
 impl SubSteps<'_> {
-    /// Moves islands through the step. They are in the order of their memories in `past`. `first` receives their overlap at
-    /// the start of the step.
+    /// Moves islands through the step. The islands are in the order of their memories in `past`. `first` receives the
+    /// overlap of each island at the start of the step.
     ///
-    /// The islands of a group go through their sub-steps together, each stage over all contacts. Returns true if all hints in `past` stay as they are. They are not added to the next memory then.
+    /// The islands of a group go through their sub-steps together: each stage handles all their contacts. Returns true
+    /// if all hints in `past` stay unchanged; they are not added to the next memory then.
     pub(crate) fn advance(
         &mut self,
         past: Past<'_>,
@@ -103,7 +104,7 @@ impl SubSteps<'_> {
         bounded.set_sub_steps(&first.patches, islands, self.joined.then_some(rate_sums));
 
         let all_stay = keeps_hints && islands.iter().all(|island| island.sub_steps == 1);
-        // A later step that copies the hints does not allocate then.
+        // With this room, a later step that copies the hints does not allocate.
         self.next_memory.hints.reserve(hints.len());
         let mut rest = Past { hints: if all_stay { &[] } else { hints }, ..past };
         for group in island::groups(islands) {
@@ -137,7 +138,7 @@ impl SubSteps<'_> {
         self.dynamics.reset_moving_fixed(self.bodies, own);
     }
 
-    /// A group that takes several sub-steps. `first` is the overlap of the first of them.
+    /// Moves a group that takes several sub-steps. `first` is the overlap of the first sub-step.
     fn several(
         &mut self,
         past: Past<'_>,
@@ -198,7 +199,7 @@ impl SubSteps<'_> {
         self.dynamics.advance_positions(model, self.group, self.bodies, self.results, sub_step);
     }
 
-    /// Stages 4 to 6 of a sub-step in which something touches, or touched before: laws, forces and sums.
+    /// Stages 4 to 6 of a sub-step: laws, forces and sums. Called if something touches, or touched before.
     #[inline(always)]
     fn solve_contacts(
         &mut self,

@@ -1,4 +1,4 @@
-//! The unknowns of an island with contacts: velocities of its floating bodies, and which of them each contact moves.
+//! The unknowns of an island: the velocities of its floating bodies. Also lists the bodies that each contact moves.
 
 use alloc::vec::Vec;
 
@@ -13,28 +13,29 @@ use crate::vec2::Vec2;
 pub(crate) struct Unknowns {
     /// Mass matrix of each body.
     masses: Vec<Block>,
-    /// One a contact.
+    /// One seat per contact.
     seats: Vec<Seat>,
-    /// Of the present island, in `patterns`.
+    /// Index in `patterns` of the present island's pattern.
     pattern: usize,
-    /// One for each island that there has been, and by rank which is that of the island whose first body that is.
+    /// One pattern for each island that there has been; and by rank, the pattern of the island whose first body has
+    /// that rank.
     patterns: Vec<Pattern>,
     pattern_of: Vec<u32>,
     graph: Graph,
     matrix: Vec<Block>,
 }
 
-/// The floating bodies and which of them touch. Nodes are numbered in the order of the contacts.
+/// The floating bodies, and the pairs of them that touch. Nodes are numbered in the order of the contacts.
 #[derive(Clone, Debug, Default)]
 struct Graph {
     /// Rank of each node.
     ranks: Vec<u32>,
     edges: Vec<[u32; 2]>,
-    /// Node of each body by rank; [`NOWHERE`] for those of other islands.
+    /// Node of each body by rank; [`NOWHERE`] for a body of another island.
     node_of: Vec<u32>,
 }
 
-/// Places of a contact's two bodies ([`NOWHERE`] for a fixed one), and the block of the matrix that couples them.
+/// Places of a contact's two bodies ([`NOWHERE`] for a fixed body), and the block of the matrix that couples them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seat {
     a: u32,
@@ -52,13 +53,13 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// V_n = j·v.
+    /// The row j for the normal speed: V_n = j·v.
     #[inline(always)]
     pub(crate) fn normal(constraint: &Constraint) -> Row {
         Row::of(constraint, |of| (of.normal, of.levers.n_m))
     }
 
-    /// V_t = j·v.
+    /// The row j for the tangential speed: V_t = j·v.
     #[inline(always)]
     pub(crate) fn tangential(constraint: &Constraint) -> Row {
         Row::of(constraint, |of| (of.normal.quarter_turn(), of.levers.t_m))
@@ -73,7 +74,7 @@ impl Row {
 }
 
 impl Unknowns {
-    /// Sets the island whose contacts these are. Returns false if a mass matrix cannot be inverted to rounding.
+    /// Sets the island that has these contacts. Returns false if a mass matrix cannot be inverted to rounding.
     pub(crate) fn set(&mut self, inverses: &[InverseMatrix], constraints: &[Constraint]) -> bool {
         let Unknowns { masses, seats, pattern, patterns, pattern_of, graph, matrix } = self;
         if pattern_of.len() < inverses.len() {
@@ -114,11 +115,11 @@ impl Unknowns {
         &self.seats
     }
 
-    /// Begins equations with the matrix M.
+    /// Begins new equations: the matrix is M.
     pub(crate) fn begin(&mut self) {
         let (diagonal, others) = self.matrix.split_at_mut(self.masses.len());
         diagonal.copy_from_slice(&self.masses);
-        // Entry by entry this is one call; block by block it would be one a block.
+        // Filled entry by entry, this is one call; filled block by block, it would be one call per block.
         others.as_flattened_mut().as_flattened_mut().fill(0.0);
     }
 
@@ -153,7 +154,7 @@ impl Unknowns {
         definite
     }
 
-    /// u·M v.
+    /// The product u·M v.
     pub(crate) fn mass_product(&self, u: &[Triple], v: &[Triple]) -> f64 {
         let of_each = self.masses.iter().zip(u).zip(v).map(|((mass, u), v)| {
             let [x, y, r] = mass.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
@@ -162,7 +163,7 @@ impl Unknowns {
         of_each.sum()
     }
 
-    /// Subtracts M v.
+    /// Subtracts M v from b.
     pub(crate) fn subtract_momentum(&self, v: &[Triple], b: &mut [Triple]) {
         for ((mass, v), b) in self.masses.iter().zip(v).zip(b) {
             for (row, b) in mass.iter().zip(b) {
@@ -202,7 +203,7 @@ impl Graph {
         }
     }
 
-    /// The node of a body; a new one if it has none yet.
+    /// The node of a body. If the body has none yet, it gets a new one.
     fn node(&mut self, rank: u32) -> u32 {
         let node = &mut self.node_of[rank as usize];
         if *node == NOWHERE {
@@ -221,7 +222,7 @@ impl Graph {
         Seat { a, b, between: if both { pattern.block(a.max(b), a.min(b)) } else { NOWHERE } }
     }
 
-    /// Forgets which bodies are of this island.
+    /// Forgets the bodies of this island.
     fn leave(&mut self) {
         for &rank in &self.ranks {
             self.node_of[rank as usize] = NOWHERE;
@@ -229,7 +230,7 @@ impl Graph {
     }
 }
 
-/// a += s b cᵀ.
+/// Adds s b cᵀ to a.
 #[inline(always)]
 fn add_product(a: &mut Block, scale: f64, b: &Triple, c: &Triple) {
     for (a, b) in a.iter_mut().zip(b) {

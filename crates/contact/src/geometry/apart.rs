@@ -1,25 +1,26 @@
-//! The edge that separates two convex polygons best, found from nothing: for the first step of a pair, and where the
-//! edge of the last step separates them no more.
+//! Finds the edge that separates two convex polygons best, without a hint. Used in the first step of a pair, and where
+//! the edge of the last step no longer separates the polygons.
 //!
-//! The search is that of Gilbert, Johnson and Keerthi (1988): the point nearest to the origin of the difference of the two
-//! polygons (all points of B less all of A), by its corners in the directions of better and better guesses. A corner in a
-//! direction is found by bisection, as the edges of a convex polygon are sorted by angle.
+//! The search is by Gilbert, Johnson and Keerthi (1988). The difference of the two polygons is all points of B less all
+//! points of A. The search finds the point of the difference nearest to the origin, from the corners of the difference
+//! in better and better directions. The edges of a convex polygon are sorted by angle, so bisection finds the corner in
+//! a direction.
 //!
-//! The gap along a direction is at most the distance of the polygons, which it has along the line between their nearest
-//! points, and it falls off to both sides of that. So the best edge is one that meets the nearest corners.
+//! The gap along a direction is at most the distance of the polygons. The gap equals the distance along the line
+//! between their nearest points, and falls off to both sides. So the best edge is one that meets the nearest corners.
 
 use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};
 use super::ring::{before, climb};
 use crate::vec2::Vec2;
 
-/// Polygons that are nearer to each other, or overlap, are left to the cold path (m).
+/// Polygons nearer to each other than this, or overlapping, are left to the cold path (m).
 const LEAST_GAP_M: f64 = 1e-9;
 
-/// Most guesses; each halves the error at least, so that more are needed only where rounding decides.
+/// Most guesses. Each guess at least halves the error, so more guesses are needed only where rounding decides.
 const MOST_GUESSES: usize = 24;
 
-/// The search ends where the next guess would be this little nearer, as a fraction of the squared distance.
+/// The search ends when the next guess would be nearer by less than this fraction of the squared distance.
 const NEAR_ENOUGH: f64 = 1e-12;
 
 /// A corner of the difference of two polygons.
@@ -40,7 +41,7 @@ enum Nearest {
 }
 
 impl Corner {
-    /// The corner least far in a direction.
+    /// The corner of the difference that is least far in a direction.
     #[inline]
     fn least(a: &ConvexPolygon, b: &Placed<'_>, direction: Vec2) -> Corner {
         let of_a = a.farthest(direction);
@@ -49,8 +50,8 @@ impl Corner {
     }
 }
 
-/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`]. `None` where they overlap, or
-/// the search is not certain.
+/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`]. `None` if the polygons
+/// overlap, or if the search is not certain.
 pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
     match nearest(a, b) {
         Nearest::Outside(corner) => {
@@ -64,7 +65,8 @@ pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
 /// The axis of greatest gap among the edges that meet a corner of the difference.
 fn best_beside(a: &ConvexPolygon, b: &Placed<'_>, corner: Corner) -> BestAxis {
     let (n, m) = (a.count(), b.count());
-    // Of equal gaps the one of the first polygon, and of its edges the first, as in `best_axis`.
+    // Among equal gaps, the gap of the first polygon is taken, and of this polygon's edges the first, as in
+    // `best_axis`.
     let [one, two] = in_order(before(corner.of_a, n), corner.of_a);
     let [three, four] = in_order(before(corner.of_b, m), corner.of_b);
     [axis_of_a(a, b, two, corner), axis_of_b(a, b, three, corner), axis_of_b(a, b, four, corner)]
@@ -91,7 +93,8 @@ fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> 
     gap(edge, ends, |k| a.corner(k), a.count(), corner.of_a).axis(false)
 }
 
-/// The gap behind an edge, from a corner of the other polygon, of `count` corners, near the one deepest behind it.
+/// The gap behind an edge, found from a corner near the deepest corner behind the edge. The corners are those of the
+/// other polygon, which has `count` of them.
 #[inline(always)]
 fn gap(
     edge: usize,
@@ -109,7 +112,7 @@ fn in_order(i: usize, j: usize) -> [usize; 2] {
     if i < j { [i, j] } else { [j, i] }
 }
 
-/// A corner of the difference's edge that is nearest to the origin, or corners about it.
+/// A corner of the difference's edge nearest to the origin; or, if the origin is within, the corners around it.
 fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
     let mut one = Corner::least(a, b, b.pose.apply(b.polygon.center_m()) - a.center_m());
     let mut two = one;
@@ -128,7 +131,7 @@ fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
         let nearer = at_m.length_squared() <= other_m.length_squared();
         let (from, share, at_m) =
             if nearer { (one, share, at_m) } else { (two, other_share, other_m) };
-        // No nearer than before: what is left is rounding.
+        // The guess is no nearer than the last one: the rest is rounding.
         if at_m.length_squared() >= squared_m2 {
             return Nearest::Outside(one);
         }
@@ -222,7 +225,7 @@ mod tests {
         }
     }
 
-    /// Polygons apart by 1 µm to 100 m, and overlapping ones.
+    /// Pairs of polygons with gaps of 1 µm to 100 m, and overlapping pairs.
     #[test]
     fn the_axis_is_that_of_a_search_of_all_edges() {
         let mut numbers = Numbers(11);
@@ -235,7 +238,7 @@ mod tests {
             let reach_m = |p: &ConvexPolygon, pose: Pose, d: Vec2| {
                 p.vertices().iter().map(|&v| pose.apply(v).dot(d)).fold(f64::MIN, greater)
             };
-            // Tangent along the bearing, aside, and this far apart along it.
+            // The polygons touch along the bearing, are shifted sideways, and are this far apart along the bearing.
             let touching_m = reach_m(&a, Pose::IDENTITY, bearing) + reach_m(&b, turned, -bearing);
             let gap_m = numbers.between(-1.0, 1.0) * libm::pow(10.0, numbers.between(-6.0, 2.0));
             let aside_m = bearing.quarter_turn() * numbers.between(-50.0, 50.0);

@@ -7,7 +7,7 @@ use crate::vec2::Vec2;
 /// The edge of one polygon whose outward normal separates best from the other polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BestAxis {
-    /// Gap along the normal (m); negative: least penetration.
+    /// Gap along the normal (m); if negative, the least penetration.
     pub(crate) gap_m: f64,
     /// True where the edge is the first polygon's.
     pub(crate) on_a: bool,
@@ -15,7 +15,7 @@ pub(crate) struct BestAxis {
     pub(crate) edge: u32,
     /// The other polygon's vertex deepest behind the edge.
     pub(crate) support: u32,
-    /// Outward normal of the first polygon along the axis, in its frame.
+    /// Outward normal of the first polygon along the axis, in the first polygon's frame.
     pub(crate) normal: Vec2,
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn best_axis(a: &ConvexPolygon, b_m: &[Vec2]) -> BestAxis {
 /// The gap between a polygon's edge and another polygon.
 #[derive(Clone, Copy)]
 pub(super) struct EdgeGap {
-    /// Along the edge's outward normal (m).
+    /// The gap along the edge's outward normal (m).
     gap_m: f64,
     edge: usize,
     /// The other polygon's corner deepest behind the edge.
@@ -40,7 +40,7 @@ pub(super) struct EdgeGap {
 }
 
 impl EdgeGap {
-    /// Of the edge of this number, start and direction, with the corner deepest behind it.
+    /// The gap of an edge with this number, start and direction; `support` is the corner deepest behind the edge.
     #[inline(always)]
     pub(super) fn new(
         edge: usize,
@@ -51,7 +51,7 @@ impl EdgeGap {
         EdgeGap { gap_m: outward.dot(support_m - start), edge, support, outward }
     }
 
-    /// As an axis, for an edge of the first polygon or of the second.
+    /// The gap as an axis. `on_a` tells whether the edge is the first polygon's.
     #[inline(always)]
     pub(super) fn axis(&self, on_a: bool) -> BestAxis {
         let EdgeGap { gap_m, edge, support, outward } = *self;
@@ -60,8 +60,8 @@ impl EdgeGap {
     }
 }
 
-/// The edge of `p` with the largest gap to `q`, both closed rings. The deepest corner turns in the same sense as the edge, so that
-/// one turn of the edges costs one turn of the corners.
+/// The edge of `p` with the largest gap to `q`, both closed rings. The deepest corner moves round in the same sense as
+/// the edge, so one turn of the edges costs one turn of the corners.
 fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
     let count = q.len() - 1;
     let mut best = EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };

@@ -1,42 +1,45 @@
-//! A tree of boxes over the convex pieces of an outline: which of them are near a place, without asking each.
+//! A tree of boxes over the convex pieces of an outline. The tree finds the pieces near a place without testing each
+//! piece.
 //!
 //! The pieces are in the order of their first corners along the outline, so that neighbours in the list are mostly
-//! neighbours in the plane. The tree halves that list again and again, and a walk finds pieces in its order.
+//! neighbours in the plane. The tree halves the list again and again. A walk through the tree finds pieces in the order
+//! of the list.
 
 use alloc::vec::Vec;
 
 use super::convex::ConvexPolygon;
 use super::extent::Extent;
 
-/// In place of a piece: the node has others below it.
+/// Stands in place of a piece's number: the node has other nodes below it.
 const INNER: u32 = u32::MAX;
 
-/// The boxes of the pieces and of runs of them.
+/// Boxes around pieces, and around runs of pieces.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BoxTree {
-    /// A node comes before those below it.
+    /// The nodes. A node comes before the nodes below it.
     nodes: Vec<Node>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    /// The box about all pieces below, in the body's frame.
+    /// The box around all pieces below the node, in the body's frame.
     extent: Extent,
-    /// The first node after all those below.
+    /// Index of the first node after all nodes below this one.
     after: u32,
-    /// The piece of a node with none below, else [`INNER`].
+    /// Number of the piece if no nodes are below, else [`INNER`].
     piece: u32,
 }
 
 impl BoxTree {
-    /// Over at least one piece.
+    /// A tree over at least one piece.
     pub(crate) fn new(pieces: &[ConvexPolygon]) -> BoxTree {
         let mut tree = BoxTree { nodes: Vec::with_capacity(2 * pieces.len() - 1) };
         tree.add(pieces, 0);
         tree
     }
 
-    /// Adds the node of a run of pieces, the first of which has this number, and those below. Returns its box.
+    /// Adds the node of a run of pieces, and the nodes below it. `first` is the number of the run's first piece.
+    /// Returns the box around the run.
     fn add(&mut self, run: &[ConvexPolygon], first: u32) -> Extent {
         let own = self.nodes.len();
         self.nodes.push(Node { extent: Extent::EMPTY, after: 0, piece: INNER });
@@ -52,7 +55,7 @@ impl BoxTree {
         extent
     }
 
-    /// The box about all pieces.
+    /// The box around all pieces.
     pub(crate) fn extent(&self) -> Extent {
         self.nodes[0].extent
     }

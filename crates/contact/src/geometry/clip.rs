@@ -14,23 +14,24 @@ use crate::number::lesser;
 use crate::panel::press::PanelPress;
 use crate::vec2::{Pose, Vec2};
 
-/// What the last step found, where this one starts. It changes the speed of the clip, never its result.
-// A tag of a whole word: a one-byte tag would be copied apart from the rest.
+/// The result of the last step: the start of the search in this step. A hint changes the speed of the clip, never the
+/// result.
+// The tag is a whole word: a one-byte tag would be copied apart from the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
 pub(crate) enum Hint {
     /// Nothing is known.
     #[default]
     None,
-    /// The boundaries crossed here.
+    /// The boundaries crossed at these edges.
     Lens(Stretch),
-    /// This edge separated the two.
+    /// This edge separated the two polygons.
     Apart {
         /// True where the edge is the first polygon's.
         on_a: bool,
         /// The separating edge.
         edge: u32,
-        /// The other polygon's deepest vertex behind it.
+        /// The other polygon's deepest vertex behind the edge.
         support: u32,
     },
 }
@@ -65,18 +66,18 @@ impl Hint {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClipBuffers {
     cold: Buffers,
-    /// The panel that was pressed last.
+    /// The panel pressed last.
     pub(crate) panel: PanelPress,
 }
 
 impl ClipBuffers {
-    /// With room for polygons of so many corners.
+    /// Buffers with room for polygons of this number of corners.
     pub(crate) fn with_room(corners: usize) -> ClipBuffers {
         ClipBuffers { cold: Buffers::with_room(corners), panel: PanelPress::default() }
     }
 }
 
-/// The overlap of two convex polygons in the first one's frame.
+/// The overlap of two convex polygons in the first polygon's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip {
     pub(crate) lens: Lens,
@@ -97,8 +98,8 @@ impl Clip {
         self.lens.centroid_m
     }
 
-    /// d = Σ (P_out − P_in) over the stretches of the first polygon's boundary inside the second,
-    /// in the first one's frame (m); n is d turned by −90°. Zero where one contains the other.
+    /// d = Σ (P_out − P_in) over the stretches of the first polygon's boundary inside the second, in the first
+    /// polygon's frame (m). The normal n is d turned by −90°. Zero if one polygon contains the other.
     #[must_use]
     pub fn chord_m(&self) -> Vec2 {
         self.lens.chord_m
@@ -113,9 +114,9 @@ pub(crate) enum Corners {
     WithoutChord,
 }
 
-/// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame; `None` where they have no area in common.
-/// `hint` is updated for the next step. The overlap's vertices are appended to the list where they are wanted.
-// Always inlined: arguments and result stay in registers.
+/// The overlap of `a` and `b`; `None` if they have no area in common. The pose of `b` is given in `a`'s frame. `hint`
+/// is updated for the next step. The overlap's vertices are appended to the list if the caller wants them.
+// Always inlined, so that arguments and result stay in registers.
 #[inline(always)]
 pub(crate) fn clip(
     a: &ConvexPolygon,
@@ -131,7 +132,7 @@ pub(crate) fn clip(
     }
 }
 
-/// The fast path of [`through`]. The hint stays valid.
+/// The fast path, by [`through`]. The hint stays valid.
 #[inline(always)]
 pub(crate) fn clip_through(
     a: &ConvexPolygon,
@@ -142,7 +143,7 @@ pub(crate) fn clip_through(
     if let Hint::Lens(stretch) = hint { through::find(a, b, b_in_a, stretch) } else { None }
 }
 
-/// The rest of [`clip`], where [`clip_through`] finds nothing.
+/// The rest of [`clip`], for polygons in which [`clip_through`] finds no overlap.
 // A function of its own, so that the fast path needs no room on the stack for it.
 #[inline(never)]
 pub(crate) fn clip_otherwise(
@@ -188,7 +189,7 @@ pub(crate) fn clip_otherwise(
 }
 
 impl Through {
-    /// The clip, with the corners where they are wanted.
+    /// The clip. The corners are appended to the list if the caller wants them.
     #[inline(always)]
     pub(crate) fn clip(
         &self,
@@ -210,7 +211,7 @@ fn trace_through(a: &ConvexPolygon, b: &Placed<'_>, found: &Located, outline_m: 
     trace(a, b, found, found.at.enter.b, outline_m);
 }
 
-/// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
+/// The axis of least penetration of two overlapping polygons: the first body's outward normal, in that body's frame.
 pub(crate) fn least_penetration(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
@@ -275,8 +276,8 @@ fn cold(
             let mut lens = assemble(a, b, &buffers.stretches, outline_m);
             let swept_m2 = signed_area(buffers.swept_m());
             if (lens.area_m2 - swept_m2).abs() > rounding_m2(a, b) + 1e-9 * swept_m2 {
-                // By rounding, nearly parallel edges may seem to cross where they do not. The walk between
-                // such crossings goes round a whole polygon; the sweep's own corners are right.
+                // By rounding, nearly parallel edges may seem to cross where they do not. The walk between such
+                // crossings would go round a whole polygon. The sweep's own corners are right.
                 hint = Hint::None;
                 outline_m.truncate(start);
                 outline_m.extend_from_slice(buffers.swept_m());
@@ -298,15 +299,15 @@ fn cold(
     (None, hint)
 }
 
-/// Is the point in both polygons? Where they touch without area, rounding can make the sweep find an
-/// overlap that is not.
+/// Is the point in both polygons? If the polygons touch without area, rounding can make the sweep find an overlap that
+/// does not exist.
 fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -> bool {
     [a.closed(), b_m].iter().all(|ring| {
         ring.windows(2).all(|edge| (edge[1] - edge[0]).cross(point_m - edge[0]) >= -slack_m2)
     })
 }
 
-/// Largest error of an overlap's area by rounding of the vertices (m²).
+/// Largest error of an overlap's area that rounding of the vertices can cause (m²).
 fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
     256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
@@ -327,7 +328,7 @@ fn still_apart(
         if edge >= n || support >= m {
             return None;
         }
-        // In the second polygon's frame: two points to place rather than three.
+        // In the second polygon's frame only two points have to be placed, instead of three.
         let start = b.pose.apply_inverse(a.corner(edge));
         let end = b.pose.apply_inverse(a.corner(edge + 1));
         deepest_outside(start, end, |j| b.polygon.corner(j), support, m)
@@ -353,7 +354,7 @@ fn deepest_outside(
     (depth < 0.0).then_some(deepest as u32)
 }
 
-/// Clips a pair of convex polygons repeatedly as they move: for callers that need the geometry alone.
+/// Clips a pair of convex polygons again and again while they move. For callers that need the geometry alone.
 ///
 /// ```
 /// use fenderline_contact::{ConvexPolygon, PairClip, Pose, vec2};
@@ -374,8 +375,7 @@ pub struct PairClip {
 }
 
 impl PairClip {
-    /// Overlap of `a` and `b` at their poses; `None` where they have no area in common. Results are
-    /// in `a`'s frame.
+    /// The overlap of `a` and `b` at their poses, in `a`'s frame; `None` if they have no area in common.
     #[inline]
     pub fn clip(
         &mut self,

@@ -8,12 +8,11 @@ use super::ring::after;
 use crate::number::greater;
 use crate::vec2::{Pose, Vec2};
 
-/// Vertices with a smaller turn (sine of the angle) count as straight and are dropped. The rounding of
-/// the sine is about 1e-15; 1e-12 is well above it and moves the boundary of a 300 m hull by less than
-/// 1e-10 m.
+/// Vertices with a smaller turn (sine of the angle) count as straight and are dropped. The sine has a rounding error of
+/// about 1e-15. The limit is well above this, and moves the boundary of a 300 m hull by less than 1e-10 m.
 const STRAIGHT: f64 = 1e-12;
 
-/// A convex polygon in its body's frame, walked in the positive sense.
+/// A convex polygon in the body's frame, walked in the positive sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConvexPolygon {
     /// The vertices with the first repeated at the end, so that edge `i` runs from `i` to `i + 1`.
@@ -22,7 +21,7 @@ pub struct ConvexPolygon {
     ends: Vec<[Vec2; 2]>,
     /// Edge `i` starts at corner `i`.
     edges: Vec<Edge>,
-    /// The first edge by the angle of its direction in [0, 2π).
+    /// Index of the edge whose direction has the smallest angle in [0, 2π).
     first_by_angle: u32,
     /// Number of edges whose direction has an angle in [0, π).
     upper: u32,
@@ -33,10 +32,10 @@ pub struct ConvexPolygon {
 }
 
 impl ConvexPolygon {
-    /// From the vertices of a convex polygon in the positive sense; straight vertices are dropped.
+    /// Makes a polygon from the vertices of a convex polygon in the positive sense. Straight vertices are dropped.
     ///
     /// # Panics
-    /// With fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
+    /// `corners` has fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
         let corners = without_straight_vertices(vertices_m);
@@ -106,8 +105,8 @@ impl ConvexPolygon {
         self.first_by_angle as usize
     }
 
-    /// The corner farthest in a direction: the edges before it turn by less than a quarter from there, those after it by
-    /// more.
+    /// The corner farthest in a direction. The edges before this corner turn by less than a quarter turn from the
+    /// direction, the edges after it by more.
     #[inline]
     pub(crate) fn farthest(&self, direction: Vec2) -> usize {
         let along = direction.quarter_turn();
@@ -156,7 +155,7 @@ pub(crate) fn upper_half(direction: Vec2) -> bool {
     direction.y > 0.0 || (direction.y == 0.0 && direction.x > 0.0)
 }
 
-/// The first edge of a closed ring by the angle of its direction in [0, 2π).
+/// The edge of a closed ring whose direction has the smallest angle in [0, 2π).
 pub(crate) fn first_by_angle(closed: &[Vec2]) -> usize {
     let count = closed.len() - 1;
     let upper = |i: usize| upper_half(closed[i + 1] - closed[i]);
@@ -171,8 +170,8 @@ pub(crate) fn first_by_angle(closed: &[Vec2]) -> usize {
     0
 }
 
-/// Does a convex polygon of these vertices have three corners left, without the straight ones? A needle whose width
-/// is below 1e-12 of its length has not.
+/// Does a convex polygon of these vertices have three corners left when straight vertices are dropped? A needle whose
+/// width is below 1e-12 of its length does not.
 pub(crate) fn has_width(vertices_m: &[Vec2]) -> bool {
     without_straight_vertices(vertices_m).len() >= 3
 }
@@ -191,14 +190,15 @@ fn without_straight_vertices(vertices: &[Vec2]) -> Vec<Vec2> {
     kept
 }
 
-/// Shoelace about the first vertex (m²).
+/// The signed area, by the shoelace formula about the first vertex (m²).
 pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     let origin = vertices[0];
     let twice: f64 = vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();
     0.5 * twice
 }
 
-/// The second polygon of a pair, placed in the first one's frame vertex by vertex, as needed.
+/// The second polygon of a pair. The polygon's vertices are transformed into the first polygon's frame one by one, as
+/// needed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed<'a> {
     pub(crate) polygon: &'a ConvexPolygon,

@@ -8,23 +8,23 @@ use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// An edge of a convex polygon, and a trapezoid inscribed in the polygon behind it.
 ///
-/// In the edge's frame x runs along it and y into the polygon. x is measured from the polygon's origin, not from the
-/// edge's start, so that a contact amidships loses no digits to the length of the ship.
+/// In the edge's frame x runs along the edge and y into the polygon. x is measured from the polygon's origin, not from
+/// the edge's start, so that a contact amidships loses no digits to the length of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
     pub(super) frame: Frame,
-    /// x of its start and end (m).
+    /// x of the edge's start and end (m).
     from_m: f64,
     to_m: f64,
     /// The sides of the trapezoid: x − from_m ≥ y · from_start, and to_m − x ≥ y · from_end.
     from_start: f64,
     from_end: f64,
-    /// Its height (m).
+    /// Height of the trapezoid (m).
     height_m: f64,
 }
 
 impl Edge {
-    /// The edges of a ring of corners.
+    /// Makes the edges of a ring of corners.
     pub(crate) fn of_all(corners_m: &[Vec2]) -> Vec<Edge> {
         (0..corners_m.len()).map(|index| Edge::of(corners_m, index)).collect()
     }
@@ -34,7 +34,7 @@ impl Edge {
         let start_m = corners_m[index];
         let chord = corners_m[after(index, count)] - start_m;
         let length_m = chord.length();
-        // By division, which is exact along an axis.
+        // A division, which is exact for edges along an axis.
         let along = vec2(chord.x / length_m, chord.y / length_m);
         let from_m = along.dot(start_m);
         let to_m = from_m + length_m;
@@ -43,7 +43,7 @@ impl Edge {
             of_y: vec2(along.y, along.x),
             origin_m: vec2(0.0, -along.cross(start_m)),
         };
-        // The two corners a third of the ring from either end.
+        // The corners a third of the ring away from either end.
         let third = (count / 3).max(1);
         let [of_start, of_end] = [index + count - third, index + 1 + third]
             .map(|corner| frame.of(corners_m[corner % count]));
@@ -57,7 +57,8 @@ impl Edge {
         }
     }
 
-    /// Is the part of a convex polygon behind the edge, with these crossings and this depth, within the trapezoid? That part is between the lines through the crossings.
+    /// Is the part of another convex polygon behind this edge within the trapezoid? The part behind the edge lies
+    /// between the lines through the two crossings, and reaches down to `deepest_m`.
     #[inline(always)]
     pub(super) fn holds(&self, [first, last]: [&Crosses; 2], deepest_m: f64) -> bool {
         let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
@@ -68,11 +69,11 @@ impl Edge {
     }
 }
 
-/// The map from a polygon's frame to the edge's.
-// By columns, so that the processor multiplies two numbers at once.
+/// The map from a polygon's frame to the edge's frame.
+// Stored by columns, so that the processor multiplies two numbers at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    /// Unit vectors and origin (m) of the polygon's frame, in the edge's.
+    /// Unit vectors and origin (m) of the polygon's frame, in the edge's frame.
     of_x: Vec2,
     of_y: Vec2,
     origin_m: Vec2,
@@ -89,7 +90,7 @@ impl Frame {
         self.turned(corner_m) + self.origin_m
     }
 
-    /// A point in the polygon's frame, from the edge's.
+    /// Maps a point from the edge's frame back to the polygon's frame.
     #[inline(always)]
     pub(super) fn back(&self, at_m: Vec2) -> Vec2 {
         let v = at_m - self.origin_m;
@@ -122,22 +123,22 @@ impl Frame {
         Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
     }
 
-    /// The same with x measured from `x_m`.
+    /// This map, with x measured from `x_m`.
     #[inline(always)]
     pub(super) fn measured_from(&self, x_m: f64) -> Frame {
         Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }
     }
 }
 
-/// Where another polygon's edge crosses the edge's line, and its slope dx/dy.
+/// The place where another polygon's edge crosses this edge's line, and the slope dx/dy of that edge.
 pub(super) struct Crosses {
     pub(super) x_m: f64,
     pub(super) slope: f64,
 }
 
 impl Crosses {
-    /// For the edge between a corner outside and one behind the line. The caller checks that they are, and that the edge
-    /// is not nearly parallel: the cold path treats coincident edges.
+    /// The crossing of an edge from a corner outside the line to a corner behind it. The caller checks that the corners
+    /// are so, and that the edge is not nearly parallel to the line. Coincident edges are left to the cold path.
     #[inline(always)]
     pub(super) fn between(outside: Vec2, inside: Vec2) -> Crosses {
         let along = inside - outside;

@@ -11,24 +11,24 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// The box about nothing.
+    /// The empty box.
     pub(crate) const EMPTY: Extent = Extent {
         low_m: vec2(f64::INFINITY, f64::INFINITY),
         high_m: vec2(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
 
-    /// The box about some points.
+    /// The box around some points.
     pub(crate) fn of(points_m: &[Vec2]) -> Extent {
         points_m.iter().fold(Extent::EMPTY, |extent, v| extent.and_point(*v))
     }
 
-    /// The box about a circle.
+    /// The box around a circle.
     pub(crate) fn of_circle(center_m: Vec2, radius_m: f64) -> Extent {
         let half_m = vec2(radius_m, radius_m);
         Extent { low_m: center_m - half_m, high_m: center_m + half_m }
     }
 
-    /// The box about this one and a point.
+    /// The box around this box and a point.
     #[inline]
     fn and_point(self, v: Vec2) -> Extent {
         Extent {
@@ -37,7 +37,7 @@ impl Extent {
         }
     }
 
-    /// The box about both.
+    /// The box around both boxes.
     #[inline]
     pub(crate) fn and(self, other: Extent) -> Extent {
         self.and_point(other.low_m).and_point(other.high_m)
@@ -69,19 +69,19 @@ impl Extent {
         (self.high_m - self.low_m) * 0.5
     }
 
-    /// The box in A's frame about this box in B's.
+    /// The box in A's frame around this box, which is in B's frame.
     #[inline]
     pub(crate) fn placed(&self, b_in_a: Pose) -> Extent {
         self.turned(b_in_a.apply(self.center_m()), b_in_a)
     }
 
-    /// The box in B's frame about this box in A's.
+    /// The box in B's frame around this box, which is in A's frame.
     #[inline]
     pub(crate) fn seen_from(&self, b_in_a: Pose) -> Extent {
         self.turned(b_in_a.apply_inverse(self.center_m()), b_in_a)
     }
 
-    /// The box of the turned one, about this centre. It is as large for either sense of the turn.
+    /// The box around this box turned about this centre. The result is the same for a turn to either side.
     #[inline]
     fn turned(&self, center_m: Vec2, b_in_a: Pose) -> Extent {
         let half = self.half_m();
@@ -90,7 +90,7 @@ impl Extent {
         Extent { low_m: center_m - half, high_m: center_m + half }
     }
 
-    /// Largest size of a coordinate (m).
+    /// Largest absolute value of a coordinate (m).
     #[inline]
     pub(crate) fn farthest_m(&self) -> f64 {
         [self.low_m, self.high_m]

@@ -5,8 +5,8 @@ use super::convex::{ConvexPolygon, Placed};
 use crate::number::greater;
 use crate::vec2::Pose;
 
-/// A lower bound on the gap between two polygons, from the hint of the last clip; 0 where they are not
-/// known to be apart (m).
+/// A lower bound on the gap between two polygons, from the hint of the last clip (m). The bound is 0 unless the hint
+/// shows that they are apart.
 pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hint) -> f64 {
     let placed = Placed { polygon: b, pose: b_in_a };
     match hint {

@@ -1,8 +1,8 @@
 //! The cold path of the clip: the overlap of two convex polygons as an intersection of half-planes.
 //!
-//! The edges of a convex polygon are already sorted by direction. Merging the two rings and one pass
-//! with a double-ended queue therefore solves every case (any number of crossings, one within the
-//! other, no overlap) in O(n + m).
+//! The edges of a convex polygon are already sorted by direction. So merging the two rings, and one pass with a
+//! double-ended queue, solves every case in O(n + m): any number of crossings, one polygon within the other, no
+//! overlap.
 
 use alloc::vec::Vec;
 
@@ -11,14 +11,14 @@ use super::lens::{Crossing, Stretch};
 use super::ring::after;
 use crate::vec2::Vec2;
 
-/// Edges within this sine of parallel and within this distance count as coincident (–, m): a chord between
-/// closer ones would follow rounding, not shape.
+/// Edges within this sine of parallel and within this distance count as coincident (–, m). A chord between closer edges
+/// would follow rounding, not shape.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
-/// Edges within this sine of parallel have no crossing that rounding leaves any digit of.
+/// The crossing of edges within this sine of parallel has no digit that rounding leaves right.
 const PARALLEL: f64 = 1e-14;
 
-/// What the cold path found.
+/// The result of the cold path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Found {
     /// No common area.
@@ -41,27 +41,28 @@ struct HalfPlane {
     along: Vec2,
     edge: u32,
     of_a: bool,
-    /// An edge of the other polygon coincides with this one.
+    /// Whether an edge of the other polygon coincides with this edge.
     doubled: bool,
 }
 
 /// Buffers of the cold path, kept between calls.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Buffers {
-    /// The second polygon's closed vertices in the first one's frame (m).
+    /// The second polygon's closed vertices in the first polygon's frame (m).
     pub(crate) b_m: Vec<Vec2>,
     /// Stretches of the first polygon's boundary inside the second, in the order of the walk.
     pub(crate) stretches: Vec<Stretch>,
     queue: Vec<HalfPlane>,
     /// `corners[k]` is where `queue[k]` meets `queue[k − 1]`.
     corners: Vec<Vec2>,
-    /// Where the bounding half-planes begin in `queue` and their corners in `corners`; the first
-    /// corner is where the last of them meets the first.
+    /// Index of the first bounding half-plane in `queue`, and of its corner in `corners`. The first corner is where the
+    /// last half-plane meets the first.
     front: usize,
 }
 
 impl Buffers {
-    /// With room for two polygons of so many corners: few clips come here, and the first may be long after the start.
+    /// Buffers with room for two polygons of this number of corners. Few clips use the cold path, and the first such
+    /// clip may come long after the start: the room is made beforehand so that a step does not allocate.
     pub(crate) fn with_room(corners: usize) -> Buffers {
         Buffers {
             b_m: Vec::with_capacity(corners + 1),
@@ -72,7 +73,7 @@ impl Buffers {
         }
     }
 
-    /// The corners that the sweep itself found, in the positive sense (m).
+    /// The corners that the sweep found, in the positive sense (m).
     pub(crate) fn swept_m(&self) -> &[Vec2] {
         &self.corners[self.front..]
     }
@@ -98,7 +99,8 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     let boundary = &buffers.queue[front..];
     let collinear = boundary.iter().any(|h| h.doubled);
     buffers.stretches.clear();
-    // Begin where the first polygon's boundary enters the second: at an edge of the first after one of the second.
+    // Begin where the first polygon's boundary enters the second: at an edge of the first polygon that follows an edge
+    // of the second.
     let count = boundary.len();
     let at = |k: usize| &boundary[k % count];
     let Some(first) = (0..count).find(|&k| at(k).of_a && !at(k + count - 1).of_a) else {
@@ -124,7 +126,7 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     Found::Crossings { collinear }
 }
 
-/// One pass over all half-planes by direction. Leaves the bounding ones in `queue[front..]`.
+/// One pass over all half-planes, by direction. Leaves the bounding half-planes in `queue[front..]`.
 fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
     let Buffers { b_m, queue, corners, .. } = buffers;
     queue.clear();
@@ -140,8 +142,8 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
             if queue[front].along.cross(new.along) < 0.0 {
                 front += 1;
             } else {
-                // Within half a turn of the front, a half-plane that cuts off the front's corner cuts off
-                // all corners after it. That the last one passed the test above is rounding.
+                // Within half a turn of the front, a half-plane that cuts off the front's corner cuts off all corners
+                // after it. If the last corner passed the test above, that is rounding.
                 queue.truncate(front + 1);
                 corners.truncate(front + 1);
             }
@@ -168,7 +170,7 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
                     new.doubled = true;
                 }
                 if turn <= PARALLEL * lengths {
-                    // No corner between the two: the one further in bounds the overlap.
+                    // The two lines have no corner between them: the line further in bounds the overlap.
                     if inward_m > 0.0 {
                         queue[back] = new;
                         if back > front {
@@ -194,8 +196,8 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
     if queue.len() < front + 3 { None } else { Some(front) }
 }
 
-/// Is the turn (the cross product of two edges) below [`SAME_DIRECTION`]? Without a square root:
-/// nearly all edges pass here.
+/// Is the turn (the cross product of two edges) below [`SAME_DIRECTION`]? The first test needs no square root, and
+/// decides for nearly all edges.
 #[inline]
 fn is_flat(turn: f64, last: &HalfPlane, new: &HalfPlane) -> bool {
     turn * turn
@@ -210,10 +212,11 @@ fn outside(h: HalfPlane, point: Vec2) -> bool {
     h.along.cross(point - h.start) < 0.0
 }
 
-/// Where two half-planes' lines meet. Neighbouring edges of one polygon meet in its own vertex.
+/// The point at which the lines of two half-planes meet. Neighbouring edges of one polygon meet in a vertex of the
+/// polygon.
 ///
-/// `from` is where the first one's part of the boundary begins, and the second meets it ahead of that point.
-/// Nearly parallel lines may seem to meet behind it, by rounding; the result is then `from`.
+/// `from` is where the first half-plane's part of the boundary begins. The second half-plane meets that part ahead of
+/// `from`. By rounding, nearly parallel lines may seem to meet behind `from`; the result is then `from`.
 #[inline]
 fn corner(
     a: &ConvexPolygon,
@@ -243,7 +246,7 @@ struct Merge<'a> {
     b: Ring<'a>,
 }
 
-/// The edges of one polygon by direction; `head` is the next.
+/// The edges of one polygon by direction; `head` is the next edge.
 struct Ring<'a> {
     closed: &'a [Vec2],
     of_a: bool,
@@ -292,7 +295,7 @@ impl<'a> Merge<'a> {
     }
 }
 
-/// True where the angle of `u`, in [0, 2π), is not larger than that of `v`.
+/// True where the angle of `u`, in [0, 2π), is not larger than the angle of `v`.
 #[inline]
 fn not_after(u: Vec2, v: Vec2) -> bool {
     match (upper_half(u), upper_half(v)) {

@@ -7,7 +7,7 @@ use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
+/// A crossing of the two boundaries: an edge of the first polygon and an edge of the second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Crossing {
     pub(crate) a: u32,
@@ -21,29 +21,29 @@ pub(crate) struct Stretch {
     pub(crate) leave: Crossing,
 }
 
-/// The overlap of one convex piece with another, in the first one's frame.
+/// The overlap of one convex piece with another, in the first piece's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lens {
-    /// S (m²).
+    /// Area S (m²).
     pub(crate) area_m2: f64,
-    /// C (m).
+    /// Centroid C (m).
     pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) (m); zero where one contains the other.
+    /// d = Σ (P_out − P_in) (m); zero if one piece contains the other.
     pub(crate) chord_m: Vec2,
-    /// 1/|d| (1/m); 0 where the chord is unusable: none, or edges coincide.
-    // Computed here, where other work hides the latency of root and quotient.
+    /// 1/|d| (1/m). 0 if the chord is unusable: there is none, or edges coincide.
+    // Computed here because other work hides the time that root and quotient take.
     pub(crate) per_chord_m: f64,
-    /// Extent along the chord's normal times the chord's length (m²).
+    /// Extent along the normal of the chord, times the length of the chord (m²).
     pub(crate) spread_m2: f64,
     /// True where edges coincide, so that the chord is ambiguous.
     pub(crate) collinear: bool,
 }
 
-/// The point at a share of an edge (m): 0 is its start, 1 its end. Shares outside, by rounding, give the
-/// ends.
+/// The point at a share of an edge (m): 0 is the start, 1 the end. A share outside 0 to 1, which rounding can cause,
+/// gives the nearer end.
 #[inline(always)]
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
-    // From the nearer end, so that both ends are exact.
+    // Computed from the nearer end, so that both ends are exact.
     if share <= 0.5 {
         start + (end - start) * greater(share, 0.0)
     } else {
@@ -59,8 +59,8 @@ pub(crate) struct Located {
     pub(crate) leaves_m: Vec2,
 }
 
-/// Walks the boundary of the overlap and appends its vertices to `outline_m`. `stretches` are in the order
-/// of the walk.
+/// Walks the boundary of the overlap and appends the overlap's vertices to `outline_m`. `stretches` are in the order of
+/// the walk.
 pub(crate) fn assemble(
     a: &ConvexPolygon,
     b: &Placed<'_>,
@@ -79,8 +79,8 @@ pub(crate) fn assemble(
     measure(&outline_m[start..], chord_m, false)
 }
 
-/// Appends the boundary of the overlap from where a stretch enters, along the first polygon to
-/// where it leaves, and along the second up to its edge `until_b`, where the next one enters.
+/// Appends a part of the overlap's boundary: from where a stretch enters, along the first polygon to where it leaves,
+/// and then along the second polygon up to its edge `until_b`, where the next stretch enters.
 #[inline(always)]
 pub(crate) fn trace(
     a: &ConvexPolygon,
@@ -104,7 +104,7 @@ pub(crate) fn trace(
     }
 }
 
-/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` (m).
+/// The point where the boundaries of the two polygons cross, on the two edges of `crossing` (m).
 fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
     let (i, j) = (crossing.a as usize, crossing.b as usize);
     let (a0, a1) = (a.corner(i), a.corner(i + 1));
@@ -144,10 +144,10 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
 }
 
-/// Shorter chords are rounding: seams cancel to about 1e-13 m.
+/// A shorter chord is a rounding error: seams cancel to about 1e-13 m.
 const SHORTEST_CHORD_M: f64 = 1e-11;
 
-/// 1/|d|, or 0 where the chord is unusable: see [`Lens::per_chord_m`].
+/// 1/|d|, or 0 if the chord is unusable: see [`Lens::per_chord_m`].
 #[inline]
 pub(crate) fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
     let length_m = chord_m.length();

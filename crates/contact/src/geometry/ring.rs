@@ -12,8 +12,8 @@ pub(crate) fn after(i: usize, count: usize) -> usize {
     if i + 1 == count { 0 } else { i + 1 }
 }
 
-/// The corner of a convex ring of `count` that is deepest behind a line, and its depth: uphill from corner `from`, as the depth has one
-/// maximum over the ring.
+/// The corner of a convex ring of `count` corners that is deepest behind a line, and its depth. The search climbs from
+/// corner `from`: the depth has a single maximum over the ring.
 #[inline(always)]
 pub(crate) fn climb(depth: impl Fn(usize) -> f64, from: usize, count: usize) -> (usize, f64) {
     let (mut here, mut deepest) = (from, depth(from));
@@ -31,7 +31,7 @@ pub(crate) fn climb(depth: impl Fn(usize) -> f64, from: usize, count: usize) -> 
     (here, deepest)
 }
 
-/// Vertices between an edge and a later one of a ring of `count`.
+/// Number of vertices between an edge and a later edge of a ring of `count`.
 #[inline(always)]
 pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
     let (from, to) = (from as usize, to as usize);

@@ -1,4 +1,4 @@
-//! The convex pieces of two bodies that are near each other.
+//! Finds the convex pieces of two bodies that are near each other.
 
 use core::ops::Range;
 
@@ -7,17 +7,17 @@ use super::convex::ConvexPolygon;
 use super::extent::Extent;
 use crate::vec2::Pose;
 
-/// Outlines of fewer pieces have no tree: all their pieces are near.
+/// Outlines with fewer pieces than this have no tree: all their pieces count as near.
 pub(crate) const LEAST_WITH_TREE: usize = 8;
 
-/// Rounding of a box in another frame, by the size of the coordinates.
+/// Rounding error of a box in another frame, relative to the coordinates.
 const ROUNDING: f64 = 1e-13;
 
-/// What one side of a pair consists of.
+/// The convex pieces of one side of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shapes<'m> {
     pub(crate) pieces: &'m [ConvexPolygon],
-    /// Over these pieces, if there are many.
+    /// The tree over these pieces, if there are many.
     pub(crate) tree: Option<&'m BoxTree>,
 }
 
@@ -25,12 +25,12 @@ pub(crate) struct Shapes<'m> {
 pub(crate) type Piece<'m> = (u32, &'m ConvexPolygon);
 
 impl<'m> Shapes<'m> {
-    /// Pieces without a tree.
+    /// Makes shapes of pieces without a tree.
     pub(crate) fn few(pieces: &'m [ConvexPolygon]) -> Shapes<'m> {
         Shapes { pieces, tree: None }
     }
 
-    /// A box about all pieces.
+    /// A box around all pieces.
     fn extent(&self) -> Extent {
         match self.tree {
             Some(tree) => tree.extent(),
@@ -38,7 +38,7 @@ impl<'m> Shapes<'m> {
         }
     }
 
-    /// The pieces near a place, ascending, with boxes about them. Without a tree these are all pieces.
+    /// The pieces near a place, ascending, with boxes around them. Without a tree these are all pieces.
     #[inline]
     fn near(self, place: impl FnOnce() -> Extent) -> Near<'m> {
         match self.tree {
@@ -52,8 +52,8 @@ fn circled(piece: &ConvexPolygon) -> Extent {
     Extent::of_circle(piece.center_m(), piece.radius_m())
 }
 
-/// The pieces of `a` and `b` that may be `apart_m` or less apart, in the order of `a`'s pieces, then of `b`'s. Those that
-/// are farther apart may be among them, if their boxes are not.
+/// The pairs of pieces of `a` and `b` that may be `apart_m` or less apart, in the order of `a`'s pieces, then of `b`'s.
+/// The test compares boxes, so some pairs may be farther apart.
 #[inline]
 pub(crate) fn near_pairs<'m>(
     a: Shapes<'m>,
@@ -145,7 +145,7 @@ mod tests {
             let (found, all) = (near(with_trees, 0.0), near(without, 0.0));
             assert_eq!(all.len(), of_a.len() * of_b.len());
             assert!(found.is_sorted() && all.is_sorted());
-            // One side with a tree, as at a fender.
+            // Only one side has a tree, as at a fender.
             let one_tree = near([with_trees[0], without[1]], 0.0);
             let wider = near(with_trees, 1.5);
             let shifted = Pose { position_m: b_in_a.position_m + vec2(0.9, -1.1), ..b_in_a };
@@ -155,7 +155,7 @@ mod tests {
                 let is_found = found.binary_search(&(a, b)).is_ok();
                 assert!(is_found || !overlap, "{a} {b} in round {round}");
                 assert!(one_tree.binary_search(&(a, b)).is_ok() || !overlap);
-                // After a shift by 1.42 m they overlap: so they were no farther apart.
+                // After a shift by 1.42 m the pieces overlap, so they were no farther apart than that.
                 let later = clip.clip(shapes.0, Pose::IDENTITY, shapes.1, shifted).is_some();
                 assert!(wider.binary_search(&(a, b)).is_ok() || !later, "{a} {b}");
                 overlapping += u32::from(overlap);

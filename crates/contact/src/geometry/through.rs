@@ -1,11 +1,11 @@
-//! The fast path for the most common overlap: some corners of one polygon have passed through a single edge of
-//! the other, as a fender's through a hull's side.
+//! The fast path for the most common overlap: some corners of one polygon have passed through a single edge of the
+//! other, as the corners of a fender pass through a hull's side.
 //!
-//! The overlap is then the part of the first polygon behind the edge's line. The boundary of a convex polygon
-//! crosses a line at most twice: two crossings and the corners between them are the whole part, if that is within
-//! the edge's polygon. It is enough that the crossings are on the edge, and that the region between the two
-//! crossing lines, down to the deepest corner, is within a trapezoid inscribed behind the edge. Otherwise
-//! [`super::warm`] is used.
+//! The overlap is then the part of the first polygon behind the line of the edge. The boundary of a convex polygon
+//! crosses a line at most twice. So two crossings and the corners between them are the whole part, if this part lies
+//! within the polygon that has the edge. Two tests are enough for that: the crossings are on the edge, and the region
+//! between the two crossing lines, down to the deepest corner, is within a trapezoid inscribed behind the edge.
+//! Otherwise [`super::warm`] is used.
 
 use super::convex::ConvexPolygon;
 use super::edge::{Crosses, Edge, Frame};
@@ -21,7 +21,7 @@ const SHORTEST_M: f64 = 1e-9;
 pub(crate) struct Through {
     pub(crate) lens: Lens,
     at: Stretch,
-    /// The map from A's frame to the edge's, and x where A's boundary enters and leaves the overlap (m).
+    /// The map from A's frame to the edge's frame, and x where A's boundary enters and leaves the overlap (m).
     of_a: Frame,
     enters_m: f64,
     leaves_m: f64,
@@ -37,7 +37,8 @@ impl Through {
     }
 }
 
-/// The overlap of `a` and `b`, placed in `a`'s frame, if it is through one edge, in this step as in the last.
+/// The overlap of `a` and `b`, if it passes through one edge in this step, as in the last. `b` is placed in `a`'s
+/// frame.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -61,19 +62,19 @@ pub(crate) fn find(
     }
 }
 
-/// The part of a polygon behind an edge, in its frame, with x measured from where the boundary enters.
+/// The part of a polygon behind an edge, in the edge's frame. x is measured from where the boundary enters.
 struct Behind {
-    /// Where the boundary enters, with x as in [`Edge`] (m).
+    /// Place at which the boundary enters, with x as in [`Edge`] (m).
     first_m: f64,
-    /// Where it leaves (m); negative.
+    /// Place at which the boundary leaves (m); negative.
     last_m: f64,
     twice_m2: f64,
     centroid_m: Vec2,
     deepest_m: f64,
 }
 
-/// The part of `polygon` behind the edge, if its boundary enters by edge `first`, leaves by edge `last`, and is
-/// within the edge's polygon in between.
+/// The part of `polygon` behind the edge. `None` unless the boundary enters by edge `first`, leaves by edge `last`, and
+/// stays within the edge's polygon in between.
 #[inline(always)]
 fn behind(
     edge: &Edge,
@@ -87,7 +88,7 @@ fn behind(
     let [outside, inside, before, beyond] =
         [outside, inside, before, beyond].map(|corner_m| frame.of(corner_m));
     let (first, last) = (Crosses::between(outside, inside), Crosses::between(beyond, before));
-    // Relative to the first crossing, so that small overlaps are accurate.
+    // Computed relative to the first crossing, so that small overlaps are accurate.
     let origin = vec2(first.x_m, 0.0);
     let frame = frame.measured_from(first.x_m);
     let mut sums = Sums { from: inside - origin, twice_m2: 0.0, moment: Vec2::ZERO };
@@ -97,7 +98,7 @@ fn behind(
         deepest_m = greater(deepest_m, corner.y);
         sums.add(corner);
     }
-    // With a single corner this adds zero.
+    // For a single corner this adds zero.
     sums.add(before - origin);
     let last_m = last.x_m - first.x_m;
     let Sums { twice_m2, moment, .. } = sums.closed(last_m);
@@ -129,7 +130,7 @@ impl Sums {
         self.from = to;
     }
 
-    /// Closes the walk by way of `x_m`, where y is 0.
+    /// Closes the walk at the point x = `x_m`, y = 0.
     #[inline(always)]
     fn closed(mut self, x_m: f64) -> Sums {
         let cross = -(self.from.y * x_m);
@@ -140,7 +141,7 @@ impl Sums {
 }
 
 impl Behind {
-    /// The overlap in A's frame; A's boundary enters and leaves at these x.
+    /// The overlap in A's frame. A's boundary enters and leaves at the given x.
     #[inline(always)]
     fn through(&self, at: Stretch, of_a: Frame, [enters_m, leaves_m]: [f64; 2]) -> Through {
         let of_a = of_a.measured_from(self.first_m);
@@ -165,7 +166,7 @@ mod tests {
     use super::*;
     use crate::geometry::convex::Placed;
 
-    /// A hull of 60 m whose starboard side is edge 3, and a fender's block at it.
+    /// A hull of 60 m whose starboard side is edge 3, and a fender's block at this side.
     fn hull_and_block() -> (ConvexPolygon, ConvexPolygon) {
         let hull = [(-30.0, 8.0), (-30.0, -8.0), (20.0, -8.0), (30.0, 0.0), (20.0, 8.0)];
         let block = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
@@ -174,7 +175,7 @@ mod tests {
         (ConvexPolygon::new(&hull), ConvexPolygon::new(&block))
     }
 
-    /// The crossings, by edges of hull and block, where one enters and leaves the other.
+    /// A stretch given by the edges of hull and block at which one boundary enters and leaves the other.
     fn at(enter: (u32, u32), leave: (u32, u32)) -> Stretch {
         let [enter, leave] = [enter, leave].map(|(a, b)| Crossing { a, b });
         Stretch { enter, leave }
@@ -190,7 +191,7 @@ mod tests {
         assert!(apart(one.per_chord_m, other.per_chord_m) < 1e-13, "{one:?}, {other:?}");
     }
 
-    /// Equal to rounding, whichever polygon has the edge.
+    /// The two results are equal to rounding, whichever polygon has the edge.
     #[test]
     fn the_fast_path_equals_the_walk() {
         let (hull, block) = hull_and_block();
@@ -210,7 +211,7 @@ mod tests {
             same(&through.lens, &assemble(&hull, &placed, &[*hint], &mut corners_m));
             assert!((corners_m[0] - through.located().enters_m).length() < 1e-13);
 
-            // The same in the block's frame.
+            // The same overlap in the block's frame.
             let hull_in_block = pose.to(Pose::IDENTITY);
             let Stretch { enter, leave } = *hint;
             let hint = at((leave.b, leave.a), (enter.b, enter.a));
@@ -222,7 +223,7 @@ mod tests {
         }
     }
 
-    /// Otherwise a part beyond the other side, or past the edge's end, would be counted.
+    /// Otherwise the fast path would count a part beyond the other side or past the end of the edge.
     #[test]
     fn corners_beyond_the_edges_polygon_are_left_to_other_paths() {
         let (hull, block) = hull_and_block();
@@ -247,7 +248,7 @@ mod tests {
         }
     }
 
-    /// No counted corner is outside the hull, also near the side's ends and deep in the hull.
+    /// No counted corner is outside the hull, even near the ends of the side and deep in the hull.
     #[test]
     fn the_overlap_is_within_the_edges_polygon() {
         let (hull, block) = hull_and_block();
@@ -281,7 +282,7 @@ mod tests {
     #[test]
     fn nearly_parallel_edges_are_left_to_the_cold_path() {
         let (hull, block) = hull_and_block();
-        // On the side, and turned so little that it is nearly parallel.
+        // On the side, and turned so little that the block is nearly parallel to it.
         for heading_rad in [0.0, 1e-10, -1e-10] {
             let pose = Pose::new(vec2(3.0, 8.5), heading_rad);
             for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {

@@ -1,18 +1,18 @@
-//! The warm path of the clip. Contacts move little from step to step: it walks from the edges that
-//! crossed in the last step, touches only the vertices near them, and certifies that the lens found
-//! there is the whole overlap. Where the certificate fails, the cold path is used.
+//! The warm path of the clip. Contacts move little from step to step. So the warm path walks from the edges that
+//! crossed in the last step, reads only the vertices near them, and certifies that the lens found there is the whole
+//! overlap. If the certificate fails, the cold path is used.
 //!
-//! Proof of the certificate. Let the first polygon's boundary enter the second's at P_in and leave it
-//! at P_out, and let Q be bounded by the first one's chain from P_in to P_out and the second one's
-//! chain back. Q turns left at every corner, and by one full turn if neither chain turns by more than
-//! half a turn: so Q is convex and to the left of all its edges. It remains to show that each chain's
-//! vertices are within the *far* part of the other polygon, whose edges are not Q's. It is enough that
-//! they are within a polygon inscribed in that far part, of three or four of its vertices. Then Q's
-//! boundary is part of the overlap's boundary; both are simple closed curves, so they are the same.
+//! Proof of the certificate. Let the first polygon's boundary enter the second at P_in and leave it at P_out. Let Q be
+//! bounded by the first polygon's chain from P_in to P_out and the second polygon's chain back. Q turns left at every
+//! corner. If neither chain turns by more than half a turn, Q turns by one full turn: so Q is convex and lies to the
+//! left of all its edges. It remains to show that the vertices of each chain lie within the *far* part of the other
+//! polygon: the part whose edges are not edges of Q. It is enough that they lie within a polygon of three or four
+//! vertices inscribed in that far part. Then Q's boundary is part of the overlap's boundary. Both boundaries are simple
+//! closed curves, so they are the same.
 //!
-//! A chain may turn by more than half a turn if the other one is on a single edge, as of a fender whose last corner alone is
-//! beyond a bow. The boundary of a convex polygon crosses that edge's line twice at most, so that Q is all of the polygon behind
-//! the line, and convex. The rest of the proof is the same.
+//! A chain may turn by more than half a turn if the other chain is on a single edge. This happens at a fender of which
+//! all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line twice at most, so Q is
+//! all of the polygon behind the line, and convex. The rest of the proof is the same.
 
 use alloc::vec::Vec;
 
@@ -21,7 +21,8 @@ use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
 use crate::vec2::Vec2;
 
-/// Largest number of steps of a walk; beyond, the cold path is cheaper.
+/// Largest number of steps in the walk from the last step's crossing to this step's crossing. Beyond this number the
+/// cold path is cheaper.
 const WALK: usize = 8;
 /// Chains longer than this (in vertices) are left to the cold path.
 const CHAIN: usize = 32;
@@ -41,7 +42,7 @@ struct Edges {
     b_along: Vec2,
     /// b_along × a_along.
     turn: f64,
-    /// Position along the first polygon's edge, 0 to 1.
+    /// Position of the crossing along the first polygon's edge, 0 to 1.
     share: f64,
 }
 
@@ -58,8 +59,8 @@ impl Edges {
     }
 }
 
-/// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the only one.
-/// The vertices of the overlap are then appended to `outline_m`.
+/// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the only one. Appends the
+/// vertices of the overlap to `outline_m`.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -154,15 +155,15 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
     None
 }
 
-/// On one edge of `b`: does the walk back reach P_out before P_in?
+/// For a chain on one edge of `b`: does the walk back reach P_out before P_in?
 #[inline(always)]
 fn b_order(enter: &Edges, found: &Located) -> bool {
     enter.b_along.dot(found.enters_m - found.leaves_m) > 0.0
 }
 
-/// Does a chain turn by at most half a turn, to rounding (opposite sides of a box are half a turn apart)?
-/// On one edge: are the points in order? The corners at P_in and P_out are not [`FLAT`], which leaves more
-/// room than this rounding.
+/// Does a chain turn by at most half a turn, to rounding? Opposite sides of a box are exactly half a turn apart. For a
+/// chain on one edge: are the points in order? The corners at P_in and P_out are not [`FLAT`], which leaves more room
+/// than this rounding.
 #[inline(always)]
 fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> bool {
     if chain == 0 {
@@ -174,7 +175,7 @@ fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> 
             && turn * turn <= ROUNDING * ROUNDING * first.length_squared() * last.length_squared())
 }
 
-/// From the end of `b`'s edge where `a` enters to the start of the edge where it leaves.
+/// The far part of `b`: from the end of the edge where `a` enters to the start of the edge where `a` leaves.
 #[inline(always)]
 fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     let count = b.count();
@@ -183,7 +184,7 @@ fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: enter.b_end, end: leave.b_start }
 }
 
-/// From the end of `a`'s edge where it leaves to the start of the edge where it enters.
+/// The far part of `a`: from the end of `a`'s edge where it leaves to the start of the edge where it enters.
 #[inline(always)]
 fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     let count = a.count();
@@ -192,7 +193,7 @@ fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: leave.a_end, end: enter.a_start }
 }
 
-/// The edges of a polygon that are not in a lens: `edges` of them, from vertex `from`.
+/// The edges of a polygon that are not in the lens: `edges` of them, from vertex `from` on.
 struct FarPart {
     from: usize,
     edges: usize,
@@ -202,8 +203,8 @@ struct FarPart {
 }
 
 impl FarPart {
-    /// Are all vertices of a chain within the far part? Tests an inscribed polygon first, then the far part
-    /// itself. `vertex` gives the polygon's vertices.
+    /// Are all vertices of a chain within the far part? Tests a polygon inscribed in the far part first, then the far
+    /// part itself. `vertex` gives the polygon's vertices.
     #[inline(always)]
     fn holds(&self, vertex: impl Fn(usize) -> Vec2, chain: &[Vec2]) -> bool {
         if chain.is_empty() {
@@ -221,7 +222,7 @@ impl FarPart {
         })
     }
 
-    /// [`FarPart::holds`] with four corners, where three were not enough.
+    /// [`FarPart::holds`] with an inscribed polygon of four corners, for cases in which three corners are not enough.
     #[inline(never)]
     fn holds_in_thirds(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
         let third = self.edges / 3;

@@ -1,4 +1,4 @@
-//! A co-simulation host: its memory, and one step from top to bottom.
+//! A co-simulation host: its memory, and one step from start to end.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,14 +22,15 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The coupled method for a co-simulation host: it integrates the bodies itself, with a step that may vary, may pass
-/// states that are some steps old, and need not report its loads.
+/// The coupled method for a co-simulation host. Such a host integrates the bodies itself, with a step that may vary.
+/// The host may pass states that are some steps old, and need not report its loads.
 ///
-/// The host integrates M(v′ − v)/Δt = W + load, with the wrench W from the engine and the model's mass matrix M in the
-/// body's heading at the start of the step. The wrenches of [`CoSimHost::step`] make its positions follow the engine's
-/// sub-stepped motion for any Δt: the same rebound, the same depth at rest. With a constant step the host's positions
-/// during a contact are those of the engine, and its velocities are means over a step. Where the step changes during a
-/// contact the velocities are those of the engine, and the positions differ by up to ½ a Δt², which decays in some 10 s.
+/// The host integrates M(v′ − v)/Δt = W + load. W is the wrench from the engine, and M the model's mass matrix in the
+/// body's heading at the start of the step. The wrenches of [`CoSimHost::step`] make the host's positions follow the
+/// engine's sub-stepped motion for any Δt: the same rebound, the same depth at rest. With a constant step, the host's
+/// positions during a contact are those of the engine, and the host's velocities are means over a step. If the step
+/// changes during a contact, the velocities are those of the engine, and the positions differ by up to ½ a Δt². This
+/// difference decays in some 10 s.
 ///
 /// All state is plain data, as in [`Memory`]: copy it to branch a run, compare it, save it with
 /// [`CoSimHost::snapshot`] and restore it with [`CoSimHost::restore`].
@@ -66,10 +67,10 @@ use crate::state::BodyState;
 pub struct CoSimHost {
     pub(super) settings: HostSettings,
     pub(super) memory: Memory,
-    /// In the order in which bodies were added.
+    /// One record per body, in the order in which bodies were added.
     pub(super) bodies: Vec<BodyRecord>,
-    /// Wrenches and loads of the last steps, at most `delay_steps` + 1 of them, the oldest first; body by body within a
-    /// step.
+    /// Wrenches and loads of the last steps, at most `delay_steps` + 1 of them. The oldest step comes first; within a
+    /// step they are body by body.
     pub(super) past_steps: Vec<PastStep>,
     /// Length of the last step that was not a pause; 0 before the first (s).
     pub(super) last_step_s: f64,
@@ -88,12 +89,12 @@ impl CoSimHost {
         }
     }
 
-    /// Resets the host: the next step is the first.
+    /// Resets the host: the next step counts as the first.
     pub fn reset(&mut self, model: &Model) {
         *self = CoSimHost::new(model, self.settings);
     }
 
-    /// Becomes a copy of `other` without allocating where the buffers are large enough.
+    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
     pub fn copy_from(&mut self, other: &CoSimHost) {
         self.settings = other.settings;
         self.memory.copy_from(&other.memory);
@@ -102,8 +103,8 @@ impl CoSimHost {
         self.last_step_s = other.last_step_s;
     }
 
-    /// Marks the next input state of a body as a teleport: its contacts begin anew, no load is inferred from the
-    /// displacement, and out of another body it is pushed slowly. See [`Memory::mark_teleported`].
+    /// Marks the next input state of a body as a teleport. The body's contacts begin anew, no load is inferred from the
+    /// displacement, and the body is pushed slowly out of any other body. See [`Memory::mark_teleported`].
     ///
     /// # Panics
     /// If the model has no such body.
@@ -124,31 +125,33 @@ impl CoSimHost {
         &self.memory
     }
 
-    /// One step of the host. Takes the states that it passes, `delay_steps` old, and returns the wrench on each body for
-    /// the step of `step_s` seconds that begins now: earth-fixed, about the centre of gravity, in the order in which
-    /// bodies were added.
+    /// Does one step of the host. Takes the states that the host passes, `delay_steps` old. Returns the wrench on each
+    /// body for the step of `step_s` seconds that begins now: earth-fixed, about the centre of gravity, in the order in
+    /// which bodies were added.
     ///
-    /// `reported_loads` are all other forces of this step, as in [`crate::advance`]. With `None` the engine uses the load
-    /// that it last observed: M Δv/Δt of the host minus the wrench that it was given, Coriolis and centripetal terms
-    /// included; zero until two states are known. A sudden load is known one step later, plus `delay_steps`.
+    /// `reported_loads` are all other forces of this step, as in [`crate::advance`]. With `None` the engine uses the
+    /// load that it last observed: M Δv/Δt of the host minus the wrench given to the host, Coriolis and centripetal
+    /// terms included. This load is zero until two states are known. A sudden load becomes known one step later, plus
+    /// `delay_steps`.
     ///
-    /// The wrench on a fixed body is the mean contact wrench of the step. That on a floating body comes up to a step
-    /// later, so that positions agree; the impulse over the whole contact is the same.
+    /// The wrench on a fixed body is the mean contact wrench of the step. The wrench on a floating body comes up to one
+    /// step later, so that positions agree. The impulse over the whole contact is the same.
     ///
-    /// A forward Euler host moves in its next step regardless of the wrench: if it starts nearer to a contact than it
-    /// moves in a step, it will be inside it. A load that is not yet known cannot be balanced: with a long Δt and a
-    /// delay, a sudden load may push a body deep into a contact.
+    /// The next position of a forward Euler host does not depend on the wrench. If a body starts nearer to a contact
+    /// than it moves in a step, it will be inside the contact after the step. A load that is not yet known cannot be
+    /// balanced: with a long Δt and a delay, a sudden load may push a body deep into a contact.
     ///
     /// A step of 0 s is a pause: nothing changes, and the wrenches are those of the last step.
     ///
-    /// A body that does not respond to a hit as its mass in the model says is reported once
-    /// ([`crate::EventKind::MassMismatch`]). Its rebound is right nevertheless, its depth at rest within a tenth.
+    /// A body whose response to a hit does not match its mass in the model is reported once
+    /// ([`crate::EventKind::MassMismatch`]). The rebound of such a body is right nevertheless; its depth at rest is
+    /// right within a tenth.
     ///
-    /// Where a body's position is not where its velocity leads, the host has teleported it: no load is inferred from that,
-    /// and its contacts begin anew ([`crate::EventKind::Teleported`]).
+    /// If a body's position is not where its velocity leads, the host has teleported the body. No load is inferred from
+    /// the displacement, and the body's contacts begin anew ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step()`], for states, loads and Δt, and where values computed from them are out of the engine's range.
+    /// As [`crate::step()`], for states, loads and Δt, and if values computed from them are out of the engine's range.
     /// This host is then unchanged, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,
@@ -181,11 +184,12 @@ impl CoSimHost {
         self.past_steps.len() / self.bodies.len().max(1)
     }
 
-    /// Loads observed from the input states, into `work.next`.
+    /// Computes the loads observed from the input states, into `work.next`.
     fn observe(&self, model: &Model, work: &mut HostWorkspace, delayed_states: &[BodyState]) {
         work.next.clone_from(&self.bodies);
         work.mass_mismatches.clear();
-        // Until the oldest remembered wrench is the one between the last two input states, both are the initial state.
+        // Before the oldest remembered wrench belongs to the step between the last two input states, both of these are
+        // the initial state.
         let has_two_states = self.past_step_count() > self.settings.delay_steps as usize;
         for (index, (next, &input)) in work.next.iter_mut().zip(delayed_states).enumerate() {
             if has_two_states {
@@ -220,7 +224,7 @@ impl CoSimHost {
         }
     }
 
-    /// A step of 0 s. It still counts as a step of the host's delay.
+    /// Does a step of 0 s. This step counts as a step of the host's delay.
     fn pause_step(
         &mut self,
         model: &Model,
@@ -234,7 +238,7 @@ impl CoSimHost {
         Ok(())
     }
 
-    /// The host's present states and its loads, into `work.present_now` and `work.loads_now`.
+    /// Computes the host's present states and loads, into `work.present_now` and `work.loads_now`.
     fn predict(&self, model: &Model, work: &mut HostWorkspace, reported_loads: Option<&[Wrench]>) {
         let bodies = self.bodies.len();
         let delay_steps = self.settings.delay_steps as usize;
@@ -255,11 +259,11 @@ impl CoSimHost {
         }
     }
 
-    /// The states from which the engine starts, into `work.starts` and `work.leads`.
+    /// Computes the states from which the engine starts, into `work.starts` and `work.leads`.
     fn compute_starts(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         let is_steady = is_steady(self.last_step_s, step_s);
         let integration = self.settings.integration;
-        // The engine is one step ahead of a forward Euler host that follows it exactly.
+        // The engine is one step ahead of a forward Euler host that follows the engine exactly.
         let early_s = match integration {
             HostIntegration::ForwardEuler => self.last_step_s,
             HostIntegration::SemiImplicit => 0.0,
@@ -288,9 +292,9 @@ impl CoSimHost {
         }
     }
 
-    /// The velocity change that shifts the time of a velocity. Without contact a host with steady steps has the mean
-    /// velocity of its last step; the engine expects the velocity at the middle of its own last sub-step or, before
-    /// any, at the time of the position.
+    /// The velocity change that shifts the time to which a velocity belongs. Without contact, a host with steady steps
+    /// has the mean velocity of its last step. The engine expects the velocity at the middle of the engine's last
+    /// sub-step or, before any sub-step, at the time of the position.
     fn to_engine_time(
         &self,
         model: &Model,
@@ -328,8 +332,8 @@ impl CoSimHost {
         }
     }
 
-    /// Wrenches for the host from the engine's displacement, into `work.wrenches`; updates how far the engine is ahead of
-    /// the host.
+    /// Computes the wrenches for the host from the engine's displacement, into `work.wrenches`. Updates how far the
+    /// engine is ahead of the host.
     fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         for (index, next) in work.next.iter_mut().enumerate() {
             let inverse = model.inverse_of(index);
@@ -358,7 +362,7 @@ impl CoSimHost {
         }
     }
 
-    /// The velocity at which a host with a varying step is to end the step; updates how far the engine is then ahead.
+    /// The velocity at which a host with a varying step should end the step. Updates how far the engine is then ahead.
     fn follow(
         &self,
         next: &mut BodyRecord,

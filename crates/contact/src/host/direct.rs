@@ -16,35 +16,35 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Largest deviation of a body's position from the path that its velocities give, as a share of its radius. The engine's
-/// contact memory uses the same share.
+/// Largest deviation of a body's position from the path that the velocities give, as a share of the body's radius. The
+/// engine's contact memory uses the same share.
 const ALLOWANCE: f64 = 0.1;
 
-/// Largest deviation of a host's velocity change from the one that the wrench gives, as a share of that change. Beyond it
-/// the host does not move the body by the wrench.
+/// Largest deviation of a host's velocity change from the change that the wrench gives, as a share of that change. If
+/// the deviation is larger, the host does not move the body by the wrench.
 const UNANSWERED: f64 = 0.5;
 
-/// The coupled method for a host that passes the states at the start of each step, and all its loads.
+/// The coupled method for a host that passes the states at the start of each step, and all loads.
 ///
-/// The host may let the engine move the bodies, by passing [`HostWorkspace::states_after`] unchanged; a step is then the
-/// same as [`crate::advance_from_engine_states`]. Or it integrates the bodies itself with the wrenches, by any method and
-/// in steps of any length. While bodies touch, the engine then continues its own motion rather than the host's, which
-/// differs from it by up to ½ a Δt²; without that, stiff contacts would chatter.
+/// The host may let the engine move the bodies, by passing [`HostWorkspace::states_after`] unchanged. A step is then
+/// the same as [`crate::advance_from_engine_states`]. Or the host integrates the bodies itself with the wrenches, by
+/// any method and in steps of any length. While bodies touch, the engine then continues its own motion and not the
+/// host's. The two differ by up to ½ a Δt²; with the host's motion stiff contacts would chatter.
 ///
-/// Where the host moves a body regardless of the wrench, as one on a prescribed path, the engine computes the contact
-/// forces at the states as they are passed.
+/// If the host moves a body regardless of the wrench, such as a body on a prescribed path, the engine computes the
+/// contact forces at the states passed.
 ///
 /// All state is plain data, as in [`Memory`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectHost {
     pub(super) memory: Memory,
-    /// In the order in which bodies were added.
+    /// One record per body, in the order in which bodies were added.
     pub(super) bodies: Vec<DirectRecord>,
     /// Length of the last step that was not a pause; 0 before the first (s).
     pub(super) last_step_s: f64,
 }
 
-/// What a direct host remembers of one body.
+/// The memory of a direct host for one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct DirectRecord {
     /// The last input state, and the engine's state at the end of that step.
@@ -54,7 +54,7 @@ pub(super) struct DirectRecord {
     pub(super) sum: Wrench,
     /// The wrench returned.
     pub(super) wrench: Wrench,
-    /// How far the engine's velocity is ahead of the host's; `None` where the body had no contact.
+    /// How far the engine's velocity is ahead of the host's; `None` if the body had no contact.
     pub(super) ahead: Option<Lead>,
 }
 
@@ -69,7 +69,7 @@ impl DirectHost {
         }
     }
 
-    /// Becomes a copy of `other` without allocating where the buffers are large enough.
+    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
     pub fn copy_from(&mut self, other: &DirectHost) {
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
@@ -82,7 +82,7 @@ impl DirectHost {
         &self.memory
     }
 
-    /// As [`Memory::mark_teleported`].
+    /// Marks a body as teleported, as [`Memory::mark_teleported`] does.
     ///
     /// # Panics
     /// If the model has no such body.
@@ -91,8 +91,8 @@ impl DirectHost {
         self.bodies[body.0 as usize].ahead = None;
     }
 
-    /// One step, as [`crate::advance_from_engine_states`]. Returns the wrench that the host adds to its forces on each
-    /// body.
+    /// Does one step, as [`crate::advance_from_engine_states`]. Returns the wrench that the host adds to its forces on
+    /// each body.
     ///
     /// # Errors
     /// As [`crate::advance_from_engine_states`]; this host is then unchanged.
@@ -118,7 +118,7 @@ impl DirectHost {
         Ok(&work.wrenches)
     }
 
-    /// The states from which the engine starts, into `work.starts` and `work.leads`.
+    /// Computes the states from which the engine starts, into `work.starts` and `work.leads`.
     fn compute_starts(&self, model: &Model, work: &mut HostWorkspace, states: &[BodyState]) {
         work.starts.clear();
         work.leads.clear();
@@ -135,7 +135,7 @@ impl DirectHost {
         }
     }
 
-    /// The engine's offset from a host that integrates the body itself; `None` where the engine starts from the input.
+    /// The engine's offset from a host that integrates the body itself; `None` if the engine starts from the input.
     fn apart(
         &self,
         model: &Model,
@@ -162,7 +162,7 @@ impl DirectHost {
         Some(Start { exact: false, velocity: lead.velocity, offset })
     }
 
-    /// The wrenches of the step, into `work.wrenches`; updates the records.
+    /// Computes the wrenches of the step, into `work.wrenches`, and updates the records.
     fn compute_wrenches(
         &mut self,
         model: &Model,
@@ -196,7 +196,7 @@ impl DirectHost {
     }
 }
 
-/// The part of a body's displacement that no combination of its two velocities explains.
+/// The part of a body's displacement that no combination of the old and the new velocity explains.
 fn path_error(from: &BodyState, to: &BodyState, step_s: f64) -> Offset {
     let (first, second) =
         (Velocity::of(from).displacement(step_s), Velocity::of(to).displacement(step_s));

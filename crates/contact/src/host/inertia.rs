@@ -7,7 +7,7 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// M v in earth-fixed axes for a body turned as `state` is (N·s, N·m·s); zero for a fixed body.
+/// M v in earth-fixed axes (N·s, N·m·s), for a body at the heading of `state`. Zero for a fixed body.
 pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
     match mobility {
         // A host does not move bodies on piles.
@@ -26,7 +26,8 @@ pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -
     }
 }
 
-/// M⁻¹ W Δt: what a wrench does in `step_s` to a body of that M⁻¹ in its own axes that is turned as `state` is.
+/// M⁻¹ W Δt: the velocity change by a wrench in `step_s`. M⁻¹ is given in the body's own axes; the body has the heading
+/// of `state`.
 pub(super) fn kick(
     inverse: &InverseMatrix,
     state: &BodyState,

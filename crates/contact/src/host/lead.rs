@@ -1,18 +1,17 @@
 //! How far the engine's motion of a body is ahead of its host's, and how the host catches up.
 //!
-//! A host with a constant step follows the engine *exactly*: each of its steps ends at the engine's position
-//! ([`super::steering`]). The remainder of one step's velocity, ½ a Δt, is corrected by the next step's wrench. Where the
-//! step changes, that fails: the correction of half a second, applied in 1/60 s, is thirty times the force.
+//! A host with a constant step follows the engine *exactly*: each step of the host ends at the engine's position
+//! ([`super::steering`]). The host's velocity is then off by ½ a Δt, which the wrench of the next step corrects. If the
+//! step changes, this fails: a correction meant for half a second, applied in 1/60 s, takes thirty times the force.
 //!
-//! So a host with a varying step gets the mean contact wrench of each step, and ends it with the engine's *velocity*. Its
-//! own integration then ends up to ½ a Δt² from the engine's position. The engine continues from its own state; its lead,
-//! p in position and e in velocity, is remembered and closed like a critically damped spring in T = 10 s, by the implicit
-//! rule
+//! So a host with a varying step gets the mean contact wrench of each step, and ends the step with the engine's
+//! *velocity*. The host's position is then up to ½ a Δt² from the engine's. The engine continues from its own state.
+//! The host's lead, p in position and e in velocity, is remembered. The lead is closed like a critically damped spring
+//! in T = 10 s, by the implicit rule
 //!
 //! e′ = (e − Δt p/T²) / (1 + Δt/T)²,
 //!
-//! which is stable for any Δt. The force for it is at most ½ (Δt/T)² of the contact's own: 2 % after a step
-//! of 2 s.
+//! which is stable for any Δt. The force for this is at most ½ (Δt/T)² of the contact force: 2 % after a step of 2 s.
 
 use crate::host::velocity::{Offset, Velocity};
 use crate::state::BodyState;
@@ -20,17 +19,18 @@ use crate::state::BodyState;
 /// T: time in which a host with a varying step catches up with the engine (s).
 const CLOSING_S: f64 = 10.0;
 
-/// Time in which its velocity is corrected after the contact has ended (s).
+/// Time in which the host's velocity is corrected after the contact has ended (s).
 const DUE_S: f64 = 2.0;
 
-/// After the contact has ended, the host's own pose is used when it is this near to the engine's (m, rad).
+/// After the contact has ended, the engine continues from the host's pose once it is this near to the engine's (m,
+/// rad).
 const NEAR_M: f64 = 5e-3;
 const NEAR_RAD: f64 = 1e-4;
 
-/// Relative difference within which two steps count as equal: hosts compute steps as differences of times.
+/// Relative difference within which two steps count as equal. Hosts compute steps as differences of times.
 const SAME_STEP: f64 = 1e-6;
 
-/// Whether a step is as long as the last one, or the first.
+/// Whether a step is as long as the last step, or is the first step.
 pub(super) fn is_steady(last_step_s: f64, step_s: f64) -> bool {
     last_step_s == 0.0 || (step_s - last_step_s).abs() <= SAME_STEP * last_step_s
 }
@@ -38,12 +38,12 @@ pub(super) fn is_steady(last_step_s: f64, step_s: f64) -> bool {
 /// How far the engine's motion of a body is ahead of the host's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Lead {
-    /// In velocity, beyond `half_kick`.
+    /// Lead in velocity, in addition to `half_kick`.
     pub(super) velocity: Velocity,
-    /// Velocity change by half of the last step's load, where the host follows exactly: its velocity is then the mean
-    /// over a step.
+    /// Velocity change by half of the last step's load, if the host follows exactly: the host's velocity is then the
+    /// mean over a step.
     pub(super) half_kick: Velocity,
-    /// In position; zero where the host follows exactly.
+    /// Lead in position; zero if the host follows exactly.
     pub(super) offset: Offset,
     /// Whether all steps since the contact began were equally long, so that the host follows exactly.
     pub(super) exact: bool,
@@ -54,9 +54,9 @@ pub(super) struct Lead {
 /// The engine's start relative to the host's present state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Start {
-    /// It has the velocity that the engine left it, or follows it exactly.
+    /// Whether the host has the velocity that the engine left, or follows the engine exactly.
     pub(super) exact: bool,
-    /// V − v and X − x.
+    /// The engine's velocity less the host's, V − v; the same for the position, X − x.
     pub(super) velocity: Velocity,
     pub(super) offset: Offset,
 }
@@ -64,7 +64,7 @@ pub(super) struct Start {
 /// The engine's start for a host with a varying step.
 pub(super) fn start_varying(lead: Option<&Lead>, present: &BodyState, early_s: f64) -> Start {
     let Some(lead) = lead else { return Start::default() };
-    // The engine is one step ahead of a forward Euler host that follows it exactly.
+    // The engine is one step ahead of a forward Euler host that follows the engine exactly.
     let early_s = if lead.exact { early_s } else { 0.0 };
     Start {
         exact: false,
@@ -73,14 +73,14 @@ pub(super) fn start_varying(lead: Option<&Lead>, present: &BodyState, early_s: f
     }
 }
 
-/// e′, while the engine continues from its own state.
+/// The lead in velocity after a step, e′, while the engine continues from its own state.
 pub(super) fn closed(start: &Start, step_s: f64) -> Velocity {
     let damping = 1.0 + step_s / CLOSING_S;
     let pull = start.offset.per(CLOSING_S * CLOSING_S / step_s);
     start.velocity.minus(pull).times(1.0 / (damping * damping))
 }
 
-/// Whether the host is near enough to the engine to continue from its own pose, without contact.
+/// Whether the host is so near to the engine that, without contact, the engine continues from the host's pose.
 pub(super) fn is_near(offset: Offset) -> bool {
     offset.linear_m.length() < NEAR_M && offset.rotation_rad.abs() < NEAR_RAD
 }
@@ -97,7 +97,7 @@ pub(super) fn decayed(velocity: Velocity, due_s: f64, step_s: f64) -> Option<Lea
     })
 }
 
-/// A lead while the engine continues from its own state, for a host with a varying step.
+/// The lead of a host with a varying step, while the engine continues from its own state.
 pub(super) fn apart(velocity: Velocity, offset: Offset) -> Lead {
     Lead { velocity, offset, due_s: DUE_S, ..Lead::default() }
 }

@@ -1,9 +1,9 @@
-//! Checks that a body accelerates under the wrenches as its mass in the model says.
+//! Checks whether a body accelerates under the wrenches as its mass in the model says.
 //!
-//! Over a whole contact M Δv equals the impulse of the wrenches, where the loads' impulse is small. A contact is
-//! evaluated if it begins after and ends before a step without a wrench, takes less than a minute, changes the body's
-//! speed noticeably, and the loads are a small share of its impulse. A ship at rest, or one whose load changes suddenly,
-//! gives no information about her mass.
+//! Over a whole contact M Δv equals the impulse of the wrenches, if the impulse of the loads is small. A contact is
+//! evaluated if a step without a wrench comes before and after it, it takes less than a minute, it changes the body's
+//! speed noticeably, and the loads are a small share of its impulse. A ship at rest, or a ship whose load changes
+//! suddenly, gives no information about her mass.
 
 use crate::body::{Body, Mobility};
 use crate::host::inertia;
@@ -25,18 +25,17 @@ const OFF: f64 = 0.2;
 /// The response of a body to the wrenches since it was last free of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Answers {
-    /// Velocity and load at the end of the last step without a wrench, where there was one.
+    /// Velocity and load at the end of the last step without a wrench, if there was one.
     pub(super) began: Option<(Velocity, Vec2)>,
-    /// Σ W Δt (N·s) and Σ Δt (s) since.
+    /// Impulse Σ W Δt (N·s) and time Σ Δt (s) since then.
     pub(super) impulse_ns: Vec2,
     pub(super) time_s: f64,
-    /// A mismatch was reported.
+    /// Whether a mismatch was reported.
     pub(super) reported: bool,
 }
 
 impl Answers {
-    /// Adds a step of the host, from one input state to the next. Returns true where a mismatch is found, which is at
-    /// most once.
+    /// Adds a step of the host, from one input state to the next. Returns true if a mismatch is found, at most once.
     pub(super) fn note(
         &mut self,
         body: &Body,
@@ -62,7 +61,7 @@ impl Answers {
         reported
     }
 
-    /// Evaluates a contact that has ended.
+    /// Evaluates a contact that has ended: does the response differ from the mass?
     fn differs(&self, body: &Body, now: &BodyState, load_n: Vec2) -> bool {
         let Some((velocity, load_before_n)) = self.began else { return false };
         let impulse_ns = self.impulse_ns.length();

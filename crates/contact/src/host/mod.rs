@@ -3,12 +3,12 @@
 //!
 //! One step of a [`CoSimHost`]:
 //!
-//! 1. [`observer`]: the load, from two input states and the wrench between them;
-//! 2. [`predictor`]: the host's present state, from the input state and the wrenches since;
+//! 1. [`observer`]: the load, from two input states and the wrench of the step between them;
+//! 2. [`predictor`]: the host's present state, from the input state and the wrenches given since then;
 //! 3. [`steering`]: the state from which the engine starts, which depends on how the host integrates;
 //! 4. [`crate::advance`];
-//! 5. [`steering`]: the wrench with which the host's own integration ends where the engine did; or, where the host's step
-//!    varies, [`lead`]: the wrench that keeps it with the engine whatever the next step is.
+//! 5. [`steering`]: the wrench with which the host's own integration ends at the engine's position; or, if the host's
+//!    step varies, [`lead`]: the wrench that keeps the host with the engine whatever the next step is.
 
 mod cosim;
 mod direct;

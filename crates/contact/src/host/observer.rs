@@ -1,5 +1,5 @@
-//! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two input states and the wrench between them. It
-//! contains all forces but contact.
+//! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two input states and the wrench of the step between
+//! them. W_ext contains all forces except contact.
 
 use crate::admit::is_sound_load;
 use crate::body::{Body, Mobility};
@@ -10,12 +10,12 @@ use crate::host::velocity::Velocity;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Largest deviation of a body's position from the path that its velocity gives, as a share of its radius. The engine's
-/// contact memory uses the same share.
+/// Largest deviation of a body's position from the path that the velocity gives, as a share of the body's radius. The
+/// engine's contact memory uses the same share.
 const ALLOWANCE: f64 = 0.1;
 
-/// The load between two states; zero for a fixed body. `None` where it is larger than any load that the engine accepts:
-/// then the host has set the velocity, and there is no load to observe.
+/// The load between two states; zero for a fixed body. `None` if the load is larger than any load that the engine
+/// accepts: then the host has set the velocity, and no load can be observed.
 pub(super) fn load(
     body: &Body,
     before: &BodyState,

@@ -1,4 +1,4 @@
-//! The predictor: integrates an old input state to the present, as the host did.
+//! The predictor: integrates an old input state to the present, in the same way as the host.
 
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
@@ -8,7 +8,7 @@ use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// One past step of the host, with its wrench and its load.
+/// Applies one past step of the host, with the wrench and the load of that step.
 pub(super) fn next(
     integration: HostIntegration,
     inverse: &InverseMatrix,

@@ -1,21 +1,21 @@
-//! What a co-simulation host remembers of one body.
+//! The memory of a co-simulation host for one body.
 
 use crate::host::lead::Lead;
 use crate::host::mass_check::Answers;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// What a co-simulation host remembers of one body.
+/// The memory of a co-simulation host for one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BodyRecord {
     /// The last input state.
     pub(super) input: BodyState,
     /// The last observed load.
     pub(super) observed: Wrench,
-    /// Its response to the wrenches, for the check of its mass.
+    /// The body's response to the wrenches, for the check of its mass.
     pub(super) answers: Answers,
-    /// The host has marked its next input state as a teleport.
+    /// Whether the host has marked the body's next input state as a teleport.
     pub(super) placed: bool,
-    /// How far the engine's motion is ahead of the host's because of a contact; `None` without one.
+    /// How far the engine's motion is ahead of the host's because of a contact; `None` without a contact.
     pub(super) ahead: Option<Lead>,
 }

@@ -3,18 +3,18 @@
 /// How the host integrates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum HostIntegration {
-    /// Positions with the old velocities, then the velocities.
+    /// Moves positions with the old velocities, then updates the velocities.
     #[default]
     ForwardEuler,
-    /// Velocities first, then positions with the new velocities.
+    /// Updates velocities first, then moves positions with the new velocities.
     SemiImplicit,
 }
 
 /// Properties of a co-simulation host.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HostSettings {
-    /// Age of the states that the host passes, in steps; 0 for present states. In its first steps such a host passes its
-    /// initial states until they are that old.
+    /// Age of the states that the host passes, in steps; 0 for present states. In its first `delay_steps` steps the
+    /// host passes the initial states.
     pub delay_steps: u32,
     /// The host's integrator.
     pub integration: HostIntegration,

@@ -43,8 +43,8 @@ records! {
 }
 
 impl CoSimHost {
-    /// All of this host as bytes, of the version [`crate::SNAPSHOT_VERSION`]. `model` is the one that it was
-    /// built for.
+    /// This host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` is the model for which the host was
+    /// built.
     ///
     /// # Panics
     /// If `model` has another number of bodies.
@@ -64,7 +64,7 @@ impl CoSimHost {
         out.sealed()
     }
 
-    /// Becomes what [`CoSimHost::snapshot`] saved, settings included, for the same model.
+    /// Restores what [`CoSimHost::snapshot`] saved, settings included, for the same model.
     ///
     /// # Errors
     /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
@@ -111,8 +111,8 @@ impl CoSimHost {
 /// | 232 each | bodies, in the order of their keys: input state, state after, wrench and load, wrench, lead |
 /// | 8 | FNV-1a of all before |
 impl DirectHost {
-    /// All of this host as bytes, of the version [`crate::SNAPSHOT_VERSION`]. `model` is the one that it was
-    /// built for.
+    /// This host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` is the model for which the host was
+    /// built.
     ///
     /// # Panics
     /// If `model` has another number of bodies.
@@ -126,7 +126,7 @@ impl DirectHost {
         out.sealed()
     }
 
-    /// Becomes what [`DirectHost::snapshot`] saved, for the same model.
+    /// Restores what [`DirectHost::snapshot`] saved, for the same model.
     ///
     /// # Errors
     /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
@@ -147,7 +147,7 @@ impl DirectHost {
     }
 }
 
-/// Records of all bodies in the order of their keys.
+/// The records of all bodies, in the order of the bodies' keys.
 fn in_order<R: Copy>(model: &Model, by_id: &[R]) -> impl Iterator<Item = R> {
     model.id_of.iter().map(|id| by_id[id.0 as usize])
 }
@@ -173,7 +173,7 @@ fn get_memory(input: &mut Reader<'_>, model: &Model) -> Result<Memory, RestoreEr
     Ok(memory)
 }
 
-/// Checks the lengths of past steps; 0 where there was none, or in a pause.
+/// Checks the lengths of past steps. The length 0 stands for a pause, or for no step yet.
 fn check_steps(steps_s: impl IntoIterator<Item = f64>) -> Result<(), RestoreError> {
     let is_step = |s: f64| s == 0.0 || (SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&s);
     if steps_s.into_iter().all(is_step) { Ok(()) } else { Err(RestoreError::Content) }

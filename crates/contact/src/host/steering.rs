@@ -1,20 +1,20 @@
-//! Steering: wrenches with which the host's own integration ends where the engine's motion did.
+//! Steering: wrenches with which the host's own integration ends at the position of the engine's motion.
 //!
-//! A semi-implicit host moves by Δt v_{n+1} in a step. It ends at the engine's position if v_{n+1} is the *mean* velocity
-//! v̄ of the engine's motion over the step, and the wrench for that is W = M(v̄ − v_n)/Δt − load. The engine's velocity at
-//! the end, V, is remembered: its difference from the host's is applied with the next step's wrench. If the host got V at
-//! once, by the mean contact force, its position would differ from the engine's by up to half the penetration with long
-//! Δt, and a host that stops within a step would never move again.
+//! A semi-implicit host moves by Δt v_{n+1} in a step. The host ends at the engine's position if v_{n+1} is v̄, the
+//! *mean* velocity of the engine's motion over the step. The wrench for this is W = M(v̄ − v_n)/Δt − load. The engine's
+//! velocity at the end, V, is remembered, and the difference from the host's velocity is applied with the next step's
+//! wrench. If the mean contact force gave the host the velocity V at once, the positions would differ by up to half the
+//! penetration with long Δt, and a host that stops within a step would never move again.
 //!
-//! A forward Euler host moves by Δt v_n: no wrench can change its position at the end of the step, y_n = x_n + Δt v_n. But
-//! y_{n+1} = y_n + Δt v_{n+1}: it is a semi-implicit host that passes its positions one step late. So the engine starts
-//! from y_n, and all else is the same.
+//! A forward Euler host moves by Δt v_n. No wrench can change its position at the end of the step, y_n = x_n + Δt v_n.
+//! But y_{n+1} = y_n + Δt v_{n+1}: in y the host is a semi-implicit host that passes its positions one step late. So
+//! the engine starts from y_n, and all else is the same.
 //!
-//! Under a steady load the velocities of such a host are also means over a step, half a kick ΔtM⁻¹W/2 behind the position.
-//! The engine starts with as much of it added as its own velocities, those of the middle of its last sub-step, are not
-//! behind. At rest on a fender the halves of contact and load cancel.
+//! Under a steady load the velocities of such a host are also means over a step: they lag behind the position by half a
+//! kick, ΔtM⁻¹W/2. The engine's velocities belong to the middle of its last sub-step, so their lag is smaller. The
+//! engine starts with the difference added. At rest on a fender the halves of contact and load cancel.
 //!
-//! All of this is for a step that is as long as the last one. For others see [`super::lead`].
+//! All of this is for a step that is as long as the last one. For other steps see [`super::lead`].
 
 use crate::body::Mobility;
 use crate::host::inertia;
@@ -24,7 +24,7 @@ use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Velocity change by half a step of the load.
+/// Velocity change by the load in half a step.
 pub(super) fn half_kick(
     inverse: &InverseMatrix,
     present: &BodyState,
@@ -49,7 +49,7 @@ pub(super) fn start(
     velocity.plus(lead).of_body_at(&place)
 }
 
-/// Where a host is at the end of a step that it ends with velocity `after`.
+/// The state of a host at the end of a step that it ends with the velocity `after`.
 pub(super) fn arrival(
     integration: HostIntegration,
     present: &BodyState,
@@ -62,7 +62,7 @@ pub(super) fn arrival(
     }
 }
 
-/// The wrench that, with the load, brings the host's velocity to `after`.
+/// The wrench that, together with the load, brings the host's velocity to `after`.
 pub(super) fn wrench(
     mobility: &Mobility,
     present: &BodyState,

@@ -51,7 +51,7 @@ impl Velocity {
         }
     }
 
-    /// The state moved with this velocity for `step_s`; its own velocity stays.
+    /// The state moved with this velocity for `step_s`; the velocity in the state stays.
     pub(super) fn carry(self, state: &BodyState, step_s: f64) -> BodyState {
         BodyState {
             position_m: state.position_m + self.linear_mps * step_s,
@@ -60,7 +60,7 @@ impl Velocity {
         }
     }
 
-    /// The state with this velocity.
+    /// The state, with its velocity replaced by this one.
     pub(super) fn of_body_at(self, state: &BodyState) -> BodyState {
         BodyState { velocity_mps: self.linear_mps, yaw_rate_radps: self.yaw_radps, ..*state }
     }

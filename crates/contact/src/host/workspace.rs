@@ -15,11 +15,12 @@ use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; nothing in it matters to the next step.
+/// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; the next step does not depend on
+/// it.
 #[derive(Clone, Debug)]
 pub struct HostWorkspace {
     pub(super) engine: Workspace,
-    /// Records of the bodies, kept if the step succeeds.
+    /// New records of the bodies; the host keeps them if the step succeeds.
     pub(super) next: Vec<BodyRecord>,
     /// Present states of the host, in the current step and in the last good one.
     pub(super) present_now: Vec<BodyState>,
@@ -31,7 +32,7 @@ pub struct HostWorkspace {
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
-    /// Copy of the memory's `behind_s` from before the step.
+    /// Copy of the memory's `behind_s`, made before the step.
     pub(super) behind_s: Vec<f64>,
     /// Bodies whose response does not match their mass.
     pub(super) mass_mismatches: Vec<BodyId>,
@@ -71,12 +72,12 @@ impl HostWorkspace {
         }
     }
 
-    /// The engine's step, from `starts` under `loads_now`: wrenches, their peaks, and which bodies touched. On an error the
-    /// memory is unchanged.
+    /// Does the engine's step, from `starts` under `loads_now`: wrenches, their peaks, and the bodies that touched. On
+    /// an error the memory is unchanged.
     ///
-    /// The memory knows by how much the engine's velocities are older than its positions. A body that has a velocity of its
-    /// host's is marked there: a correction that belongs to another step's length would else be applied in this one, by a
-    /// wrench many times that of the contact.
+    /// The memory knows by how much the engine's velocities are older than its positions. A body that has a velocity
+    /// given by its host is marked there. Otherwise a correction that belongs to a step of another length would be
+    /// applied in this step, by a wrench many times the contact wrench.
     pub(super) fn advance(
         &mut self,
         model: &Model,
@@ -102,7 +103,7 @@ impl HostWorkspace {
         Ok(())
     }
 
-    /// Which bodies touched in the engine's last step.
+    /// Finds the bodies that touched in the engine's last step.
     fn find_touching(&mut self, model: &Model) {
         self.touching.clear();
         self.touching.resize(model.bodies().len(), false);
@@ -112,20 +113,21 @@ impl HostWorkspace {
         }
     }
 
-    /// The wrenches of the last step, one per body: the host adds them to its forces.
+    /// The wrenches of the last step, one per body. The host adds these wrenches to its forces.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
     }
 
     /// The largest contact wrench on each body within the last step, in the engine's motion: see
-    /// [`Workspace::peak_wrenches_into`]. Use it to size structures; use [`HostWorkspace::wrenches`] to move the bodies.
+    /// [`Workspace::peak_wrenches_into`]. Use this wrench to size structures; use [`HostWorkspace::wrenches`] to move
+    /// the bodies.
     #[must_use]
     pub fn peak_wrenches(&self) -> &[Wrench] {
         &self.peaks
     }
 
-    /// Zero results where there are none for this number of bodies.
+    /// Fills the results with zeros if there are none for this number of bodies.
     pub(super) fn make_room_for_results(&mut self, bodies: usize) {
         for results in [&mut self.wrenches, &mut self.peaks] {
             if results.len() != bodies {
@@ -135,8 +137,8 @@ impl HostWorkspace {
         }
     }
 
-    /// The present states of a [`crate::CoSimHost`] that the last step computed, one per body. The host will pass them
-    /// when they are old enough.
+    /// The present states of a [`crate::CoSimHost`] that the last step computed, one per body. The host will pass these
+    /// states later, when they are `delay_steps` old.
     #[must_use]
     pub fn estimated_states(&self) -> &[BodyState] {
         &self.present

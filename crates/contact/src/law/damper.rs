@@ -1,9 +1,10 @@
 //! The damper of the normal law, cṠ (eq. 2–3 of the paper), between the sub-steps of the coupled method.
 //!
-//! The force of a sub-step acts over the time κ from the middle of the last sub-step to the middle of this one. So the
-//! damper acts on the growth of the overlap between these two times: with the area A in the middle of this sub-step and
-//! A' in the middle of the last one, its force is c(A − A')/κ. Its impulses add up to c times the area for any lengths of
-//! the sub-steps, and to zero over a whole contact. The growth over the last sub-step alone would lag by half a sub-step.
+//! The force of a sub-step acts over the time κ, from the middle of the last sub-step to the middle of this one. So the
+//! damper acts on the growth of the overlap between these two times: its force is c(A − A')/κ, with the area A in the
+//! middle of this sub-step and A' in the middle of the last one. The impulses of the damper add up to c times the area
+//! for any lengths of the sub-steps, and to zero over a whole contact. The growth over the last sub-step alone would
+//! lag by half a sub-step.
 
 use crate::material::Material;
 use crate::number::lesser;
@@ -13,16 +14,16 @@ use crate::number::lesser;
 pub(crate) enum Answered {
     /// Zero: the overlap began within the last sub-step.
     Nothing,
-    /// A' (m²).
+    /// The area A' (m²).
     Area(f64),
-    /// The present area: it is unknown how the overlap came about.
+    /// The present area. This area is used if nothing is known about the growth of the overlap.
     AllThereIs,
 }
 
 /// An overlap at the start of a sub-step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
-    /// S (m²), and its growth per distance closed (m).
+    /// S (m²), and the growth of S per distance closed (m).
     pub(crate) area_m2: f64,
     pub(crate) chord_m: f64,
     /// V_n (m/s).
@@ -30,10 +31,10 @@ pub(crate) struct Growth {
     pub(crate) answered: Answered,
 }
 
-/// c(A − A')/κ for a sub-step of length h (N), and A (m²).
+/// Returns c(A − A')/κ for a sub-step of length h (N), and A (m²).
 ///
-/// For an overlap that began within the last sub-step the force is limited to that of its speed, so that no first touch
-/// is harder than its speed gives; the remainder acts in the next sub-step.
+/// For an overlap that began within the last sub-step, the force is limited to the force at its speed. So no first
+/// touch is harder than its speed gives. The remainder acts in the next sub-step.
 pub(crate) fn damper(material: &Material, growth: &Growth, (h, kick_s): (f64, f64)) -> (f64, f64) {
     let Growth { area_m2, chord_m, closing_mps, answered } = *growth;
     let rate_m2ps = chord_m * closing_mps;
@@ -62,7 +63,7 @@ mod tests {
         restitution: 1.0,
     };
 
-    /// A side 2 m wide penetrates at 0.5 m/s, from a first touch anywhere in the first sub-step.
+    /// A side 2 m wide penetrates at 0.5 m/s. The first touch is anywhere in the first sub-step.
     #[test]
     fn the_impulse_follows_the_area_for_any_sub_steps() {
         for touched_s in [0.01, 0.05, 0.09] {

@@ -1,8 +1,8 @@
 //! The tangential law: a shear spring limited by Coulomb friction (§3.3 of the paper, eq. 4–8).
 //!
-//! The spring's force is T = −k_s Δs, with Δs the slip of body 1 less that of body 2. [`Coulomb`] is the friction law
-//! itself; both methods use it. [`friction`] is the explicit form of the paper's method. [`ShearSpring`] is the implicit
-//! form of the coupled method, whose solver varies T and N together.
+//! The spring's force is T = −k_s Δs, where Δs is the slip of body 1 less the slip of body 2. [`Coulomb`] is the
+//! friction law; both methods use it. [`friction`] is the explicit form of the paper's method. [`ShearSpring`] is the
+//! implicit form of the coupled method, whose solver varies T and N together.
 
 use crate::material::Material;
 use crate::number::bounded;
@@ -11,20 +11,20 @@ use crate::report::Friction;
 /// Coulomb's law for one contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Coulomb {
-    /// |T|/N that ends sticking.
+    /// The ratio |T|/N that ends sticking.
     holding: f64,
-    /// |T|/N while slipping: μ_k.
+    /// The ratio |T|/N while slipping: μ_k.
     sliding: f64,
 }
 
 impl Coulomb {
-    /// Of a contact that is at rest: it holds up to μ_s.
+    /// The law of a contact at rest: it holds up to μ_s.
     #[inline(always)]
     fn of(material: &Material) -> Coulomb {
         Coulomb { holding: material.friction_static, sliding: material.friction_dynamic }
     }
 
-    /// Of a contact that already slides: it holds up to μ_k only.
+    /// The law of a contact that already slides: it holds up to μ_k only.
     #[inline(always)]
     fn of_sliding(material: &Material) -> Coulomb {
         Coulomb { holding: material.friction_dynamic, sliding: material.friction_dynamic }
@@ -36,10 +36,11 @@ impl Coulomb {
         tangential_n.abs() <= self.holding * normal_n
     }
 
-    /// T from the spring's force: the spring's while it holds, else μ_k N in its direction (eq. 6–7).
+    /// T from the spring's force: the spring's force while the contact holds, else μ_k N in the direction of the
+    /// spring's force (eq. 6–7).
     ///
-    /// A contact that has slipped in this sub-step sticks again only below the sliding force. Otherwise, with μ_k < μ_s,
-    /// the solver's sweeps would alternate between the two states.
+    /// A contact that has slipped in this sub-step sticks again only below the sliding force. Without this rule, if μ_k
+    /// < μ_s, the solver's sweeps would alternate between the two states.
     #[inline]
     fn limited(&self, spring_n: f64, normal_n: f64, now: Friction) -> (f64, Friction) {
         if spring_n.abs() <= self.coefficient(now) * normal_n {
@@ -64,13 +65,13 @@ impl Coulomb {
         bounded(tangential_n, -most_n, most_n)
     }
 
-    /// |dT/dN| while slipping.
+    /// The slope |dT/dN| while slipping.
     #[inline]
     pub(crate) fn sliding_slope(&self) -> f64 {
         self.sliding
     }
 
-    /// Δs after slipping: at most what the sliding force shears.
+    /// Δs after slipping: at most the shear that the sliding force gives.
     #[inline]
     fn limited_shear_m(&self, shear_m: f64, normal_n: f64, stiffness_npm: f64) -> f64 {
         let most_m = self.sliding * normal_n / stiffness_npm;
@@ -90,8 +91,8 @@ pub(crate) struct Shear {
 
 /// Shear spring and Coulomb's limit, with the limited normal force of this step (eq. 4–8).
 ///
-/// A contact that slips keeps the Δs that its force shears. The paper prints +k_s Δs for its Δs (C₂ − C₁), which pushes
-/// with the slip; here Δs is body 1's slip less body 2's.
+/// A contact that slips keeps the Δs that belongs to its force. The paper prints +k_s Δs for its Δs (C₂ − C₁), which
+/// pushes along the slip; here Δs is the slip of body 1 less that of body 2.
 #[inline]
 pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -> Shear {
     let spring_n = -material.shear_stiffness_npm * shear_m;
@@ -104,8 +105,8 @@ pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -
     Shear { shear_m, force_n, friction }
 }
 
-/// The coupled method's shear spring in one sub-step: T = −k_s(Δs + ϑ h V̄) with V̄ = (1 − ϑ) V_t + ϑ V_t⁺, which is a
-/// line in V_t⁺.
+/// The coupled method's shear spring in one sub-step: T = −k_s(Δs + ϑ h V̄) with V̄ = (1 − ϑ) V_t + ϑ V_t⁺. T is linear
+/// in V_t⁺.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ShearSpring {
     pub(crate) coulomb: Coulomb,
@@ -120,7 +121,7 @@ pub(crate) struct ShearSpring {
     pub(crate) slope: f64,
     /// V_t at the start of the sub-step (m/s).
     pub(crate) before_mps: f64,
-    /// The most energy that T may give the bodies in this sub-step: what the spring stores (J).
+    /// The most energy that T may give to the bodies in this sub-step: the energy that the spring stores (J).
     pub(crate) available_j: f64,
 }
 
@@ -130,13 +131,13 @@ pub(crate) enum Slide {
     /// The contact begins with this sub-step.
     #[default]
     Begins,
-    /// It sticks.
+    /// The contact sticks.
     Holds,
-    /// It slides.
+    /// The contact slides.
     Slides,
 }
 
-/// What a shear spring starts a sub-step with.
+/// The state of a shear spring at the start of a sub-step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShearStart {
     /// Δs (m).
@@ -173,7 +174,7 @@ impl ShearSpring {
         }
     }
 
-    /// The spring's force at a V_t⁺, without Coulomb's limit (N).
+    /// The spring's force at this V_t⁺, without Coulomb's limit (N).
     #[inline]
     pub(crate) fn force_n(&self, after_mps: f64) -> f64 {
         self.force_at_rest_n - self.slope * after_mps
@@ -185,8 +186,8 @@ impl ShearSpring {
         self.force_n(without_mps) / (1.0 + self.slope * h * inverse_mass)
     }
 
-    /// T and its state for this N, if V_t⁺ would be `without_mps` at T = 0: the spring's force, then Coulomb's limit, then
-    /// the limit on its energy.
+    /// T and the friction state for this N; V_t⁺ would be `without_mps` at T = 0. T is the spring's force, limited by
+    /// Coulomb's law and then by the spring's energy.
     #[inline]
     pub(crate) fn solve(
         &self,
@@ -204,11 +205,11 @@ impl ShearSpring {
         (self.passive(without_mps, wanted_n, inverse_mass, h), friction)
     }
 
-    /// `tangential_n`, or less if it would give the bodies more energy than the spring stores.
+    /// Returns `tangential_n`, or less if `tangential_n` would give the bodies more energy than the spring stores.
     ///
-    /// Its work on them is T h (½ T h t·K t + s), with s the mean of V_t before the sub-step and V_t⁺ at T = 0. The
-    /// midpoint rule by itself keeps this limit. A more implicit spring does not if other forces change V_t, and neither
-    /// does a spring whose t turns with its body.
+    /// The work of T on the bodies is T h (½ T h t·K t + s), where s is the mean of V_t before the sub-step and V_t⁺ at
+    /// T = 0. The midpoint rule keeps this limit by itself. A more implicit spring does not if other forces change V_t.
+    /// A spring whose direction t turns with its body does not either.
     #[inline]
     fn passive(&self, without_mps: f64, tangential_n: f64, inverse_mass: f64, h: f64) -> f64 {
         let mean_mps = 0.5 * (self.before_mps + without_mps);
@@ -220,7 +221,7 @@ impl ShearSpring {
         (root.copysign(tangential_n) - mean_mps) / (h * inverse_mass)
     }
 
-    /// Does T keep to Coulomb's limit and to its energy, at this N and V_t⁺?
+    /// Does T keep to Coulomb's limit and to the spring's energy, at this N and V_t⁺?
     #[inline]
     pub(crate) fn is_within_bounds(
         &self,
@@ -233,14 +234,14 @@ impl ShearSpring {
         self.coulomb.holds(tangential_n, normal_n) && gives_j <= self.available_j
     }
 
-    /// Does the spring store the energy that its force gives the bodies at this V_t⁺?
+    /// Does the spring store the energy that its force would give the bodies at this V_t⁺?
     #[inline]
     pub(crate) fn has_energy_for(&self, after_mps: f64, h: f64) -> bool {
         0.5 * h * self.force_n(after_mps) * (self.before_mps + after_mps) <= self.available_j
     }
 
-    /// Δs at the end of the sub-step from that at its start (m): it grows by h V̄; while it slips it is at most what the
-    /// sliding force shears.
+    /// Δs at the end of the sub-step, from Δs at the start (m). Δs grows by h V̄. While the contact slips, Δs is at
+    /// most the shear that the sliding force gives.
     #[inline]
     pub(crate) fn shear_after_m(
         &self,
@@ -259,12 +260,12 @@ impl ShearSpring {
         }
     }
 
-    /// Does the contact still slide in the next sub-step, with this Δs and V_t⁺ at the end of this one?
+    /// Does the contact still slide in the next sub-step? Δs and V_t⁺ are those at the end of this sub-step.
     ///
-    /// A slide begins when the spring passes the static limit. It ends when V_t turns back against the stretched spring.
-    /// A spring force below μ_k N does not end it: N can jump within a sub-step, and the slide would have to pass μ_s N
-    /// again. A slip in the sub-step of the first touch does not begin a slide: its N belongs to the start of the
-    /// sub-step, when there was hardly any overlap, and its T to the end.
+    /// A slide begins when the spring passes the static limit. The slide ends when V_t turns back against the stretched
+    /// spring. A spring force below μ_k N does not end a slide: N can jump within a sub-step, and the slide would have
+    /// to pass μ_s N again. A slip in the sub-step of the first touch does not begin a slide: N then belongs to the
+    /// start of the sub-step, when there was hardly any overlap, and T to the end.
     #[inline]
     pub(crate) fn slides_on(&self, shear_m: f64, after_mps: f64, friction: Friction) -> bool {
         match (self.slide, friction) {
@@ -281,12 +282,13 @@ impl ShearSpring {
     }
 }
 
-/// ϑ of the shear spring, from k_s t·K t (1/s²).
+/// The implicit share ϑ of the shear spring; `rate_squared` is k_s t·K t (1/s²).
 ///
-/// ½, the midpoint rule, keeps the spring's energy exactly. Backward Euler (1) would damp it by ωh/2 a radian: at the
-/// sub-steps that the normal law needs, a tug that rolls along a ship's side would leave with a yaw rate wrong by a
-/// seventh. If the sub-step is long compared with the spring's own period, ϑ rises to 1, so that it does not ring at
-/// k_s h²/m ≫ 1. Any ϑ ≥ ½ is stable. Only ½ makes no energy by itself: see [`ShearSpring::passive`].
+/// With ϑ = ½, the midpoint rule, the spring keeps its energy exactly. With ϑ = 1, backward Euler, the spring would
+/// lose ωh/2 per radian: with the sub-steps that the normal law needs, a tug that rolls along a ship's side would leave
+/// with a yaw rate wrong by a seventh. If the sub-step is long compared with the spring's period, ϑ rises to 1, so that
+/// the spring does not ring at k_s h²/m ≫ 1. Any ϑ ≥ ½ is stable. Only ϑ = ½ creates no energy by itself: see
+/// [`ShearSpring::passive`].
 #[inline]
 fn implicit_share(rate_squared: f64, h: f64) -> f64 {
     let turn_squared = rate_squared * h * h;
@@ -332,7 +334,8 @@ mod tests {
         assert_eq!((free.force_n, free.shear_m), (0.0, 3.0));
     }
 
-    /// Both methods have one law: in a sub-step so short that nothing moves, the implicit spring gives the paper's force.
+    /// Both methods have the same law: in a sub-step so short that nothing moves, the implicit spring gives the paper's
+    /// force.
     #[test]
     fn the_implicit_spring_has_the_same_limits_as_the_explicit_one() {
         for shear_m in [-0.2, -0.0501, -0.05, 0.0, 0.03, 0.0501, 0.2] {

@@ -11,11 +11,11 @@ use crate::report::ForceParts;
 use crate::touch::Touch;
 use crate::vec2::Pose;
 
-/// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N), with the damper cṠ from the
-/// growth of the overlap.
+/// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N). The damper's part cṠ comes from
+/// the growth of the overlap.
 ///
-/// Eq. 2–3 print −(kS − c dS/dt): with c > 0 that damper pulls the bodies together and makes a
-/// bounce leave faster than it came. A contact does not pull either, hence the maximum.
+/// Eq. 2–3 print −(kS − c dS/dt). With c > 0, that damper pulls the bodies together and makes a bounce leave faster
+/// than it came. The maximum is there because a contact does not pull.
 #[inline]
 pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForceParts {
     let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
@@ -23,7 +23,7 @@ pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForcePa
     ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
 }
 
-/// cṠ of the paper's method (N), by a backward difference, Ṡ = (S − S_before)/(time since then); for a new contact
+/// cṠ of the paper's method (N), by a backward difference: Ṡ = (S − S_before)/(time since S_before). For a new contact
 /// S_before is 0.
 #[inline]
 pub(crate) fn damper_n(
@@ -35,7 +35,7 @@ pub(crate) fn damper_n(
     material.damping_nspm2 * ((area_m2 - area_before_m2) / elapsed_s)
 }
 
-/// The factor on a contact's spring and stop: its fender's, at the speed and angle at which the contact began.
+/// The factor on a contact's spring and stop: the fender's factor at the speed and angle at which the contact began.
 #[inline]
 pub(crate) fn factor(
     model: &Model,
@@ -56,8 +56,8 @@ pub(crate) fn factor(
     }
 }
 
-/// The angle between a fender's face and the hull's side in space (rad): by the tilt in the plane, and by the slope of a side
-/// with outlines by height. tan² of it is the sum of both tan².
+/// The angle between a fender's face and the hull's side in space (rad). This angle combines the tilt in the plane with
+/// the slope of the side, which outlines by height give: tan² of the angle is the sum of the two tan².
 #[cold]
 #[inline(never)]
 fn angle_rad(model: &Model, face: &RankedFender, touch: &Touch, patch: &Patch) -> f64 {

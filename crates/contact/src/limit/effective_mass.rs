@@ -5,7 +5,7 @@ use crate::vec2::Vec2;
 
 /// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t (1/kg): ΔV_C = Δt K F.
 ///
-/// Eq. 16 divides the torque by m_j; it is I_j. Inverses throughout, so that a fixed body is a zero
+/// Eq. 16 divides the torque by m_j; the right divisor is I_j. All values are inverses, so that a fixed body is a zero
 /// and not an infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct InverseMass {
@@ -17,7 +17,7 @@ pub(crate) struct InverseMass {
     pub(crate) cross: f64,
 }
 
-/// K of both bodies; `arm_*` from each centre of gravity to C.
+/// K of both bodies. `arm_*` is the vector from each body's centre of gravity to C.
 #[inline]
 pub(crate) fn inverse_mass(
     a: &RankedBody,

@@ -1,6 +1,6 @@
 //! The paper's limiter: each contact by itself, from momentum and impulse (§3.4, eq. 9–26).
 //!
-//! It knows neither a body's other contacts nor external loads. So several fenders rebound by more
+//! The limiter knows neither a body's other contacts nor external loads. So several fenders together rebound by more
 //! than γ, and a body under steady load creeps into the contact. This is the paper's method, unchanged.
 
 use super::effective_mass::InverseMass;
@@ -17,8 +17,8 @@ pub(crate) struct Velocities {
 
 /// The normal force that momentum allows in one step (N): V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
 ///
-/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰: with that sign the bodies
-/// would end the contact still closing at γV⁰.
+/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰. With the printed sign the bodies would still
+/// close at γV⁰ when the contact ends.
 #[inline]
 pub(crate) fn limited_normal_n(
     normal_n: f64,
@@ -31,11 +31,10 @@ pub(crate) fn limited_normal_n(
     within(normal_n, greater(change_mps, 0.0), mass.normal * step_s)
 }
 
-/// The tangential force that momentum allows (N) (eq. 26, second line; its J is L).
+/// The tangential force that momentum allows (N) (eq. 26, second line; the J there is L).
 ///
-/// With F₁ = −N n + T t, V_t⁺ = V_t + Δt (T/E_y − K_tn N). T may not carry V_t beyond −γ V_t⁰, nor
-/// beyond what it is: V_t⁺ stays within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter only
-/// ever makes T smaller.
+/// With F₁ = −N n + T t, V_t⁺ = V_t + Δt (T/E_y − K_tn N). T may not carry V_t beyond −γ V_t⁰, nor beyond its present
+/// value: V_t⁺ stays within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter can only make T smaller.
 #[inline]
 pub(crate) fn limited_tangential_n(
     tangential_n: f64,
@@ -59,8 +58,8 @@ pub(crate) fn limited_tangential_n(
     }
 }
 
-/// The smaller of a force and the one that changes the velocity by `change_mps`. Most forces are smaller; a product
-/// shows that, and only the others need the division.
+/// Returns the force, or the smaller force that changes the velocity by `change_mps`. Most forces need no limit; a
+/// product shows this, and only the others need the division.
 #[inline(always)]
 fn within(force_n: f64, change_mps: f64, mps_per_n: f64) -> f64 {
     if force_n * mps_per_n <= change_mps {

@@ -7,13 +7,13 @@ use super::exact::turn;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// Two edges that are not neighbours and cross, touch, overlap or come within
-/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. The pair is the
-/// first by its lower edge, then by the other. `None`: the polygon is simple, if successive edges do
-/// not lie on each other.
+/// Finds two edges that are not neighbours and that cross, touch, overlap or come within [`MERGE_DISTANCE_M`] of each
+/// other. Edge i goes from vertex i to vertex i + 1. Of all such pairs, the pair with the lowest edge is returned, then
+/// the one with the lowest other edge. `None` means that the polygon is simple, provided that successive edges do not
+/// lie on each other.
 ///
-/// A sweep along the axis on which the edges are shorter: n log n for hulls and quays, at worst n²
-/// cheap tests (0.3 s for 10,000 vertices).
+/// The sweep runs along the axis on which the edges are shorter. The sweep takes n log n for hulls and quays, and at
+/// worst n² cheap tests (0.3 s for 10,000 vertices).
 pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     let edges = swept(vertices);
     let neighbours = |i: usize, j: usize| {
@@ -97,8 +97,7 @@ impl Edge {
         [self.from, self.to]
     }
 
-    /// Is all of `other` on one side of this edge's line, farther away than [`MERGE_DISTANCE_M`] and
-    /// rounding?
+    /// Is all of `other` on one side of this edge's line, farther from the line than [`MERGE_DISTANCE_M`] and rounding?
     fn passes(&self, other: &Edge) -> bool {
         let direction = self.to - self.from;
         let (a, b) = (other.from - self.from, other.to - self.from);
@@ -109,7 +108,7 @@ impl Edge {
     }
 }
 
-/// Do two closed segments have a point in common? Exact.
+/// Do two closed segments have a point in common? The test is exact.
 pub(super) fn segments_meet([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     let (c_side, d_side) = (turn(a, b, c), turn(a, b, d));
     let (a_side, b_side) = (turn(c, d, a), turn(c, d, b));
@@ -126,7 +125,7 @@ fn opposite(a: f64, b: f64) -> bool {
     (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)
 }
 
-/// Is p in the box spanned by a and b? If it is on their line, it is then on the segment.
+/// Is p in the box spanned by a and b? If p is on the line through a and b, it is then on the segment.
 fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
     p.x >= lesser(a.x, b.x)
         && p.x <= greater(a.x, b.x)
@@ -134,7 +133,8 @@ fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
         && p.y <= greater(a.y, b.y)
 }
 
-/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`]? Then one of their end points does.
+/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`] of each other? If two segments come so near, an
+/// end point of one of them does.
 fn segments_near([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     point_near(a, c, d) || point_near(b, c, d) || point_near(c, a, b) || point_near(d, a, b)
 }

@@ -1,10 +1,10 @@
-//! Signs and sums without rounding error, so that checks and cuts of an outline are always right.
-//! After Shewchuk, Discrete & Computational Geometry 18 (1997) 305–363.
+//! Signs and sums without rounding error, so that checks and cuts of an outline are always right. After Shewchuk,
+//! Discrete & Computational Geometry 18 (1997) 305–363.
 
 use crate::vec2::Vec2;
 
-/// (b − a) × (c − a), with the exact sign: positive where a, b, c turn in the positive sense, zero
-/// only where they are exactly on one line.
+/// (b − a) × (c − a), with the exact sign: positive if a, b, c turn in the positive sense, zero only if they lie
+/// exactly on one line.
 ///
 /// Exact for coordinates that are 0 or between 1e-100 and 1e100 in size.
 pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
@@ -22,8 +22,7 @@ pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
 /// [`turn`], summed without any rounding.
 fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let products = [(a.x, b.y), (-a.y, b.x), (b.x, c.y), (-b.y, c.x), (c.x, a.y), (-c.y, a.x)];
-    // A sum of non-overlapping parts, smallest first: the last non-zero part has the sign of the
-    // whole.
+    // The parts of the sum do not overlap and come smallest first: the last non-zero part has the sign of the sum.
     let mut parts = [0.0; 12];
     let mut count = 0;
     for (p, q) in products {
@@ -40,8 +39,8 @@ fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     parts.into_iter().rev().find(|part| *part != 0.0).unwrap_or(0.0)
 }
 
-/// Twice the signed area of a closed polygon, good to the last bit or two even where the polygon
-/// is far from the origin or almost cancels.
+/// Twice the signed area of a closed polygon. The result is right to the last bit or two even if the polygon is far
+/// from the origin or almost cancels.
 pub(super) fn doubled_area(vertices: &[Vec2]) -> f64 {
     let (mut high, mut low) = (0.0, 0.0);
     let Some(&last) = vertices.last() else { return 0.0 };

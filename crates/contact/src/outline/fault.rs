@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt;
 
-/// An edge of the outline as the user gave it, by the numbers of its end points, counted from 0.
-/// Where vertices between the two were merged, this is a run of given edges on one line.
+/// An edge of the outline as the user gave it, by the numbers of its end points, counted from 0. If vertices between
+/// the two end points were merged, the edge stands for a run of several given edges on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutlineEdge {
     /// Number of the first vertex.
@@ -31,14 +31,14 @@ pub enum OutlineError {
     TooFar {
         /// Number of the vertex.
         vertex: usize,
-        /// The larger of its coordinates in size (m).
+        /// The coordinate of this vertex with the larger absolute value (m).
         coordinate_m: f64,
     },
     /// Fewer than three vertices in different places.
     TooFewVertices {
         /// How many were given.
         count: usize,
-        /// How many of them are in different places.
+        /// How many of the given vertices are in different places.
         distinct: usize,
     },
     /// All the vertices are on one line, or the area is negligible beside the extent.
@@ -119,15 +119,15 @@ impl Error for OutlineError {}
 /// A correction made to an outline. Vertices are counted from 0, as given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OutlineNotice {
-    /// Vertices within [`MERGE_DISTANCE_M`](super::MERGE_DISTANCE_M) of the one before them (or
-    /// the last ones, of the first) were dropped.
+    /// Vertices were dropped because they lie within [`MERGE_DISTANCE_M`](super::MERGE_DISTANCE_M) of the vertex before
+    /// them, or, at the end of the list, of the first vertex.
     DuplicatesMerged {
-        /// The dropped ones, ascending.
+        /// Numbers of the dropped vertices, ascending.
         vertices: Vec<usize>,
     },
-    /// Vertices on the straight line between their neighbours were dropped.
+    /// Vertices were dropped because they lie on the straight line between their neighbours.
     CollinearMerged {
-        /// The dropped ones, ascending.
+        /// Numbers of the dropped vertices, ascending.
         vertices: Vec<usize>,
     },
     /// The outline was given in the negative sense (anticlockwise on a chart) and was reversed.
@@ -153,7 +153,7 @@ impl fmt::Display for OutlineNotice {
     }
 }
 
-/// The numbers of some vertices, at most ten of them.
+/// Writes the numbers of some vertices, at most ten of them.
 fn list(f: &mut fmt::Formatter<'_>, vertices: &[usize]) -> fmt::Result {
     const SHOWN: usize = 10;
     f.write_str(if vertices.len() == 1 { "vertex " } else { "vertices " })?;

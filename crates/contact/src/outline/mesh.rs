@@ -1,5 +1,5 @@
-//! Convex pieces of any simple ring by triangulation: ears are cut off, diagonals flipped to better
-//! shapes, triangles merged.
+//! Convex pieces of any simple ring, by triangulation: ears are cut off, diagonals are flipped for better shapes, and
+//! triangles are merged.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec;
@@ -11,8 +11,8 @@ use super::tidy::is_reflex;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// The convex pieces of a simple ring in the positive sense; the ring and the pieces are lists of
-/// indices into `vertices`. Angles are straight to `rounding_m`.
+/// The convex pieces of a simple ring in the positive sense. The ring and the pieces are lists of indices into
+/// `vertices`. An angle within `rounding_m` of straight counts as straight.
 pub(super) fn convex_pieces(vertices: &[Vec2], ring: &[usize], rounding_m: f64) -> Vec<Vec<usize>> {
     let corners: Vec<Vec2> = ring.iter().map(|&i| vertices[i]).collect();
     let mut mesh = Mesh::new(&corners, &ears(&corners));
@@ -26,13 +26,13 @@ pub(super) fn convex_pieces(vertices: &[Vec2], ring: &[usize], rounding_m: f64) 
 
 /// Cuts a ring into triangles, the best-shaped ear first.
 ///
-/// All signs are exact, and a point on a triangle's border counts as inside, so that by the two-ears
-/// theorem there is always an ear. Cutting one off changes only its two neighbours.
+/// All signs are exact, and a point on a triangle's border counts as inside. So, by the two-ears theorem, there is
+/// always an ear. Cutting off an ear changes only the two neighbours of its tip.
 fn ears(points: &[Vec2]) -> Vec<[usize; 3]> {
     let count = points.len();
     let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
     let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
-    // Corners that are not strictly convex: only these can block an ear. Cuts add none.
+    // Corners that are not strictly convex. Only these can block an ear, and cuts add no such corner.
     let mut blunt: Vec<usize> = (0..count)
         .filter(|&i| turn(points[previous[i]], points[i], points[next[i]]) <= 0.0)
         .collect();
@@ -93,7 +93,8 @@ fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
     })
 }
 
-/// Doubled area over the square of the longest side: 0 for a needle, 0.87 for equal sides.
+/// Quality of a triangle's shape: doubled area over the square of the longest side: 0 for a needle, 0.87 for equal
+/// sides.
 fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
     let longest_squared = greater(
         greater((b - a).length_squared(), (c - b).length_squared()),
@@ -105,7 +106,7 @@ fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
 /// Faces as rings of half-edges. A half-edge on the outer border has no twin.
 struct Mesh<'a> {
     points: &'a [Vec2],
-    /// Point from which a half-edge starts.
+    /// For each half-edge, the point from which it starts.
     origin: Vec<usize>,
     next: Vec<usize>,
     previous: Vec<usize>,
@@ -142,9 +143,9 @@ impl<'a> Mesh<'a> {
         self.points[self.origin[half_edge]]
     }
 
-    /// Flips diagonals to the constrained Delaunay triangulation (Lawson 1977), which maximises the
-    /// smallest angles. Only shapes depend on it, so that angles need not be exact and the number of flips
-    /// may be limited.
+    /// Flips diagonals until the triangulation is the constrained Delaunay triangulation (Lawson 1977), which maximises
+    /// the smallest angles. Only the shapes of pieces depend on this, so angles need not be exact, and the number of
+    /// flips may be limited.
     fn improve_shapes(&mut self) {
         let mut queue: Vec<usize> = (0..self.origin.len()).rev().collect();
         let mut flips_left = 50 * self.origin.len();
@@ -158,7 +159,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Do the angles opposite the diagonal sum to more than π, with the other diagonal inside?
+    /// True if a flip helps. A flip helps if the angles opposite the diagonal sum to more than π and the other diagonal
+    /// is inside.
     fn flip_helps(&self, h: usize, g: usize) -> bool {
         let (a, b) = (self.point(h), self.point(g));
         let (c, d) = (self.point(self.previous[h]), self.point(self.previous[g]));
@@ -170,7 +172,7 @@ impl<'a> Mesh<'a> {
         sine_of_sum < -1.0e-12 * scale && turn(d, b, c) > 0.0 && turn(c, a, d) > 0.0
     }
 
-    /// Replaces the diagonal between two triangles by the other one of their four corners.
+    /// Replaces the diagonal between two triangles by the other diagonal of their four corners.
     fn flip(&mut self, h: usize, g: usize) {
         let (h1, h2) = (self.next[h], self.previous[h]);
         let (g1, g2) = (self.next[g], self.previous[g]);
@@ -207,7 +209,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The origin of h and its neighbours without the diagonal h, g.
+    /// The corner at the origin of h, with the neighbours that it would have without the diagonal h, g.
     fn corner_without(&self, h: usize, g: usize) -> [Vec2; 3] {
         [self.point(self.previous[h]), self.point(h), self.point(self.next[self.next[g]])]
     }

@@ -1,7 +1,7 @@
 //! Cuts a simple polygon into convex pieces along diagonals.
 //!
-//! No point is added, so that both sides of a seam have the same end points, bit for bit: its terms in
-//! the two pieces' boundary sums cancel.
+//! The cuts add no point. So both sides of a seam have the same end points, bit for bit, and the seam's terms in the
+//! boundary sums of the two pieces cancel.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -14,9 +14,9 @@ use crate::vec2::Vec2;
 /// The convex pieces of a simple polygon in the positive sense, as indices into its vertices. Each
 /// piece begins at its smallest index; the pieces are in the order of their indices.
 ///
-/// First by single cuts that each remove one or two reflex corners, the shortest first, so that a step
-/// or a knuckle costs one seam. Where that fails or takes too long, by triangulation and merging, which
-/// gives at most four times the fewest pieces (Hertel & Mehlhorn 1983).
+/// The first try is by single cuts that each remove one or two reflex corners, the shortest cut first, so that a step
+/// or a knuckle costs one seam. If this fails or takes too long, the polygon is triangulated and triangles are merged.
+/// This gives at most four times the fewest pieces (Hertel & Mehlhorn 1983).
 pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     let rounding_m = tidy::rounding_m(vertices.iter().copied());
     let mut pieces = Vec::new();
@@ -40,11 +40,11 @@ pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// A ring that may need more cheap tests than this (0.3 s) is triangulated at once.
+/// A ring that may need more cheap tests than this number (0.3 s) is triangulated at once.
 const MAX_WORK: u64 = 1_000_000_000;
 
-/// A cut nearer to a vertex than this fraction of its length, or at a smaller angle to an edge (rad),
-/// would make a sliver.
+/// A cut would make a sliver if it passes a vertex nearer than this fraction of its length, or makes a smaller angle
+/// with an edge (rad).
 const SLIVER: f64 = 1.0e-6;
 
 /// A part of the outline that is still to be cut.
@@ -72,8 +72,8 @@ impl Ring<'_> {
         (0..self.indices.len()).filter(|&i| tidy::is_reflex(corner(i), self.rounding_m)).collect()
     }
 
-    /// The diagonal, as two places in the ring, that removes the reflex angles at most of its ends; of
-    /// these the shortest.
+    /// The best diagonal, as two places in the ring: it removes the reflex angles at most of its ends, and among such
+    /// diagonals it is the shortest.
     fn best_cut(&self, reflex: &[usize]) -> Option<[usize; 2]> {
         let count = self.indices.len();
         let pairs = count as u64 * reflex.len() as u64;
@@ -95,7 +95,7 @@ impl Ring<'_> {
         cuts.into_iter().map(|(_, _, cut)| cut).find(|cut| self.is_clear(*cut))
     }
 
-    /// Does the diagonal leave no reflex angle at the reflex corner `at`? Then it also starts inside.
+    /// Does the diagonal leave no reflex angle at the reflex corner `at`? Such a diagonal also starts inside the ring.
     fn mends(&self, at: usize, to: usize) -> bool {
         let (before, after) = (self.before(at), self.after(at));
         if to == at || to == before || to == after {
@@ -124,7 +124,7 @@ impl Ring<'_> {
     }
 }
 
-/// Is the edge from an end of the diagonal to `other` nearly parallel to it?
+/// Is the edge from an end of the diagonal to `other` nearly parallel to the diagonal?
 fn leaves_along(end: Vec2, other: Vec2, [a, b]: [Vec2; 2]) -> bool {
     let diagonal = if end == a { b - a } else { a - b };
     let edge = other - end;

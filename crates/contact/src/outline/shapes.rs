@@ -18,7 +18,7 @@ pub(super) fn rectangle(length_m: f64, width_m: f64) -> Vec<Vec2> {
     points(&[(-x, -y), (x, -y), (x, y), (-x, y)])
 }
 
-/// A waterline with a bulb ahead of the stem: two reflex corners where it joins.
+/// A waterline with a bulb ahead of the stem. There are two reflex corners where the bulb joins the stem.
 pub(super) fn bulbous_bow() -> Vec<Vec2> {
     points(&[
         (-149.0, -23.0),
@@ -74,7 +74,7 @@ pub(super) fn spiral(per_side: usize, turns: f64) -> Vec<Vec2> {
     outer.chain((0..per_side).rev().map(|i| at(i, 0.8))).collect()
 }
 
-/// A star about `centre`: one vertex in each of the directions, at the given distances.
+/// A star around `centre`: one vertex in each direction, at the given distances.
 pub(super) fn star(distances_m: &[f64], centre: Vec2) -> Vec<Vec2> {
     let step = 2.0 * PI / distances_m.len() as f64;
     let spoke =
@@ -82,7 +82,7 @@ pub(super) fn star(distances_m: &[f64], centre: Vec2) -> Vec<Vec2> {
     distances_m.iter().enumerate().map(spoke).collect()
 }
 
-/// Removes crossings by reversing the part between them, which shortens the whole.
+/// Removes crossings: reverses the part between two crossing edges, which shortens the ring.
 fn uncrossed(mut ring: Vec<Vec2>) -> Vec<Vec2> {
     let count = ring.len();
     for _ in 0..10_000 {
@@ -108,7 +108,7 @@ fn random_simple() -> impl Strategy<Value = Vec<Vec2>> {
         .prop_map(|coordinates| uncrossed(points(&coordinates)))
 }
 
-/// On a coarse grid: many straight lines, right angles and touching points.
+/// Random polygons on a coarse grid: many straight lines, right angles and touching points.
 fn random_on_grid() -> impl Strategy<Value = Vec<Vec2>> {
     prop::collection::vec((0..6i32, 0..6i32), 3..16).prop_map(|cells| {
         let corners = cells.into_iter().map(|(x, y)| vec2(f64::from(x), f64::from(y)));

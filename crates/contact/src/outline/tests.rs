@@ -1,4 +1,4 @@
-//! Tests of the outline as a whole.
+//! Tests of whole outlines.
 
 use alloc::collections::BTreeMap;
 use alloc::string::ToString;
@@ -29,7 +29,7 @@ fn bits(a: Vec2, b: Vec2) -> [u64; 4] {
     [a.x.to_bits(), a.y.to_bits(), b.x.to_bits(), b.y.to_bits()]
 }
 
-/// How often each directed edge occurs, less the number of its opposites.
+/// For each directed edge, the number of its occurrences less the number of occurrences of the opposite edge.
 fn uncancelled<'a>(rings: impl Iterator<Item = &'a [Vec2]>) -> BTreeMap<[u64; 4], i32> {
     let mut count = BTreeMap::new();
     for (a, b) in rings.flat_map(edges) {
@@ -40,7 +40,7 @@ fn uncancelled<'a>(rings: impl Iterator<Item = &'a [Vec2]>) -> BTreeMap<[u64; 4]
     count
 }
 
-/// How many vertices turn in the negative sense.
+/// Number of vertices that turn in the negative sense.
 fn reflex_count(ring: &[Vec2]) -> usize {
     let count = ring.len();
     (0..count)
@@ -68,12 +68,12 @@ fn check_pieces(outline: &Outline) {
         assert!(fan_area(piece) > 0.0);
         assert!(is_convex_to_rounding(piece), "{piece:?}");
     }
-    // What is left when seams cancel is exactly the outline: the pieces cover it once.
+    // Seams between pieces cancel. If only the outline is left, the pieces cover it exactly once.
     assert_eq!(
         uncancelled(pieces.iter().map(Vec::as_slice)),
         uncancelled(core::iter::once(outline.vertices()))
     );
-    // Euler: each seam adds one piece, and each directed edge is there once.
+    // By Euler's formula each seam adds one piece. Each directed edge occurs once.
     let mut directed: Vec<[u64; 4]> =
         pieces.iter().flat_map(|piece| edges(piece)).map(|(a, b)| bits(a, b)).collect();
     let total = directed.len();
@@ -422,7 +422,8 @@ proptest! {
     }
 }
 
-/// Found by fuzzing the reader of dumps: a ship's corner that was moved by 2 µm beside another, with a far third.
+/// Fuzzing the reader of dumps found this case: a ship's corner was moved to 2 µm from another corner, with a third
+/// corner far away.
 #[test]
 fn a_spike_cut_into_a_needle_without_width_is_no_piece() {
     let ring =

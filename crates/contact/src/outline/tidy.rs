@@ -1,4 +1,4 @@
-//! Removes redundant vertices: repeated ones and those on a straight line.
+//! Removes redundant vertices: repeated vertices, and vertices on a straight line.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -30,8 +30,8 @@ pub(super) fn numbered(vertices: &[Vec2]) -> Vec<Numbered> {
         .collect()
 }
 
-/// Drops vertices within [`MERGE_DISTANCE_M`] of the last one kept or, at the end of the list, of the
-/// first; returns the numbers of the dropped, ascending.
+/// Drops vertices within [`MERGE_DISTANCE_M`] of the last vertex kept or, at the end of the list, of the first vertex.
+/// Returns the numbers of the dropped vertices, ascending.
 pub(super) fn merge_duplicates(ring: &mut Vec<Numbered>) -> Vec<usize> {
     let mut dropped = Vec::new();
     let mut kept: Vec<Numbered> = Vec::with_capacity(ring.len());
@@ -53,7 +53,7 @@ fn same_place(a: Vec2, b: Vec2) -> bool {
     (a - b).length_squared() <= MERGE_DISTANCE_M * MERGE_DISTANCE_M
 }
 
-/// True where all the vertices are on one line, to 1e-12 of their extent.
+/// True if all vertices are on one line, to 1e-12 of their extent.
 pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
     let origin = ring[0].point;
     let farthest = ring
@@ -64,16 +64,14 @@ pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
     ring.iter().all(|vertex| farthest.cross(vertex.point - origin).abs() <= limit)
 }
 
-/// Drops every vertex that is on the straight line between its neighbours, until none is left;
-/// returns the numbers of the dropped, ascending.
-/// "On the line" is to within [`rounding_m`]: 1 pm for a ship of 300 m.
-/// Even 10,000 drops in a row move that ship's boundary by no more than 1e-8 m; the sagitta of a
-/// circle of 10,000 vertices is 1e7 times the limit.
+/// Drops vertices that are on the straight line between their neighbours, until no such vertex is left. Returns the
+/// numbers of the dropped vertices, ascending. "On the line" means within [`rounding_m`]: 1 pm for a ship of 300 m.
+/// Even 10,000 drops in a row move that ship's boundary by no more than 1e-8 m. The sagitta of a circle of 10,000
+/// vertices is 1e7 times this limit.
 ///
 /// # Errors
 ///
-/// [`OutlineError::SelfIntersection`] where the outline doubles back: two successive edges lie on
-/// each other.
+/// [`OutlineError::SelfIntersection`] if the outline doubles back: two successive edges lie on each other.
 pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, OutlineError> {
     let largest_m =
         ring.iter().map(|v| greater(v.point.x.abs(), v.point.y.abs())).fold(0.0, greater);
@@ -106,9 +104,9 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
     Ok(dropped)
 }
 
-/// Largest distance from a line that rounding of the coordinates explains (m): 16 ε M, where M is the
-/// largest coordinate. A point computed on a line as a + t(b − a), rotated by a heading or read from
-/// decimal text is off by 3 to 6 ε M.
+/// Largest distance from a line that rounding of the coordinates explains (m): 16 ε M, where M is the largest
+/// coordinate. A point that was computed on a line as a + t(b − a), rotated by a heading or read from decimal text is
+/// off by 3 to 6 ε M.
 pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {
     16.0 * f64::EPSILON * points.map(|p| greater(p.x.abs(), p.y.abs())).fold(0.0, greater)
 }
@@ -119,8 +117,8 @@ pub(super) fn is_straight(a: Vec2, b: Vec2, c: Vec2, limit_m: f64) -> bool {
     to.dot(from) > 0.0 && to.cross(from).abs() <= limit_m * (c - a).length()
 }
 
-/// The corner a, b, c turns in the negative sense, by more than rounding explains: a seam in line
-/// with an edge is as good at any attitude of the outline.
+/// Does the corner a, b, c turn in the negative sense by more than rounding explains? With this margin, a seam in line
+/// with an edge gives the same answer at any attitude of the outline.
 pub(super) fn is_reflex([a, b, c]: [Vec2; 3], rounding_m: f64) -> bool {
     turn(a, b, c) < 0.0 && !is_straight(a, b, c, rounding_m)
 }

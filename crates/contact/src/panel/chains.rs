@@ -4,16 +4,17 @@ use alloc::vec::Vec;
 
 use crate::panel::Panel;
 
-/// Which chains of a panel have parted: bit i for chain i.
+/// The chains of a panel that have parted: bit i stands for chain i.
 pub(crate) type Parted = u32;
 
-/// The chains that have parted, as sorted words: the number of the face times [`WORD`], plus that of the chain.
+/// Parted chains are stored as sorted words: the number of the face times [`WORD`], plus the number of the chain.
 pub(crate) const WORD: u32 = 16;
 
-/// What the force of a panel depends on besides the hull.
+/// The state of a panel's chains, on which the panel's force depends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ChainState {
-    /// Stiffness of chains over that of cones: one over the factor on the cones' reactions, which is applied to all.
+    /// Factor on the chains' stiffness: one over the factor on the cones' reactions. The cones' factor is applied to
+    /// the whole force later, and the chains have none.
     pub(crate) scale: f64,
     pub(crate) parted: Parted,
 }
@@ -24,22 +25,23 @@ impl Default for ChainState {
     }
 }
 
-/// The chains that part in a sub-step, with the tensions at which they part; 0 of the others.
+/// The chains that part in a sub-step, with the tensions at which they part. The tension is 0 for the other chains.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Broken {
     pub(crate) chains: Parted,
     pub(crate) tensions_n: [f64; Panel::MOST_CHAINS],
-    /// Break load over tension at the start of the sub-step in which it is found: a chain parts within the one before.
+    /// Break load over the tension at the start of the sub-step. A chain parts within the sub-step before the one in
+    /// which this is found.
     pub(crate) overshoot: f64,
 }
 
-/// Which chains of a face have parted.
+/// The chains of a face that have parted.
 fn parted_of(list: &[u32], face: u32) -> Parted {
     let own = list.iter().filter(|&&word| word / WORD == face);
     own.fold(0, |parted, word| parted | 1 << (word % WORD))
 }
 
-/// The state of a face's chains: parted ones by the list, and the factor on its reaction.
+/// The state of a face's chains, from the list of parted chains and the factor on the face's reaction.
 #[inline]
 pub(crate) fn chain_state(face: u32, list: &[u32], factor: f64) -> ChainState {
     ChainState { scale: 1.0 / factor, parted: parted_of(list, face) }
@@ -55,7 +57,7 @@ pub(crate) fn add_parted(list: &mut Vec<u32>, face: u32, parted: Parted) {
     }
 }
 
-/// Whether a word of a list is that of a chain, by the number of chains of each face.
+/// Whether a word of a list stands for an existing chain. `chains_of` gives the number of chains of each face.
 pub(crate) fn is_chain(word: u32, chains_of: impl Fn(u32) -> usize) -> bool {
     (word % WORD) < chains_of(word / WORD) as u32
 }

@@ -1,4 +1,4 @@
-//! The springs behind a panel: piecewise linear forces of a deflection, with their energies.
+//! The springs behind a panel: forces that are piecewise linear in the deflection, with their energies.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -11,11 +11,11 @@ use crate::reaction::{FenderLaw, Stop, on_line};
 /// All springs behind a panel.
 #[derive(Clone, Debug)]
 pub(crate) struct PanelLaw {
-    /// Places along the panel of the cones (m).
+    /// Places of the cones along the panel (m).
     pub(crate) places_m: Vec<f64>,
-    /// Of each cone.
+    /// Force of each cone.
     pub(crate) cone: Line,
-    /// Its stop alone.
+    /// The stop of each cone.
     pub(crate) stop: Option<Stop>,
     pub(crate) chains: Vec<ChainLaw>,
     /// The farthest place from the middle (m).
@@ -23,7 +23,8 @@ pub(crate) struct PanelLaw {
 }
 
 impl PanelLaw {
-    /// Of a panel that has passed its checks, with the law and the stop of its cones; `None` where that is no curve.
+    /// The springs of a panel that has passed its checks, from the law and the stop of the cones. `None` if the law is
+    /// not a curve.
     pub(crate) fn of(panel: &Panel, law: &FenderLaw, stop: Option<Stop>) -> Option<PanelLaw> {
         let FenderLaw::Curve(points) = law else { return None };
         Some(PanelLaw {
@@ -79,18 +80,18 @@ impl<'p> Springs<'p> {
         self.law.places_m.len() + self.law.chains.len()
     }
 
-    /// The chain of a spring that is one.
+    /// The chain, if this spring is a chain.
     fn chain(&self, spring: usize) -> Option<(usize, &'p ChainLaw)> {
         let index = spring.checked_sub(self.law.places_m.len())?;
         Some((index, &self.law.chains[index]))
     }
 
-    /// Its place along the panel (m).
+    /// The spring's place along the panel (m).
     pub(crate) fn at_m(&self, spring: usize) -> f64 {
         self.chain(spring).map_or_else(|| self.law.places_m[spring], |(_, chain)| chain.at_m)
     }
 
-    /// Its force, and the factor on that.
+    /// The spring's force, and the factor on the force.
     pub(crate) fn line(&self, spring: usize) -> (&'p Line, f64) {
         match self.chain(spring) {
             None => (&self.law.cone, 1.0),
@@ -108,10 +109,10 @@ impl<'p> Springs<'p> {
     }
 }
 
-/// A force that is a line between corners, and its integral.
+/// A force that is linear between corners, and the integral of the force.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Line {
-    /// Deflections rise.
+    /// Corners in order of rising deflection.
     corners: Vec<Corner>,
     /// Stiffness before the first corner and beyond the last (N/m).
     before_npm: f64,
@@ -127,7 +128,7 @@ struct Corner {
 }
 
 impl Line {
-    /// A cone: its curve and its stop; stretched, the stiffness of the curve's first line.
+    /// The force of a cone: its curve and its stop. A stretched cone has the stiffness of the curve's first line.
     fn of_cone(points: &[[f64; 2]], stop: Option<Stop>) -> Line {
         let stop_n = |at_m: f64| {
             stop.map_or(0.0, |stop| stop.stiffness_npm * greater(at_m - stop.from_m, 0.0))
@@ -156,19 +157,20 @@ impl Line {
         }
     }
 
-    /// Number of its pieces.
+    /// Number of pieces of the line.
     pub(crate) fn pieces(&self) -> usize {
         self.corners.len() + 1
     }
 
-    /// The piece at a deflection: the number of corners before it. At a corner it is that into which the deflection moves.
+    /// The piece at a deflection: the number of corners before it. At a corner the result is the piece into which the
+    /// deflection moves.
     pub(crate) fn piece_at(&self, deflection_m: f64, rises: bool) -> usize {
         let is_before =
             |corner: &Corner| corner.at_m < deflection_m || (rises && corner.at_m <= deflection_m);
         self.corners.partition_point(is_before)
     }
 
-    /// Where a piece ends for a deflection that rises or falls (m); `None`: nowhere.
+    /// Where a piece ends for a deflection that rises or falls (m); `None` if it does not end.
     pub(crate) fn end_m(&self, piece: usize, rises: bool) -> Option<f64> {
         let corner = if rises { piece } else { piece.checked_sub(1)? };
         self.corners.get(corner).map(|corner| corner.at_m)
@@ -188,7 +190,7 @@ impl Line {
         (force_n, from.energy_j + 0.5 * (from.force_n + force_n) * by_m)
     }
 
-    /// A corner of a piece, and its stiffness.
+    /// A corner of a piece, and the stiffness of the piece.
     fn line(&self, piece: usize) -> (Corner, f64) {
         let last = self.corners.len();
         if piece == 0 {

@@ -1,9 +1,10 @@
 //! The pose of least energy of a panel that a hull presses.
 //!
-//! The hull demands d + θ y ≥ x at each of its points (x, y). For a given turn θ the panel lies on the hull at the *support*
-//! of θ, d(θ) = max (x − θ y): one point for a range of turns, and two where the panel lies along a side. While one point
-//! supports it, each deflection is linear in θ, so the energy is piecewise quadratic in θ: its minima are found by a walk
-//! from one corner of the springs to the next, without iteration. Among all minima, that of the least energy is taken.
+//! The hull demands d + θ y ≥ x at each of its points (x, y). For a given turn θ the panel lies on the hull at the
+//! *support* of θ, where d(θ) = max (x − θ y). The support is one point for a range of turns, and two points if the
+//! panel lies along a side. While one point supports the panel, each deflection is linear in θ, and so the energy is
+//! piecewise quadratic in θ. A walk from one corner of the springs to the next finds the minima of the energy without
+//! iteration. Among all minima, the one with the least energy is taken.
 
 use crate::number::greater;
 use crate::panel::law::Springs;
@@ -20,7 +21,7 @@ pub(crate) struct Pose {
     /// d (m).
     pub(crate) middle_m: f64,
     pub(crate) energy_j: f64,
-    /// Indices into the hull's points; the second where it lies along a side.
+    /// Indices into the hull's points. There is a second point if the panel lies along a side.
     pub(crate) on: (usize, Option<usize>),
 }
 
@@ -29,7 +30,7 @@ pub(crate) fn pose(springs: Springs<'_>, points: &[HullPoint]) -> Option<Pose> {
     let mut search = Search { springs, points, best: None };
     let mut index = leftmost(points)?;
     let mut high = f64::INFINITY;
-    // Each turn of the loop goes to a point farther right.
+    // Each pass of the loop goes to a point farther right.
     loop {
         let next = next_right(points, index);
         let low = next.map_or(f64::NEG_INFINITY, |(_, slope)| slope);
@@ -40,7 +41,7 @@ pub(crate) fn pose(springs: Springs<'_>, points: &[HullPoint]) -> Option<Pose> {
     }
 }
 
-/// The point farthest left; of several the deepest.
+/// The point farthest left, and among several such points the deepest.
 fn leftmost(points: &[HullPoint]) -> Option<usize> {
     let least_m = points.iter().map(|p| p.at.y).fold(f64::INFINITY, crate::number::lesser);
     let mut best: Option<usize> = None;
@@ -53,8 +54,8 @@ fn leftmost(points: &[HullPoint]) -> Option<usize> {
     best
 }
 
-/// The next corner to the right of the hull's convex cover, and the slope of the line to it. Of several on one line the
-/// farthest.
+/// The next corner to the right on the hull's convex cover, and the slope of the line to it. Among several corners on
+/// one line, the farthest.
 fn next_right(points: &[HullPoint], from: usize) -> Option<(usize, f64)> {
     let start = points[from].at;
     let mut best: Option<(usize, f64)> = None;
@@ -108,7 +109,7 @@ impl Search<'_> {
             *piece = springs.line(spring).0.piece_at(deflection_m, rises(spring));
         }
         let mut tilt = from;
-        // Each turn of the loop takes one spring to its next piece.
+        // Each pass of the loop takes one spring to its next piece.
         for _ in 0..=springs.pieces() {
             let mut end = (to, None);
             let (mut slope, mut curvature) = (0.0, 0.0);

@@ -1,14 +1,15 @@
 //! A rigid panel on several fenders: it moves inwards and turns about the vertical axis.
 //!
-//! The panel has no mass. Its pose is d, the deflection of its middle, and θ, its turn (small): the cone at the place x
-//! along the panel is deflected by δ = d + θ x. It takes the pose of least stored energy
+//! The panel has no mass. The pose of the panel is d, the deflection of the panel's middle, and θ, the panel's turn
+//! (small). The cone at the place x along the panel is deflected by δ = d + θ x. The panel takes the pose of least
+//! stored energy
 //!
 //! E(d, θ) = Σ E_i(d + θ x_i)
 //!
-//! among those in which the hull does not pass through it ([`least`]). That energy is a single-valued function of the
-//! hull's pose, also for cones that buckle, where a panel has several positions of equilibrium. So the force, its
-//! gradient, makes no energy on any closed path, and the unloading law, which needs a potential, holds for a panel as it
-//! does for one fender.
+//! among the poses in which the hull does not pass through the panel ([`least`]). This least energy is a single-valued
+//! function of the hull's pose, even for cones that buckle, for which a panel has several positions of equilibrium. The
+//! force is the gradient of this energy, so it creates no energy on any closed path. The unloading law needs such a
+//! potential, and holds for a panel as it does for one fender.
 //!
 //! | file | content |
 //! |---|---|
@@ -32,43 +33,43 @@ use crate::number::{greater, lesser};
 use crate::reaction::FenderLaw;
 use crate::unloading::Unloading;
 
-/// A rigid panel without mass in front of several equal fenders ("cones") of the same mounting line.
+/// A rigid panel without mass in front of several equal fenders ("cones") on the same mounting line.
 ///
 /// With a panel, the curve, the stop and the rated deflection of a [`crate::Fender`] are those of each cone, and
-/// [`crate::Fender::width_m`] is the panel's width. A cone that is stretched pulls back with the stiffness of the first line of
-/// its curve.
+/// [`crate::Fender::width_m`] is the width of the panel. A stretched cone pulls back with the stiffness of the first
+/// line of its curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// Places of the cones along the panel from its middle (m), positive to the right of one who looks at its face: two to
-    /// [`Panel::MOST_CONES`], not all at one place.
+    /// Places of the cones along the panel, from the panel's middle (m), positive to the right as seen by a viewer who
+    /// faces the panel. There are two to [`Panel::MOST_CONES`], and not all at one place.
     pub cones_m: Vec<f64>,
-    /// Tension chains, at most [`Panel::MOST_CHAINS`]: they hold the panel where it turns outwards.
+    /// Tension chains, at most [`Panel::MOST_CHAINS`]: they hold a panel that turns outwards.
     pub tension_chains: Vec<TensionChain>,
 }
 
-/// A chain from the structure to the panel. It is slack until the panel has moved outwards at its place by `slack_m`, a
-/// linear spring beyond that, and parts at its break load. A chain that has parted stays so for the rest of the run
-/// ([`crate::Memory`] keeps it). The energy that it stored is lost then.
+/// A chain from the structure to the panel. The chain is slack until the panel has moved outwards by `slack_m` at the
+/// chain's place. Beyond that the chain is a linear spring, and it parts at its break load. A chain that has parted
+/// stays parted for the rest of the run ([`crate::Memory`] keeps this), and the energy that it stored is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TensionChain {
     /// Place along the panel from its middle (m), as [`Panel::cones_m`].
     pub at_m: f64,
-    /// How far the panel moves outwards before it holds (m).
+    /// How far the panel moves outwards before the chain holds (m).
     pub slack_m: f64,
     /// Stiffness (N/m).
     pub stiffness_npm: f64,
-    /// Tension at which it parts (N).
+    /// Tension at which the chain parts (N).
     pub break_load_n: f64,
 }
 
 impl Panel {
-    /// Most cones behind one panel.
+    /// Largest number of cones behind one panel.
     pub const MOST_CONES: usize = 8;
 
-    /// Most tension chains of one panel.
+    /// Largest number of tension chains of one panel.
     pub const MOST_CHAINS: usize = 4;
 
-    /// Nearest that the outermost cones may be (m). At one place they would not hold the panel against turning.
+    /// Smallest distance between the outermost cones (m). Cones at one place would not hold the panel against turning.
     pub const LEAST_SPREAD_M: f64 = 1e-2;
 
     /// The numbers that distinguish this panel from others, for fingerprints.
@@ -77,7 +78,7 @@ impl Panel {
         self.cones_m.iter().copied().chain(self.tension_chains.iter().flat_map(of_chain))
     }
 
-    /// Checks the values, with those of the fender that has this panel: its name, width and laws.
+    /// Checks the values of the panel, together with the name, width and laws of its fender.
     pub(crate) fn check(
         &self,
         owner: &str,

@@ -1,4 +1,4 @@
-//! The force of a hull on a panel, and what the panel does to its cones.
+//! The force of a hull on a panel, and the deflections of the panel's cones.
 
 use alloc::vec::Vec;
 
@@ -14,7 +14,7 @@ use crate::vec2::{Vec2, vec2};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanelPress {
     points: Vec<HullPoint>,
-    /// Of the chains, for the next press.
+    /// State of the chains, for the next press.
     pub(crate) state: ChainState,
     pub(crate) pressed: Pressed,
 }
@@ -22,15 +22,15 @@ pub(crate) struct PanelPress {
 /// A pressed panel, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Pressed {
-    /// d of the panel's middle (m), and θ (rad).
+    /// d, the deflection of the panel's middle (m), and θ, its turn (rad).
     pub(crate) middle_m: f64,
     pub(crate) tilt: f64,
     /// δ of each cone (m).
     pub(crate) deflections_m: [f64; Panel::MOST_CONES],
-    /// The largest (m).
+    /// The largest deflection of a cone (m).
     pub(crate) deepest_m: f64,
-    /// Force of the hull on the panel in the face's frame (N), and its moment about the middle of the undeflected face,
-    /// positive from x to y (N·m).
+    /// Force of the hull on the panel in the face's frame (N), and the moment of this force about the middle of the
+    /// undeflected face, positive from x to y (N·m).
     pub(crate) force_n: Vec2,
     pub(crate) torque_nm: f64,
     /// Share of the stops in the reaction.
@@ -55,7 +55,7 @@ impl PanelPress {
         points.clear();
         collect(edges, to_face, reach, |point| points.push(point));
         if points.is_empty() {
-            // The hull covers the whole zone: it is pushed out along the axis.
+            // The hull covers the whole zone, so it is pushed out along the axis.
             let ends = [-reach.half_width_m, reach.half_width_m];
             points.extend(ends.map(|y| HullPoint { at: vec2(reach.far_m, y), side: None }));
         }
@@ -107,7 +107,7 @@ fn pressed(springs: Springs<'_>, points: &[HullPoint], pose: &Pose) -> Pressed {
     let (mut push_n, mut torque_nm) = (Vec2::ZERO, 0.0);
     let mut add = |index: usize, share_n: f64| {
         let HullPoint { at, side } = points[index];
-        // Without friction: perpendicular to the hull's side, or to the panel.
+        // There is no friction here, so the force is perpendicular to the hull's side, or to the panel.
         let own_n = vec2(share_n, -share_n * side.unwrap_or(pose.tilt));
         push_n += own_n;
         torque_nm += at.cross(own_n);

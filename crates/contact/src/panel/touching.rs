@@ -7,23 +7,23 @@ use crate::vec2::{Vec2, vec2};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct HullPoint {
     pub(crate) at: Vec2,
-    /// dx/dy of the hull's side where it passes an end of the panel: the end slides along that side. `None` for a corner of
-    /// the hull, which slides along the panel.
+    /// dx/dy of the hull's side where it passes an end of the panel. This end of the panel slides along the side.
+    /// `None` for a corner of the hull, which slides along the panel.
     pub(crate) side: Option<f64>,
 }
 
-/// The part of a hull that a panel can meet.
+/// The region in which a panel can meet a hull.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// Half of the panel's width (m).
     pub(crate) half_width_m: f64,
-    /// How far inwards, and how far outwards (negative), hulls are followed (m).
+    /// How far inwards, and how far outwards (negative), hulls are considered (m).
     pub(crate) far_m: f64,
     pub(crate) near_m: f64,
 }
 
-/// Gives the corners of a closed outline that lie in the strip before and behind the panel, and the points where its edges
-/// enter the strip. `to_face` transforms into the face's frame.
+/// Hands the caller the corners of a closed outline that lie in the strip before and behind the panel, and the points where
+/// the outline's edges enter the strip. `to_face` transforms into the face's frame.
 pub(crate) fn collect(
     edges: impl Iterator<Item = [Vec2; 2]>,
     to_face: impl Fn(Vec2) -> Vec2,

@@ -1,5 +1,5 @@
-//! A typical co-simulation master: it moves its bodies itself, passes states that are some steps old, and
-//! does not report its loads.
+//! A typical co-simulation master. It moves its bodies itself, passes states that are some steps old, and does not
+//! report its loads.
 
 use fenderline_contact::{
     Body, BodyId, BodyState, CoSimHost, DirectHost, Event, HostIntegration, HostSettings,
@@ -20,7 +20,7 @@ pub(crate) fn rectangle(length_m: f64, beam_m: f64) -> Outline {
     Outline::new(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)]).expect("a rectangle").0
 }
 
-/// A linear spring without damper; with friction and shear spring if `friction` is not zero.
+/// A linear spring without damper. If `friction` is not zero, it has friction and a shear spring.
 pub(crate) fn rubber(stiffness_npm2: f64, restitution: f64, friction: f64) -> Material {
     Material {
         stiffness_npm2,
@@ -32,7 +32,7 @@ pub(crate) fn rubber(stiffness_npm2: f64, restitution: f64, friction: f64) -> Ma
     }
 }
 
-/// A model with pairs of the first body and each other.
+/// A model with a pair of the first body and each other body.
 pub(crate) fn model(bodies: &[(Outline, Mobility)], material: Material) -> Model {
     let mut builder = Model::builder();
     for (index, (outline, mobility)) in bodies.iter().enumerate() {
@@ -64,16 +64,16 @@ pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Sce
     }
 }
 
-/// The interface that the master uses.
+/// The interface of the engine that the master uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Service {
     /// A [`CoSimHost`] without loads.
     CoSim(HostSettings),
     /// A [`CoSimHost`] with the loads.
     CoSimWithLoads(HostSettings),
-    /// A [`CoSimHost`] with zero loads, which turns the observer off.
+    /// A [`CoSimHost`] with zero loads, which switch the observer off.
     CoSimWithoutObserver(HostSettings),
-    /// `advance` alone, with old states taken for current ones and no loads.
+    /// `advance` alone. It takes the old states for current ones, and gets no loads.
     AdvanceWithoutLoads,
     /// `advance` alone, with the loads.
     Advance,
@@ -81,14 +81,14 @@ pub(crate) enum Service {
     Direct,
 }
 
-/// The master.
+/// The co-simulation master.
 pub(crate) struct Master {
     pub(crate) scene: Scene,
     pub(crate) integration: HostIntegration,
     pub(crate) delay_steps: u32,
     /// The master's masses over those of the model.
     pub(crate) mass_factor: f64,
-    /// All states since the start; the last are the current ones.
+    /// All states since the start. The last states are the current ones.
     pub(crate) past: Vec<Vec<BodyState>>,
     pub(crate) host: CoSimHost,
     pub(crate) work: HostWorkspace,
@@ -209,7 +209,7 @@ impl Master {
     }
 }
 
-/// Solves M a = W by Gaussian elimination in the body's axes, independently of the engine's inverse.
+/// Solves M a = W by Gaussian elimination in the body's axes. It does not use the engine's inverse.
 fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f64) {
     let mut m = match mobility {
         Mobility::Fixed | Mobility::OnPile { .. } => return (Vec2::ZERO, 0.0),
@@ -261,12 +261,12 @@ fn moved(
     }
 }
 
-/// The converged solution: the engine moves the bodies in steps of 0.01 s, with the loads.
+/// The converged solution: the engine moves the bodies in steps of 0.01 s and knows the loads.
 pub(crate) fn converged(scene: &Scene, duration_s: f64) -> Vec<BodyState> {
     moved_by_the_engine(scene, 0.01, duration_s)
 }
 
-/// The states after a run in which the engine moves the bodies, with the loads.
+/// The states after a run in which the engine moves the bodies and knows the loads.
 pub(crate) fn moved_by_the_engine(scene: &Scene, step_s: f64, duration_s: f64) -> Vec<BodyState> {
     let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
     let mut states = scene.states.clone();
@@ -285,7 +285,7 @@ pub(crate) fn moved_by_the_engine(scene: &Scene, step_s: f64, duration_s: f64) -
     states
 }
 
-/// A ship of 200 m × 32 m whose mass differs between surge and sway and is coupled with yaw.
+/// A ship of 200 m × 32 m. Her masses in surge and sway differ, and sway is coupled with yaw.
 pub(crate) fn ship() -> (Outline, Mobility) {
     let matrix = [[1.03e8, 0.0, 0.0], [0.0, 1.5e8, 4e8], [0.0, 4e8, 4.3e11]];
     (rectangle(200.0, 32.0), Mobility::FullMatrix { matrix })

@@ -1,4 +1,4 @@
-//! A ship at a berth with eight fenders, and its motion: shared by several tests.
+//! A ship at a berth with eight fenders, and its motion. Several tests share this scene.
 
 use fenderline_contact::{
     Body, BodyState, Material, Mobility, Model, Outline, Vec2, Workspace, vec2,

@@ -10,7 +10,7 @@ use fenderline_contact::{
     Outline, Pair, Vec2, Workspace, Wrench, advance, advance_in_place, step, vec2,
 };
 
-/// A rectangle, length along x, about the origin.
+/// A rectangle about the origin, with its length along x.
 pub(crate) fn rectangle(length_m: f64, width_m: f64) -> Outline {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
     outline(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)])
@@ -30,7 +30,7 @@ pub(crate) struct Mass {
     pub(crate) added_yaw_kgm2: f64,
 }
 
-/// A body's own velocities.
+/// The velocities of a body in its own axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct BodyVelocity {
     pub(crate) surge_mps: f64,
@@ -43,14 +43,14 @@ pub(crate) struct BodyVelocity {
 pub(crate) struct BodySetup {
     pub(crate) name: String,
     pub(crate) outline: Outline,
-    /// `None`: a fixed body.
+    /// `None` for a fixed body.
     pub(crate) mass: Option<Mass>,
     pub(crate) position_m: Vec2,
     pub(crate) heading_rad: f64,
     pub(crate) velocity: BodyVelocity,
 }
 
-/// A floating body; the yaw inertia from a radius of gyration.
+/// A floating body. Its yaw inertia follows from a radius of gyration.
 pub(crate) fn floating(name: &str, outline: Outline, mass_kg: f64, gyradius_m: f64) -> BodySetup {
     let mass =
         Mass { mass_kg, yaw_inertia_kgm2: mass_kg * gyradius_m * gyradius_m, ..Mass::default() };
@@ -89,9 +89,9 @@ pub(crate) enum Method {
 /// How the bodies are moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Integrator {
-    /// By the host: positions with the old velocities, then the velocities.
+    /// The host moves the bodies: first the positions with the old velocities, then the velocities.
     Euler,
-    /// Coupled method: by the engine. Paper's method: by the host, velocities first.
+    /// Velocities first. With the coupled method the engine moves the bodies, with the paper's method the host does.
     SemiImplicit,
 }
 
@@ -123,7 +123,7 @@ pub(crate) struct Scene {
     pub(crate) loads: Vec<Load>,
 }
 
-/// Two bodies with one material, by the paper's method.
+/// Two bodies with one material and the paper's method.
 pub(crate) fn two(
     one: BodySetup,
     two: BodySetup,
@@ -146,8 +146,8 @@ pub(crate) fn two(
 }
 
 impl Scene {
-    /// Surge mass, sway mass and yaw inertia of a body. The paper's method takes the smaller added mass
-    /// in every direction (§3.1 of the paper).
+    /// Surge mass, sway mass and yaw inertia of a body. In the paper's method the smaller added mass applies to every
+    /// direction (§3.1 of the paper).
     pub(crate) fn masses(&self, body: usize) -> Option<[f64; 3]> {
         let mass = self.bodies[body].mass?;
         let smallest_kg = mass.added_surge_kg.min(mass.added_sway_kg);
@@ -172,7 +172,7 @@ impl Scene {
         }
     }
 
-    /// The model. Keys of bodies follow their names, so that their order does not matter.
+    /// The model. The keys of bodies follow from their names, so that the order of bodies does not matter.
     pub(crate) fn model(&self) -> Model {
         let mut names: Vec<&str> = self.bodies.iter().map(|body| body.name.as_str()).collect();
         names.sort_unstable();
@@ -228,7 +228,7 @@ impl Scene {
 pub(crate) struct Peaks {
     pub(crate) force_n: f64,
     pub(crate) depth_m: f64,
-    /// Start of the step in which the depth was largest (s).
+    /// Start of the step with the largest depth (s).
     pub(crate) depth_at_s: f64,
     pub(crate) first_touch_s: f64,
     pub(crate) last_touch_s: f64,
@@ -241,7 +241,7 @@ impl Peaks {
         Peaks { first_touch_s: t_s, ..Peaks::default() }
     }
 
-    /// Adds the contacts of one step that begins at `t_s`; the forces of several patches are summed.
+    /// Adds the contacts of a step that begins at `t_s`. The forces of several patches are summed.
     fn add(&mut self, contacts: &[&Contact], t_s: f64) {
         self.last_touch_s = t_s;
         let force_n: f64 = contacts.iter().map(|contact| contact.peak_normal_force_n).sum();
@@ -255,7 +255,7 @@ impl Peaks {
     }
 }
 
-/// A run of a scene.
+/// The run of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Host {
     pub(crate) scene: Scene,
@@ -267,7 +267,7 @@ pub(crate) struct Host {
     pub(crate) pairs: Vec<([usize; 2], Peaks)>,
     /// Fenders that have been touched, by index.
     pub(crate) fenders: Vec<(usize, Peaks)>,
-    /// Work of all contacts on the bodies, where the engine moves them (J).
+    /// Work of all contacts on the bodies, if the engine moves the bodies (J).
     pub(crate) contact_work_j: f64,
     loads: Vec<Wrench>,
     steps_taken: u64,
@@ -388,7 +388,7 @@ impl Host {
     }
 }
 
-/// Adds the contacts of a step to the records of their owners.
+/// Adds the contacts of a step to the peaks of their pairs or fenders.
 fn add_by<K: Copy + PartialEq>(
     records: &mut Vec<(K, Peaks)>,
     contacts: &[Contact],

@@ -8,7 +8,7 @@ use fenderline_contact::{
 
 use super::{BodySetup, Integrator, Load, Mass, Method, PairSetup, Scene, fixed, outline, spring};
 
-/// The paper's Table 1.
+/// The material of the paper's Table 1.
 pub(crate) fn rubber() -> Material {
     Material {
         shear_stiffness_npm: 3e6,
@@ -18,7 +18,7 @@ pub(crate) fn rubber() -> Material {
     }
 }
 
-/// The paper's tug, 32 m × 13 m with a flat bow 10 m wide; added masses estimated, as in `scenarios/paper`.
+/// The paper's tug: 32 m × 13 m, with a flat bow 10 m wide. Her added masses are estimated, as in `scenarios/paper`.
 pub(crate) fn tug() -> BodySetup {
     let half = [(16.0, 5.0), (15.5, 6.5), (-14.5, 6.5), (-16.0, 5.0)];
     let mass_kg = 930e3;
@@ -51,13 +51,13 @@ pub(crate) fn ship() -> BodySetup {
     }
 }
 
-/// A hull from its starboard half, bow to stern.
+/// A hull from its starboard half, which goes from bow to stern.
 fn mirrored(half: &[(f64, f64)]) -> Outline {
     let port = half.iter().rev().map(|&(x, y)| vec2(x, -y));
     outline(&half.iter().map(|&(x, y)| vec2(x, y)).chain(port).collect::<Vec<_>>())
 }
 
-/// A cone fender's reaction curve (fenders/cone.toml), for a height and a rated reaction.
+/// The reaction curve of a cone fender (fenders/cone.toml), scaled to a height and a rated reaction.
 pub(crate) fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
     let reactions =
         [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];
@@ -68,7 +68,7 @@ pub(crate) fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
     FenderLaw::Curve(points.collect())
 }
 
-/// A cone fender on the west side of body 0, material 1.
+/// A cone fender on the west side of body 0, with material 1.
 pub(crate) fn cone_fender(
     name: &str,
     along_m: f64,
@@ -97,7 +97,7 @@ pub(crate) fn cone_fender(
     }
 }
 
-/// Concrete (0) and a fender's facing of friction 0.2 (1).
+/// Material 0 is concrete. Material 1 is a fender's facing with friction 0.2.
 pub(crate) fn berth_materials() -> Vec<Material> {
     let of_friction = |friction: f64, shear_stiffness_npm, stiffness| Material {
         shear_stiffness_npm,
@@ -139,7 +139,7 @@ fn coupled(step_s: f64, duration_s: f64, bodies: Vec<BodySetup>) -> Scene {
     }
 }
 
-/// The paper's experiment: the tug, bow on, 2 m from the ship's side, `along_m` forward of midships.
+/// The paper's experiment. The tug's bow is 2 m from the ship's side, `along_m` forward of midships.
 pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Scene {
     let mut tug = tug();
     tug.heading_rad = FRAC_PI_2;
@@ -151,7 +151,7 @@ pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Scene {
     scene
 }
 
-/// The same tug 20 m forward of midships, her bow 20° aft of square: one shoulder touches and sticks, and the tug
+/// The same tug, 20 m forward of midships, with her bow 20° aft of square. One shoulder touches and sticks. The tug
 /// turns and rolls along the side.
 pub(crate) fn oblique_tug_impact(speed_mps: f64, step_s: f64) -> Scene {
     let mut scene = tug_impact(speed_mps, 20.0, step_s);
@@ -162,7 +162,7 @@ pub(crate) fn oblique_tug_impact(speed_mps: f64, step_s: f64) -> Scene {
     scene
 }
 
-/// The ship, bow 5° towards the quay, comes in sideways at 0.15 m/s with 0.1 m/s along the berth.
+/// The ship comes in sideways at 0.15 m/s, with 0.1 m/s along the berth. Her bow is turned 5° towards the quay.
 pub(crate) fn oblique_berthing(step_s: f64) -> Scene {
     let mut ship = ship();
     let angle = 5.0_f64.to_radians();
@@ -178,7 +178,7 @@ pub(crate) fn oblique_berthing(step_s: f64) -> Scene {
     scene
 }
 
-/// The ship alongside, and the tug at her outer side, 60 m forward of midships, pushing with 500 kN.
+/// The ship lies alongside. The tug pushes at her outer side with 500 kN, 60 m forward of midships.
 pub(crate) fn tug_push(step_s: f64) -> Scene {
     let mut ship = ship();
     ship.position_m = vec2(0.0, -FENDER_HEIGHT_M - 23.0);

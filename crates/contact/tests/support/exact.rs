@@ -1,8 +1,7 @@
-//! The overlap of two convex polygons in rational arithmetic: no rounding before the result.
+//! The overlap of two convex polygons in rational arithmetic. Only the final result is rounded.
 //!
-//! An oracle for the clip: coordinates are exact numbers, the polygons are clipped against each other
-//! half-plane by half-plane (Sutherland & Hodgman 1974), and only results are rounded, once, to the
-//! nearest number.
+//! An oracle for the clip. Coordinates are exact numbers. The polygons are clipped against each other half-plane by
+//! half-plane (Sutherland & Hodgman 1974). Only results are rounded, once, to the nearest number.
 
 #![allow(dead_code, reason = "each test binary that includes this file uses its own part of it")]
 
@@ -12,19 +11,19 @@ use num_rational::BigRational;
 /// The overlap of two polygons.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ExactOverlap {
-    /// S (m²), correctly rounded; 0 where they at most touch.
+    /// S (m²), correctly rounded; 0 if the polygons at most touch.
     pub(crate) area_m2: f64,
     /// ∫x dS and ∫y dS about the frame's origin (m³), correctly rounded.
     pub(crate) first_moments_m3: Vec2,
-    /// C (m), correctly rounded; `None` where the area is 0.
+    /// C (m), correctly rounded; `None` if the area is 0.
     pub(crate) centroid_m: Option<Vec2>,
-    /// The sum of the overlap's edges on a's boundary inside b, in the positive sense (m):
-    /// d = Σ (P_out − P_in) where no edges coincide. Turned by −90° it is ∂S/∂x of a.
+    /// The sum of the overlap's edges on a's boundary inside b, in the positive sense (m). It is d = Σ (P_out − P_in)
+    /// if no edges coincide. Turned by −90° it is ∂S/∂x of a.
     pub(crate) boundary_of_a_m: Vec2,
-    /// The sum of those on b's boundary inside a (m). The three sums add up to zero.
+    /// The sum of the overlap's edges on b's boundary inside a (m). The three sums of edges add up to zero.
     pub(crate) boundary_of_b_m: Vec2,
-    /// The sum of those where the two boundaries coincide in the same sense (m). There ∂S/∂x has two
-    /// one-sided values: d with and without it.
+    /// The sum of the edges where the two boundaries coincide in the same sense (m). There ∂S/∂x has two one-sided
+    /// values: d with this sum and d without it.
     pub(crate) shared_boundary_m: Vec2,
     /// Corners of the overlap in the positive sense, each coordinate correctly rounded (m). Empty
     /// where the area is 0.
@@ -35,7 +34,7 @@ pub(crate) struct ExactOverlap {
 ///
 /// # Panics
 ///
-/// Where a coordinate is not finite.
+/// A coordinate is not finite.
 pub(crate) fn exact_overlap(a: &[Vec2], b: &[Vec2]) -> ExactOverlap {
     let (a, b): (Vec<Point>, Vec<Point>) =
         (a.iter().map(Point::exactly).collect(), b.iter().map(Point::exactly).collect());
@@ -157,8 +156,8 @@ fn measured(overlap: &[Point], a: &[Point], b: &[Point]) -> ExactOverlap {
     }
 }
 
-/// Is the edge p, q of the overlap on a side of the ring? Both polygons are convex and on the same side of
-/// that side's line, so that on the line means on the side.
+/// True if the edge p, q of the overlap lies on a side of the ring. Both polygons are convex and on the same side of
+/// that side's line. An edge on the line is therefore on the side.
 fn runs_along(p: &Point, q: &Point, ring: &[Point]) -> bool {
     let zero = whole(0);
     sides(ring).any(|(from, to)| {
@@ -169,7 +168,7 @@ fn runs_along(p: &Point, q: &Point, ring: &[Point]) -> bool {
     })
 }
 
-/// The nearest f64, ties to even, of a number whose size is between 1e-290 and 1e290, or 0.
+/// The nearest f64, with ties to even, for a number whose size is between 1e-290 and 1e290, or 0.
 pub(crate) fn nearest(value: &BigRational) -> f64 {
     let zero = whole(0);
     if *value == zero {
@@ -178,7 +177,7 @@ pub(crate) fn nearest(value: &BigRational) -> f64 {
     if *value < zero {
         return -nearest(&-value);
     }
-    // A quotient of 66 or 67 bits; a remainder counts as one more bit.
+    // The quotient has 66 or 67 bits. A remainder counts as one more bit.
     let (numerator, denominator) = (value.numer(), value.denom());
     let shift = 66 + denominator.bits() as i64 - numerator.bits() as i64;
     let (numerator, denominator) = if shift >= 0 {

@@ -15,7 +15,7 @@ pub const PAPER: Material = Material {
     restitution: 0.1,
 };
 
-/// A body of 1000 t, or a fixed one.
+/// A body of 1000 t, or a fixed body.
 pub fn body(key: u64, vertices: &[Vec2], free: bool) -> Body {
     let (outline, _) = Outline::new(vertices).expect("a good outline");
     let mobility =
@@ -23,7 +23,7 @@ pub fn body(key: u64, vertices: &[Vec2], free: bool) -> Body {
     Body { name: format!("body {key}"), key, outline, mobility }
 }
 
-/// A model in which every body may touch every other.
+/// A model in which every body may touch every other body.
 pub fn model(bodies: Vec<Body>, material: Material) -> Model {
     let mut builder = Model::builder();
     for body in bodies {
@@ -34,7 +34,7 @@ pub fn model(bodies: Vec<Body>, material: Material) -> Model {
     builder.build().expect("a good model")
 }
 
-/// Likewise, with a `Pair` for each two bodies that are not both fixed.
+/// The same model, with a `Pair` for each two bodies that are not both fixed.
 pub fn model_of_explicit_pairs(bodies: Vec<Body>, material: Material) -> Model {
     let fixed: Vec<bool> = bodies.iter().map(|b| b.mobility == Mobility::Fixed).collect();
     let mut builder = Model::builder();
@@ -84,7 +84,7 @@ impl Run {
     }
 }
 
-/// The contacts of two bodies in their first step.
+/// The contacts of two bodies in the first step.
 pub fn contacts_of(a: &[Vec2], a_state: BodyState, b: &[Vec2], b_state: BodyState) -> Vec<Contact> {
     let bodies = vec![body(1, a, true), body(2, b, true)];
     Run::new(model(bodies, PAPER)).step(&[a_state, b_state], 0.1)

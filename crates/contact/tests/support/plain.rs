@@ -1,5 +1,5 @@
-//! The overlap of two convex polygons by plain Sutherland & Hodgman (1974) in f64, without memory: fast
-//! enough to compare the clip in millions of cases.
+//! The overlap of two convex polygons by plain Sutherland & Hodgman (1974) in f64, without memory. It is fast enough
+//! for comparing the clip in millions of cases.
 
 use fenderline_contact::Vec2;
 

@@ -30,7 +30,7 @@ pub fn rectangle(length_m: f64, width_m: f64) -> Vec<Vec2> {
     points(&[(-x, -y), (x, -y), (x, y), (-x, y)])
 }
 
-/// `count` vertices on an ellipse about the origin, each `jitter[i]` of a spacing late (0 to 0.7).
+/// `count` vertices on an ellipse about the origin. Vertex i is late by `jitter[i]` spacings (0 to 0.7).
 pub fn ellipse(length_m: f64, width_m: f64, count: usize, jitter: &[f64]) -> Vec<Vec2> {
     let late = |i: usize| jitter.get(i).copied().unwrap_or(0.0);
     (0..count)
@@ -42,8 +42,8 @@ pub fn ellipse(length_m: f64, width_m: f64, count: usize, jitter: &[f64]) -> Vec
         .collect()
 }
 
-/// The waterline of a ship with a parallel middle body, `count` (at least 6) vertices: the paper's
-/// ship is 298 m by 46 m.
+/// The waterline of a ship with a parallel middle body, with `count` vertices (at least 6). The paper's ship is 298 m
+/// by 46 m.
 pub fn hull(length_m: f64, width_m: f64, count: usize) -> Vec<Vec2> {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
     let round = count - 4; // on the bow, from one shoulder to the other
@@ -82,8 +82,8 @@ pub fn support(ring: &[Vec2], pose: Pose, direction: Vec2) -> (f64, Vec2) {
     })
 }
 
-/// Places `b` beside `a` in the direction `bearing_rad`, with penetration `depth_m`, shifted sideways by
-/// `share` of the way from corner to corner.
+/// Places `b` beside `a` in the direction `bearing_rad`, with penetration `depth_m`. It is shifted sideways by `share`
+/// of the way from corner to corner.
 pub fn beside(
     a: &[Vec2],
     a_pose: Pose,
@@ -97,7 +97,7 @@ pub fn beside(
     let (reach_a, corner_a) = support(a, a_pose, out);
     let (reach_b, corner_b) = support(b, turned, -out);
     let along = out.quarter_turn();
-    // Share 0: corner against corner. Else b's corner along the tangent, up to a's far end.
+    // With share 0, a corner touches a corner. Otherwise b's corner moves along the tangent, up to a's far end.
     let extent = support(a, a_pose, along).0 + support(a, a_pose, -along).0;
     let aside = (corner_a - corner_b).dot(along) + share * extent;
     let position = a_pose.position_m + out * (reach_a + reach_b - depth_m) + along * aside;

@@ -2,16 +2,16 @@
 
 use std::io;
 
-use super::nominal::{Scales, nominal};
-use super::xml::{Attributes, Xml, document, element, empty};
-use super::{
+use super::attributes::{
     about, causality, enumerations, initial, items, outputs, range, start, units, variability,
 };
+use super::nominal::{Scales, nominal};
+use super::xml::{Attributes, Xml, document, element, empty};
 use crate::plan::Plan;
 use crate::table::{Class, Variable};
 
-/// Time, the table's first variable, is left out: FMI 2.0 does not require it, and libcosim rejects a time without
-/// start value although the standard forbids one.
+/// Time, the table's first variable, is left out: FMI 2.0 does not require it, and libcosim rejects a time without a
+/// start value, although the standard forbids a start value.
 const LEFT_OUT: usize = 1;
 
 pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<String> {
@@ -105,7 +105,7 @@ fn variable(
     })
 }
 
-/// No list of dependencies means that all outputs depend on all inputs, as they do. Indices count from 1, among the
+/// No list of dependencies means that all outputs depend on all inputs, which is true. Indices count from 1, among the
 /// variables of the description.
 fn unknowns(xml: &mut Xml, name: &str, plan: &Plan) -> io::Result<()> {
     element(xml, name, &[], |xml| {

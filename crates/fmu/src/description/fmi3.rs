@@ -2,11 +2,11 @@
 
 use std::io;
 
-use super::nominal::{Scales, nominal};
-use super::xml::{Attributes, Xml, document, element, empty};
-use super::{
+use super::attributes::{
     about, causality, enumerations, initial, items, outputs, range, start, units, variability,
 };
+use super::nominal::{Scales, nominal};
+use super::xml::{Attributes, Xml, document, element, empty};
 use crate::plan::Plan;
 use crate::table::{Class, Kind, Variable};
 

@@ -1,19 +1,16 @@
 //! Model descriptions, written from the table by an XML writer.
 
+mod attributes;
 mod fmi2;
 mod fmi3;
 mod nominal;
 mod osp;
 mod xml;
 
-use std::collections::BTreeSet;
 use std::io;
 
-use self::xml::{Xml, empty};
 use crate::Fmi;
 use crate::plan::Plan;
-use crate::table::{Causality, Class, Enumeration, Table, Variable};
-use crate::unit::Unit;
 
 pub(crate) use osp::osp;
 
@@ -23,110 +20,6 @@ pub(crate) fn model(plan: &Plan, fmi: Fmi, name: &str, identifier: &str) -> io::
         Fmi::Two => fmi2::model(plan, name, identifier),
         Fmi::Three => fmi3::model(plan, name, identifier),
     }
-}
-
-/// Of the libraries in the FMU; `license.txt` in it has the text.
-const COPYRIGHT: &str = "Copyright (c) 2026 The fenderline authors";
-const LICENCE: &str = "MIT OR Apache-2.0";
-
-/// Attributes of the whole model, common to both versions.
-fn about(plan: &Plan, name: &str) -> [(&'static str, String); 8] {
-    let what = match plan.bundle.kind {
-        crate::Kind::Engine => "contact engine",
-        crate::Kind::Simulation => "simulation",
-    };
-    let version = env!("CARGO_PKG_VERSION");
-    let title = &plan.scenario.title;
-    let plain = |text: &str| text.replace(|c: char| c.is_control(), " ");
-    let of_report = plan.scenario.report.iter().find(|(key, _)| *key == "author");
-    let author = of_report.map_or("The fenderline authors", |(_, author)| author.as_str());
-    [
-        ("modelName", name.to_owned()),
-        ("description", plain(&format!("{title} ({what})"))),
-        ("author", plain(author)),
-        ("version", version.to_owned()),
-        ("copyright", COPYRIGHT.to_owned()),
-        ("license", LICENCE.to_owned()),
-        ("generationTool", format!("fenderline {version}")),
-        ("variableNamingConvention", "flat".to_owned()),
-    ]
-}
-
-/// The units that the table uses.
-fn units(table: &Table) -> BTreeSet<Unit> {
-    table.variables.iter().map(|v| v.unit).filter(|unit| unit.name().is_some()).collect()
-}
-
-/// The enumerations that the table uses, each once.
-fn enumerations(table: &Table) -> Vec<&'static Enumeration> {
-    let mut all: Vec<&'static Enumeration> = Vec::new();
-    for one in table.variables.iter().filter_map(Variable::enumeration) {
-        if all.iter().all(|other| other.name != one.name) {
-            all.push(one);
-        }
-    }
-    all
-}
-
-/// The items of an enumeration.
-fn items(xml: &mut Xml, of: &Enumeration) -> io::Result<()> {
-    (1..).zip(of.items).try_for_each(|(value, (name, description)): (u32, _)| {
-        let about = [
-            ("name", (*name).to_owned()),
-            ("value", value.to_string()),
-            ("description", (*description).to_owned()),
-        ];
-        empty(xml, "Item", &about)
-    })
-}
-
-fn causality(variable: &Variable) -> &'static str {
-    match variable.causality {
-        Causality::Independent => "independent",
-        Causality::Parameter => "parameter",
-        Causality::Input => "input",
-        Causality::Output => "output",
-    }
-}
-
-/// Real inputs and outputs are continuous, so that masters interpolate them.
-fn variability(variable: &Variable) -> &'static str {
-    match (variable.causality, variable.class) {
-        (Causality::Parameter, _) => "fixed",
-        (_, Class::Real) => "continuous",
-        (_, Class::Integer | Class::Boolean | Class::Enumeration) => "discrete",
-    }
-}
-
-/// `None` where the standard forbids the attribute.
-fn initial(variable: &Variable) -> Option<&'static str> {
-    match variable.causality {
-        Causality::Parameter => Some("exact"),
-        Causality::Output => Some("calculated"),
-        Causality::Independent | Causality::Input => None,
-    }
-}
-
-/// The start value as text; `None` for outputs and time.
-fn start(variable: &Variable) -> Option<String> {
-    match (variable.causality, variable.class) {
-        (Causality::Independent | Causality::Output, _) => None,
-        (_, Class::Boolean) => Some((variable.start != 0.0).to_string()),
-        (_, Class::Integer | Class::Real | Class::Enumeration) => Some(variable.start.to_string()),
-    }
-}
-
-/// Smallest and largest value, as attributes.
-fn range(variable: &Variable) -> Vec<(&'static str, String)> {
-    match variable.range {
-        Some([least, most]) => vec![("min", least.to_string()), ("max", most.to_string())],
-        None => Vec::new(),
-    }
-}
-
-fn outputs(table: &Table) -> impl Iterator<Item = usize> {
-    let is = |(_, v): &(usize, &Variable)| v.causality == Causality::Output;
-    table.variables.iter().enumerate().filter(is).map(|(index, _)| index)
 }
 
 #[cfg(test)]
@@ -206,6 +99,6 @@ mod tests {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../LICENSE-MIT");
         let own = std::fs::read_to_string(file).expect("it is there");
         assert!(crate::pack::LICENCE.ends_with(&own));
-        assert!(own.contains(super::COPYRIGHT));
+        assert!(own.contains(super::attributes::COPYRIGHT));
     }
 }

@@ -5,7 +5,7 @@ use fenderline_sim::Setup;
 use crate::table::{Class, Variable};
 use crate::unit::Unit;
 
-/// The size of what moves in a scenario, as powers of ten.
+/// Size and mass of the moving bodies of a scenario, as powers of ten.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scales {
     /// Mass of the heaviest body (kg).
@@ -27,7 +27,7 @@ impl Scales {
     }
 }
 
-/// The nominal value of a real variable; `None` where it is 1, which is what masters assume. Accelerations are taken as 0.1 m/s²,
+/// The nominal value of a real variable; `None` for 1, which masters assume. Accelerations are taken as 0.1 m/s²,
 /// impacts as 0.1 m/s, deflections as 0.1 m.
 pub(super) fn nominal(variable: &Variable, scales: Scales) -> Option<f64> {
     if variable.class != Class::Real {

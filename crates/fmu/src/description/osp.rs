@@ -3,6 +3,7 @@
 
 use std::io;
 
+use super::attributes::units;
 use super::xml::{document, element, empty};
 use crate::table::Table;
 
@@ -11,7 +12,7 @@ const NAMESPACE: &str = "https://open-simulation-platform.com/OspModelDescriptio
 pub(crate) fn osp(table: &Table) -> io::Result<String> {
     let attributes = [("xmlns", NAMESPACE.to_owned()), ("version", "1.0".to_owned())];
     document("OspModelDescription", &attributes, |xml| {
-        super::xml::units(xml, &super::units(table))?;
+        super::xml::units(xml, &units(table))?;
         element(xml, "VariableGroups", &[], |xml| {
             for group in &table.groups {
                 element(xml, group.kind, &[("name", group.name.clone())], |xml| {

@@ -21,14 +21,15 @@ pub enum BowSide {
 
 pub(super) static ANCHOR: TableSpec = TableSpec {
     what: "an anchor",
-    doc: "An anchor of a vessel with its chain and windlass. Orders let it go, hold it, veer, heave and slip it. What it \
-          holds is by the formula of docs/design/anchors.md.",
+    doc: "An anchor of a vessel with its chain and windlass. Orders let the anchor go, hold, veer, \
+        heave and slip the chain. The holding power follows from the formula of \
+        docs/design/anchors.md.",
     keys: &[
         key(
             "on",
             Kind::BodyName,
             Refused,
-            "The body of the vessel that carries it.",
+            "The body of the vessel that carries the anchor.",
             &["\"ship\""],
         ),
         key("side", Kind::Choice(&SIDES), Refused, "The side of the bow.", &["\"port\""]),
@@ -36,7 +37,8 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
             "hawse",
             Kind::Point(POSITION),
             Means(
-                "0.45 of the ship's length ahead of midship, and 0.1 of her beam to that side: our assumption",
+                "0.45 of the ship's length ahead of midship, and 0.1 of the beam to the side of \
+                 the anchor: our assumption",
             ),
             "Hawse pipe, forward and starboard of the body's origin.",
             &["[85, -4]"],
@@ -59,15 +61,15 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
             "type",
             Kind::Choice(&TYPES),
             Is("\"stockless\""),
-            "Its type, which says how much it holds.",
+            "Type of the anchor, which determines its holding power.",
             &["\"high_holding_power\""],
         ),
         key(
             "chain_diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 0.25 }),
             Refused,
-            "Diameter of the bar of the chain's links. It gives the chain's weight, break load and stiffness, and the pull of \
-             the windlass.",
+            "Diameter of the bar of the chain's links. The chain's weight, break load and \
+             stiffness, and the pull of the windlass, follow from this diameter.",
             &["\"76 mm\""],
         ),
         key("grade", Kind::Choice(&GRADES), Is("\"u2\""), "Grade of the chain.", &["\"u3\""]),
@@ -81,7 +83,7 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
         key(
             "holding_factor",
             Kind::Quantity(FACTOR),
-            Means("3 for a stockless anchor, 6 for one of high holding power"),
+            Means("3 for a stockless anchor, 6 for an anchor of high holding power"),
             "Holding power over the anchor's weight in air, with the chain along the bottom. Tables have 3 in mud and 7 in sand \
              for stockless anchors.",
             &["3.5"],
@@ -89,8 +91,11 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
         key(
             "dragging_factor",
             Kind::Quantity(FACTOR),
-            Means("1.5, from memory and not from a source; the holding factor if that is less"),
-            "The same while it drags.",
+            Means(
+                "1.5, from memory and not from a source; the holding factor if the holding \
+                factor is less",
+            ),
+            "Holding power over the anchor's weight in air while the anchor drags.",
             &["1.5"],
         ),
         key(
@@ -111,14 +116,14 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
             "placed",
             Kind::Vector(POSITION),
             Means("home in the hawse pipe"),
-            "Where it lies on the bottom at the start.",
+            "Place of the anchor on the bottom at the start.",
             &["[600, 20]"],
         ),
         key(
             "chain_out",
             Kind::Quantity(LENGTH),
-            Means("it is home in the hawse pipe"),
-            "Chain out at the start, of an anchor that is `placed`.",
+            Means("the anchor is home in the hawse pipe"),
+            "Length of chain out at the start; for an anchor that is `placed`.",
             &["\"5 shackles\""],
         ),
     ],

@@ -11,14 +11,15 @@ use crate::units::measures as unit;
 
 pub(super) static APPROACH: TableSpec = TableSpec {
     what: "an approach",
-    doc: "The start of a berthing, in the terms of berth design: the ship meets a fender of the berth with a point of her \
-          side, at this speed and angle. It gives position, heading and velocity; from there she moves as her forces tell.",
+    doc: "The start of a berthing, in the terms of berth design: the ship meets a fender of the \
+        berth with a point of her side, at this speed and angle. Position, heading and velocity at \
+        the start follow from these keys; then the forces move the ship.",
     keys: &[
         key(
             "to",
             Kind::BodyName,
             Refused,
-            "The body with the fenders that she meets: a quay, a dolphin, a row of dolphins.",
+            "The body with the fenders that the ship meets: a quay, a dolphin, a row of dolphins.",
             &["\"quay\""],
         ),
         key(
@@ -32,51 +33,54 @@ pub(super) static APPROACH: TableSpec = TableSpec {
             "along",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: -10.0, high: 10.0 }),
             Is("0"),
-            "Speed along the berth, forward.",
+            "Speed along the berth, positive forward.",
             &["\"0.2 kn\""],
         ),
         key(
             "angle",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -0.79, high: 0.79 }),
             Is("0"),
-            "Angle between her centreline and the berth, up to 45 degrees; positive with the bow towards the berth.",
+            "Angle between the ship's centreline and the berth, up to 45 degrees; positive with \
+             the bow towards the berth.",
             &["\"5 deg\""],
         ),
         key(
             "side",
             Kind::Choice(&SIDES),
             Is("\"starboard\""),
-            "The side that meets the berth.",
+            "The side of the ship that meets the berth.",
             &["\"port\""],
         ),
         key(
             "contact",
             Kind::NameOr(PLACE),
             Refused,
-            "The point of her side that meets the fender: \"quarter point\", \"third point\" (a quarter, a third of her length \
-                  from the end that is nearer to the berth), \"midship\", or a distance forward of midship. Or the name of a fender: \
-                  she meets it with the part of her side that comes first.",
+            "The point of the ship's side that meets the fender: \"quarter point\", \"third \
+             point\" (a quarter, a third of the ship's length from the end that is nearer to the \
+             berth), \"midship\", or a distance forward of midship. Or the name of a fender, which \
+             the ship then meets with the part of her side that comes first.",
             &["\"quarter point\"", "\"-20 m\"", "\"midship\""],
         ),
         key(
             "fender",
             Kind::Text,
             Means("the fender nearest to the middle of the berth's fenders"),
-            "The fender that she meets.",
+            "The fender that the contact point meets.",
             &[],
         ),
         key(
             "distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
             Is("1"),
-            "From that point to the fender's face at the start, at right angles to the berth.",
+            "Distance from the contact point to the fender's face at the start, at right angles to \
+             the berth.",
             &["\"2 m\""],
         ),
         key(
             "abnormal",
             Kind::Table(&ABNORMAL),
             Means("a normal berthing"),
-            "Makes the run that of an abnormal berthing: `speed_normal` times a factor.",
+            "Makes the run an abnormal berthing: `speed_normal` is multiplied by a factor.",
             &["{ energy_factor = 1.5 }"],
         ),
     ],
@@ -85,20 +89,22 @@ pub(super) static APPROACH: TableSpec = TableSpec {
 
 static ABNORMAL: TableSpec = TableSpec {
     what: "an abnormal berthing",
-    doc: "How much more than a normal one. Energy goes with the square of the speed.",
+    doc: "How much an abnormal berthing exceeds the normal berthing. Energy goes with the square \
+        of the speed.",
     keys: &[
         key(
             "energy_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 4.0 }),
             Unless("`speed_factor` is given"),
-            "Energy over that of the normal berthing: the speed is multiplied by its square root.",
+            "Energy over the energy of the normal berthing: the speed is multiplied by the square \
+             root of this factor.",
             &["1.5"],
         ),
         key(
             "speed_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 2.0 }),
             Unless("`energy_factor` is given"),
-            "Speed over that of the normal berthing.",
+            "Speed over the speed of the normal berthing.",
             &["1.25"],
         ),
     ],

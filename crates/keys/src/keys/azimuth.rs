@@ -8,35 +8,36 @@ use crate::units::measures as unit;
 /// An azimuth unit.
 pub static AZIMUTH: TableSpec = TableSpec {
     what: "an azimuth unit",
-    doc: "A propeller that turns about the vertical. Its thrust falls with speed like that of an open Wageningen \
-          B4-70 of pitch ratio 1.0; a ducted propeller loses more.",
+    doc: "A propeller that turns about the vertical. The thrust falls with speed like the thrust \
+        of an open Wageningen B4-70 of pitch ratio 1.0; the thrust of a ducted propeller falls \
+        more.",
     keys: &[
         key(
             "along",
             Kind::Quantity(PLACE),
             Refused,
-            "Its place forward of midship.",
+            "Place of the unit forward of midship.",
             &["\"-12 m\""],
         ),
         key(
             "across",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Its place to starboard of the centre line.",
+            "Place of the unit to starboard of the centre line.",
             &["\"2.6 m\""],
         ),
         key(
             "force",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Refused,
-            "Thrust at zero speed and full power: its part of the bollard pull.",
+            "Thrust at zero speed and full power: the unit's part of the bollard pull.",
             &["\"30 tf\""],
         ),
         key(
             "diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 50.0 }),
             Refused,
-            "Diameter of the propeller; a smaller one loses less thrust with speed.",
+            "Diameter of the propeller; a smaller propeller loses less thrust with speed.",
             &["\"2.4 m\""],
         ),
         key(
@@ -56,7 +57,7 @@ pub static AZIMUTH: TableSpec = TableSpec {
         key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
-            Means("it turns all the way round"),
+            Means("the unit turns all the way round"),
             "Largest angle to either side of ahead.",
             &["\"120 deg\""],
         ),

@@ -11,30 +11,31 @@ use crate::units::measures as unit;
 
 pub(super) static BERTHING: TableSpec = TableSpec {
     what: "a berthing",
-    doc: "Particulars of a ship and her berth. The report shows the berthing energy by PIANC's formula beside \
-          that of the run. Her length, beam, draught and block coefficient are those of her vessel, and the clearance that of the \
-          water, unless they are given.",
+    doc: "Particulars of a ship and her berth. The report compares the berthing energy by PIANC's \
+        formula with the energy of the run. Unless they are given, length, beam, draught and block \
+        coefficient are taken from the ship's vessel, and the clearance follows from the depth of \
+        the water.",
     keys: &[
         key("ship", Kind::BodyName, Refused, "The floating body that berths.", &["\"ship\""]),
         key(
             "length_bp",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 5000.0 }),
             Unless(IS_VESSEL),
-            "Length between perpendiculars; that of the vessel unless given.",
+            "Length between perpendiculars; the length of the vessel unless given.",
             &["\"285 m\""],
         ),
         key(
             "beam",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1000.0 }),
             Unless(IS_VESSEL),
-            "Beam; that of the vessel unless given.",
+            "Beam; the beam of the vessel unless given.",
             &["\"46 m\""],
         ),
         key(
             "draught",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 100.0 }),
             Unless("`ship` is a vessel or has `outlines`"),
-            "Draught; that of the vessel, or of the hull by height, unless given.",
+            "Draught; the draught of the vessel, or of the hull by height, unless given.",
             &["\"9 m\""],
         ),
         key(
@@ -48,14 +49,16 @@ pub(super) static BERTHING: TableSpec = TableSpec {
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
             Unless(IS_VESSEL),
-            "Displaced volume over length, beam and draught; that of the vessel unless given.",
+            "Displaced volume over length, beam and draught; the block coefficient of the vessel \
+             unless given.",
             &["0.71"],
         ),
         key(
             "added_mass",
             Kind::Choice(&ADDED_MASSES),
             Is("\"pianc_2002\""),
-            "Formula for the added mass factor Cm of the headline and of the abnormal energy; the report shows the others beside it.",
+            "Formula for the added mass factor Cm of the berthing energy and of the abnormal \
+             energy; the report also shows the other formulas.",
             &["\"ufc\""],
         ),
         key(
@@ -69,22 +72,23 @@ pub(super) static BERTHING: TableSpec = TableSpec {
             "softness",
             Kind::Choice(&SOFTNESSES),
             Is("\"soft\""),
-            "Fender against hull, for the factor Cs.",
+            "Stiffness of the fender compared with the hull, for the factor Cs.",
             &["\"soft\""],
         ),
         key(
             "configuration",
             Kind::Choice(&CONFIGURATIONS),
             Is("\"open\""),
-            "The berth, for the factor Cc.",
+            "Kind of berth, for the factor Cc.",
             &["\"solid\""],
         ),
         key(
             "abnormal_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.25, high: 2.0 }),
             Means("no abnormal berthing"),
-            "Energy of an abnormal berthing over that of a normal one, the factor of safety: 1.25 to 2.0 by type and size of ship. The \
-             report shows the abnormal energy beside the capacity of the fenders.",
+            "Energy of an abnormal berthing over the energy of a normal berthing, the factor of \
+             safety: 1.25 to 2.0 by type and size of ship. The report shows the abnormal energy \
+             beside the capacity of the fenders.",
             &["1.5"],
         ),
     ],
@@ -120,7 +124,7 @@ static SOFTNESSES: Choices<Softness> = Choices(&[
     Choice {
         word: "soft",
         value: Softness::Soft,
-        doc: "the fender is soft beside the hull: Cs = 1",
+        doc: "the fender is soft compared with the hull: Cs = 1",
     },
     Choice { word: "hard", value: Softness::Hard, doc: "the fender is hard: Cs = 0.9" },
 ]);

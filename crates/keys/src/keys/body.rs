@@ -19,7 +19,7 @@ pub static BODY: TableSpec = TableSpec {
             "fixed",
             Kind::Flag,
             Is("false"),
-            "True for a body that never moves; it has no mass and no velocity.",
+            "True for a body that never moves and has no mass and no velocity.",
             &["true"],
         ),
         key(
@@ -34,24 +34,25 @@ pub static BODY: TableSpec = TableSpec {
             Kind::Outline(POSITION),
             Means("the outline of the vessel"),
             "Vertices, forward and to starboard of the centre of gravity, in either direction \
-                  round; need not be convex.",
+             round the hull. The outline need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
         key(
             "chart_outline",
             Kind::Text,
             Means("`outline` gives the shape"),
-            "The name of an area of the chart whose shape the body has, instead of `outline`: for a fixed body. It lies \
-             where the chart has it; `position` and `heading` say where the axes of the body are, in which its fenders \
-             and bollards are given.",
+            "For a fixed body, instead of `outline`: the name of an area of the chart. The body \
+             has the shape and the place of this area. `position` and `heading` place the axes of \
+             the body, in which fenders and bollards are given.",
             &["\"quay 3\""],
         ),
         key(
             "outlines",
             Kind::List(&OUTLINE_AT_HEIGHT),
             Means("one outline: vertical sides"),
-            "Outlines at two heights or more instead of `outline`. Fenders meet the one at their own height, with tide, \
-                  heave, heel and trim; other bodies meet the one at the waterline. Coupled method only.",
+            "Outlines at two heights or more instead of `outline`. Each fender meets the outline \
+             at the height of the fender, with tide, heave, heel and trim. Other bodies meet the \
+             outline at the waterline. Coupled method only.",
             &["[{ height = 0, outline = [[-16, -6], [16, -6], [16, 6], [-16, 6]] }, \
                { height = \"12 m\", outline = [[-16, -7], [17, -7], [17, 7], [-16, 7]] }]"],
         ),
@@ -66,8 +67,8 @@ pub static BODY: TableSpec = TableSpec {
             "vessel",
             Kind::Text,
             Means("a plain body"),
-            "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from `vessel_files`. It \
-                  gives mass, added mass, outline and coefficients.",
+            "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from \
+             `vessel_files`. Mass, added mass, outline and coefficients follow from the kind.",
             &["\"container-ship\""],
         ),
         key(

@@ -9,37 +9,37 @@ use crate::units::measures as unit;
 
 pub(super) static CHART: TableSpec = TableSpec {
     what: "a chart",
-    doc: "A chart from GeoJSON files: drawn behind ships and quays. It exerts no force, apart from the bodies that take \
-          their outline from it (`chart_outline`). Each feature has the property `kind`: \"coast\", \"depth_area\", \
-          \"depth_contour\", \"quay\", \"buoy\", \"beacon\", \"leading_line\" or \"name\"; and may have `name`, \
-          `depth_m`, `colour` and `side`.",
+    doc: "A chart from GeoJSON files: drawn behind ships and quays. A chart exerts no force, but \
+          bodies may take their outlines from it (`chart_outline`). Each feature has the property \
+          `kind`: \"coast\", \"depth_area\", \"depth_contour\", \"quay\", \"buoy\", \"beacon\", \
+          \"leading_line\" or \"name\"; and may have `name`, `depth_m`, `colour` and `side`.",
     keys: &[
         key(
             "files",
             Kind::FileNames,
             Refused,
-            "GeoJSON files, relative to this one.",
+            "GeoJSON files, relative to the scenario file.",
             &["[\"harbour.geojson\"]"],
         ),
         key(
             "coordinates",
             Kind::Choice(&COORDINATES),
             Refused,
-            "What the coordinates in the files are.",
+            "Kind of coordinates in the files.",
             &["\"longitude_latitude\""],
         ),
         key(
             "projection",
             Kind::Choice(&PROJECTIONS),
             Unless("`coordinates` is \"metres\""),
-            "How longitude and latitude become metres.",
+            "Projection of longitude and latitude to metres.",
             &["\"transverse_mercator\""],
         ),
         key(
             "origin",
             Kind::Table(&PLACE),
             Unless("`coordinates` is \"metres\""),
-            "Where the scenario's origin lies.",
+            "Latitude and longitude of the scenario's origin.",
             &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
         ),
     ],
@@ -115,14 +115,15 @@ static PROJECTIONS: Choices<Projection> = Choices(&[
     Choice {
         word: "transverse_mercator",
         value: Projection::ThroughOrigin,
-        doc: "Transverse Mercator with its central meridian through the origin and scale 1 there: true north is up at \
-              the origin, and distances near it are true.",
+        doc: "Transverse Mercator with its central meridian through the origin and scale 1 there: \
+            true north is up at the origin, and distances near the origin are true.",
     },
     Choice {
         word: "utm",
         value: Projection::Utm,
-        doc: "Universal transverse Mercator in the origin's zone of 6 degrees (without the exceptions for Norway and \
-              Svalbard): grid north is up, and distances are those of the grid, up to 0.1 % off. Differences of \
-              UTM coordinates of a survey are coordinates of the scenario.",
+        doc: "Universal transverse Mercator in the origin's zone of 6 degrees (without the \
+              exceptions for Norway and Svalbard): grid north is up, and distances are grid \
+              distances, up to 0.1 % off. Differences of UTM coordinates of a survey are \
+              coordinates of the scenario.",
     },
 ]);

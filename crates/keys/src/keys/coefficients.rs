@@ -1,4 +1,4 @@
-//! Keys of wind and current coefficients of one's own.
+//! Keys of the user's wind and current coefficients.
 
 use serde_json::{Value as Json, json};
 
@@ -15,46 +15,50 @@ const FILE: KeySpec = key(
     "file",
     Kind::FileName,
     Refused,
-    "File of the table, in columns: `angle_deg` (or `angle_rad`), `cx`, `cy` and `cn` (or `cxy`); in place of `cy` and `cn` the lateral \
-     coefficients at the fore and aft perpendicular, `cyf` and `cya`. For current also `depth_ratio`, depth of water over draught. For \
-     several draughts `draught_m`; the one of the vessel is used, between two by a straight line. With `quantity = \"forces\"` the \
-     columns are `x_kn`, `y_kn` and `n_knm`, or `yf_kn` and `ya_kn` (also `_n`, `_nm`, `_tf`, `_tfm`). Cells are separated by commas, \
-     semicolons, tabs or blanks. Angles over one side, from 0 to 180, are mirrored for the other.",
+    "File of the table, in columns: `angle_deg` (or `angle_rad`), `cx`, `cy` and `cn` (or `cxy`); \
+     in place of `cy` and `cn` the lateral coefficients at the fore and aft perpendicular, `cyf` \
+     and `cya`. For current also `depth_ratio`, depth of water over draught. For several draughts \
+     `draught_m`; the coefficients are interpolated linearly at the draught of the vessel. With \
+     `quantity = \"forces\"` the columns are `x_kn`, `y_kn` and `n_knm`, or `yf_kn` and `ya_kn` \
+     (also `_n`, `_nm`, `_tf`, `_tfm`). Cells are separated by commas, semicolons, tabs or blanks. \
+     Angles over one side, from 0 to 180, are mirrored for the other.",
     &["\"wind.csv\""],
 );
 const COLUMNS: KeySpec = key(
     "columns",
     Kind::Texts,
-    Means("the first line of the file names them"),
-    "Names of the file's columns from left to right, for a file with other names or none; `-` for a column that is not read.",
+    Means("the first line of the file names the columns"),
+    "Names of the file's columns from left to right, for a file with other names or no names; `-` \
+     for a column to skip.",
     &["[\"angle_deg\", \"cx\", \"cy\", \"cn\"]"],
 );
 const SKIP: KeySpec = key(
     "skip_lines",
     Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1000.0 }),
     Means("0"),
-    "Lines at the top of the file that are not read, such as titles; with `columns` also the file's own header.",
+    "Number of lines at the top of the file to skip, such as titles; with `columns` count the \
+     file's header line too.",
     &["2"],
 );
 const CONVENTION: KeySpec = key(
     "convention",
     Kind::Choice(&CONVENTIONS),
     Refused,
-    "What the angles and signs of the table mean.",
+    "Convention for angles and signs of the table.",
     &["\"ocimf\""],
 );
 const ZERO: KeySpec = key(
     "angle_zero",
     Kind::Choice(&ZEROS),
     Means("that of `convention`"),
-    "Where the flow comes from at angle 0; with `convention = \"own\"`.",
+    "Direction from which the flow comes at angle 0; with `convention = \"own\"`.",
     &["\"ahead\""],
 );
 const SIDE: KeySpec = key(
     "angle_side",
     Kind::Choice(&SIDES),
     Means("that of `convention`"),
-    "Where the flow comes from at an angle of 90 degrees; with `convention = \"own\"`.",
+    "Direction from which the flow comes at an angle of 90 degrees; with `convention = \"own\"`.",
     &["\"from_starboard\""],
 );
 const SURGE: KeySpec = key(
@@ -82,7 +86,8 @@ const SURGE_AREA: KeySpec = key(
     "surge_area",
     Kind::Quantity(AREA),
     Refused,
-    "Reference area of `cx`: X = ½ρV² cx A. For wind usually the front above the water; OCIMF's current takes length times draught.",
+    "Reference area of `cx`: X = ½ρV² cx A. For wind usually the frontal area above the water; for \
+     current OCIMF takes length times draught.",
     &["\"1130 m^2\""],
 );
 const SWAY_AREA: KeySpec = key(
@@ -110,20 +115,20 @@ const QUANTITY: KeySpec = key(
     "quantity",
     Kind::Choice(&QUANTITIES),
     Is("\"coefficients\""),
-    "What the columns hold. Forces are divided by ½ρV² of `at_speed` and `at_density`.",
+    "Kind of numbers in the columns. Forces are divided by ½ρV² with `at_speed` and `at_density`.",
     &["\"coefficients\""],
 );
 const AT_SPEED: KeySpec = key(
     "at_speed",
     Kind::Quantity(FLOW_SPEED),
-    Means("`quantity` is another one"),
+    Means("`quantity` is not \"forces\""),
     "Speed of the flow to which the table's forces belong.",
     &["\"25 m/s\""],
 );
 const AT_DENSITY: KeySpec = key(
     "at_density",
     Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 0.1, high: 2000.0 }),
-    Means("`quantity` is another one"),
+    Means("`quantity` is not \"forces\""),
     "Density of the air or water to which the table's forces belong.",
     &["\"1.28 kg/m^3\""],
 );
@@ -131,13 +136,13 @@ const SOURCE: KeySpec = key(
     "source",
     Kind::Text,
     Refused,
-    "Where the table comes from, in your words: it stands in the report.",
+    "Source of the table, in your words; the report shows it.",
     &["\"wind tunnel, report 12-345, model 1:250\""],
 );
 
 pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
     what: "a table of wind coefficients",
-    doc: "Wind coefficients of one's own, in place of those of `windage`.",
+    doc: "Your wind coefficients, in place of the coefficients of `windage`.",
     keys: &[
         FILE,
         COLUMNS,
@@ -166,7 +171,10 @@ pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
         key(
             "centroid_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
-            Means("that of `windage`, or half of the mean height `sway_area` over `yaw_length`"),
+            Means(
+                "the height of `windage`, or half of the mean height `sway_area` over \
+                `yaw_length`",
+            ),
             "Height above the water at which the wind force acts, for heel and trim.",
             &["\"12 m\""],
         ),
@@ -176,8 +184,9 @@ pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
 
 pub(super) static CURRENT_COEFFICIENTS: TableSpec = TableSpec {
     what: "a table of current coefficients",
-    doc: "Current coefficients of one's own: the hull's force at low speed through the water, in place of that of the manoeuvring model. What her rate of \
-          turn adds stays that of the model.",
+    doc: "Your current coefficients: the hull force at low speed through the water, in place of \
+        the force of the manoeuvring model. The effect of the rate of turn still comes from the \
+        model.",
     keys: &[
         FILE,
         COLUMNS,
@@ -207,8 +216,8 @@ pub(super) static CURRENT_COEFFICIENTS: TableSpec = TableSpec {
             "gone_from",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.1, high: 40.0 }),
             Is("\"8 kn\""),
-            "Speed through the water from which the manoeuvring model acts alone; between the two they are mixed without a jump. The default is \
-             our choice.",
+            "Speed through the water from which the manoeuvring model acts alone; between the two \
+             speeds, table and model are mixed without a jump. The default is our choice.",
             &["\"8 kn\""],
         ),
     ],
@@ -235,7 +244,7 @@ fn rules() -> Json {
     json!({ "allOf": [with("convention", "own", &OF_OWN), with("quantity", "forces", &OF_FORCES)] })
 }
 
-/// Angles and signs of a table, each true where it is that of this program.
+/// Angles and signs of a table; each is true if it agrees with this program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Convention {
     /// Angle 0: a flow from ahead.
@@ -278,7 +287,7 @@ static CONVENTIONS: Choices<Option<Convention>> = Choices(&[
     Choice {
         word: "own",
         value: None,
-        doc: "what the five keys `angle_zero` to `yaw_positive` say",
+        doc: "your convention, by the five keys `angle_zero` to `yaw_positive`",
     },
 ]);
 

@@ -9,10 +9,11 @@ use crate::units::measures as unit;
 
 pub(super) static DOLPHIN: TableSpec = TableSpec {
     what: "a flexible dolphin",
-    doc: "Piles that hold a body to its place and bend under a ship: a spring with a mass on it, the same in all \
-          horizontal directions, in series with the fenders of the body. The body does not turn. Stiffness and mass are \
-          given, or follow from steel tubes: upright, fixed in the ground at the point of fixity, K = 3EI/L³. Coupled \
-          method and semi-implicit integrator only.",
+    doc: "Piles that hold a body at its place and bend under a ship: a spring with a mass, equal \
+          in all horizontal directions, in series with the fenders of the body. The body does not \
+          turn. Stiffness and mass are given, or follow from steel tubes: upright, fixed in the \
+          ground at the point of fixity, K = 3EI/L³. Coupled method and semi-implicit integrator \
+          only.",
     keys: &[
         key(
             "stiffness",
@@ -33,14 +34,16 @@ pub(super) static DOLPHIN: TableSpec = TableSpec {
             "yield_load",
             Kind::Quantity(FORCE),
             Means("it does not yield"),
-            "Horizontal load at the height of the fender at which the piles yield. The deflection beyond it is permanent.",
+            "Horizontal load at the height of the fender at which the piles yield. Deflection \
+             beyond this load is permanent.",
             &["\"1500 kN\""],
         ),
         key(
             "damping",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.99 }),
             Is("0.02"),
-            "Damping over the critical damping of the dolphin alone. The default is an assumption.",
+            "Damping over the critical damping of the dolphin without ship and fender. The default \
+             is an assumption.",
             &["0.02"],
         ),
         key(
@@ -54,21 +57,22 @@ pub(super) static DOLPHIN: TableSpec = TableSpec {
             "wall",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 10.0 }),
             Unless("`stiffness` is given"),
-            "Wall thickness of each pile: the mean in bending where it varies.",
+            "Wall thickness of each pile; if it varies, the equivalent thickness in bending.",
             &["\"40 mm\""],
         ),
         key(
             "length",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.5, high: 500.0 }),
             Unless("`stiffness` is given"),
-            "From the point of fixity, which lies below the seabed, to the height of the fender.",
+            "Length from the point of fixity, which lies below the seabed, to the height of the \
+             fender.",
             &["\"25 m\""],
         ),
         key(
             "piles",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("one"),
-            "Number of piles, which bend alike: their heads do not turn each other.",
+            "Number of piles, which bend equally: their heads do not turn.",
             &["1"],
         ),
         key(
@@ -82,15 +86,17 @@ pub(super) static DOLPHIN: TableSpec = TableSpec {
             "yield_stress",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1e7, high: 1e10 }),
             Means("it does not yield"),
-            "Yield stress: the piles yield where the bending stress at the point of fixity reaches it.",
+            "Yield stress: the piles yield when the bending stress at the point of fixity reaches \
+             this stress.",
             &["\"420 MPa\""],
         ),
         key(
             "head_mass",
             Kind::Quantity(MASS),
             Means("nothing but the piles"),
-            "Mass of the head, its fender and panel, beside the piles' own share of 0.243. Water in and around the piles \
-                  is not counted: add what moves.",
+            "Mass of the head with fender and panel. The program adds 0.243 of the mass of the \
+             piles. It does not count water in and around the piles: add the mass of the water \
+             that moves.",
             &["\"40 t\""],
         ),
     ],

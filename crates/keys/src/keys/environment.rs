@@ -20,9 +20,10 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "depth",
             Kind::Quantity(DEPTH),
             Means("deep water"),
-            "Depth of the water below datum; negative if the bottom is above datum. Shallow water changes hull forces and \
-             added mass and makes a vessel squat; she is aground where the depth is less than draught and squat. \
-             The corrections cover 1.2 draughts and more; below 1.1 draughts they keep their values there.",
+            "Depth of the water below datum; negative if the bottom is above datum. Shallow water \
+             changes hull forces and added mass and makes a vessel squat; a vessel is aground if \
+             the depth is less than draught plus squat. The corrections are valid from 1.2 \
+             draughts on; below 1.1 draughts they keep their values for 1.1 draughts.",
             &["\"14 m\""],
         ),
         key(
@@ -42,17 +43,19 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         key(
             "squat",
             Kind::Choice(&SQUATS),
-            Means("\"icorels\" where `depth` is given"),
-            "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open water. The formulas give \
-             the deepest point of the hull; here the whole hull sinks by that much, without trim.",
+            Means("\"icorels\" if `depth` is given"),
+            "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
+             water. The formulas give the sinkage of the deepest point of the hull; here the whole \
+             hull sinks by this amount, without trim.",
             &["\"icorels\""],
         ),
         key(
             "tide",
             Kind::Table(&TIDE),
             Means("the water level is at datum"),
-            "Level of the water above datum: it is added to `depth`, and heights on bodies that do not float \
-             (`above_water` of a fender, `bollard_height` of a line) count from datum.",
+            "Level of the water above datum. The level is added to `depth`; heights on bodies that \
+             do not float (`above_water` of a fender, `bollard_height` of a line) count from \
+             datum.",
             &["{ level = \"1.8 m\" }"],
         ),
         key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
@@ -69,7 +72,7 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "interaction",
             Kind::Table(&INTERACTION),
             Is("{}"),
-            "The vessels in the flow of passing ships and of each other.",
+            "How the flow about vessels and passing ships pushes vessels.",
             &[],
         ),
         key(
@@ -84,8 +87,8 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "bank",
             Kind::List(&BANK),
             Is("[]"),
-            "UNVALIDATED. Banks that attract a vessel under way; `method` of each says how. A bank is not an obstacle: add a \
-             fixed body for it.",
+            "UNVALIDATED. Banks that attract a vessel under way, each by its `method`. A bank is \
+             not an obstacle: add a fixed body for it.",
             &["[{ from = [-500, 40], to = [500, 40] }]"],
         ),
     ],
@@ -103,30 +106,31 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
 
 static TIDE: TableSpec = TableSpec {
     what: "a tide",
-    doc: "Level of the water above datum: a constant `level`, constituents about a mean `level`, or a `file`. A \
-          vessel's hull forces, squat and under-keel clearance follow the tide. Her added mass and the depth that \
-          waves feel stay those of the start.",
+    doc: "Level of the water above datum: a constant `level`, constituents about a mean `level`, \
+          or a `file`. A vessel's hull forces, squat and under-keel clearance follow the tide. \
+          Added mass, and the depth in the formulas of waves, keep their values at the start.",
     keys: &[
         key(
             "level",
             Kind::Quantity(LEVEL),
             Unless("`file` is given"),
-            "Level above datum; the mean level where there are constituents.",
+            "Level above datum; the mean level if there are constituents.",
             &["\"1.8 m\""],
         ),
         key(
             "constituent",
             Kind::List(&CONSTITUENT),
             Is("[]"),
-            "Each adds amplitude x cos(2 pi t / period - lag) to the level.",
+            "Constituents of the tide. Each adds amplitude x cos(2 pi t / period - lag) to the \
+             level.",
             &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
         ),
         key(
             "file",
             Kind::FileName,
             Unless("`level` is given"),
-            "The level in time: a CSV file beside this one with the columns t_s and level_m. Straight lines between \
-             the rows; held before the first and after the last.",
+            "The level in time: a CSV file beside the scenario with the columns t_s and level_m. \
+             Linear between the rows; constant before the first and after the last row.",
             &["\"tide.csv\""],
         ),
     ],
@@ -156,14 +160,14 @@ static CONSTITUENT: TableSpec = TableSpec {
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 60.0, high: 1e9 }),
             Refused,
-            "Period; 12.4206 h is that of M2.",
+            "Period; the period of M2 is 12.4206 h.",
             &["\"12.4206 h\""],
         ),
         key(
             "lag",
             Kind::Quantity(DIRECTION),
             Is("0"),
-            "Phase lag: 0 has high water at the start.",
+            "Phase lag; with 0, high water is at the start.",
             &["\"90 deg\""],
         ),
     ],
@@ -185,16 +189,16 @@ static WIND: TableSpec = TableSpec {
             "from",
             Kind::Quantity(DIRECTION),
             Unless("`file` is given"),
-            "Where it comes from, clockwise from north.",
+            "Direction from which the wind comes, clockwise from north.",
             &["\"270 deg\""],
         ),
         key(
             "file",
             Kind::FileName,
             Unless("`speed` and `from` are given"),
-            "A wind that changes in time: a CSV file beside this one with the columns t_s, speed_mps and from_deg. \
-             Straight lines between the rows, the shorter way round for the direction; held before the first and \
-             after the last.",
+            "A wind that changes in time: a CSV file beside the scenario with the columns t_s, \
+             speed_mps and from_deg. Linear between the rows, with the direction by the shorter \
+             turn; constant before the first and after the last row.",
             &["\"wind.csv\""],
         ),
         key(
@@ -208,8 +212,8 @@ static WIND: TableSpec = TableSpec {
             "gust_admittance",
             Kind::Flag,
             Means("true"),
-            "Whether a vessel feels the mean of the gusts over her length and height (aerodynamic admittance). If false, each gust acts on \
-             the whole of her at once.",
+            "Whether the mean of the gusts over a vessel's length and height acts on the vessel \
+             (aerodynamic admittance). If false, each gust acts on the whole vessel at once.",
             &["false"],
         ),
         key(
@@ -235,29 +239,30 @@ static WIND: TableSpec = TableSpec {
 
 static CURRENT: TableSpec = TableSpec {
     what: "a current",
-    doc: "A current: uniform and steady (`speed`, `towards`), by depth (`profile`), or by place and time (`file`). A \
-          vessel feels the current at her centre of gravity, averaged over her draught.",
+    doc: "A current: uniform and steady (`speed`, `towards`), by depth (`profile`), or by place \
+        and time (`file`). The current at a vessel's centre of gravity, averaged over her draught, \
+        acts on the vessel.",
     keys: &[
         key(
             "speed",
             Kind::Quantity(CURRENT_SPEED),
             Unless("`profile` or `file` is given"),
-            "Speed, uniform and steady.",
+            "Speed of a uniform and steady current.",
             &["\"0.5 kn\""],
         ),
         key(
             "towards",
             Kind::Quantity(DIRECTION),
             Unless("`profile` or `file` is given"),
-            "Where it runs to, clockwise from north.",
+            "Direction in which the current runs, clockwise from north.",
             &["\"10 deg\""],
         ),
         key(
             "profile",
             Kind::List(&LAYER),
             Means("the same at every depth"),
-            "The current by depth, downwards: straight lines between the depths, held above the first and below the \
-             last.",
+            "The current by depth, downwards: linear between the depths, constant above the first \
+             and below the last depth.",
             &[
                 "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 }]",
             ],
@@ -266,10 +271,11 @@ static CURRENT: TableSpec = TableSpec {
             "file",
             Kind::FileName,
             Unless("`speed` and `towards`, or `profile`, are given"),
-            "A current by place and time: a CSV file beside this one. Columns: the velocity as north_mps and \
-             east_mps, or as speed_mps and towards_deg; north_m and east_m, without which it is uniform; \
-             t_s, without which it is steady. One row for each combination of north_m, east_m and t_s, in any \
-             order. Linear in time, bilinear in place; outside the grid the value at its edge is used.",
+            "A current by place and time: a CSV file beside the scenario. Columns: the velocity as \
+             north_mps and east_mps, or as speed_mps and towards_deg; north_m and east_m, without \
+             which the current is uniform; t_s, without which the current is steady. One row for \
+             each combination of north_m, east_m and t_s, in any order. Linear in time, bilinear \
+             in place; outside the grid the value at its edge is used.",
             &["\"current.csv\""],
         ),
     ],
@@ -300,7 +306,7 @@ static LAYER: TableSpec = TableSpec {
             "depth",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 12_000.0 }),
             Refused,
-            "Depth below the surface; deeper from layer to layer.",
+            "Depth below the surface; must increase from layer to layer.",
             &["\"5 m\""],
         ),
         key("speed", Kind::Quantity(CURRENT_SPEED), Refused, "Speed.", &["\"0.5 kn\""]),
@@ -308,7 +314,7 @@ static LAYER: TableSpec = TableSpec {
             "towards",
             Kind::Quantity(DIRECTION),
             Refused,
-            "Where it runs to, clockwise from north.",
+            "Direction in which the current runs, clockwise from north.",
             &["\"10 deg\""],
         ),
     ],
@@ -323,21 +329,21 @@ static WAVES: TableSpec = TableSpec {
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
             Refused,
-            "Significant height, or that of the regular wave.",
+            "Significant height, or height of the regular wave.",
             &["\"1.2 m\""],
         ),
         key(
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
             Refused,
-            "Peak period, or that of the regular wave.",
+            "Peak period, or period of the regular wave.",
             &["\"8 s\""],
         ),
         key(
             "from",
             Kind::Quantity(DIRECTION),
             Refused,
-            "Where they come from, clockwise from north.",
+            "Direction from which the waves come, clockwise from north.",
             &["\"240 deg\""],
         ),
         key(
@@ -358,8 +364,9 @@ static WAVES: TableSpec = TableSpec {
             "spreading",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("long crests: all waves run in one direction"),
-            "Short crests: the exponent n of a cos^n spreading of the energy about the mean direction; 2 for a wind sea, \
-             more for swell. Mean forces are smaller than in long crests. Not for a regular wave.",
+            "Exponent n of a cos^n spreading of the energy about the mean direction, for short \
+             crests: 2 for a wind sea, more for swell. Mean forces are smaller than in long \
+             crests. Not for a regular wave.",
             &["2"],
         ),
         key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
@@ -401,7 +408,8 @@ static BANK: TableSpec = TableSpec {
             "method",
             Kind::Choice(&BANK_METHODS),
             Is("\"norrbin\""),
-            "How it acts. The sectional areas for \"image\" are those of `environment.interaction`.",
+            "Method for the force of the bank. `environment.interaction` gives the sectional areas \
+             for \"image\".",
             &["\"image\""],
         ),
     ],
@@ -412,30 +420,34 @@ static BANK_METHODS: Choices<BankMethod> = Choices(&[
     Choice {
         word: "norrbin",
         value: BankMethod::Norrbin,
-        doc: "Norrbin's formulas for a vertical wall, which draw her to it and turn her bow away. They are written from memory; no source \
-              could be read",
+        doc: "Norrbin's formulas for a vertical wall, which draw a vessel to the wall and turn her \
+            bow away. The formulas are from memory; we could not read a source",
     },
     Choice {
         word: "image",
         value: BankMethod::Image,
-        doc: "the flow of her image behind the wall, for slender ships in potential flow without waves and lift, with the depth by images in \
-              the bottom: suction alone, and no moment that turns the bow away. By panels it is 12 to 63 % too small. It is off nearer than an \
-              eighth of her beam, at more than 30 degrees, and for vessels shorter than 3.5 beams",
+        doc: "the flow of the vessel's image behind the wall, for slender ships in potential flow \
+            without waves and lift, with the depth by images in the bottom: suction alone, and no \
+            moment that turns the bow away. By comparison with panels the force is 12 to 63 % too \
+            small. It is left out nearer than an eighth of the beam, at more than 30 degrees, and \
+            for vessels shorter than 3.5 beams",
     },
 ]);
 
 /// The description of `wave_response`.
-pub(super) const WAVE_RESPONSE_DOC: &str = "Her first-order motion in waves by a table of response amplitude \
-    operators: a CSV file beside this one. Columns: omega_radps, the waves' own frequency; heading_deg, where they run \
-    to from the bow: 0 from astern, 90 from port, 180 from ahead, from 0 to 180 (from starboard is the mirror); \
-    heave_mpm, roll_degpm and pitch_degpm, and optionally surge_mpm, sway_mpm and yaw_degpm: amplitude in a wave of \
-    1 m amplitude; and the phase of each, heave_phase_deg and so on: the lead of the motion's maximum over the \
-    crest's passage amidships. Motions of midship: surge forward, sway to starboard, heave DOWN, roll \
-    to starboard, pitch bow up, yaw to starboard. One row for each combination of frequency and heading. \
-    Linear between the rows; outside the grid the value at its edge is used.";
+pub(super) const WAVE_RESPONSE_DOC: &str = "First-order motion of the vessel in waves by a table \
+    of response amplitude operators: a CSV file beside the scenario. Columns: omega_radps, the \
+    frequency of the waves; heading_deg, the direction in which the waves run, from the bow: 0 \
+    from astern, 90 from port, 180 from ahead, from 0 to 180 (from starboard is the mirror); \
+    heave_mpm, roll_degpm and pitch_degpm, and optionally surge_mpm, sway_mpm and yaw_degpm: \
+    amplitude in a wave of 1 m amplitude; and the phase of each, heave_phase_deg and so on: the \
+    lead of the motion's maximum over the crest's passage amidships. Motions of midship: surge \
+    forward, sway to starboard, heave DOWN, roll to starboard, pitch bow up, yaw to starboard. One \
+    row for each combination of frequency and heading. Linear between the rows; outside the grid \
+    the value at its edge is used.";
 
 pub(super) const HYDRODYNAMICS_DOC: &str = "Hydrodynamic data by a panel code: a file beside this one, which the Python package \
-    makes of results of Capytaine, WAMIT or Nemoh (`fenderline.hydrodynamics`). She then moves in six degrees of freedom by \
+    makes of files of Capytaine, WAMIT, HAMS, Nemoh or AQWA (`fenderline.hydrodynamics`). She then moves in six degrees of freedom by \
     Cummins' equation: with added mass and damping by frequency, exciting forces, mean and slow drift; fenders and lines act where \
     they are in space, and heave, roll and pitch move them. Mass, centre of gravity and restoring are those of the file, in place of \
     `stability`.";

@@ -11,25 +11,26 @@ use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The keys of which an event has one.
+/// An event has exactly one of these keys.
 pub const WHAT: [&str; 7] =
     ["wind", "current", "visibility", "fault", "thruster_out", "line_parts", "tug_out"];
-/// Those that can end.
+/// The kinds of events that can end.
 pub const CAN_END: [&str; 3] = ["fault", "thruster_out", "tug_out"];
-/// Those that are of a vessel.
+/// The kinds of events that concern a vessel.
 pub const OF_VESSEL: [&str; 2] = ["fault", "thruster_out"];
 
 pub(super) static EVENT: TableSpec = TableSpec {
     what: "an event",
-    doc: "A change of the weather or a fault at a time; each [[event]] has one. In a live session the instructor sees them and can \
-          cancel them.",
+    doc: "A change of the weather, or a fault, at a time; each [[event]] has one change or fault. \
+        In a live session the instructor sees the events and can cancel them.",
     keys: &[
         key("at", Kind::Quantity(TIME), Is("0"), "When it happens.", &["\"12 min\""]),
         key(
             "wind",
             Kind::Table(&WIND),
             ANOTHER,
-            "The mean wind changes. Gusts go on in proportion to it; a wind from a file becomes steady.",
+            "The mean wind changes. Gusts go on in proportion to the mean wind; a wind from a file \
+             becomes steady.",
             &["{ speed = \"14 m/s\", from = \"270 deg\", over = \"5 min\" }"],
         ),
         key(
@@ -49,7 +50,7 @@ pub(super) static EVENT: TableSpec = TableSpec {
         key(
             "vessel",
             Kind::BodyName,
-            Means("the event is not of a vessel"),
+            Means("the event does not concern a vessel"),
             "For `fault` and `thruster_out`: the body of the vessel.",
             &["\"ship\""],
         ),
@@ -64,28 +65,23 @@ pub(super) static EVENT: TableSpec = TableSpec {
             "thruster_out",
             Kind::Text,
             ANOTHER,
-            "A thruster or azimuth unit of the vessel, by its name: it trips.",
+            "Name of a thruster or azimuth unit of the vessel, which trips.",
             &["\"bow\""],
         ),
         key(
             "line_parts",
             Kind::Text,
             ANOTHER,
-            "A line, by its name: it parts. A line that is not fast then stays as it is, which is reported.",
+            "Name of a line, which parts. If the line is not fast at that time, nothing happens, \
+             and this is reported.",
             &["\"spring\""],
         ),
-        key(
-            "tug_out",
-            Kind::Text,
-            ANOTHER,
-            "A vector tug, by its name: she drops out.",
-            &["\"one\""],
-        ),
+        key("tug_out", Kind::Text, ANOTHER, "Name of a vector tug, which drops out.", &["\"one\""]),
         key(
             "ends",
             Kind::Flag,
             Is("false"),
-            "For `fault`, `thruster_out` and `tug_out`: it ends at this time.",
+            "For `fault`, `thruster_out` and `tug_out`: the fault ends at this time.",
             &["true"],
         ),
     ],
@@ -116,13 +112,13 @@ const OVER: KeySpec = key(
     "over",
     Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: Change::LONGEST_S }),
     Is("0"),
-    "Time over which it changes.",
+    "Duration of a gradual change.",
     &["\"5 min\""],
 );
 
 static WIND: TableSpec = TableSpec {
     what: "a change of the wind",
-    doc: "The mean wind changes: the speed by a straight line, the direction by the shorter turn.",
+    doc: "The mean wind changes: the speed linearly, the direction by the shorter turn.",
     keys: &[
         key(
             "speed",
@@ -139,7 +135,7 @@ static WIND: TableSpec = TableSpec {
             "from",
             Kind::Quantity(DIRECTION),
             Refused,
-            "Where it comes from, clockwise from north.",
+            "Direction from which the wind comes, clockwise from north.",
             &["\"270 deg\""],
         ),
         OVER,
@@ -149,8 +145,8 @@ static WIND: TableSpec = TableSpec {
 
 static CURRENT: TableSpec = TableSpec {
     what: "a change of the current",
-    doc: "A uniform current: the speed changes by a straight line, the direction by the shorter turn. A change over a time begins with \
-          the current at the origin.",
+    doc: "A uniform current: the speed changes linearly, the direction by the shorter turn. A \
+        gradual change begins with the current at the scenario's origin.",
     keys: &[
         key(
             "speed",
@@ -167,7 +163,7 @@ static CURRENT: TableSpec = TableSpec {
             "towards",
             Kind::Quantity(DIRECTION),
             Refused,
-            "Where it sets to, clockwise from north.",
+            "Direction in which the current runs, clockwise from north.",
             &["\"180 deg\""],
         ),
         OVER,
@@ -177,7 +173,8 @@ static CURRENT: TableSpec = TableSpec {
 
 static VISIBILITY: TableSpec = TableSpec {
     what: "a change of the visibility",
-    doc: "How far people see: it changes by equal ratios in equal times. Clear counts as 20 km then.",
+    doc: "How far people see. A gradual change has equal ratios in equal times; clear visibility \
+        counts as 20 km.",
     keys: &[
         key(
             "distance",
@@ -199,7 +196,7 @@ static FAULTS: Choices<Fault> = Choices(&[
     Choice {
         word: "rudder_stuck",
         value: Fault::RudderStuck,
-        doc: "the rudder stays where it is; azimuth units do not turn",
+        doc: "the rudder stays at its angle; azimuth units do not turn",
     },
     Choice {
         word: "follow_up_lost",
@@ -220,16 +217,16 @@ static FAULTS: Choices<Fault> = Choices(&[
     Choice {
         word: "heading_frozen",
         value: Fault::HeadingFrozen,
-        doc: "the heading that her pilot's page shows stays as it is",
+        doc: "the heading on the pilot's page stays at its last value",
     },
     Choice {
         word: "speed_frozen",
         value: Fault::SpeedFrozen,
-        doc: "the speeds that her pilot's page shows stay as they are",
+        doc: "the speeds on the pilot's page stay at their last values",
     },
     Choice {
         word: "position_frozen",
         value: Fault::PositionFrozen,
-        doc: "the position that her pilot's page shows stays as it is",
+        doc: "the position on the pilot's page stays at its last value",
     },
 ]);

@@ -24,15 +24,16 @@ pub enum GoalWord {
 
 pub(super) static EXERCISE: TableSpec = TableSpec {
     what: "an exercise",
-    doc: "A goal for the pilot, and limits with points. The score begins at 100; a limit that is exceeded takes points in proportion \
-          to the excess, up to all its points at `worst`. Live pages show goal and score, the summary and the report of a run \
-          and of a session have every deduction with its cause. The run is the same without it.",
+    doc: "A goal for the pilot, and limits with points. The score begins at 100; an exceeded limit \
+        costs points in proportion to the excess, up to all points of the limit at `worst`. Live \
+        pages show goal and score. The summary and the report of a run or a session list every \
+        deduction with its cause. An exercise does not change the run.",
     keys: &[
         key(
             "task",
             Kind::Text,
             Means("no words"),
-            "What the pilot is asked to do, in words.",
+            "Task of the pilot, in words.",
             &["\"Bring her alongside and make her fast.\""],
         ),
         key("vessel", Kind::BodyName, Refused, "The ship: a body with a vessel.", &["\"ship\""]),
@@ -47,7 +48,8 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             "berth",
             Kind::BodyName,
             Means(
-                "the body with the most fenders that has no vessel; among equals, the nearest to the ship",
+                "the body without a vessel that has most fenders; among equals, the body nearest \
+                 to the ship",
             ),
             "The body with the fenders of the berth.",
             &["\"quay\""],
@@ -70,14 +72,14 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             "least_tension",
             Kind::Quantity(FORCE),
             Means("no least tension"),
-            "For `all_fast`: a line with less does not count.",
+            "For `all_fast`: a line with less tension does not count.",
             &["\"30 kN\""],
         ),
         key(
             "most_tension",
             Kind::Quantity(FORCE),
             Means("no greatest tension"),
-            "For `all_fast`: a line with more does not count.",
+            "For `all_fast`: a line with more tension does not count.",
             &["\"300 kN\""],
         ),
         key(
@@ -91,30 +93,31 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             "chain_out",
             Kind::Quantity(LENGTH),
             Means("any"),
-            "For `anchored`: the least chain out of an anchor that counts.",
+            "For `anchored`: least length of chain out for an anchor to count.",
             &["\"5 shackles\""],
         ),
         key(
             "position",
             Kind::Vector(POSITION),
             Means("anywhere"),
-            "For `anchored`: where an anchor that counts lies on the bottom, north and east.",
+            "For `anchored`: the place on the bottom at which an anchor must lie, north and east.",
             &["[400, -120]"],
         ),
         key(
             "distance",
             Kind::Quantity(LENGTH),
             Means("0.5 m; 30 m for `clear`; 50 m for `anchored`"),
-            "Farthest distance of bow and stern from the line of the fenders; for `clear` the nearest. Bow and stern are the ends of the \
-             flat of her side. For `anchored`: farthest distance of an anchor from `position`.",
+            "Greatest distance of bow and stern from the line of the fenders; for `clear` the \
+             least distance. Bow and stern are the ends of the flat part of the ship's side. For \
+             `anchored`: greatest distance of an anchor from `position`.",
             &["\"0.3 m\""],
         ),
         key(
             "rest_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Is("0.05"),
-            "For `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative to the berth; without a berth, of the ship's \
-             origin over ground.",
+            "For `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative \
+             to the berth; without a berth, greatest speed of the ship's origin over ground.",
             &["\"0.03 m/s\""],
         ),
         key(
@@ -128,14 +131,14 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             "time_limit",
             Kind::Quantity(DURATION),
             Means("no limit"),
-            "The exercise ends without its goal after this time.",
+            "After this time the exercise ends, even if the goal is not reached.",
             &["\"90 min\""],
         ),
         key(
             "pass_mark",
             Kind::Quantity(POINTS),
             Is("60"),
-            "The least score with which it is passed.",
+            "The least score with which the exercise is passed.",
             &["70"],
         ),
         key("limit", Kind::Table(&LIMITS), Is("{}"), "The limits.", &[]),
@@ -223,14 +226,14 @@ const POINTS_KEY: KeySpec = key(
     "points",
     Kind::Quantity(POINTS),
     Refused,
-    "What the limit takes of the score of 100, in full at `worst` and beyond it.",
+    "Points that the limit costs, of the score of 100; in full at `worst` and beyond.",
     &["20"],
 );
 const FAILS_KEY: KeySpec = key(
     "fails",
     Kind::Flag,
     Is("false"),
-    "The exercise is failed where the limit is exceeded, whatever the score.",
+    "If true, an exceeded limit fails the exercise, whatever the score.",
     &["true"],
 );
 
@@ -249,7 +252,8 @@ macro_rules! at_most {
                     "within",
                     Kind::Quantity(DISTANCE),
                     Is($within),
-                    "The limit counts while the ship is abreast of the berth and this near to it; of bow and stern each by itself.",
+                    "The limit counts while the ship is abreast of the berth and nearer than this \
+                     distance; bow and stern count separately.",
                     &["\"30 m\""],
                 ),)?
             ],
@@ -298,7 +302,7 @@ at_most!(
 at_most!(
     AHEAD_SPEED,
     "a limit of the speed ahead",
-    "Speed along her axis, ahead or astern, relative to the berth.",
+    "Speed along the ship's axis, ahead or astern, relative to the berth.",
     SPEED,
     "\"0.3 m/s\"",
     near "20"
@@ -314,7 +318,8 @@ at_most!(
 at_most!(
     ENGINE,
     "a limit of the engine",
-    "Revolutions over the full ones, ahead or astern; of azimuth units their power. The wash of the propeller moves what lies near.",
+    "Revolutions over full revolutions, ahead or astern; for azimuth units, power over full power. \
+     The wash of the propeller moves vessels near it.",
     SHARE,
     "0.3",
     near "20"
@@ -322,28 +327,28 @@ at_most!(
 at_most!(
     FENDER,
     "a limit of the load of fenders",
-    "Energy or reaction of a fender of the berth over the rated one.",
+    "Energy or reaction of a fender of the berth over the rated value.",
     SHARE,
     "\"80 %\""
 );
 at_most!(
     LINE,
     "a limit of the load of lines",
-    "Tension over break load of a line that is fast to the ship, towlines included.",
+    "Tension over break load of any line that is fast to the ship, towlines included.",
     SHARE,
     "\"50 %\""
 );
 at_most!(
     CHAIN,
     "a limit of the load of chains",
-    "Tension over break load of a chain of her anchors.",
+    "Tension over break load of any anchor chain of the ship.",
     SHARE,
     "\"40 %\""
 );
 at_most!(
     DRAGGED,
     "a limit of dragging",
-    "How far an anchor of hers drags after it came to the bottom.",
+    "Distance that an anchor of the ship drags after it came to the bottom.",
     DISTANCE,
     "\"20 m\""
 );

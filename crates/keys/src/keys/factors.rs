@@ -12,49 +12,51 @@ const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high
 
 pub(super) static FACTORS: TableSpec = TableSpec {
     what: "a table of partial factors",
-    doc: "Partial factors on what the run computes, with their source. fenderline has no factors of any guideline and claims none: take those of \
-          yours. Report, summary and verdict show them with the source.",
+    doc: "Partial factors on the results of the run, with their source. fenderline has no factors \
+        of any guideline, and claims no conformity: take the factors of your guideline. Report, \
+        summary and verdict show the factors with the source.",
     keys: &[
         key(
             "source",
             Kind::Text,
             Refused,
-            "Where the factors come from, in your words.",
+            "Source of the factors, in your words.",
             &["\"design basis 4711, table 3\""],
         ),
         key(
             "energy",
             Kind::Quantity(FACTOR),
             Means("energies have no factor"),
-            "On the energy that a fender absorbs, which is compared with its rated energy.",
+            "Factor on the energy that a fender absorbs. The product is compared with the rated \
+             energy.",
             &["1.25"],
         ),
         key(
             "reaction",
             Kind::Quantity(FACTOR),
             Means("reactions have no factor"),
-            "On the reaction of a fender, which is compared with `reaction_limit`.",
+            "Factor on the reaction of a fender. The product is compared with `reaction_limit`.",
             &["1.1"],
         ),
         key(
             "reaction_limit",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e10 }),
             Means("factored reactions are shown, and compared with nothing"),
-            "What the structure behind a fender resists.",
+            "Reaction that the structure behind a fender can resist.",
             &["\"1.8 MN\""],
         ),
         key(
             "line_load",
             Kind::Quantity(FACTOR),
             Means("line loads have no factor"),
-            "On the tension of a line, which is compared with its `line_capacity`.",
+            "Factor on the tension of a line. The product is compared with `line_capacity`.",
             &["1.3"],
         ),
         key(
             "line_capacity",
             Kind::Choice(&CAPACITIES),
             Is("\"working_load\""),
-            "What a factored tension is compared with.",
+            "Capacity with which a factored tension is compared.",
             &["\"break_load\""],
         ),
     ],

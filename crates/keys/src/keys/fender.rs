@@ -13,96 +13,104 @@ const STIFFNESS: Quantity = Quantity { measure: &unit::STIFFNESS, low: 0.0, high
 /// A fender.
 pub static FENDER: TableSpec = TableSpec {
     what: "a fender",
-    doc: "A fender on a quay, on a tug's bow or along a ship's belting. It touches the outlines of all \
-          bodies that its own body makes a pair with; the pair's material is the solid structure \
-          behind it. Its law is that of a `type` of the fender data, a `stiffness`, a `curve` or, with \
-          none of the three, the paper's: reaction by overlap area with the material's stiffness.",
+    doc: "A fender on a quay, on a tug's bow or along a ship's belting. A fender touches the \
+        outlines of all bodies that are paired with the fender's body; the material of the pair \
+        describes the solid structure behind the fender. The law of the fender comes from a `type` \
+        of the fender data, a `stiffness` or a `curve`. Without these three it is the paper's law: \
+        reaction by overlap area with the material's stiffness.",
     keys: &[
         key("on", Kind::BodyName, Refused, "The body that carries the fender.", &["\"quay\""]),
         key(
             "position",
             Kind::Point(POSITION),
             Unless("`belting` is given"),
-            "Middle of the line where it is mounted: forward, starboard of its body's origin.",
+            "Middle of the line where the fender is mounted: forward, starboard of the body's \
+             origin.",
             &["[-60, 0]"],
         ),
         key(
             "facing",
             Kind::Quantity(DIRECTION),
             Unless(
-                "`belting` is given, or `position` lies on an edge or at a corner of its body's outline",
+                "`belting` is given, or `position` lies on an edge or at a corner of the body's \
+                 outline",
             ),
-            "Direction in which it faces, clockwise from its body's forward direction. Without it: at right angles out of \
-                  the edge on which it stands; at a corner midway between the two edges, as a corner fender faces.",
+            "Direction in which the fender faces, clockwise from the body's forward direction. By \
+             default the fender faces out at right angles to the edge on which it stands; at a \
+             corner it faces midway between the two edges.",
             &["\"-90 deg\""],
         ),
         key(
             "belting",
             Kind::Text,
             Unless("`position` and `width` are given"),
-            "A belting of the vessel that carries the fender, by name. It gives position, facing, width, face height \
-                  and height above the water.",
+            "Name of a belting of the vessel that carries the fender. Position, facing, width, \
+             face height and height above the water come from the belting.",
             &["\"bow\""],
         ),
         key(
             "width",
             Kind::Quantity(FENDER_SIZE),
             Unless("`belting` is given"),
-            "Width of its face (of the panel, where there is one).",
+            "Width of the fender's face (of the panel, if there is a panel).",
             &["\"2.4 m\""],
         ),
         key(
             "face_height",
             Kind::Quantity(FENDER_SIZE),
-            Means("the width; of a pneumatic fender its diameter"),
-            "Height of its face. Width times height is the area of the hull pressure. Where neither it nor `hull` nor \
-                  `hull_pressure_limit` is given, no hull pressure is computed.",
+            Means("the width; for a pneumatic fender the diameter"),
+            "Height of the fender's face. Width times height is the area for the hull pressure. \
+             Hull pressure is computed only if `face_height`, `hull` or `hull_pressure_limit` is \
+             given.",
             &["\"3 m\""],
         ),
         key(
             "above_water",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
             Means("at the waterline; on a fixed body at datum"),
-            "Middle of its face above the still waterline, on a fixed body above datum: the height at which its force \
-                  heels a vessel. A hull with one outline has a side at any height; one with `outlines` has it between \
-                  the lowest and the highest.",
+            "Middle of the fender's face above the still waterline, or above datum on a fixed \
+             body: the height at which the fender force heels a vessel. A hull with one outline \
+             has a side at any height; a hull with `outlines` has a side only between the lowest \
+             and the highest outline.",
             &["\"2 m\""],
         ),
         key(
             "floating",
             Kind::Flag,
             Is("false"),
-            "It floats, as a pneumatic fender does, and rides the tide: on a fixed body too `above_water` is above the \
-                  water of the moment.",
+            "True for a fender that floats, such as a pneumatic fender, and rises with the tide: \
+             `above_water` is then above the present water level, also on a fixed body.",
             &["true"],
         ),
         key(
             "projection",
             Kind::Quantity(FENDER_HEIGHT),
-            Means("the height of its type"),
-            "From the mounting to the face, uncompressed.",
+            Means("the height of the fender's type"),
+            "Distance from the mounting to the face, uncompressed.",
             &["\"1.5 m\""],
         ),
         key(
             "material",
             Kind::MaterialName,
             Refused,
-            "Its material: friction and damping; restitution if `unloading_law` is false; stiffness if it has no other law.",
+            "Material of the fender: friction and damping; restitution if `unloading_law` is \
+             false; stiffness if the fender has no other law.",
             &["\"facing\""],
         ),
         key(
             "rolling_resistance",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Means("the face slides, with the friction of the material"),
-            "Of a roller or wheel fender: resistance along the berth over reaction, instead of the friction of the material.",
+            "For a roller or wheel fender: resistance along the berth over reaction, instead of \
+             the friction of the material.",
             &["0.05"],
         ),
         key(
             "type",
             Kind::Text,
             Means("no type"),
-            "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or one \
-                  of `fender_files`.",
+            "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or a \
+             family of `fender_files`.",
             &["\"cone\""],
         ),
         key(
@@ -137,17 +145,18 @@ pub static FENDER: TableSpec = TableSpec {
             "cones",
             Kind::List(&super::panel::CONE),
             Means("one fender, or `count` behind a face that does not turn"),
-            "Several equal fenders at their places behind one panel, which turns about the vertical axis by what each \
-                  of them bears. `width` is the panel's. Shares of rated values are those of the most compressed one. \
-                  An unloading curve counts by the share of the energy that it returns from the rated deflection.",
+            "Several equal fenders (\"cones\") at places behind one panel, which turns about the \
+             vertical axis under their reactions. `width` is the width of the panel. Shares of \
+             rated values refer to the most compressed cone. Of an unloading curve, only the share \
+             of the energy that the curve returns from the rated deflection is used.",
             &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
         ),
         key(
             "chains",
             Kind::List(&super::panel::CHAIN),
             Means("no chains"),
-            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the engine; shear and weight \
-                  chains take their part of the forces by statics.",
+            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the \
+             engine; the forces of shear and weight chains follow from statics.",
             &[
                 "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
             ],
@@ -156,7 +165,7 @@ pub static FENDER: TableSpec = TableSpec {
             "panel_mass",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
             Unless("no weight chain is given"),
-            "Mass that the weight chains carry: the panel, and what hangs on it.",
+            "Mass that the weight chains carry: the panel with everything that hangs on it.",
             &["\"2.5 t\""],
         ),
         key(
@@ -176,7 +185,7 @@ pub static FENDER: TableSpec = TableSpec {
         key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
-            Means("that of the type; 55 %, as solid rubber (assumed), where it has none"),
+            Means("the share of the type; if the type has none, 55 %, assumed for solid rubber"),
             "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
                   and restitution has no effect. Coupled method only.",
             &["\"55 %\""],
@@ -185,23 +194,25 @@ pub static FENDER: TableSpec = TableSpec {
             "unloading",
             Kind::Curve(&CURVE),
             Means("by `returned_energy` or the type"),
-            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight lines between; \
-                  nowhere above its `curve` or `stiffness`. The reaction comes down to it within the first tenth of the difference in \
-                  energy, so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
+            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight \
+             lines between; nowhere above the `curve` or `stiffness` of the fender. The reaction \
+             comes down to the unloading curve within the first tenth of the difference in energy, \
+             so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
             &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
         ),
         key(
             "unloading_law",
             Kind::Flag,
             Means("true"),
-            "Whether the reaction falls by an unloading law in unloading. If false, it falls by the restitution of the material, with \
-             which the fenders of a ship at rest chatter.",
+            "Whether the reaction falls by an unloading law when the hull retreats. If false, the \
+             reaction falls by the restitution of the material; the fenders of a ship at rest then \
+             chatter.",
             &["false"],
         ),
         key(
             "rated_deflection",
             Kind::Quantity(FENDER_HEIGHT),
-            Means("that of the type, or the end of the curve"),
+            Means("the rated deflection of the type, or the end of the curve"),
             "Rated deflection of a fender with a `stiffness` or a `curve`.",
             &["\"0.8 m\""],
         ),
@@ -209,10 +220,10 @@ pub static FENDER: TableSpec = TableSpec {
             "stop",
             Kind::Table(&STOP),
             Means(
-                "a stop at the end of the curve or of the projection, 50 times as stiff as \
-                 the fender in the mean",
+                "a stop at the end of the curve or of the projection, 50 times as stiff as the \
+                 mean stiffness of the fender",
             ),
-            "The end of its travel, where it stiffens.",
+            "Stop at the end of the fender's travel, where the fender stiffens.",
             &[],
         ),
         key(
@@ -226,35 +237,37 @@ pub static FENDER: TableSpec = TableSpec {
             "tolerance",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.5 }),
             Is("0"),
-            "Deviation of this fender's reaction from the rated one.",
+            "Deviation of this fender's reaction from the rated reaction.",
             &["\"-10 %\""],
         ),
         key(
             "velocity_factor",
             Kind::Flag,
             Means("true"),
-            "Use the factor of the type by speed of approach, if it has one.",
+            "Whether to use the factor of the type by speed of approach, if the type has this \
+             factor.",
             &["false"],
         ),
         key(
             "angle_factor",
             Kind::Flag,
             Means("true"),
-            "Use the factors of the type by angle, if it has them.",
+            "Whether to use the factors of the type by angle, if the type has these factors.",
             &["false"],
         ),
         key(
             "hull_pressure_limit",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
-            Means("that of `hull`, or no limit"),
-            "Hull pressure that the ship's side bears.",
+            Means("the limit of `hull`, or no limit"),
+            "Hull pressure that the ship's side can bear.",
             &["\"200 kN/m^2\""],
         ),
         key(
             "hull",
             Kind::Text,
             Means("`hull_pressure_limit`, or no limit"),
-            "Type of ship; the fender data have the hull pressure that its side bears.",
+            "Type of ship; the fender data give the hull pressure that the side of this type can \
+             bear.",
             &["\"container ship\""],
         ),
     ],
@@ -329,7 +342,7 @@ static STOP: TableSpec = TableSpec {
             "from",
             Kind::Quantity(FENDER_HEIGHT),
             Refused,
-            "Deflection at which it begins.",
+            "Deflection at which the stop begins.",
             &["\"0.9 m\""],
         ),
         key("stiffness", Kind::Quantity(STIFFNESS), Refused, "Its stiffness.", &["\"50 MN/m\""]),

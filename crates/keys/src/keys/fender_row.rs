@@ -1,4 +1,4 @@
-//! Keys of rows of fenders: those of a fender, and where the row stands.
+//! Keys of rows of fenders: the keys of a fender, and the place of the row.
 
 use serde_json::{Value as Json, json};
 
@@ -14,9 +14,9 @@ pub const MOST_IN_ROW: usize = 1000;
 
 pub(super) static FENDER_ROW: TableSpec = TableSpec {
     what: "a row of fenders",
-    doc: "Equal fenders in a row, named NAME_1, NAME_2 and so on. The row begins at `first` or follows a `wall`, \
-          with two of `spacing`, `number` and `last`; or it stands on `dolphins`. All other keys are those of a \
-          fender and hold for each of them.",
+    doc: "Equal fenders in a row, named NAME_1, NAME_2 and so on. The row begins at `first` or \
+          follows a `wall`, with two of `spacing`, `number` and `last`; or it stands on \
+          `dolphins`. All other keys are keys of a fender, and hold for each fender of the row.",
     keys: &ROW_KEYS,
     rules: Some(row_rules),
 };
@@ -46,23 +46,24 @@ static OWN: [KeySpec; 13] = [
         "first",
         Kind::Point(POSITION),
         Unless("`wall` or `dolphins` is given"),
-        "Middle of the line where the first fender is mounted: forward, starboard of its body's origin. On dolphins: of \
-              each fender, [0, 0] unless given.",
+        "Middle of the line where the first fender is mounted: forward, starboard of the body's \
+         origin. On dolphins, the same for each fender; [0, 0] unless given.",
         &["[-70, 0]"],
     ),
     key(
         "last",
         Kind::Point(POSITION),
         Unless("`spacing` and `number` are given"),
-        "The same of the last fender. Without it the row runs along the edge on which `first` lies, or at right angles \
-              to `facing`, forward, or to starboard where it runs straight across.",
+        "Middle of the line where the last fender is mounted. Without `last`, the row runs along \
+         the edge on which `first` lies, or at right angles to `facing`; it runs forward, or to \
+         starboard if it lies straight across.",
         &["[70, 0]"],
     ),
     key(
         "spacing",
         Kind::Quantity(FENDER_SIZE),
         Unless("`last` and `number` are given"),
-        "From the middle of one fender to that of the next.",
+        "Distance from the middle of a fender to the middle of the next fender.",
         &["\"20 m\""],
     ),
     key(
@@ -80,36 +81,37 @@ static OWN: [KeySpec; 13] = [
         "wall",
         Kind::Points(POSITION, 2, 2),
         Means("the row begins at `first`"),
-        "Two corners of its body between which the row stands, from the first to the second: along an edge of the outline.",
+        "Two corners of the body between which the row stands, from the first to the second, along \
+         an edge of the outline.",
         &["[[-100, 0], [100, 0]]"],
     ),
     key(
         "from_corner",
         Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
         Means("the row stands in the middle of the wall"),
-        "From the first corner of the `wall` to the middle of the first fender.",
+        "Distance from the first corner of the `wall` to the middle of the first fender.",
         &["\"5 m\""],
     ),
     key(
         "dolphins",
         Kind::Points(POSITION, 1, MOST_IN_ROW),
         Means("the row stands on one body"),
-        "Places of dolphins: north, east of each. Each is a body NAME_1, NAME_2 and so on with one fender. A pair \
-              that names NAME is a pair with each of them.",
+        "Places of dolphins: north, east of each dolphin. The dolphins are bodies NAME_1, NAME_2 \
+         and so on, with one fender each. A pair that names NAME is a pair with each dolphin.",
         &["[[-60, 20], [60, 20]]"],
     ),
     key(
         "outline",
         Kind::Outline(POSITION),
         Unless("the row has no `dolphins`"),
-        "Outline of each dolphin, about its place.",
+        "Outline of each dolphin, about the place of the dolphin.",
         &["[[-2, 0], [2, 0], [2, 4], [-2, 4]]"],
     ),
     key(
         "dolphin",
         Kind::Table(&DOLPHIN),
         Means("fixed dolphins"),
-        "Makes each of the `dolphins` a flexible one: piles that bend, with their mass.",
+        "Makes each of the `dolphins` a flexible dolphin: piles that bend, with their mass.",
         &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
     ),
     key(
@@ -122,21 +124,21 @@ static OWN: [KeySpec; 13] = [
     key(
         "facing",
         Kind::Quantity(DIRECTION),
-        Unless("the row stands along an edge of its body's outline"),
-        "Direction in which the fenders face, clockwise from their body's forward direction. Without it: at right angles \
-              out of the edge on which they stand.",
+        Unless("the row stands along an edge of the body's outline"),
+        "Direction in which the fenders face, clockwise from the body's forward direction. By \
+         default the fenders face out at right angles to the edge on which they stand.",
         &["\"-90 deg\""],
     ),
     key(
         "width",
         Kind::Quantity(FENDER_SIZE),
         Refused,
-        "Width of the face of each fender (of the panel, where there is one).",
+        "Width of the face of each fender (of the panel, if there is a panel).",
         &["\"2.4 m\""],
     ),
 ];
 
-/// The key of exceptions; it comes last.
+/// The key of exceptions, which comes last.
 static EXCEPTIONS: KeySpec = key(
     "exception",
     Kind::Named(&EXCEPTION),
@@ -216,7 +218,7 @@ const fn same(one: &str, other: &str) -> bool {
     true
 }
 
-/// The rules of a fender without that of beltings, and where the row stands.
+/// The rules of a fender without the rule of beltings, and the rules for the place of the row.
 fn row_rules() -> Json {
     let of_fender = FENDER.rules.map_or(json!({}), |rules| rules());
     let is_of_beltings = |rule: &Json| rule["if"]["required"] == json!(["belting"]);

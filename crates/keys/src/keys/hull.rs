@@ -7,15 +7,17 @@ use crate::units::measures as unit;
 
 pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
     what: "an outline at a height",
-    doc: "A body's outline at a height, as a waterline of a lines plan. Between two of them the side is straight, from each \
-          vertex of one to the same vertex of the next; outlines with different numbers of vertices are resampled at \
-          common stations from stern to bow.",
+    doc: "A body's outline at a height, such as a waterline of a lines plan. Between two outlines \
+        the side is straight, from each vertex of one outline to the same vertex of the next. \
+        Outlines with different numbers of vertices are resampled at common stations from stern to \
+        bow.",
     keys: &[
         key(
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -200.0, high: 200.0 }),
             Refused,
-            "Above the keel of a floating body, above datum on a fixed one. Rises from outline to outline.",
+            "Height of the outline above the keel of a floating body, or above datum on a fixed \
+             body. The height must rise from outline to outline.",
             &["\"4 m\""],
         ),
         key(

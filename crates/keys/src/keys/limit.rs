@@ -16,7 +16,7 @@ pub(super) static STATISTICS: TableSpec = TableSpec {
         "from",
         Kind::Quantity(TIME),
         Is("0"),
-        "Time from which they count: what the ship does before, as she comes to rest, is left out.",
+        "Time from which motions count. Leave out the time in which the ship comes to rest.",
         &["\"5 min\""],
     )],
     rules: None,
@@ -24,8 +24,9 @@ pub(super) static STATISTICS: TableSpec = TableSpec {
 
 pub(super) static LIMIT: TableSpec = TableSpec {
     what: "a limit",
-    doc: "The most that is permissible of a motion, a line or a fender. Where it is exceeded, the verdict says so. There are no limits \
-          of our own: take those of your terminal, and look whether they mean amplitudes or ranges, largest or significant ones.",
+    doc: "Largest permissible value of a motion, a line or a fender. If the limit is exceeded, the \
+        verdict says so. fenderline has no limits of its own: take the limits of your terminal, \
+        and look whether they mean amplitudes or ranges, largest or significant values.",
     keys: &[
         key("of", Kind::Choice(&SUBJECTS), Refused, "What is limited.", &["\"surge\""]),
         key(
@@ -46,21 +47,21 @@ pub(super) static LIMIT: TableSpec = TableSpec {
             "distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
             Unless("an angle or a share is limited"),
-            "The most of surge, sway or heave.",
+            "Limit of surge, sway or heave.",
             &["\"0.8 m\""],
         ),
         key(
             "angle",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 6.3 }),
             Unless("a distance or a share is limited"),
-            "The most of roll, pitch or yaw.",
+            "Limit of roll, pitch or yaw.",
             &["\"2 deg\""],
         ),
         key(
             "share",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
             Unless("a motion is limited"),
-            "The most of a line's break load or of a fender's rating.",
+            "Limit as a share of a line's break load or of a fender's rating.",
             &["0.5"],
         ),
     ],
@@ -101,12 +102,12 @@ static SUBJECTS: Choices<Subject> = Choices(&[
     Choice {
         word: "surge",
         value: Subject::Motion(MotionName::Surge),
-        doc: "motion along her mean heading, of her centre of gravity",
+        doc: "motion of the vessel's centre of gravity along the mean heading",
     },
     Choice {
         word: "sway",
         value: Subject::Motion(MotionName::Sway),
-        doc: "motion across her mean heading",
+        doc: "motion across the mean heading",
     },
     Choice { word: "heave", value: Subject::Motion(MotionName::Heave), doc: "motion up and down" },
     Choice { word: "roll", value: Subject::Motion(MotionName::Roll), doc: "roll" },
@@ -139,7 +140,7 @@ static MEASURES: Choices<Measure> = Choices(&[
     Choice {
         word: "significant range",
         value: Measure::SignificantRange,
-        doc: "mean of the highest third of these",
+        doc: "mean of the highest third of the ranges from a crest to the trough after it",
     },
     Choice {
         word: "standard deviation",

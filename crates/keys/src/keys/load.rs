@@ -8,13 +8,18 @@ use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The key that loads and providers name their body by.
-pub(super) const FLOATING_BODY: KeySpec =
-    key("body", Kind::BodyName, Refused, "The floating body that it acts on.", &["\"ship\""]);
+/// The key by which loads and providers name a body.
+pub(super) const FLOATING_BODY: KeySpec = key(
+    "body",
+    Kind::BodyName,
+    Refused,
+    "The floating body on which the load acts.",
+    &["\"ship\""],
+);
 
 pub(super) static LOAD: TableSpec = TableSpec {
     what: "a load",
-    doc: "An external load at a body's centre of gravity; it needs a force or a moment.",
+    doc: "An external load at a body's centre of gravity; give a force or a moment or both.",
     keys: &[
         FLOATING_BODY,
         key(

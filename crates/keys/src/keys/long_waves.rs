@@ -12,55 +12,62 @@ const PERIOD: Quantity = Quantity { measure: &unit::TIME, low: 25.0, high: 86_40
 
 pub(super) static LONG_WAVES: TableSpec = TableSpec {
     what: "long waves",
-    doc: "Long waves at a berth, infragravity waves or a seiche, as level and velocity of the water there: a spectrum, a regular wave, or a \
-          `file`. The level is added to the tide, so it lifts ships beside quay, fenders and bollards; the velocity is added to the current, \
-          and its acceleration pushes her mass and added mass. Both are the same all over the berth and over the depth. A spectrum and a \
-          regular wave have the velocities of linear waves in the depth of the start, so they need `environment.depth`. A vessel's hull \
-          forces and added mass stay those of the tide's depth.",
+    doc: "Long waves at a berth, infragravity waves or a seiche, as level and velocity of the \
+          water at the berth: a spectrum, a regular wave, or a `file`. The level is added to the \
+          tide, so it lifts ships beside quay, fenders and bollards. The velocity is added to the \
+          current, and its acceleration pushes a vessel with mass and added mass. Level and \
+          velocity are the same all over the berth, and the velocity is the same over the depth. A \
+          spectrum and a regular wave have the velocities of linear waves in the depth at the \
+          start, so they need `environment.depth`. Hull forces and added mass follow the depth of \
+          the tide, without the level of long waves.",
     keys: &[
         key(
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 20.0 }),
             Unless("`file` is given"),
-            "Significant height, or that of the regular wave from trough to crest; with `wall_distance` that at the wall. Waves break at \
-             0.78 of the depth and are refused there.",
+            "Significant height, or height of the regular wave from trough to crest; with \
+             `wall_distance` the height at the wall. Waves break at 0.78 of the depth; a greater \
+             height is refused.",
             &["\"0.15 m\""],
         ),
         key(
             "period",
             Kind::Quantity(PERIOD),
             Unless("`file` is given"),
-            "Peak period, or that of the regular wave. The shortest wave must be ten depths long, or its velocity is not that of long \
-             waves.",
+            "Peak period, or period of the regular wave. The shortest wave must be ten depths \
+             long, because the velocity of shorter waves varies over the depth.",
             &["\"100 s\""],
         ),
         key(
             "towards",
             Kind::Quantity(DIRECTION),
             Unless("`file` is given"),
-            "Where they run to, clockwise from north. With `wall_distance`: where the wall is.",
+            "Direction in which the waves run, clockwise from north. With `wall_distance`: the \
+             direction of the wall.",
             &["\"0 deg\""],
         ),
         key(
             "wall_distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
             Means("the waves run on"),
-            "Distance from the berth to a wall that reflects them wholly, so that they stand, as a seiche does in a basin: level without \
-             velocity at the wall, velocity without level a quarter of a wave length from it.",
+            "Distance from the berth to a wall that reflects the waves completely, so the waves \
+             stand, like a seiche in a basin: level without velocity at the wall, velocity without \
+             level a quarter of a wave length from the wall.",
             &["\"350 m\""],
         ),
         key(
             "regular",
             Kind::Flag,
             Is("false"),
-            "One regular wave instead of a spectrum; its crest is at the start.",
+            "One regular wave instead of a spectrum; its crest is at the berth at the start.",
             &["true"],
         ),
         key(
             "shortest_period",
             Kind::Quantity(PERIOD),
             Means("half of `period`, 25 s at least"),
-            "Shortest period of the spectrum. It must be longer than the longest wave of `waves`, or energy there is in both.",
+            "Shortest period of the spectrum. It must be longer than the longest period of \
+             `waves`, or energy would be counted twice.",
             &["\"50 s\""],
         ),
         key(
@@ -74,7 +81,8 @@ pub(super) static LONG_WAVES: TableSpec = TableSpec {
             "peakedness",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
             Means("3.3"),
-            "Peak enhancement of the spectrum, which has the shape of JONSWAP: our assumption, as no standard shape is known to us.",
+            "Peak enhancement of the spectrum, which has the shape of JONSWAP: our assumption, as \
+             we know of no standard shape.",
             &["1"],
         ),
         key(
@@ -88,9 +96,10 @@ pub(super) static LONG_WAVES: TableSpec = TableSpec {
             "file",
             Kind::FileName,
             Unless("`height`, `period` and `towards` are given"),
-            "Level and velocity in time: a CSV file beside this one with the columns t_s, level_m, north_mps and east_mps, in the order of \
-             time, from the start of the run to its end, without gaps. Straight lines between the rows: a twentieth of the \
-             shortest period or less between them.",
+            "Level and velocity in time: a CSV file beside the scenario with the columns t_s, \
+             level_m, north_mps and east_mps, in the order of time, from the start of the run to \
+             its end, without gaps. Linear between the rows: take steps of a twentieth of the \
+             shortest period or less.",
             &["\"long_waves.csv\""],
         ),
     ],

@@ -49,12 +49,13 @@ pub(super) static MATERIAL: TableSpec = TableSpec {
             "restitution",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Is("0"),
-            "Coefficient of restitution between outlines: speed of separation over speed of approach. Fenders have an unloading \
-             law instead (`returned_energy`, `unloading`), and do not use it with the coupled method.",
+            "Coefficient of restitution between outlines: speed of separation over speed of \
+             approach. Fenders have an unloading law instead (`returned_energy`, `unloading`), and \
+             do not use restitution with the coupled method.",
             &["0.1"],
         ),
     ],
-    // A text such as "0 %" is beyond a schema.
+    // A schema cannot evaluate a text such as "0 %".
     rules: Some(|| {
         json!({
             "if": { "required": ["friction_static"], "properties": { "friction_static": { "not": { "const": 0 } } } },
@@ -73,15 +74,15 @@ pub(super) static PAIR: TableSpec = TableSpec {
             "bodies",
             Kind::TwoBodyNames,
             Refused,
-            "Two bodies, at least one of them floating; [\"*\", \"*\"] stands for every two \
-                  that no other pair names.",
+            "Two bodies, at least one of them floating; [\"*\", \"*\"] stands for every two bodies \
+             that no other pair names.",
             &["[\"tug\", \"ship\"]", "[\"*\", \"*\"]"],
         ),
         key(
             "material",
             Kind::MaterialName,
             Refused,
-            "The material of their contact.",
+            "The material of the contact.",
             &["\"paper\""],
         ),
     ],

@@ -9,13 +9,14 @@ use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The keys of a line that say where and how it is made fast by itself. A line without `to` has none of them.
+/// The keys of the far end of a line that is fast from the start. A line without `to` has none of these keys.
 pub const AT_THE_FAR_END: [&str; 6] =
     ["bollard", "bollard_height", "bitts", "length", "pretension", "made_fast"];
 
 pub(super) static LINE: TableSpec = TableSpec {
     what: "a line",
-    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected, unless its `mass` is given.",
+    doc: "A mooring line from a body to a bollard or to another body. The weight of the line is \
+        neglected, unless `mass` is given.",
     keys: &[
         key(
             "from",
@@ -42,7 +43,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             "chock",
             Kind::Text,
             Unless("`fairlead` is given"),
-            "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
+            "Name of a chock of the vessel `from`, instead of `fairlead` and `fairlead_height`.",
             &["\"head\""],
         ),
         key(
@@ -56,7 +57,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             "bollard",
             Kind::Point(POSITION),
             Unless("`bitts` is given, or the line is on board"),
-            "Bollard, forward and starboard of that body's origin.",
+            "Bollard, forward and starboard of the origin of the body `to`.",
             &["[170, 4]"],
         ),
         key(
@@ -70,7 +71,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             "bitts",
             Kind::Text,
             Unless("`bollard` is given, or the line is on board"),
-            "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
+            "Name of bitts of the vessel `to`, instead of `bollard` and `bollard_height`.",
             &["\"fore\""],
         ),
         key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
@@ -96,7 +97,8 @@ pub(super) static LINE: TableSpec = TableSpec {
             "mass",
             Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
             Means("the rope has no weight and is straight"),
-            "Mass of the rope and its tail per metre. By its weight in air it sags as a flat parabola and each end bears half of the weight.",
+            "Mass of the rope and its tail per metre. By its weight in air the rope sags as a flat \
+             parabola, and each end bears half of the weight.",
             &["\"7.2 kg/m\""],
         ),
         key(
@@ -124,28 +126,30 @@ pub(super) static LINE: TableSpec = TableSpec {
             "pretension",
             Kind::Quantity(FORCE),
             Unless("`length` is given, or the line is on board"),
-            "Tension with which it is made fast.",
+            "Tension with which the line is made fast.",
             &["\"100 kN\""],
         ),
         key(
             "winch",
             Kind::Flag,
             Is("false"),
-            "On a winch whose brake renders at 60 % of the break load, rather than on bitts.",
+            "True for a line on a winch, whose brake renders at 60 % of the break load; false for \
+             a line on bitts.",
             &["true"],
         ),
         key(
             "constant_tension",
             Kind::Table(&CONSTANT_TENSION),
             Means("the brake holds the line"),
-            "The winch holds a tension by itself; it needs `winch = true`.",
+            "The winch holds a constant tension by itself; needs `winch = true`.",
             &[],
         ),
         key(
             "rope_length",
             Kind::Quantity(LENGTH),
             Is("220"),
-            "Length of its rope, for a line that an order sends to a bollard. 220 m is from memory, not from a source.",
+            "Length of rope of a line that an order sends to a bollard. 220 m is from memory, not \
+             from a source.",
             &["\"200 m\""],
         ),
         key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
@@ -178,9 +182,10 @@ pub(super) static LINE: TableSpec = TableSpec {
 
 static CONSTANT_TENSION: TableSpec = TableSpec {
     what: "a constant-tension winch",
-    doc: "A winch that pays out above a band about its set tension, and heaves in below it. Its brake renders at 60 % of the break load, as \
-          that of other winches. Orders to heave or to pay out come first, until the order to hold. The default values are \
-          assumptions, not from a source.",
+    doc: "A winch that pays out above a band about its set tension, and heaves in below the band. \
+          The brake renders at 60 % of the break load, as on other winches. Orders to heave or to \
+          pay out come first, until the order to hold. The default values are assumptions, not \
+          from a source.",
     keys: &[
         key(
             "tension",
@@ -193,7 +198,8 @@ static CONSTANT_TENSION: TableSpec = TableSpec {
             "band",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
             Is("0.1"),
-            "Half of the width of the band in which it stands still, as a share of the set tension.",
+            "Half of the width of the band in which the winch stands still, as a share of the set \
+             tension.",
             &["0.2"],
         ),
         key(
@@ -216,23 +222,26 @@ static CONSTANT_TENSION: TableSpec = TableSpec {
 
 static ON_DECK: TableSpec = TableSpec {
     what: "a rope on deck",
-    doc: "Rope on deck between winch or bitts and the chock. It stretches with the tension that reaches it over the chock, T e^(−μφ) by the \
-          capstan's equation for a rope that is hauled outboard. Assumed: this share also where the tension falls, so that the rope is elastic; \
-          brake and stall of a winch are compared with the tension outboard.",
+    doc: "Rope on deck between winch or bitts and the chock. This rope stretches under the tension \
+        that reaches it over the chock, T e^(−μφ) by the capstan equation for a rope that is \
+        hauled outboard. We assume the same share when the tension falls, so the rope is elastic. \
+        Brake and stall of a winch are compared with the outboard tension.",
     keys: &[
         key("length", Kind::Quantity(LENGTH), Refused, "Its unstretched length.", &["\"25 m\""]),
         key(
             "friction",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 2.0 }),
             Is("0"),
-            "Coefficient of friction μ of the rope on the chock; 0, also of a roller that turns: the whole tension reaches the rope on deck.",
+            "Coefficient of friction μ of the rope on the chock. With 0, as on a roller that \
+             turns, the whole tension reaches the rope on deck.",
             &["0.2"],
         ),
         key(
             "wrap",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 12.6 }),
             Is("\"90 deg\""),
-            "Angle φ by which the rope is bent about the chock, and about all that it touches on deck.",
+            "Angle φ by which the rope is bent about the chock, and about everything that it \
+             touches on deck.",
             &["\"60 deg\""],
         ),
     ],
@@ -242,20 +251,21 @@ static ON_DECK: TableSpec = TableSpec {
 const AXIAL_STIFFNESS: KeySpec = key(
     "axial_stiffness",
     Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e13 }),
-    Means("`rope` or `load_extension` has its stretch"),
+    Means("`rope` or `load_extension` gives the stretch"),
     "EA of the rope, the tension over the strain; with `rope = \"own\"`.",
     &["\"11.25 MN\""],
 );
 const LOAD_EXTENSION: KeySpec = key(
     "load_extension",
     Kind::FileName,
-    Means("`rope` or `axial_stiffness` has its stretch"),
-    "File with the load-extension curve of the rope; with `rope = \"own\"`. Its columns are `extension_percent` and `load_kn` or \
-     `load_percent` of the break load. The first row is 0, 0 and both columns rise. Between the rows and beyond the last the curve is straight.",
+    Means("`rope` or `axial_stiffness` gives the stretch"),
+    "File with the load-extension curve of the rope; with `rope = \"own\"`. Its columns are \
+     `extension_percent` and `load_kn` or `load_percent` of the break load. The first row is 0, 0 \
+     and both columns rise. The curve is straight between the rows and beyond the last row.",
     &["\"rope.csv\""],
 );
 
-/// Either key of a rope of one's own, and neither of another.
+/// A rope of the user has one of the two keys; another rope has neither.
 fn rope_rules() -> serde_json::Value {
     json!({
         "if": { "properties": { "rope": { "const": "own" } }, "required": ["rope"] },
@@ -285,19 +295,15 @@ static TAIL: TableSpec = TableSpec {
     rules: Some(rope_rules),
 };
 
-/// The curve of each material; `None`: the file's own.
+/// The curve of each material; `None`: the curve comes from the file.
 pub type BuiltIn = Option<fn() -> RopeCurve>;
 
 static ROPES: Choices<BuiltIn> = Choices(&[
     Choice { word: "wire", value: Some(RopeCurve::wire), doc: "steel wire with a steel core" },
     Choice { word: "hmpe", value: Some(RopeCurve::hmpe), doc: "high-modulus polyethylene" },
     Choice { word: "polyester", value: Some(RopeCurve::polyester), doc: "polyester" },
-    Choice { word: "nylon", value: Some(RopeCurve::nylon), doc: "nylon, as tails are made of" },
-    Choice {
-        word: "own",
-        value: None,
-        doc: "a rope of one's own, by `axial_stiffness` or `load_extension`",
-    },
+    Choice { word: "nylon", value: Some(RopeCurve::nylon), doc: "nylon, as in tails" },
+    Choice { word: "own", value: None, doc: "your rope, by `axial_stiffness` or `load_extension`" },
 ]);
 
 pub(super) static BOLLARD: TableSpec = TableSpec {
@@ -308,32 +314,39 @@ pub(super) static BOLLARD: TableSpec = TableSpec {
             "on",
             Kind::BodyName,
             Refused,
-            "The body that it stands on: a quay, a dolphin, another ship.",
+            "The body on which the bollard stands: a quay, a dolphin, another ship.",
             &["\"quay\""],
         ),
         key(
             "at",
             Kind::Point(POSITION),
             Refused,
-            "Its place, forward and starboard of that body's origin.",
+            "Place of the bollard, forward and starboard of the body's origin.",
             &["[60, 2]"],
         ),
         key(
             "height",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Its height above the still water; on a fixed body above datum.",
+            "Height of the bollard above the still water; on a fixed body above datum.",
             &["\"4 m\""],
         ),
-        key("lines", Kind::Quantity(COUNT), Is("4"), "How many lines it takes at once.", &["2"]),
+        key(
+            "lines",
+            Kind::Quantity(COUNT),
+            Is("4"),
+            "How many lines the bollard takes at once.",
+            &["2"],
+        ),
     ],
     rules: None,
 };
 
 pub(super) static LINE_HANDLING: TableSpec = TableSpec {
     what: "the handling of lines",
-    doc: "How lines that an order sends come to a bollard. A gang takes one line at a time; further lines wait. The default \
-          values are assumptions, not from a source.",
+    doc: "How line handlers bring lines to a bollard when an order sends them. A gang takes one \
+          line at a time; further lines wait. The default values are assumptions, not from a \
+          source.",
     keys: &[
         key("gangs", Kind::Quantity(COUNT), Is("2"), "Number of gangs of line handlers.", &["1"]),
         key(
@@ -354,14 +367,14 @@ pub(super) static LINE_HANDLING: TableSpec = TableSpec {
             "boat",
             Kind::Flag,
             Is("true"),
-            "A boat carries lines that a heaving line does not reach.",
+            "Whether a boat carries lines to bollards that a heaving line does not reach.",
             &["false"],
         ),
         key(
             "boat_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 20.0 }),
             Is("1"),
-            "Speed of the boat with a line; its time comes on top.",
+            "Speed of the boat with a line; the time of the boat is added to the other time.",
             &["\"2 kn\""],
         ),
     ],

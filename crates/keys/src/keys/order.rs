@@ -1,5 +1,5 @@
-//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so that an order that
-//! is added there is a key here.
+//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so a
+//! new order in that table is a key here.
 
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{
@@ -23,8 +23,8 @@ pub const DIRECTION: &str = "direction";
 /// An order.
 pub static ORDER: TableSpec = TableSpec {
     what: "an order",
-    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) at a time; each [[order]] \
-          has one.",
+    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) \
+        at a time; each [[order]] has one target.",
     keys: &KEYS,
     rules: Some(rules),
 };
@@ -43,28 +43,28 @@ const HEAD: &[KeySpec] = &[
     key(
         "vessel",
         Kind::BodyName,
-        Means("it is for a tug, a line or an anchor"),
+        Means("the order is for a tug, a line or an anchor"),
         "The body of the vessel.",
         &["\"ship\""],
     ),
     key(
         "tug",
         Kind::Text,
-        Means("it is for a vessel, a line or an anchor"),
+        Means("the order is for a vessel, a line or an anchor"),
         "The tug.",
         &["\"bow tug\""],
     ),
     key(
         "line",
         Kind::Text,
-        Means("it is for a vessel, a tug or an anchor"),
+        Means("the order is for a vessel, a tug or an anchor"),
         "The line.",
         &["\"head line\""],
     ),
     key(
         "anchor",
         Kind::Text,
-        Means("it is for a vessel, a tug or a line"),
+        Means("the order is for a vessel, a tug or a line"),
         "The anchor.",
         &["\"port\""],
     ),
@@ -155,7 +155,7 @@ static TABLES: [TableSpec; ORDERS] = {
 /// How the key of an order holds its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// `true`: it has no arguments.
+    /// `true`: the order has no arguments.
     Flag,
     /// The first argument, a number. The others are keys beside the order.
     Number,

@@ -12,18 +12,20 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
             "interval",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 }),
             Means(
-                "the time step; in runs of more than 10 000 steps 2, 5, 10, 20, … steps, so that there are at most 10 000 rows \
-                 of each body",
+                "the time step; in runs of more than 10 000 steps 2, 5, 10, 20, … steps, so that \
+                 each body has at most 10 000 rows",
             ),
-            "Time that one row of a table stands for: a whole number of time steps, or 0 for one step. States are those at its \
-             start, forces are means, columns with `peak_` the largest of any step, works are sums.",
+            "Time for which one row of a table stands: a whole number of time steps, or 0 for one \
+             step. In a row, states are the states at the start of this time, forces are means, \
+             columns with `peak_` hold the largest value of any step, works are sums.",
             &["\"1 s\"", "0"],
         ),
         key(
             "tables",
             Kind::Texts,
             Means(
-                "all that the scenario has something for; `contacts` only where a row is one step",
+                "all tables for which the scenario has something; `contacts` only if a row is one \
+                 step",
             ),
             "Names of the tables to write: bodies, contacts, fenders, panels, chains, vessels, thrusters, azimuths, tugs, lines, anchors, \
              energy. An empty list writes none.",

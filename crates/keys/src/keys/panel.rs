@@ -11,23 +11,23 @@ use crate::units::measures as unit;
 
 pub(super) static CONE: TableSpec = TableSpec {
     what: "a cone behind a panel",
-    doc: "One of several equal fenders behind one panel. The panel moves inwards and turns about the vertical axis, so \
-          that each cone has a deflection of its own; `type`, `stiffness` or `curve`, `stop` and `rated_deflection` are \
-          those of each cone.",
+    doc: "One of several equal fenders behind one panel. The panel moves inwards and turns about \
+        the vertical axis, so each cone has another deflection. `type`, `stiffness` or `curve`, \
+        `stop` and `rated_deflection` hold for each cone.",
     keys: &[
         key(
             "at",
             Kind::Quantity(PLACE_ON_FACE),
             Refused,
-            "Place along the panel from its middle, positive to the right of one who looks at the face.",
+            "Place along the panel from its middle, positive to the right as you look at the face.",
             &["\"-1.2 m\""],
         ),
         key(
             "height",
             Kind::Quantity(PLACE_ON_FACE),
             Means("at the middle"),
-            "Height above the middle of the panel. The mean over all cones is the height of the reaction above that \
-                  middle.",
+            "Height above the middle of the panel. The mean over all cones is the height of the \
+             reaction above the middle of the panel.",
             &["\"0.6 m\""],
         ),
     ],
@@ -36,16 +36,18 @@ pub(super) static CONE: TableSpec = TableSpec {
 
 pub(super) static CHAIN: TableSpec = TableSpec {
     what: "a chain of a fender",
-    doc: "A chain between the structure and the panel: slack up to a motion, then a linear spring, which parts at its \
-          break load. Slack, stiffness and break load are along the direction that it holds; of a chain at an angle to \
-          it take the stiffness times the squared cosine and the break load times the cosine.",
+    doc: "A chain between the structure and the panel: slack up to some motion, then a linear \
+        spring, which parts at its break load. Slack, stiffness and break load are along the \
+        direction in which the chain holds the panel. For a chain at an angle to this direction, \
+        give the stiffness times the squared cosine and the break load times the cosine.",
     keys: &[
         key("kind", Kind::Choice(&KINDS), Refused, "What it holds.", &["\"tension\""]),
         key(
             "at",
             Kind::Quantity(PLACE_ON_FACE),
             Unless("`kind` is shear or weight"),
-            "Place of a tension chain along the panel from its middle, positive to the right of one who looks at the face.",
+            "Place of a tension chain along the panel from its middle, positive to the right as \
+             you look at the face.",
             &["\"-1.2 m\""],
         ),
         key(
@@ -59,14 +61,14 @@ pub(super) static CHAIN: TableSpec = TableSpec {
             "length",
             Kind::Quantity(FENDER_SIZE),
             Unless("`slack` is given, or `kind` is weight"),
-            "Length of the chain with its shackles; the slack is what it is longer than its `span`.",
+            "Length of the chain with its shackles; the slack is this length less the `span`.",
             &["\"1.25 m\""],
         ),
         key(
             "span",
             Kind::Quantity(FENDER_SIZE),
             Unless("`slack` is given, or `kind` is weight"),
-            "Distance between its fastenings on the undeflected fender.",
+            "Distance between the fastenings of the chain on the undeflected fender.",
             &["\"1.2 m\""],
         ),
         key(
@@ -80,7 +82,7 @@ pub(super) static CHAIN: TableSpec = TableSpec {
             "break_load",
             Kind::Quantity(FORCE),
             Unless("`diameter` is given"),
-            "Tension at which it parts.",
+            "Tension at which the chain parts.",
             &["\"500 kN\""],
         ),
         key(
@@ -174,16 +176,19 @@ static KINDS: Choices<ChainKind> = Choices(&[
     Choice {
         word: "tension",
         value: ChainKind::Tension,
-        doc: "the panel's motion outwards at its place, where the panel turns; needs `cones`",
+        doc: "limits the panel's motion outwards at the place of the chain, when the panel turns; \
+            needs `cones`",
     },
     Choice {
         word: "shear",
         value: ChainKind::Shear,
-        doc: "the panel's motion along the berth, either way, beside the fender's shear stiffness",
+        doc: "limits the panel's motion along the berth, either way, in addition to the fender's \
+            shear stiffness",
     },
     Choice {
         word: "weight",
         value: ChainKind::Weight,
-        doc: "the panel's weight (`panel_mass`), and the friction of a hull that sinks along it",
+        doc: "carries the panel's weight (`panel_mass`), and the friction of a hull that sinks \
+            along the panel",
     },
 ]);

@@ -11,14 +11,15 @@ use crate::units::measures as unit;
 
 pub(super) static PASSING: TableSpec = TableSpec {
     what: "a passing ship",
-    doc: "A ship that passes on a track, whatever acts on her. The flow about her pushes the vessels, by Wang's (1975) method for \
-          slender ships. She touches nothing.",
+    doc: "A ship that passes on a track; no force acts on her. The flow about the passing ship \
+        pushes the vessels, by Wang's (1975) method for slender ships. The passing ship touches \
+        nothing.",
     keys: &[
         key(
             "vessel",
             Kind::Text,
             Unless("`length`, `beam` and `draught` are given"),
-            "A vessel of the library, of `vessel_files` or of this file.",
+            "A vessel of the library, of `vessel_files` or of this scenario.",
             &["\"kcs\""],
         ),
         key("length", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Length.", &["\"185 m\""]),
@@ -29,57 +30,60 @@ pub(super) static PASSING: TableSpec = TableSpec {
         key(
             "outline",
             Kind::Outline(POSITION),
-            Means("that of `vessel`, or a rectangle"),
-            "Her waterline about midship, for `sections = \"outline\"` and for the plan.",
+            Means("the outline of `vessel`, or a rectangle"),
+            "Waterline of the passing ship about midship, for `sections = \"outline\"` and for the \
+             plan.",
             &["[[-92, -13], [70, -13], [92, 0], [70, 13], [-92, 13]]"],
         ),
         key(
             "position",
             Kind::Vector(POSITION),
             Unless("`waypoints` are given"),
-            "A point on her straight track: north, east.",
+            "A point on the straight track: north, east.",
             &["[0, 9000]"],
         ),
         key(
             "heading",
             Kind::Quantity(DIRECTION),
             Unless("`waypoints` are given"),
-            "The direction of her straight track.",
+            "Direction of the straight track.",
             &["\"90 deg\""],
         ),
         key(
             "waypoints",
             Kind::Points(POSITION, 2, 1000),
-            Means("she goes straight through `position`"),
-            "Her track: north, east of each waypoint. Before the first and after the last she goes straight on.",
+            Means("the track is straight, through `position`"),
+            "The track: north, east of each waypoint. Before the first and after the last waypoint \
+             the track is straight.",
             &["[[-2000, 9000], [0, 9000], [2000, 9900]]"],
         ),
         key(
             "turning_radius",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e5 }),
             Means("three of her lengths"),
-            "Radius of her bends at the waypoints.",
+            "Radius of the bends at the waypoints.",
             &["\"600 m\""],
         ),
         key(
             "speed",
             Kind::Quantity(PACE),
             Unless("`speeds` are given"),
-            "Her speed over the ground.",
+            "Speed of the passing ship over the ground.",
             &["\"8 kn\""],
         ),
         key(
             "speeds",
             Kind::Curve(&PACES),
             Means("`speed` throughout"),
-            "Her speed by time: rows of time and speed; straight lines in between, held before the first and after the last.",
+            "Speed of the passing ship by time: rows of time and speed; linear between the rows, \
+             constant before the first and after the last row.",
             &["[[0, \"8 kn\"], [\"5 min\", \"5 kn\"]]"],
         ),
         key(
             "time",
             Kind::Quantity(MOMENT),
             Is("0"),
-            "When she is at `position`, or at the first of `waypoints`.",
+            "Time at which the passing ship is at `position`, or at the first of `waypoints`.",
             &["\"5 min\""],
         ),
         key(
@@ -93,7 +97,7 @@ pub(super) static PASSING: TableSpec = TableSpec {
             "berth",
             Kind::Choice(&BERTHS),
             Is("\"open\""),
-            "What is behind the vessels that she passes.",
+            "What is behind the vessels that the ship passes.",
             &["\"quay\""],
         ),
     ],
@@ -120,14 +124,16 @@ pub(super) static PASSING: TableSpec = TableSpec {
 
 pub(super) static INTERACTION: TableSpec = TableSpec {
     what: "an interaction",
-    doc: "The vessels in the flow of passing ships and of each other.",
+    doc: "How the flow about vessels and passing ships pushes vessels.",
     keys: &[
         key(
             "between_vessels",
             Kind::Flag,
             Is("false"),
-            "Whether the flow about each vessel pushes the others: when they meet, overtake, or lie beside each other. In deep water and \
-             without lift; off for vessels shorter than 3.5 beams, such as tugs, and nearer than a quarter of the mean beam.",
+            "Whether the flow about each vessel pushes the other vessels, when they meet, \
+             overtake, or lie beside each other. The flow is for deep water and without lift. It \
+             is left out for vessels shorter than 3.5 beams, such as tugs, and for vessels nearer \
+             than a quarter of the mean beam.",
             &["true"],
         ),
         key("midship_coefficient", Kind::Quantity(COEFFICIENT), Is("0.98"), MIDSHIP, &["0.95"]),
@@ -171,17 +177,18 @@ static DEPTHS: Choices<DepthFactors> = Choices(&[
     Choice {
         word: "none",
         value: DepthFactors::DeepWater,
-        doc: "not at all; in shallow water model tests found several times these forces",
+        doc: "no correction; in shallow water model tests found forces several times as large",
     },
     Choice {
         word: "kriebel",
         value: DepthFactors::Kriebel,
-        doc: "by factors from Kriebel's (2005) model tests of parallel passing, which are recalled: the paper was not read",
+        doc: "by factors from Kriebel's (2005) model tests of parallel passing, which are \
+            recalled: we did not read the paper",
     },
 ]);
 
 static BERTHS: Choices<Berth> = Choices(&[
-    Choice { word: "open", value: Berth::Open, doc: "a jetty that the water flows through" },
+    Choice { word: "open", value: Berth::Open, doc: "a jetty through which the water flows" },
     Choice {
         word: "quay",
         value: Berth::Quay,

@@ -8,9 +8,9 @@ use crate::units::measures as unit;
 
 pub(super) static PROVIDER: TableSpec = TableSpec {
     what: "a provider",
-    doc: "An external program that applies a force to a body. It is started with the run. Each step it gets one \
-          line of JSON on its standard input and answers with one line on its standard output \
-          (examples/provider has one in Python).",
+    doc: "An external program that applies a force to a body. The program is started with the run. \
+        In each step it gets one line of JSON on its standard input and answers with one line on \
+        its standard output (examples/provider has an example in Python).",
     keys: &[
         FLOATING_BODY,
         key(

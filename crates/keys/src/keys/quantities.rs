@@ -19,7 +19,7 @@ pub(super) const PLACE_ON_FACE: Quantity =
 /// A dimension of a fender in the direction of its compression: no fender is as high as 30 m.
 pub(super) const FENDER_HEIGHT: Quantity =
     Quantity { measure: &unit::LENGTH, low: 1e-3, high: 30.0 };
-/// A compass direction, or one relative to a body: at most a turn, so that degrees without their unit are found.
+/// A compass direction, or a direction relative to a body: at most a turn, so degrees without their unit are found.
 pub(super) const DIRECTION: Quantity =
     Quantity { measure: &unit::ANGLE, low: -TURN_RAD, high: TURN_RAD };
 /// A turn (rad), rounded up.

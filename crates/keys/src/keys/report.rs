@@ -13,17 +13,18 @@ const fn line(name: &'static str, doc: &'static str, examples: &'static [&'stati
 /// In the order of the title page.
 pub(super) static REPORT: TableSpec = TableSpec {
     what: "the title page of a report",
-    doc: "Texts for title page and page footers of the report and for the workbook. They change no result. Each is also an \
-          option of `fenderline run` and `fenderline report`, such as `--client`.",
+    doc: "Texts for title page and page footers of the report and for the workbook. The texts \
+        change no result. Each text is also an option of `fenderline run` and `fenderline report`, \
+        such as `--client`.",
     keys: &[
         line("project", "Project.", &["\"Container terminal, berth 4\""]),
         line("client", "Client.", &["\"Port of Example\""]),
         line("number", "Number of the document.", &["\"1042-REP-007\""]),
         line("revision", "Revision of the document.", &["\"B\""]),
         line("status", "Status of the document.", &["\"for review\""]),
-        line("date", "Date of the document, as it is to be printed.", &["\"2026-11-23\""]),
+        line("date", "Date of the document, as the report shall print it.", &["\"2026-11-23\""]),
         line("author", "Author of the document.", &["\"A. Engineer\""]),
-        line("checked_by", "Who checked the document.", &["\"B. Reviewer\""]),
+        line("checked_by", "Person who checked the document.", &["\"B. Reviewer\""]),
     ],
     rules: None,
 };

@@ -14,16 +14,18 @@ use crate::units::measures as unit;
 
 pub(super) static VESSEL: TableSpec = TableSpec {
     what: "a vessel",
-    doc: "A kind of vessel: from main particulars, with everything else estimated and reported as an estimate, or a \
-          vessel of the library with other machinery, wind areas or stability. Bodies name it by their key \
-          `vessel`; several may be of one kind.",
+    doc: "A kind of vessel. Either main particulars are given, and everything else is estimated \
+        and reported as an estimate; or a vessel of the library gets other machinery, wind areas \
+        or stability. Bodies name the kind by their key `vessel`; several bodies may be of one \
+        kind.",
     keys: &[
         key(
             "from",
             Kind::Text,
-            Means("it has its own particulars"),
-            "A vessel of the library or of `vessel_files`. Its hull, propeller and rudder stay; thrusters, azimuth \
-             units, wind areas and stability given here replace its own.",
+            Means("the vessel has particulars of its own"),
+            "A vessel of the library or of `vessel_files`. The hull, propeller and rudder of that \
+             vessel stay the same; thrusters, azimuth units, wind areas and stability given in \
+             this table replace those of that vessel.",
             &["\"kvlcc2\""],
         ),
         key(
@@ -45,7 +47,7 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
-            Means("amidships, or that of `from`"),
+            Means("amidships, or the centre of gravity of `from`"),
             "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
             &["\"-3.4 m\""],
         ),
@@ -69,13 +71,14 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             "azimuth",
             Kind::Named(&AZIMUTH),
             Is("{}"),
-            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            "Azimuth units, by name. A vessel without a propeller moves and steers by azimuth \
+             units.",
             &[],
         ),
         key(
             "windage",
             Kind::Table(&WINDAGE),
-            Means("that of `from`, or no wind forces"),
+            Means("the wind areas of `from`, or no wind forces"),
             "Wind areas.",
             &[],
         ),
@@ -83,14 +86,14 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             "wind_coefficients",
             Kind::Table(&WIND_COEFFICIENTS),
             Means("those of `windage`"),
-            "Wind coefficients of one's own.",
+            "Your wind coefficients.",
             &[],
         ),
         key(
             "current_coefficients",
             Kind::Table(&CURRENT_COEFFICIENTS),
-            Means("the hull's force is that of the manoeuvring model"),
-            "Current coefficients of one's own.",
+            Means("the manoeuvring model gives the hull force"),
+            "Your current coefficients.",
             &[],
         ),
         key(
@@ -103,7 +106,10 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "hydrodynamics",
             Kind::FileName,
-            Means("heave, roll and pitch are oscillators beside the motion in the plane"),
+            Means(
+                "heave, roll and pitch are oscillators that do not act on the motion in the \
+                plane",
+            ),
             HYDRODYNAMICS_DOC,
             &["\"ship.hydro\""],
         ),
@@ -111,13 +117,14 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             "roll_damping",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Means("0.05 with `hydrodynamics` (our assumption for a hull with bilge keels)"),
-            "Viscous damping of roll as a share of the critical one, beside that of `hydrodynamics`.",
+            "Viscous damping of roll as a share of the critical damping, in addition to the \
+             damping of `hydrodynamics`.",
             &["0.04"],
         ),
         key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("that of `from`, or no heave, roll or pitch"),
+            Means("the data of `from`, or no heave, roll or pitch"),
             "Data for heave, roll and pitch.",
             &[],
         ),
@@ -168,7 +175,7 @@ static PROPELLER: TableSpec = TableSpec {
         key(
             "reversal",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
-            Means("that of `from`, or 40 s"),
+            Means("the time of `from`, or 40 s"),
             "Time from full ahead to full astern.",
             &["\"60 s\""],
         ),
@@ -191,15 +198,15 @@ static RUDDER: TableSpec = TableSpec {
         key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
-            Means("that of `from`, or 2.32 deg/s"),
+            Means("the rate of `from`, or 2.32 deg/s"),
             "Rate of the steering gear.",
             &["\"2.5 deg/s\""],
         ),
         key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
-            Means("that of `from`, or 35 deg"),
-            "Largest angle to either side.",
+            Means("the angle of `from`, or 35 deg"),
+            "Largest rudder angle to either side.",
             &["\"35 deg\""],
         ),
     ],
@@ -215,7 +222,7 @@ pub static THRUSTER: TableSpec = TableSpec {
             "along",
             Kind::Quantity(PLACE),
             Refused,
-            "Its place forward of midship.",
+            "Place of the thruster forward of midship.",
             &["\"60 m\""],
         ),
         key(

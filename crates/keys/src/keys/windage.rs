@@ -20,7 +20,7 @@ pub static WINDAGE: TableSpec = TableSpec {
             "method",
             Kind::Choice(&METHODS),
             Is("\"blendermann\""),
-            "Method for the wind coefficients. Each method needs particulars of its own.",
+            "Method for the wind coefficients. Each method needs other particulars.",
             &["\"blendermann\""],
         ),
         key(
@@ -55,20 +55,20 @@ pub static WINDAGE: TableSpec = TableSpec {
             "centroid_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
             Refused,
-            "Height of that centroid above the water.",
+            "Height of the centroid of the lateral area above the water.",
             &["\"16 m\""],
         ),
         key(
             "type",
             Kind::Text,
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Blendermann: type of ship in his table.",
             &["\"container ship, loaded\""],
         ),
         key(
             "perimeter",
             Kind::Quantity(LENGTH),
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Isherwood: length of the side view's outline, from the waterline at the bow over everything to the \
              waterline at the stern, without masts and ventilators.",
             &["\"700 m\""],
@@ -76,21 +76,21 @@ pub static WINDAGE: TableSpec = TableSpec {
         key(
             "superstructure_area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 0.0, high: 1e6 }),
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Isherwood: area of the superstructure seen from the side; a part of `lateral_area`.",
             &["\"1500 m^2\""],
         ),
         key(
             "mast_groups",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 50.0 }),
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Isherwood: groups of masts or king posts seen from the side.",
             &["1"],
         ),
         key(
             "deck_area",
             Kind::Quantity(AREA),
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Fujiwara: area of superstructures, tanks and containers on deck seen from the side; a part of \
              `lateral_area`.",
             &["\"1500 m^2\""],
@@ -98,14 +98,14 @@ pub static WINDAGE: TableSpec = TableSpec {
         key(
             "deck_centroid_forward",
             Kind::Quantity(PLACE),
-            Means("`method` is another one"),
-            "Fujiwara: centroid of that area forward of midship.",
+            Means("`method` does not need this key"),
+            "Fujiwara: centroid of this deck area forward of midship.",
             &["\"0 m\""],
         ),
         key(
             "top_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 300.0 }),
-            Means("`method` is another one"),
+            Means("`method` does not need this key"),
             "Fujiwara: top of the superstructure above the water.",
             &["\"45 m\""],
         ),
@@ -143,7 +143,7 @@ pub enum WindageMethod {
     Fujiwara,
 }
 
-/// The method where the file names none.
+/// The method if the file names none.
 const DEFAULT_METHOD: WindageMethod = WindageMethod::Blendermann;
 
 impl WindageMethod {
@@ -173,7 +173,8 @@ pub static METHODS: Choices<WindageMethod> = Choices(&[
     Choice {
         word: "fujiwara",
         value: WindageMethod::Fujiwara,
-        doc: "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
-             public code, not in the paper; no printed number was found to compare with",
+        doc: "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; \
+             coefficients read in a public code, not in the paper; we found no printed number for \
+             comparison",
     },
 ]);

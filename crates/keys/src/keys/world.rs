@@ -7,9 +7,9 @@ use crate::units::measures as unit;
 
 pub(super) static TUG: TableSpec = TableSpec {
     what: "a tug",
-    doc: "A tug as a force at a point of a vessel. Her largest force falls with speed (derived, \
-          unvalidated). For a tug that pushes through her own bow fender, use a vessel with azimuth units and the \
-          orders `push_ship`, `pull_ship` and `follow_ship`.",
+    doc: "A tug as a force at a point of a vessel. The largest force of the tug falls with speed \
+          (derived, unvalidated). For a tug that pushes through her bow fender, use a vessel with \
+          azimuth units and the orders `push_ship`, `pull_ship` and `follow_ship`.",
     keys: &[
         key(
             "vessel",
@@ -23,22 +23,23 @@ pub(super) static TUG: TableSpec = TableSpec {
             "push_at",
             Kind::Point(PLACE),
             Refused,
-            "Where she pushes, from midship: forward, starboard.",
+            "Point at which the tug pushes, from midship: forward, starboard.",
             &["[90, -23]"],
         ),
         key(
             "pull_at",
             Kind::Point(PLACE),
             Means("where she pushes"),
-            "The fairlead of her line, from midship.",
+            "Fairlead of the tug's line, from midship: forward, starboard.",
             &["[140, 0]"],
         ),
         key(
             "above_water",
             Kind::Quantity(PLACE),
             Is("2"),
-            "Height above the still water at which she pushes, and of the fairlead of her line: it heels and trims a vessel with \
-             `hydrodynamics`, and belongs to her. 2 m is assumed.",
+            "Height above the still water at which the tug pushes, and height of the fairlead of \
+             the tug's line. At this height the force heels and trims a vessel with \
+             `hydrodynamics`, and the point moves with the vessel. 2 m is assumed.",
             &["\"4 m\""],
         ),
         key("length", Kind::Quantity(LENGTH), Is("32"), "Her length.", &["\"32 m\""]),
@@ -55,7 +56,7 @@ pub(super) static TUG: TableSpec = TableSpec {
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 3600.0 }),
             Is("10"),
-            "Time constant of her force and of its direction.",
+            "Time constant of the tug's force and of its direction.",
             &["\"12 s\""],
         ),
     ],

@@ -9,8 +9,8 @@ use crate::keys::fender_row::MOST_IN_ROW;
 use crate::row_names::number_in_row;
 use crate::sources::Span;
 
-/// The paths that the path of an override stands for: itself, or those that a pattern fits, or those of rows. Empty where
-/// a pattern fits nothing.
+/// The paths for which the path of an override stands: the path itself, the paths that a pattern fits, or the paths of
+/// rows. Empty if a pattern fits nothing.
 pub(super) fn paths(document: &mut DeTable<'_>, path: &[String], span: &Span) -> Vec<Vec<String>> {
     match path {
         [table, name, deeper @ ..] if table == "fender" && !has(document, "fender", name) => {
@@ -70,7 +70,7 @@ fn expanded(document: &DeTable<'_>, path: &[String]) -> Vec<Vec<String>> {
     vec![path.to_vec()]
 }
 
-/// Whether a name is that of a fender of a row, or a pattern that may fit some.
+/// Whether a name is the name of a fender of a row, or a pattern that may fit such names.
 fn stands_in(row: &str, name: &str) -> bool {
     match is_pattern(name) {
         false => number_in_row(row, name).is_some(),

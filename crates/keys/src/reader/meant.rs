@@ -1,4 +1,4 @@
-//! What a plain number that is out of bounds may have meant: the unit in which the trade gives such a quantity.
+//! Suggests a unit for a plain number that is out of bounds: the unit in which the trade gives this quantity.
 
 use core::f64::consts::PI;
 
@@ -18,20 +18,24 @@ static OF_THE_TRADE: [(&Measure, &str, f64); 8] = [
     (&unit::PLAIN_NUMBER, "%", 1e-2),
 ];
 
-/// What to write instead of a plain number that is out of bounds, where another unit would bring it within them.
+/// What to write instead of a plain number that is out of bounds, if another unit would bring the number within the
+/// bounds.
 pub(super) fn meant(quantity: &Quantity, value: f64) -> Option<String> {
     let measure = quantity.measure;
     let is_within = |si: f64| si >= quantity.low && si <= quantity.high;
     if core::ptr::eq(measure, &unit::CELSIUS) {
         let in_celsius = units::of_kelvin(value);
         return is_within(in_celsius)
-            .then(|| format!("if that is kelvin, write {in_celsius}: degrees Celsius"));
+            .then(|| format!("if the number is in kelvin, write {in_celsius}: degrees Celsius"));
     }
     let (_, symbol, size) =
         OF_THE_TRADE.iter().find(|(other, _, _)| core::ptr::eq(*other, measure))?;
     let number = printable_number(value);
     is_within(value * size).then(|| match measure.unit {
         "" => format!("for a percentage write \"{number} {symbol}\""),
-        si => format!("a plain number is in {si}: write \"{number} {symbol}\" if that was meant"),
+        si => format!(
+            "a plain number is in {si}: write \"{number} {symbol}\" if you meant \
+            {symbol}"
+        ),
     })
 }

@@ -31,7 +31,7 @@ pub(super) fn text(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<S
     }
 }
 
-/// A number with its unit, or a name. A text that begins like a number is one.
+/// A number with its unit, or a name. A text that begins like a number is read as a number.
 pub(super) fn name_or(
     sources: &Sources<'_>,
     quantity: &Quantity,

@@ -1,6 +1,6 @@
 //! Decimal numbers and exact unit factors.
 
-use super::UnitError;
+use super::error::UnitError;
 
 /// A decimal number as written: `mantissa · 10^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub(super) struct Scale {
 impl Scale {
     pub(super) const ONE: Scale = Scale { numerator: 1, denominator: 1, ten: 0, pi: 0 };
 
-    /// `self · other^power`; `None` where the fraction outgrows 128 bits.
+    /// `self · other^power`; `None` if the fraction outgrows 128 bits.
     pub(super) fn times(self, other: Scale, power: i32) -> Option<Scale> {
         let mut product = self;
         for _ in 0..power.unsigned_abs() {
@@ -75,7 +75,7 @@ impl Decimal {
         Ok((Decimal { negative, digits, exponent }, rest))
     }
 
-    /// The number times a unit's factor; infinite where that overflows.
+    /// The number times a unit's factor; infinite if the product overflows.
     pub(super) fn times(&self, scale: &Scale) -> f64 {
         let ten = self.exponent + scale.ten;
         let rational = self.exact_times(scale, ten).unwrap_or_else(|| {
@@ -94,8 +94,8 @@ impl Decimal {
         value
     }
 
-    /// The correctly rounded product, by one division of two integers that `f64` holds exactly; `None` where they are too
-    /// long for that.
+    /// The correctly rounded product, by one division of two integers that `f64` holds exactly; `None` if
+    /// the integers are too long.
     fn exact_times(&self, scale: &Scale, ten: i32) -> Option<f64> {
         const EXACT: u128 = 1 << 53;
         let power_of_ten = 10_u128.checked_pow(ten.unsigned_abs())?;

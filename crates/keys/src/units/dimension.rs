@@ -19,7 +19,7 @@ impl Dimension {
         Dimension { metre, kilogram, second, radian }
     }
 
-    /// What a mass becomes where its weight is meant: the dimension with a force in its place.
+    /// The dimension with a force in place of the mass, for a mass by which its weight is meant.
     pub fn of_weight(self) -> Option<Dimension> {
         self.times(Dimension::new(1, 0, -2, 0), 1)
     }

@@ -3,11 +3,13 @@
 
 mod decimal;
 mod dimension;
+mod error;
 mod expression;
 mod table;
 mod temperature;
 
 pub use dimension::{Dimension, measures, measures::Measure};
+pub use error::UnitError;
 
 pub use temperature::{celsius, of_kelvin};
 
@@ -18,29 +20,10 @@ use decimal::Decimal;
 pub struct Quantity {
     /// The number in SI units; finite.
     pub si: f64,
-    /// Its dimension.
+    /// Dimension of the quantity.
     pub dimension: Dimension,
     /// Whether the text gave a unit, `1` included.
     pub has_unit: bool,
-}
-
-/// Why a text is not a quantity.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnitError {
-    /// What is wrong.
-    pub message: String,
-    /// What to write instead.
-    pub help: Option<String>,
-}
-
-impl UnitError {
-    fn new(message: impl Into<String>) -> UnitError {
-        UnitError { message: message.into(), help: None }
-    }
-
-    fn with_help(message: impl Into<String>, help: impl Into<String>) -> UnitError {
-        UnitError { message: message.into(), help: Some(help.into()) }
-    }
 }
 
 /// Longest text of a quantity, in bytes. Bounds the work and the depth of parentheses.

@@ -1,11 +1,11 @@
 //! Temperatures: degrees Celsius and Fahrenheit, which start from different zeros.
 
-use super::UnitError;
 use super::decimal::{Decimal, Scale};
+use super::error::UnitError;
 
 const CELSIUS: [&str; 2] = ["degC", "°C"];
 const FAHRENHEIT: [&str; 2] = ["degF", "°F"];
-/// What people also write, and what they then mean.
+/// Other spellings of units, and the units that they mean.
 const NEAR: [(&str, &str); 12] = [
     ("C", "degC"),
     ("c", "degC"),
@@ -37,7 +37,7 @@ pub fn celsius(text: &str) -> Result<f64, UnitError> {
     }
     if KELVIN.contains(&unit) {
         let help = format!("write degrees Celsius: \"{} degC\"", of_kelvin(number));
-        return Err(UnitError::with_help("a temperature in kelvin is not taken", help));
+        return Err(UnitError::with_help("a temperature in kelvin is not accepted", help));
     }
     let message = format!("`{}` is not a unit of temperature", unit.escape_debug());
     let near = NEAR.iter().find(|(name, _)| *name == unit || name.eq_ignore_ascii_case(unit));

@@ -106,8 +106,8 @@ fn temperatures_are_degrees_celsius() {
         assert!(error.message.contains(message), "{text}: {error:?}");
         assert!(error.help.unwrap_or_default().contains(help), "{text}: lacks {help}");
     };
-    refused("300 K", "kelvin is not taken", "26.85 degC");
-    refused("300 kelvin", "kelvin is not taken", "26.85 degC");
+    refused("300 K", "kelvin is not accepted", "26.85 degC");
+    refused("300 kelvin", "kelvin is not accepted", "26.85 degC");
     refused("40 C", "`C`", "`degC`");
     refused("40 deg", "`deg`", "`degC`");
     refused("104 F", "`F`", "`degF`");

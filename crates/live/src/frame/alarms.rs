@@ -1,4 +1,4 @@
-//! The causes of alarms that are active in a tick. The alarm book decides how long an alarm is displayed.
+//! The causes of alarms that are active in a tick. The alarm book decides how long each alarm is displayed.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::anchor::{AnchorPosition, LostBy};
@@ -12,16 +12,17 @@ use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
 use super::passage::Passages;
 
-/// A fender gives a caution from this share of its rating on, an alarm from its rating on.
+/// A load of this share of a fender's rating raises a caution. A load of the whole rating raises an alarm.
 const FENDER_CAUTION: f64 = 0.8;
-/// A line gives a caution from this share of its working load on, an alarm from its working load on.
+/// A tension of this share of a line's working load raises a caution. A tension of the whole working load raises an
+/// alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// Approach speeds give alarms within this distance of the berth (m).
+/// Approach speeds raise alarms within this distance of the berth (m).
 const NEAR_M: f64 = 100.0;
-/// An under-keel clearance below this share of the draught is a caution; our choice.
+/// An under-keel clearance below this share of the draught raises a caution. The value is our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;
 
-/// The data from which alarms are found.
+/// The data from which the causes of alarms are found.
 pub(super) struct Input<'a> {
     pub(super) simulation: &'a Simulation,
     pub(super) approach: ApproachLimit,
@@ -56,7 +57,7 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     all
 }
 
-/// An alarm whose key is made of its kind and its subjects.
+/// An alarm whose key joins the kind and the subjects of the alarm.
 fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
     let key = format!("{kind} {}", about.join(" "));
     Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }
@@ -92,7 +93,7 @@ fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
                 Fault::EngineLost => "engine lost",
                 Fault::ThrustersLost => "thrusters lost",
                 Fault::Blackout => "blackout",
-                // Nobody on board is told of an instrument that stays as it is.
+                // Nobody on board is told that an instrument is frozen.
                 Fault::HeadingFrozen | Fault::SpeedFrozen | Fault::PositionFrozen => continue,
             };
             all.push(alarm(what, &[name], format!("{name}: {what}")));
@@ -113,7 +114,7 @@ fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
         let ends = [("bow", near.bow_m, near.bow_mps), ("stern", near.stern_m, near.stern_mps)];
         for (end, off_m, closing_mps) in ends {
             let light = of.approach.light(closing_mps, off_m);
-            // A ship at the fenders moves against them; their load has its own alarm.
+            // A ship at the fenders still moves against them. The load of the fenders has its own alarm.
             if off_m > 0.0 && light != Light::Ok {
                 let limit_mps = of.approach.at_mps(off_m);
                 let text = format!(
@@ -138,7 +139,7 @@ fn fenders(of: &Input<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-/// Contacts of a hull with a structure or another hull without a fender in between.
+/// Alarms for hulls that touch a structure or another hull without a fender in between.
 fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for contact in of.contacts.iter().filter(|contact| contact.fender.is_none()) {
         let [one, two] = contact.bodies.map(|body| &*of.info.bodies[body].name);
@@ -150,7 +151,8 @@ fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-/// An anchor that has dragged farther is an alarm (m): a few metres while a ship brings up are usual. Our choice.
+/// An anchor that has dragged farther than this raises an alarm (m). While a ship brings up, a few metres are usual.
+/// The value is our choice.
 const DRAGGED_M: f64 = 5.0;
 
 fn anchors(of: &Input<'_>, all: &mut Vec<Alarm>) {

@@ -4,10 +4,10 @@ use fenderline_sim::anchor::{AnchorPosition, LostBy, SHACKLE_M, WindlassOrder};
 use fenderline_sim::{AnchorAtWork, Simulation};
 
 use crate::action::AnchorFault;
-use crate::info::pair;
 use crate::message::AnchorNow;
+use crate::pair::pair;
 
-/// All anchors.
+/// The present state of all anchors.
 pub(super) fn now(simulation: &Simulation) -> Vec<AnchorNow> {
     let world = &simulation.setup().world;
     let all = world.anchors.iter().zip(simulation.anchors());
@@ -47,7 +47,8 @@ fn anchor_now(now: &AnchorAtWork, heading_rad: f64) -> AnchorNow {
     }
 }
 
-/// What the forecastle reports: chain out, lead by the clock from the bow, and stay.
+/// The report from the forecastle: length of chain out, direction of the chain as an hour of the clock from the bow,
+/// and how tight the chain is.
 fn report(now: &AnchorAtWork, heading_rad: f64) -> String {
     let AnchorAtWork { state, load, .. } = now;
     match state.position {
@@ -80,7 +81,7 @@ fn report(now: &AnchorAtWork, heading_rad: f64) -> String {
     parts.join(", ")
 }
 
-/// The hour of a direction from the bow: 12 ahead, 3 on the starboard beam.
+/// The direction as an hour of the clock: 12 is ahead, 3 is on the starboard beam.
 fn clock(lead_rad: f64) -> u32 {
     let hours = libm::round(lead_rad * 6.0 / core::f64::consts::PI).rem_euclid(12.0);
     match hours as u32 {

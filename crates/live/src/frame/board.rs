@@ -1,20 +1,30 @@
-//! The docking board's signals for each end of a ship, from contacts and the position of the berth. Distance alone is not
-//! enough: a hull behind the line of the fenders may lie at a fender, between fenders, or on the quay.
+//! The docking board's signals for each end of a ship, from the contacts and the position of the berth. Distance alone
+//! is not enough. A hull behind the line of the fenders may lie at a fender, between fenders, or on the quay.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Rotation, Vec2, vec2};
-use fenderline_sim::FenderSetup;
 use fenderline_sim::berth::{Berth, Lie};
+use fenderline_sim::{FenderSetup, Simulation};
 
-use crate::approach::Light;
+use crate::alarm_book::AlarmBook;
+use crate::approach::{ApproachLimit, Light};
 use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
-use super::BoardInput;
+/// The data of the docking board.
+pub(super) struct BoardInput<'a> {
+    pub(super) simulation: &'a Simulation,
+    pub(super) contacts: &'a [ContactNow],
+    pub(super) fenders: &'a [FenderNow],
+    pub(super) book: &'a AlarmBook,
+    pub(super) approach: ApproachLimit,
+}
 
-/// An end is at the fenders if it is nearer than this and a fender carries load (m): the resolution of a docking laser.
+/// An end of a ship is at the fenders if it is nearer than this distance and a fender carries load (m). The distance is
+/// the resolution of a docking laser.
 const AT_FENDERS_M: f64 = 0.02;
 
-/// The signal for an end: the worse of the signals for speed and for position; for position where they are equal.
+/// The signal for an end of a ship: the worse of the signals for speed and for position. If both are equal, it is the
+/// signal for position.
 pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
     let by_speed = Lamp {
         light: speed,
@@ -67,7 +77,7 @@ pub(super) fn ends(
         |fender: &FenderSetup| states[berth.body].position_m + quay.apply(fender.position_m);
     let failed: Vec<Vec2> =
         at_berth_fenders().filter(|(_, now)| now.failed).map(|(fender, _)| place(fender)).collect();
-    // Beyond their rating before, and nobody has acknowledged it.
+    // Fenders that were loaded beyond their rating, where nobody has acknowledged the alarm.
     let were_over: Vec<Vec2> = at_berth_fenders()
         .filter(|(fender, _)| of.book.has_open_fender(&fender.name))
         .map(|(fender, _)| place(fender))
@@ -89,13 +99,13 @@ pub(super) fn ends(
         if were_over.iter().any(|&at_m| is_at(&ends, end, at_m)) {
             worst = worst.max(BerthEnd::WasOverRated);
         }
-        // A failed fender is an alarm, touched or not.
+        // A failed fender raises an alarm, whether the ship touches it or not.
         if failed.iter().any(|&at_m| is_at(&ends, end, at_m)) {
             worst = worst.max(BerthEnd::OverRated);
         }
         for contact in ours.iter().filter(|contact| is_at(&ends, end, of_pair(contact.at_m))) {
             let here = match contact.fender {
-                // On the quay or on a rock. A tug at her side does not count.
+                // The ship touches the quay or a rock. Contact with a tug at her side does not count.
                 None if contact.bodies.iter().any(|&other| is_structure(other)) => {
                     BerthEnd::Structure
                 }
@@ -112,8 +122,9 @@ fn is_over_rated(fender: &FenderNow) -> bool {
     fender.failed || greater(fender.of_energy, fender.of_reaction) >= 1.0
 }
 
-/// True if a point belongs to an end: all points but those in the other end's third of the side. A point in the middle, such as
-/// that of a patch along the whole side, belongs to both ends.
+/// True if a point belongs to an end of the ship. The side of the ship has three thirds. A point belongs to both ends
+/// if it lies in the middle third, as the middle of a patch along the whole side does. Otherwise the point belongs to
+/// the nearer end.
 fn is_at(ends: &Lie, end: usize, at_m: Vec2) -> bool {
     let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
     let side = this - other;

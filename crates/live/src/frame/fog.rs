@@ -1,4 +1,4 @@
-//! What fog hides: the frame of a person on board, who does not see beyond the visibility.
+//! What fog hides: the frame for a person on board, who sees no farther than the visibility.
 
 use fenderline_contact::{BodyState, Pose, Vec2};
 use fenderline_sim::distance::to_edge_m;
@@ -9,10 +9,11 @@ use crate::message::{Frame, Role};
 use crate::session::Session;
 
 impl Session {
-    /// The frame as a person of this role sees it; `None` where fog hides nothing from her. Floating bodies that lie beyond
-    /// the visibility are not in it, nor are their contacts and distances. The instructor sees everything, and everybody the
-    /// chart, structures and the data of instruments and radio: own motion, the berth, orders to tugs, lines. Her pilot or master sees what
-    /// frozen instruments of a ship show, and nobody but the instructor is told that they are frozen.
+    /// The frame as a person with this role sees it. `None` if the fog hides nothing from this person and no instrument
+    /// is frozen. The frame leaves out floating bodies beyond the visibility, with their contacts and distances. The
+    /// instructor sees everything. Everybody sees the chart, the structures and the data of instruments and radio: the
+    /// motion of the own ship, the berth, orders to tugs, lines. The pilot or master of a ship with frozen instruments
+    /// sees what the instruments show. Only the instructor is told that instruments are frozen.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         if *role == Role::Instructor {
@@ -32,7 +33,7 @@ impl Session {
         seen
     }
 
-    /// What a person sees through fog; `None` where it hides nothing from her.
+    /// The frame as a person sees it through fog. `None` if the fog hides nothing from this person.
     fn through_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         let view = self.view(role)?;
         let (hidden, traffic) = (self.hidden_bodies(&view), self.hidden_traffic(&view));
@@ -57,8 +58,8 @@ impl Session {
         Some(seen)
     }
 
-    /// Indices of the vessels whose paths a person of this role does not get: those that fog hides, and her own with frozen
-    /// instruments.
+    /// Indices of the vessels whose paths a person with this role does not get: vessels that fog hides, and this
+    /// person's own vessel if her instruments are frozen.
     #[must_use]
     pub fn hidden_vessels(&self, role: &Role) -> Vec<usize> {
         let frozen = self.frozen_vessel(role);
@@ -70,7 +71,7 @@ impl Session {
         vessels.filter(is_hidden).map(|(index, _)| index).collect()
     }
 
-    /// What a person of this role sees of the world; `None` if it is clear, or for the instructor.
+    /// The view of a person with this role. `None` if the air is clear, and for the instructor.
     fn view(&self, role: &Role) -> Option<View> {
         let visibility_m = self.simulation().setup().world.environment.visibility_m?;
         let viewer = self.eye(role)?;
@@ -89,14 +90,14 @@ impl Session {
         bodies.enumerate().map(is_hidden).collect()
     }
 
-    /// The same for each passing ship.
+    /// For each passing ship, whether fog hides her.
     fn hidden_traffic(&self, view: &View) -> Vec<bool> {
         let t_s = self.simulation().time_s();
         let passing = self.simulation().setup().world.flow.passing.iter();
         passing.map(|ship| view.hides(&ship.outline_m, ship.track.at(t_s).pose)).collect()
     }
 
-    /// The body from which a person of this role looks; `None` for the instructor.
+    /// The body from which a person with this role looks. `None` for the instructor.
     fn eye(&self, role: &Role) -> Option<usize> {
         let (cast, world) = (self.cast(), &self.simulation().setup().world);
         let own = || cast.own.map(|own| world.vessels[own].body);
@@ -112,7 +113,7 @@ impl Session {
                 if let Some(body) = body_of(tug) {
                     return Some(body);
                 }
-                // A tug that is a force works at the side of her ship.
+                // A vector tug is a force and not a body: its master looks from the ship that it serves.
                 let tug = world.tugs.iter().find(|of| of.tug.name == *tug)?;
                 Some(world.vessels[tug.vessel].body)
             }
@@ -120,21 +121,21 @@ impl Session {
     }
 }
 
-/// True if the word is that of a fault of an instrument.
+/// True if the word names a fault of an instrument.
 fn is_of_instrument(fault: &str) -> bool {
     Fault::of_word(fault).is_some_and(Fault::is_of_instrument)
 }
 
-/// From where, and how far, somebody sees.
+/// Position from which a person looks, and how far the person sees.
 struct View {
-    /// The body on which she stands.
+    /// The body on which the person stands.
     viewer: usize,
     eye_m: Vec2,
     visibility_m: f64,
 }
 
 impl View {
-    /// True if all of an outline is beyond the visibility.
+    /// True if the whole outline is beyond the visibility.
     fn hides(&self, outline_m: &[Vec2], pose: Pose) -> bool {
         to_edge_m(pose.apply_inverse(self.eye_m), outline_m) > self.visibility_m
     }

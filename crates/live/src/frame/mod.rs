@@ -4,13 +4,15 @@ mod alarms;
 mod anchor;
 mod board;
 mod fog;
+mod of_session;
 mod passage;
 mod sample;
-mod seen;
+pub(crate) mod seen;
 mod traffic;
 mod verdict;
 mod vessel;
 
+use self::board::BoardInput;
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::berth::Berth;
@@ -19,58 +21,22 @@ use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork, TugSetup};
 
-use crate::alarm_book::{Alarm, AlarmBook};
-use crate::approach::ApproachLimit;
+use crate::alarm_book::Alarm;
 use crate::cast::Cast;
 use crate::exercise;
 use crate::info::Info;
-use crate::message::{
-    BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
-    WavesNow, WindNow,
-};
+use crate::message::{CurrentNow, Frame, LineNow, RunState, TugNow, VesselNow, WavesNow, WindNow};
+use crate::now::Now;
 use crate::past::Sample;
-use crate::session::{Branch, Now, Session};
 
-pub(crate) use seen::Seen;
 pub(crate) use verdict::now as verdict;
-pub use vessel::Speeds;
-pub(crate) use vessel::speeds;
-
-/// The data of the docking board.
-struct BoardInput<'a> {
-    simulation: &'a Simulation,
-    contacts: &'a [ContactNow],
-    fenders: &'a [FenderNow],
-    book: &'a AlarmBook,
-    approach: ApproachLimit,
-}
-
-impl Session {
-    /// The causes of alarms after this tick.
-    pub(crate) fn causes_for_alarm(&self) -> Vec<Alarm> {
-        causes(self.now(), self.cast(), self.info())
-    }
-
-    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients; this function fills in the
-    /// branches.
-    #[must_use]
-    pub fn frame(&self, at_ms: u64, run: RunState) -> Frame {
-        let run = RunState {
-            branch: self.current_branch(),
-            branches: self.branches().iter().enumerate().map(branch_now).collect(),
-            last_tick: self.branches()[self.current_branch()].ends_tick,
-            ..run
-        };
-        frame(self.now(), self.cast(), self.info(), at_ms, run)
-    }
-}
 
 /// The causes of alarms in a state.
 pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
     after_tick(now, cast, info).0
 }
 
-/// What is kept of every tick: the causes of alarms, and the values for strip charts.
+/// The causes of alarms and the values for strip charts, which are kept for every tick.
 pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sample) {
     let simulation = &now.simulation;
     let of = alarms::Input {
@@ -87,6 +53,15 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
     let mut causes = alarms::causes(&of);
     causes.extend(traffic::collisions(simulation, info));
     (causes, sample::sample(&of, cast, &now.frozen))
+}
+
+/// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
+/// Returns the values for strip charts.
+pub(crate) fn note_alarms(now: &mut Now, cast: &Cast, info: &Info) -> Sample {
+    now.seen.note_passages(&now.simulation, info);
+    let (causes, sample) = after_tick(now, cast, info);
+    now.alarms.update(causes, now.simulation.time_s());
+    sample
 }
 
 /// The frame of a state.
@@ -152,7 +127,7 @@ fn tugs(simulation: &Simulation) -> Vec<TugNow> {
     simulation.tugs().iter().zip(setups).map(|(tug, of)| tug_now(tug, of)).collect()
 }
 
-/// The docking board's signals for each vessel that has a distance to the berth.
+/// Fills in the docking board's signals for each vessel that has a distance to the berth.
 fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
     for (index, vessel) in vessels.iter_mut().enumerate() {
         let ends = board::ends(of, berth, index, vessel);
@@ -165,16 +140,11 @@ fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]
     }
 }
 
-fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
-    let Branch { parent, from_tick, ends_tick, .. } = *branch;
-    BranchNow { id, from_tick, ends_tick, parent }
-}
-
 fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> LineNow {
     let state = match &line.line {
         _ if line.aboard => "aboard",
         _ if line.sent.is_some() => "sent",
-        // A line that is fast from the start is made fast by the first step only.
+        // The first step makes fast the lines that are fast from the start.
         None if setup.from_s <= t_s => "fast",
         None => "ashore",
         Some((_, state)) if state.parted => "parted",
@@ -196,7 +166,7 @@ fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> L
 }
 
 fn tug_now(tug: &TugAtWork, setup: &TugSetup) -> TugNow {
-    // The latest order, even during the delay before she carries it out.
+    // The latest order to the tug, even if she has not begun to carry it out.
     let order = tug.state.waiting.last().map_or(tug.state.order, |(_, order)| *order);
     let (order, order_n, order_direction_rad) = match order {
         TugOrder::StandBy => (TugWord::Stop, 0.0, tug.state.direction_rad),

@@ -1,5 +1,5 @@
-//! Ships that pass vessels at rest: how near and how fast, and what their flow does. People read here why a moored ship surges and
-//! why her lines part.
+//! Ships that pass vessels at rest: how near and how fast each ship passes, and what force the flow around the passing
+//! ship exerts on the vessel. People read here why a moored ship surges and why her lines part.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Pose, Vec2};
@@ -8,41 +8,45 @@ use fenderline_sim::hydro::Force;
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{Simulation, WorldEvent, WorldEventKind};
 
-use crate::info::{Info, pair};
+use crate::info::Info;
 use crate::message::PassageNow;
+use crate::pair::pair;
 
-/// A vessel that is slower over the ground is at rest (m/s); our choice.
+/// A vessel is at rest if her speed over the ground is below this (m/s). The value is our choice.
 const AT_REST_MPS: f64 = 0.5;
-/// A ship that is slower does not pass but lies there (m/s); our choice.
+/// A ship passes only if she is faster than this (m/s). The value is our choice.
 const PASSES_MPS: f64 = 0.5;
-/// A ship passes while the distance between midships is less than this times the mean of both lengths; our choice. Beyond it the
-/// force is a few hundredths of its largest value.
+/// A ship passes while the distance between midships is less than this factor times the mean of both lengths. Beyond
+/// that distance the force is a few hundredths of its largest value. The value is our choice.
 const IN_REACH: f64 = 2.0;
-/// For this long after a passage lines are said to be loaded by it (s): a moored ship swings for minutes; our choice.
+/// For this long after a passage, texts still name the passage as a cause of the load in lines (s): a moored ship
+/// swings for minutes. The value is our choice.
 const LINGERS_S: f64 = 300.0;
-/// A ship is announced this long before she is abreast (s); our choice.
+/// A ship is announced this long before she is abreast (s). The value is our choice.
 const ANNOUNCED_S: f64 = 300.0;
-/// Only a ship whose clear distance will be less than this times the mean of both lengths is announced; our choice.
+/// A ship is announced only if her clear distance will be less than this factor times the mean of both lengths. The
+/// value is our choice.
 const NEAR: f64 = 0.75;
-/// A ship of less than this share of a vessel's displacement is left out: her flow moves the vessel little; our choice.
+/// A ship is left out if her displacement is less than this share of the vessel's: her flow moves the vessel little.
+/// The value is our choice.
 const SMALLEST_SHARE: f64 = 0.05;
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
-/// A ship that passes a vessel, now.
+/// A ship that is passing a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Passage {
-    /// The vessel, as an index into those of the set-up.
+    /// Index of the vessel that is passed, among the vessels of the set-up.
     vessel: usize,
-    /// The body of the vessel.
+    /// The body of the vessel that is passed.
     body: usize,
-    /// The ship, as an index into those that pass.
+    /// Index of the ship that passes, among the passing ships.
     ship: usize,
     gap_m: f64,
     between_m: [Vec2; 2],
     speed_mps: f64,
-    /// She goes away and is a length off: what she did is done.
+    /// True if the ship goes away and is a length off. The passage is then over.
     is_past: bool,
-    /// Of the flow of all other ships on the vessel.
+    /// The force on the vessel by the flow around all other ships.
     force: Force,
 }
 
@@ -56,7 +60,7 @@ struct Announced {
     speed_mps: f64,
 }
 
-/// What was largest while a ship passed.
+/// The largest values during a passage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Largest {
     vessel: usize,
@@ -71,20 +75,20 @@ struct Largest {
     across_n: f64,
 }
 
-/// Ships that pass vessels at rest: at most one a vessel, the nearest.
+/// Ships that pass vessels at rest. For each vessel only the nearest ship is kept.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Passages {
     now: Vec<Passage>,
     announced: Vec<Announced>,
     largest: Vec<Largest>,
-    /// Texts of the passages that ended with the last step.
+    /// Texts of the passages that ended in the last step.
     ended: Vec<String>,
-    /// For each line that parted, how.
+    /// For each line that parted, the text of how it parted.
     parted: Vec<(usize, String)>,
 }
 
 impl Passages {
-    /// Updates everything after a step in which `flow` acted on the vessels.
+    /// Updates all passages after a step in which the forces `flow` acted on the vessels.
     pub(super) fn note(
         &mut self,
         simulation: &Simulation,
@@ -118,7 +122,7 @@ impl Passages {
         self.note_parted(simulation, events);
     }
 
-    /// Raises what was largest; a passage that has ended becomes a text.
+    /// Updates the largest values of each passage. A passage that has ended becomes a text.
     fn note_largest(&mut self, simulation: &Simulation) {
         let t_s = simulation.time_s();
         self.ended.clear();
@@ -143,7 +147,7 @@ impl Passages {
         }
     }
 
-    /// Keeps how the lines of the last step parted, and what pushed their ship.
+    /// Keeps the texts of how lines parted in the last step, and of what pushed their ship.
     fn note_parted(&mut self, simulation: &Simulation, events: &[WorldEvent]) {
         for event in events.iter().filter(|event| event.kind == WorldEventKind::LineParted) {
             let (line, setup) =
@@ -161,14 +165,14 @@ impl Passages {
         }
     }
 
-    /// How a line parted: its tension, and the ship that passed; empty for one that did not.
+    /// The text of how a line parted: its tension, and the ship that passed. Empty for a line that did not part.
     pub(super) fn why_parted(&self, line: usize) -> &str {
         let found = self.parted.iter().find(|(parted, _)| *parted == line);
         found.map_or("", |(_, text)| text)
     }
 
-    /// The ship that passes the vessel of a body, or has passed lately, and what her flow does, for the end of a sentence; empty if
-    /// there is none.
+    /// The ship that passes the vessel with this body, or has passed lately, and the force of her flow. The text is the
+    /// end of a sentence. Empty if no ship passes.
     pub(super) fn pushing(&self, simulation: &Simulation, body: usize) -> String {
         let of_ship = |ship: usize| &*simulation.setup().world.flow.passing[ship].name;
         let passing = |passage: &&Passage| passage.body == body && !passage.is_past;
@@ -194,7 +198,7 @@ impl Passages {
         )
     }
 
-    /// Vessel, ship and text for each passage and each that is announced.
+    /// Vessel, ship and text of each caution, for ships that pass and ships that are announced.
     pub(super) fn cautions<'s>(
         &self,
         simulation: &'s Simulation,
@@ -222,7 +226,7 @@ impl Passages {
         announced.chain(now)
     }
 
-    /// Texts of the passages that ended with the last step.
+    /// Texts of the passages that ended in the last step.
     pub(super) fn ended(&self) -> &[String] {
         &self.ended
     }
@@ -285,7 +289,7 @@ impl Largest {
     }
 }
 
-/// A vessel at rest and a ship that goes along.
+/// A vessel at rest and a ship that moves.
 struct Meeting<'s> {
     vessel: usize,
     body: usize,
@@ -299,7 +303,7 @@ struct Meeting<'s> {
 }
 
 impl Meeting<'_> {
-    /// `None` if the ship lies there, or is too small to matter.
+    /// `None` if the ship does not move, or is too small to matter.
     fn of<'s>(
         simulation: &'s Simulation,
         (vessel, body): (usize, usize),
@@ -330,7 +334,7 @@ impl Meeting<'_> {
         [own, ship].map(|(pose, outline)| outline.iter().map(|&at| pose.apply(at)).collect())
     }
 
-    /// The passage, if she is in reach.
+    /// The passage, if the ship is near enough.
     fn passage(&self, force: Force) -> Option<Passage> {
         let from_m = self.ship_pose.position_m - self.pose.position_m;
         let apart_m = from_m.length();
@@ -350,7 +354,7 @@ impl Meeting<'_> {
         })
     }
 
-    /// When and how near she will be abreast, on a straight course at her speed.
+    /// When the ship will be abreast and at what distance, on a straight course at her present speed.
     fn announced(&self) -> Option<Announced> {
         let from_m = self.ship_pose.position_m - self.pose.position_m;
         let speed_mps = self.ship_mps.length();
@@ -378,7 +382,7 @@ fn names(simulation: &Simulation, vessel: usize, ship: usize) -> [&str; 2] {
     [&setup.bodies[body].name, &setup.world.flow.passing[ship].name]
 }
 
-/// A force in words: what it does along and across.
+/// A force in words: its components along and across the vessel.
 fn pushes(force: Force) -> String {
     let along = if force.surge_n < 0.0 { "astern" } else { "ahead" };
     let across = if force.sway_n < 0.0 { "to port" } else { "to starboard" };

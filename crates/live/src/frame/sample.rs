@@ -8,8 +8,8 @@ use crate::cast::Cast;
 use crate::frozen::Frozen;
 use crate::past::{Sample, ShipSample};
 
-/// The values of every ship that can be conned, or, without a vessel, of the first body that floats; and the loads. `frozen`:
-/// for each vessel.
+/// The values of every ship that can be conned, and the loads. Without a vessel, the values are those of the first body
+/// that floats. `frozen` has one entry for each vessel.
 pub(super) fn sample(of: &Input<'_>, cast: &Cast, frozen: &[Frozen]) -> Sample {
     let ships = cast.ships();
     let floats = || of.info.bodies.iter().position(|body| !body.fixed);
@@ -45,7 +45,8 @@ pub(super) fn sample(of: &Input<'_>, cast: &Cast, frozen: &[Frozen]) -> Sample {
     }
 }
 
-/// What instruments that are frozen in this way show of a ship. The docking board is the berth's, and never frozen.
+/// The values that a ship's instruments show, with the frozen instruments given. The docking board belongs to the berth
+/// and is never frozen.
 fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
     let (now, berth) = (&of.vessels[ship], of.vessels[ship].berth.as_ref());
     let (bow_mps, stern_mps, ahead_mps) = match frozen.speeds() {
@@ -63,7 +64,7 @@ fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
     }
 }
 
-/// The values of a body that is no vessel.
+/// The values of a body that is not a vessel.
 fn body_sample(of: &Input<'_>, body: Option<usize>) -> ShipSample {
     let state = body.map(|body| &of.simulation.states()[body]);
     let ahead_mps = state.map_or(0.0, |state| {

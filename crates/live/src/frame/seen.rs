@@ -1,12 +1,13 @@
-//! Contacts and events of the last step, which the simulation does not keep.
+//! Contacts and events of the last step. The simulation does not keep them.
 
 use fenderline_contact::{Event, EventKind, Friction};
 use fenderline_sim::hydro::Force;
 use fenderline_sim::{Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
 use super::passage::Passages;
-use crate::info::{Info, pair};
+use crate::info::Info;
 use crate::message::{ContactNow, FenderNow};
+use crate::pair::pair;
 
 /// The contacts and events of the last step.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,7 +17,7 @@ pub(crate) struct Seen {
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,
-    /// The force of the flow of other ships on each vessel.
+    /// The force on each vessel by the flow around other ships.
     flow: Vec<Force>,
     /// Ships that pass vessels at rest.
     passages: Passages,
@@ -52,7 +53,7 @@ impl Seen {
         self.flow.extend(record.vessel_forces.iter().map(|forces| forces.passing));
     }
 
-    /// Notes the ships that pass vessels at rest, and why lines parted, after the step that was kept.
+    /// Notes the ships that pass vessels at rest, and why lines parted in the step that was kept.
     pub(crate) fn note_passages(&mut self, simulation: &Simulation, info: &Info) {
         self.passages.note(simulation, info, &self.flow, &self.world_events);
     }
@@ -65,7 +66,7 @@ impl Seen {
         &self.contacts
     }
 
-    /// All fenders.
+    /// The present state of all fenders.
     pub(crate) fn fenders(&self, simulation: &Simulation) -> Vec<FenderNow> {
         let setup = simulation.setup();
         let mut all = vec![FenderNow::default(); setup.fenders.len()];
@@ -94,7 +95,7 @@ impl Seen {
         all
     }
 
-    /// The texts of the events. Several contacts of one pair in one step are said once.
+    /// The texts of the events. If a pair of bodies has several contacts in one step, the text appears once.
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
         let mut contact: Vec<String> = Vec::new();
         for event in &self.contact_events {
@@ -142,7 +143,9 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
             format!("{} HAS FAILED", called("FENDER", &setup.fenders[fender.0 as usize].name))
         }
         EventKind::PlacedInOverlap => format!("{one} was placed in {two} and is pushed out slowly"),
-        EventKind::MassMismatch => format!("{one} does not move with the mass of the model"),
+        EventKind::MassMismatch => {
+            format!("the motion of {one} does not fit its mass in the model")
+        }
         EventKind::NotConverged => {
             format!("the contact forces between {one} and {two} did not converge")
         }

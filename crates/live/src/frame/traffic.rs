@@ -1,11 +1,12 @@
-//! Traffic: ships that pass on tracks of their own. They touch nothing; a vessel that runs into one raises an alarm.
+//! Traffic: ships that pass on tracks of their own. They touch nothing. A vessel that runs into such a ship raises an
+//! alarm.
 
 use fenderline_sim::Simulation;
 
 use crate::alarm_book::{Alarm, Level};
 use crate::info::Info;
 
-/// Position, heading, velocity and rate of turn of each passing ship now, as those of bodies.
+/// Position, heading, velocity and rate of turn of each passing ship, in the format of the bodies.
 pub(super) fn now(simulation: &Simulation) -> Vec<[f64; 6]> {
     let passing = &simulation.setup().world.flow.passing;
     let at = passing.iter().map(|ship| ship.track.at(simulation.time_s()));
@@ -16,7 +17,7 @@ pub(super) fn now(simulation: &Simulation) -> Vec<[f64; 6]> {
     .collect()
 }
 
-/// An alarm for each vessel whose outline lies over that of a passing ship.
+/// An alarm for each vessel whose outline overlaps that of a passing ship.
 pub(super) fn collisions(simulation: &Simulation, info: &Info) -> Vec<Alarm> {
     let setup = simulation.setup();
     let mut all = Vec::new();

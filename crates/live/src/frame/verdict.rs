@@ -1,4 +1,4 @@
-//! The verdict on the run up to this tick, in the words of every other output.
+//! The verdict on the run up to this tick. Every other output uses the same words.
 
 use fenderline_sim::{Finding, Simulation, Verdict};
 

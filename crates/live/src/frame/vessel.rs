@@ -1,53 +1,16 @@
 //! The present state of a vessel, for a frame.
 
-use fenderline_contact::Rotation;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
-use fenderline_sim::{Job, Pilots, Simulation};
+use fenderline_sim::{Job, Pilots};
 
 use crate::berth;
-use crate::message::{AssistNow, AssistState, AzimuthNow, Pair, RudderNow, ShareNow, VesselNow};
-use crate::session::Now;
+use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
+use crate::now::Now;
+use crate::speeds::speeds;
 
-/// The speeds of a vessel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Speeds {
-    /// Of her centre of gravity over ground, north and east (m/s).
-    pub velocity_mps: Pair,
-    /// Of midship over ground, ahead and to starboard (m/s).
-    pub ground_mps: Pair,
-    /// Course of midship over ground, from north (rad); her heading while she is at rest.
-    pub course_rad: f64,
-    /// Of midship through the water, ahead and to starboard (m/s).
-    pub water_mps: Pair,
-    /// Of her foremost point over ground, to starboard (m/s).
-    pub bow_mps: f64,
-    /// Of her aftmost point over ground, to starboard (m/s).
-    pub stern_mps: f64,
-}
-
-/// The present speeds of a vessel.
-pub(crate) fn speeds(simulation: &Simulation, index: usize) -> Speeds {
-    let setup = simulation.setup();
-    let of = &setup.world.vessels[index];
-    let (body, state) = (&setup.bodies[of.body], &simulation.states()[of.body]);
-    let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
-    let lateral_mps = |along_m: f64| own.y + along_m * state.yaw_rate_radps;
-    let (aftmost, foremost) = body.outline.bounds();
-    let water = of.velocity(state, &setup.world.environment, simulation.time_s());
-    let ground_mps = [own.x, lateral_mps(-of.ship.particulars.centre_of_gravity_m)];
-    Speeds {
-        velocity_mps: [state.velocity_mps.x, state.velocity_mps.y],
-        ground_mps,
-        course_rad: state.heading_rad + libm::atan2(ground_mps[1], ground_mps[0]),
-        water_mps: [water.surge_mps, water.sway_mps],
-        bow_mps: lateral_mps(foremost.x),
-        stern_mps: lateral_mps(aftmost.x),
-    }
-}
-
-/// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
-/// the foremost and aftmost points of her outline.
+/// The present state of a vessel. Speeds over ground and through the water are speeds of midship. Lateral speeds are
+/// speeds of the foremost and aftmost points of her outline.
 pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
@@ -81,7 +44,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
-        // A berth has no distance from the body that carries it.
+        // A berth has no distance to the body that carries it.
         berth: at
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
@@ -96,10 +59,10 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     }
 }
 
-/// A line with less tension is displayed as slack (N).
+/// A line with less tension than this is displayed as slack (N).
 const SLACK_N: f64 = 1e3;
 
-/// The order to a tug that is a vessel, in words, and how far she has carried it out.
+/// The order to a tug that is a vessel, in words, and how much of the order she has carried out.
 fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;
@@ -137,7 +100,7 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
 
-/// A point belongs to a named position at the ship's side within this distance along the ship (m).
+/// A point within this distance along the ship of a named position at her side belongs to that position (m).
 const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {

@@ -1,12 +1,13 @@
-//! Anchors: home, or on the bottom with their chain. One that hangs is veered to its chain anew.
+//! Anchors in the file: an anchor is home, or on the bottom with its chain. A hanging anchor is veered again from home
+//! to the length of its chain.
 
 use fenderline_author::Edit;
 use fenderline_sim::anchor::{AnchorFaults, AnchorPosition, WindlassOrder};
 use fenderline_sim::{Action, AnchorAction, AnchorAtWork, Simulation};
 
-use super::{place, rounded};
+use super::written::{place, rounded};
 
-/// Every anchor as it is now. One that is lost is left out, with its orders.
+/// Writes every anchor as it is now. A lost anchor is left out, with its orders.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut Vec<String>) {
     for (anchor, setup) in simulation.anchors().iter().zip(&simulation.setup().world.anchors) {
         let name = setup.gear.name.as_str();
@@ -40,7 +41,7 @@ pub(super) fn is_lost(anchor: &AnchorAtWork) -> bool {
     matches!(anchor.state.position, AnchorPosition::Lost(_))
 }
 
-/// The orders that hold now.
+/// The orders to anchors that are in force now.
 pub(super) fn orders(simulation: &Simulation) -> impl Iterator<Item = Action> {
     simulation.anchors().iter().enumerate().filter_map(|(index, anchor)| {
         let hangs = anchor.state.position == AnchorPosition::Hanging;

@@ -4,9 +4,9 @@ use fenderline_author::Edit;
 use fenderline_contact::Rotation;
 use fenderline_sim::Simulation;
 
-use super::{degrees, place, rounded};
+use super::written::{degrees, place, rounded};
 
-/// Every body that floats begins where it is, with its speed and the revolutions of its shaft.
+/// Writes the position, speed and shaft revolutions of every floating body.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {
     let setup = simulation.setup();
     for (index, (body, state)) in setup.bodies.iter().zip(simulation.states()).enumerate() {

@@ -1,14 +1,14 @@
-//! Lines: on board, fast with their present tension, or made fast later.
+//! Lines in the file: on board, fast with their present tension, or made fast later.
 
 use fenderline_author::Edit;
 use fenderline_sim::{LineEnd, Mooring, MooringSetup, Simulation};
 
-use super::{place, quoted, rounded};
+use super::written::{place, quoted, rounded};
 
-/// Least tension that is written as such (N). A line with less is written with its length.
+/// Least tension that the file gives as a tension (N). For a line with less tension the file gives the length.
 const TAUT_N: f64 = 1.0;
 
-/// Every line as it is now. A parted one is made fast with the least tension, and parts at once.
+/// Writes every line as it is now. A parted line is made fast with the least tension, and parts at once.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut Vec<String>) {
     let world = &simulation.setup().world;
     for (line, setup) in simulation.lines().iter().zip(&world.lines) {
@@ -32,7 +32,7 @@ pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut V
                 let in_s = rounded(setup.from_s - simulation.time_s(), 3);
                 edits.push(Edit::set(&of("made_fast"), in_s.to_string()));
             }
-            // Fast from the start, and no step was taken.
+            // The line is fast from the start, and no step was taken.
             (None, Some(_)) if line.sent.is_none() => {}
             _ => {
                 if line.sent.is_some() {
@@ -63,7 +63,7 @@ fn is_made_fast_later(line: &Mooring, t_s: f64, setup: &MooringSetup) -> bool {
 /// The keys of a line's far end.
 fn far_end(simulation: &Simulation, setup: &MooringSetup, end: LineEnd, edits: &mut Vec<Edit>) {
     let LineEnd::OnBody { body, at_m, above_water_m } = end else {
-        // A scenario has no line to a place on the earth.
+        // A scenario cannot describe a line to a fixed place on the earth.
         return;
     };
     let of = |key| ["line", setup.line.name.as_str(), key];

@@ -1,5 +1,5 @@
-//! The present state as a scenario file: an exercise that begins where the session is. The file is the session's scenario with other
-//! starts of the bodies, lines, weather, orders and events.
+//! The present state as a scenario file: an exercise that begins in the state of the session. The file is the session's
+//! scenario with other starting values of bodies, lines, weather, orders and events.
 
 mod anchors;
 mod bodies;
@@ -7,7 +7,9 @@ mod lines;
 mod orders;
 mod timed;
 mod weather;
+mod written;
 
+use self::written::quoted;
 use fenderline_author::{Edit, rewritten};
 use fenderline_scenario::{Override, Scenario};
 
@@ -19,26 +21,28 @@ use crate::world_change;
 /// A scenario file of the present state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PresentFile {
-    /// Its text.
+    /// The text of the file.
     pub text: String,
-    /// What it leaves out of the present state, in sentences; they are in its first comment too.
+    /// What the file leaves out of the present state, in sentences. The first comment of the file has them too.
     pub notes: Vec<String>,
 }
 
-/// Words of the first comment of every such file, by which it can be told from one that was written by hand.
+/// Words in the first comment of every such file. These words distinguish the file from a file that was written by
+/// hand.
 pub const INTO_A_SESSION: &str = "into a session of";
 
-/// What every file leaves out.
+/// What every such file leaves out.
 const ALWAYS: &str = "Positions are rounded to 0.1 mm and speeds to 0.001 mm/s. Rudders, thrusters and azimuth units begin at rest and \
                       move to the orders. Fenders are as new, gusts and waves begin anew, an exercise is marked anew.";
 
 impl Session {
-    /// The scenario of the present state, under a title: ships' places and speeds, lines, weather, faults, and orders and events to
-    /// come. `fenderline run` and `fenderline serve` take it where the files are that the scenario names.
+    /// The scenario of the present state, with a title. It contains the ships' places and speeds, lines, weather,
+    /// faults, and the orders and events to come. `fenderline run` and `fenderline serve` can run the file if the files
+    /// that the scenario names are beside it.
     ///
     /// # Errors
-    /// A title that is no single line, or what cannot be written as a scenario, as a line between ships that the scenario has no
-    /// words for.
+    /// A title that is not a single line. A state that a scenario file cannot describe, such as a line between ships
+    /// that its keys cannot express.
     pub fn present_file(&self, title: &str) -> Result<PresentFile, Refusal> {
         let of_session = self.source();
         let failed = |why: &dyn std::fmt::Display| {
@@ -77,7 +81,7 @@ impl Session {
         Ok(PresentFile { text, notes })
     }
 
-    /// The first comment: the description of the scenario, where the state is from, and what is left out.
+    /// The first comment: the description of the scenario, the source of the state, and what is left out.
     fn comment(&self, notes: &[String]) -> String {
         let about = Source::leading_comment(&self.source().text);
         let t_s = self.simulation().time_s();
@@ -88,14 +92,14 @@ impl Session {
     }
 }
 
-/// A time as hours, minutes and seconds.
+/// Formats a time as hours, minutes and seconds.
 fn clock(t_s: f64) -> String {
-    // A session lasts days at most.
+    // A session lasts some days at most.
     let seconds = libm::round(t_s) as u64;
     format!("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60)
 }
 
-/// A paragraph as lines of a comment.
+/// Formats a paragraph as the lines of a comment.
 fn wrapped(text: &str) -> String {
     const WIDTH: usize = 118;
     let mut lines = vec!["#".to_owned()];
@@ -111,31 +115,7 @@ fn wrapped(text: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// A text in quotes: those of JSON are those of TOML.
-fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
-}
-
-/// Rounded to so many decimals, for a file that people read.
-fn rounded(value: f64, decimals: i32) -> f64 {
-    let scale = libm::pow(10.0, f64::from(decimals));
-    // Adding 0 makes 0 of −0.
-    libm::round(value * scale) / scale + 0.0
-}
-
-/// An angle in degrees, from 0 to 360, with its unit.
-fn degrees(angle_rad: f64) -> String {
-    let turn = libm::fmod(angle_rad.to_degrees(), 360.0);
-    let turn = rounded(if turn < 0.0 { turn + 360.0 } else { turn }, 7);
-    format!("\"{turn} deg\"")
-}
-
-/// A position (m).
-fn place(at_m: fenderline_contact::Vec2) -> String {
-    format!("[{}, {}]", rounded(at_m.x, 4), rounded(at_m.y, 4))
-}
-
-/// A list of inline tables under a key; none without items.
+/// Sets a key to a list of inline tables, or removes the key if there are no items.
 fn list(key: &str, items: Vec<String>) -> Edit {
     match items.is_empty() {
         true => Edit::remove(&[key]),

@@ -1,4 +1,4 @@
-//! Orders: those that hold now, and those to come, as tables of `[[order]]`.
+//! Orders in the file, as tables of `[[order]]`: the orders in force now, and the orders to come.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::mooring::WinchOrder;
@@ -8,7 +8,8 @@ use fenderline_sim::{
     Action, LineAction, Setup, Simulation, Station, VesselAction, VesselSetup, VesselState,
 };
 
-use super::{anchors, place, quoted, rounded};
+use super::anchors;
+use super::written::{place, quoted, rounded};
 
 /// All orders of a file that begins now.
 pub(super) fn all(simulation: &Simulation) -> Vec<String> {
@@ -44,7 +45,8 @@ pub(super) fn all(simulation: &Simulation) -> Vec<String> {
     now.chain(pending).collect()
 }
 
-/// The orders that bring a vessel's controls and pilots to their present orders, in an order in which none undoes another.
+/// The orders that bring a vessel's controls and autopilots to their present settings. Their sequence is such that no
+/// order undoes an earlier one.
 fn vessel(state: &VesselState, of: &VesselSetup) -> Vec<VesselAction> {
     let (orders, pilots) = (&state.orders, &state.pilots);
     if let Some(assist) = &pilots.assist {
@@ -85,7 +87,7 @@ fn vessel(state: &VesselState, of: &VesselSetup) -> Vec<VesselAction> {
     all
 }
 
-/// An order as an inline table.
+/// Formats an order as an inline table.
 fn table(action: &Action, at_s: f64, setup: &Setup) -> String {
     let spec = action.name().spec();
     let target = match *action {
@@ -122,7 +124,7 @@ fn table(action: &Action, at_s: f64, setup: &Setup) -> String {
     format!("{{ {} }}", pairs.join(", "))
 }
 
-/// An argument's value as TOML.
+/// Formats the value of an argument as TOML.
 fn text(argument: &Argument, value: Value, action: &Action, setup: &Setup) -> String {
     match value {
         Value::Number(number) => rounded(number, 9).to_string(),

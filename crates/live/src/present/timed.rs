@@ -1,16 +1,16 @@
-//! What has a time: loads, passing ships, events. Times count from the present.
+//! Loads, passing ships and events, which all have times. The times in the file count from the present.
 
 use fenderline_author::Edit;
 use fenderline_contact::number::greater;
 use fenderline_sim::order::Word;
 use fenderline_sim::{Change, Fault, Setup, Simulation};
 
-use super::{degrees, quoted, rounded};
+use super::written::{degrees, quoted, rounded};
 
-/// Loads and passing ships with times from now on.
+/// Writes loads and passing ships with times from now on.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {
     let (setup, t_s) = (simulation.setup(), simulation.time_s());
-    // From the last, as numbers behind a removed one change.
+    // Begins with the last load, because removing a load changes the numbers of those behind it.
     for (index, load) in setup.loads.iter().enumerate().rev() {
         let index = index.to_string();
         if load.until_s <= t_s {
@@ -36,7 +36,8 @@ pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {
     }
 }
 
-/// The events of a file that begins now: faults that are on, and what waits, each with its time from now (s).
+/// The events of a file that begins now: the faults that are on, and the events that wait, each with its time from now
+/// (s).
 pub(super) fn events(simulation: &Simulation, waiting: Vec<(f64, Change)>) -> Vec<String> {
     let mut all: Vec<(f64, Change)> = Vec::new();
     for (vessel, state) in simulation.vessels().iter().enumerate() {
@@ -48,7 +49,7 @@ pub(super) fn events(simulation: &Simulation, waiting: Vec<(f64, Change)>) -> Ve
         all.extend(tripped.map(|unit| (0.0, Change::Thruster { vessel, unit, on: true })));
     }
     for (line, state) in simulation.lines().iter().enumerate() {
-        // A line is made fast by the first step, and parts in the next.
+        // The first step makes the line fast; it parts in the next step.
         let after_s = simulation.setup().step_s;
         all.extend(state.has_parted().then_some((after_s, Change::PartLine(line))));
     }
@@ -60,7 +61,7 @@ pub(super) fn events(simulation: &Simulation, waiting: Vec<(f64, Change)>) -> Ve
     all.iter().map(|(at_s, change)| table(*at_s, change, simulation.setup())).collect()
 }
 
-/// An event as an inline table.
+/// Formats an event as an inline table.
 fn table(at_s: f64, change: &Change, setup: &Setup) -> String {
     let vessel = |index: usize| quoted(&setup.bodies[setup.world.vessels[index].body].name);
     let ends = |on: bool| if on { "" } else { ", ends = true" };

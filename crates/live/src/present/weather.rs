@@ -1,4 +1,4 @@
-//! Weather: the present mean wind with its gusts, the present current, visibility and water level.
+//! Weather in the file: the present mean wind with its gusts, the present current, visibility and water level.
 
 use fenderline_author::Edit;
 use fenderline_contact::Vec2;
@@ -6,9 +6,9 @@ use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Setup, Simulation};
 
-use super::{degrees, rounded};
+use super::written::{degrees, rounded};
 
-/// What the weather is now. What changes in time by a file or by constituents is held as it is now, with a note.
+/// Writes the present weather. Weather that a file or constituents change in time keeps its present value, with a note.
 pub(super) fn edit(
     simulation: &Simulation,
     began: &Setup,

@@ -1,4 +1,4 @@
-//! Copies the lines of a recording that a continued session keeps.
+//! Copies the part of a recording that a continued session keeps.
 
 use std::fmt;
 use std::io::{self, BufRead, Write};
@@ -34,7 +34,7 @@ impl std::error::Error for CopyError {}
 /// Copies the lines of a recording that a continued session keeps, and compares them with the checked outline.
 ///
 /// # Errors
-/// [`CopyError`]. The incomplete copy cannot be used then.
+/// [`CopyError`]. The copy is then incomplete and cannot be used.
 pub fn copy_kept(
     input: impl BufRead,
     outline: &Outline,

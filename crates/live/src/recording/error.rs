@@ -17,23 +17,23 @@ pub struct RecordingError {
 /// A fault of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The file cannot be read: the system's message.
+    /// The file cannot be read. The text is the system's message.
     Unreadable(String),
     /// The file does not begin like a recording.
     NoRecording,
-    /// The first line, which has the scenario, is cut off: nothing can be replayed.
+    /// The first line, which contains the scenario, is cut off. Nothing can be replayed.
     NoFirstLine,
-    /// Another format: its number.
+    /// The recording has another format. The text is the number of the format.
     Format(String),
-    /// The line is too long: the limit (bytes).
+    /// The line is too long. The number is the limit (bytes).
     TooLong(u64),
     /// The recording is too large.
     TooLarge,
-    /// The check sum is wrong: the line was changed, or lines before it were changed, removed, repeated or moved.
+    /// The check sum is wrong. This line was changed, or lines before it were changed, removed, repeated or moved.
     Damaged,
-    /// Lines follow the end.
+    /// There are lines after the line that ends the recording.
     AfterEnd,
-    /// The check sum is right, but the line is invalid: the reason.
+    /// The check sum is right, but the line is invalid. The text is the reason.
     Invalid(String),
 }
 

@@ -1,11 +1,12 @@
-//! Recordings: a session as lines of JSON. The first line has the scenario, the last one ends the session, and each line in
-//! between is a command, a new branch or a mark of progress. Lines are only appended, so that a writer that is killed loses at
-//! most its last line.
+//! Recordings: a session as lines of JSON. The first line has the scenario. The last line ends the session. Each line
+//! in between is a command, a new branch or a mark of progress. Lines are only appended: if the writer is killed, at
+//! most the last line is lost.
 //!
-//! Every line ends with a check sum of itself and all lines before it (`sealed`), which reveals lines that were changed,
-//! removed, repeated or moved. The sequence of lines is also checked (`shape`) before anything is replayed.
+//! Every line ends with a check sum of itself and all lines before it (`sealed`). The check sum reveals lines that were
+//! changed, removed, repeated or moved. The sequence of lines is also checked (`shape`) before anything is replayed.
 
 mod copy;
+mod ending;
 mod error;
 mod outline;
 mod reader;
@@ -19,8 +20,9 @@ use crate::action::Action;
 use crate::source::Source;
 
 pub use copy::{CopyError, copy_kept};
+pub use ending::Ending;
 pub use error::{Fault, RecordingError};
-pub use outline::{Ending, Outline};
+pub use outline::Outline;
 pub use reader::RecordingReader;
 pub(crate) use sealed::Chain;
 pub(crate) use writer::Writer;
@@ -35,12 +37,12 @@ const BEGINNING: &str = "{\"fenderline_session\":";
 #[serde(deny_unknown_fields)]
 struct Header {
     fenderline_session: u32,
-    /// Version of the program that recorded it. Other versions may compute other bits.
+    /// Version of the program that recorded the session. Other versions may compute other bits.
     version: String,
     source: Source,
 }
 
-/// Every line but the first.
+/// Any line except the first.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "line", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Line {
@@ -52,18 +54,18 @@ pub enum Line {
         tick: u64,
         /// Who gave it.
         who: String,
-        /// Time of the server's clock (ms since 1970); not used by a replay.
+        /// Time of the server's clock (ms since 1970). A replay does not use it.
         at_ms: u64,
         /// The command.
         action: Action,
     },
     /// A branch began.
     Branch {
-        /// Its number, one more than that of the last branch.
+        /// Number of the new branch: one more than that of the last branch.
         id: usize,
-        /// The branch from which it begins.
+        /// The branch from which the new branch begins.
         parent: usize,
-        /// Its first tick.
+        /// First tick of the new branch.
         from_tick: u64,
     },
     /// A branch has reached a tick.
@@ -75,12 +77,12 @@ pub enum Line {
         /// Fingerprint of the state before the commands of that tick, in hexadecimal.
         bits: String,
     },
-    /// The session ended or was saved. Nothing follows.
+    /// The session ended or was saved. No line follows.
     End {},
 }
 
 impl Line {
-    /// The JSON without a check sum.
+    /// The JSON of the line, without a check sum.
     fn json(&self) -> String {
         serde_json::to_string(self).unwrap_or_else(|e| unreachable!("{e}"))
     }

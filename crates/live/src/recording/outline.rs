@@ -1,7 +1,8 @@
-//! The outline of a recording: all lines are read and checked, but not replayed.
+//! The outline of a recording. To find the outline, all lines are read and checked, but not replayed.
 
 use std::io::BufRead;
 
+use super::ending::Ending;
 use super::error::RecordingError;
 use super::reader::RecordingReader;
 use super::{Chain, Fault};
@@ -9,39 +10,26 @@ use super::{Chain, Fault};
 /// Number of lines between two calls of `go_on`.
 const LINES_AT_A_TIME: usize = 4096;
 
-/// How a recording ends. In all three cases the lines before are sound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    /// With the line that ends a session: it is complete.
-    Whole,
-    /// With another whole line: the writer was killed or is still writing, or lines were cut off.
-    Open,
-    /// Within a line, which is dropped: the writer was killed, or the file was cut off.
-    Torn {
-        /// Length of the dropped line (bytes).
-        bytes: u64,
-    },
-}
-
 /// The content of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
-    /// How it ends.
+    /// How the recording ends.
     pub ending: Ending,
     /// Number of commands.
     pub commands: usize,
-    /// Number of branches, with the first.
+    /// Number of branches, including the first.
     pub branches: usize,
-    /// Number of ticks of all branches together, which a replay computes.
+    /// Number of ticks of all branches together. A replay computes all of them.
     pub ticks: u64,
-    /// Length that a continued session keeps (bytes): all whole lines except the end.
+    /// Length of the part that a continued session keeps (bytes): all whole lines except the line that ends the
+    /// session.
     pub kept_bytes: u64,
     pub(crate) chain: Chain,
 }
 
 impl Outline {
-    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time, and can stop the reading by
-    /// an error.
+    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time. `go_on` stops the
+    /// reading by returning an error.
     ///
     /// # Errors
     /// The first invalid line; [`Fault::Unreadable`] if `go_on` returns an error.

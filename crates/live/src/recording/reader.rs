@@ -2,8 +2,8 @@
 
 use std::io::BufRead;
 
+use super::ending::Ending;
 use super::error::{Fault, RecordingError};
-use super::outline::Ending;
 use super::sealed::{Sealed, SealedLines};
 use super::shape::Shape;
 use super::{BEGINNING, Chain, FORMAT, Header, Line};
@@ -17,7 +17,8 @@ pub struct RecordingReader<R> {
     header: Header,
     shape: Shape,
     ending: Option<Ending>,
-    /// Length (bytes) and check sum of what a continued session keeps: all whole lines except the end.
+    /// Length (bytes) and check sum of the part that a continued session keeps: all whole lines except the line that
+    /// ends the session.
     kept: (u64, Chain),
 }
 
@@ -50,7 +51,7 @@ impl<R: BufRead> RecordingReader<R> {
         Ok(RecordingReader { lines, header, shape: Shape::new(), ending: None, kept })
     }
 
-    /// The version of the program that recorded it.
+    /// The version of the program that recorded the session.
     #[must_use]
     pub fn version(&self) -> &str {
         &self.header.version
@@ -74,7 +75,7 @@ impl<R: BufRead> RecordingReader<R> {
         self.lines.bytes
     }
 
-    /// The next line; `None` at the end and for a last line that is cut off.
+    /// The next line. `None` at the end, and if the last line is cut off.
     ///
     /// # Errors
     /// A line that is damaged, or that cannot follow the lines before it.

@@ -1,36 +1,36 @@
-//! Lines with check sums, whatever their content.
+//! Lines with check sums. This module does not read their content.
 
 use std::io::{BufRead, Read as _};
 
 use super::error::{Fault, RecordingError};
 use crate::limits::LARGEST_RECORDING_BYTES;
 
-/// The text between the fields of a line and its check sum. A quote and a brace follow the check sum.
+/// The text between the fields of a line and its check sum. After the check sum the line has a quote and a brace.
 const KEY: &str = ",\"sum\":\"";
 const DIGITS: usize = 8;
 const TAIL: usize = KEY.len() + DIGITS + 2;
 
-/// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3, which begins at each line with the sum of the line
-/// before. It detects every change within 32 consecutive bits, and misses one in 2³² of other changes. No protection against
-/// malice.
+/// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3. The sum of each line starts from the sum of
+/// the line before. CRC-32 detects every change within 32 consecutive bits, and misses one in 2³² of other changes. The
+/// check sum gives no protection against malice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Chain(u32);
 
 impl Chain {
-    /// Makes the next line from a JSON object: with check sum and line end.
+    /// Makes the next line from a JSON object by adding the check sum and the line end.
     pub(crate) fn seal(&mut self, object: &str) -> String {
         let Some(body) = object.strip_suffix('}') else { unreachable!("an object: {object}") };
         self.add(body);
         format!("{body}{KEY}{:08x}\"}}\n", self.0)
     }
 
-    /// Length of the object in the next line without its last brace; `None` if the check sum is wrong.
+    /// Length of the object in the next line, without its last brace. `None` if the check sum is wrong.
     fn unseal(&mut self, line: &str) -> Option<usize> {
         let at = line.len().checked_sub(TAIL)?;
         let (body, tail) = line.split_at_checked(at)?;
         let mut next = *self;
         next.add(body);
-        // The digits are compared as text, so that a change of their case is detected.
+        // The digits are compared as text. A change of their case is therefore detected.
         (tail == format!("{KEY}{:08x}\"}}", next.0)).then(|| {
             *self = next;
             at
@@ -46,9 +46,9 @@ impl Chain {
 
 /// The next part of a file.
 pub(super) enum Sealed<'b> {
-    /// A line with a correct check sum: its object.
+    /// A line with a correct check sum. The text is its object.
     Object(&'b str),
-    /// A last line that is cut off: its length (bytes).
+    /// A last line that is cut off. The number is its length (bytes).
     Torn(u64),
     /// The end of the file.
     Nothing,
@@ -71,7 +71,7 @@ impl<R: BufRead> SealedLines<R> {
         SealedLines { input, buffer: Vec::new(), chain: Chain::default(), line: 0, bytes: 0 }
     }
 
-    /// The next line without its line end, not checked; `Torn` if the line end is missing.
+    /// The next line without its line end. The line's check sum is not verified. `Torn` if the line end is missing.
     pub(super) fn raw(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         self.line += 1;
         self.buffer.clear();
@@ -97,7 +97,7 @@ impl<R: BufRead> SealedLines<R> {
         str::from_utf8(&self.buffer).map(Sealed::Object).map_err(|_| error)
     }
 
-    /// The object of the next line, checked.
+    /// The object of the next line, after a check of its check sum.
     pub(super) fn next(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         match self.raw(longest_bytes)? {
             Sealed::Object(_) => self.unsealed().map(Sealed::Object),
@@ -106,7 +106,7 @@ impl<R: BufRead> SealedLines<R> {
         }
     }
 
-    /// The object of the last line read, checked.
+    /// The object of the last line that was read, after a check of its check sum.
     pub(super) fn unsealed(&mut self) -> Result<&str, RecordingError> {
         let error = RecordingError { line: self.line, fault: Fault::Damaged };
         let Ok(line) = str::from_utf8(&self.buffer) else { return Err(error) };
@@ -140,7 +140,7 @@ mod tests {
         let mut chain = Chain::default();
         let sealed: Vec<String> = objects.iter().map(|object| chain.seal(object)).collect();
         assert_eq!(lines(&sealed.concat()).expect("sound"), objects);
-        // The usual check value of CRC-32: other programs can verify a file.
+        // The usual check value of CRC-32. Other programs can therefore verify a file.
         let mut check = Chain::default();
         check.add("123456789");
         assert_eq!(check, Chain(0xcbf4_3926));

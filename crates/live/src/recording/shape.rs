@@ -1,10 +1,10 @@
-//! Checks each line against the lines before it, without replaying them. A recording that passes is within the limits of a
-//! session.
+//! Checks each line against the lines before it, without replaying them. A recording that passes the check is within
+//! the limits of a session.
 
 use super::Line;
 use crate::limits::{MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_TICKS};
 
-/// The last tick of a branch according to the lines so far.
+/// The last tick that a branch has reached according to the lines so far.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     ends_tick: u64,
@@ -28,10 +28,10 @@ impl Shape {
         self.branches.len()
     }
 
-    /// Takes the next line.
+    /// Checks the next line.
     ///
     /// # Errors
-    /// Why the line cannot follow.
+    /// Why this line cannot follow the lines before it.
     pub(super) fn take(&mut self, line: &Line) -> Result<(), String> {
         match line {
             Line::Command { branch, tick, .. } => {

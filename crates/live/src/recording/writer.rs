@@ -7,23 +7,23 @@ use crate::source::Source;
 /// Space reserved for the last line and for a `reached` line (bytes).
 const END_BYTES: u64 = 512;
 const MARK_BYTES: u64 = 512;
-/// An upper bound of what a check sum adds to a line (bytes).
+/// Upper bound of the length that a check sum adds to a line (bytes).
 const SUM_BYTES: u64 = 64;
 
-/// The lines that the owner of the session has not taken yet, and the totals of all lines.
+/// The lines that the owner of the session has not taken yet, and the totals over all lines.
 #[derive(Clone, Debug)]
 pub(crate) struct Writer {
     text: String,
     chain: Chain,
     bytes: u64,
-    /// During a replay nothing is written.
+    /// True during a replay: nothing is written then.
     is_silent: bool,
-    /// Branch and tick of the last line if it is a `reached` line.
+    /// Branch and tick of the last line, if the last line is a `reached` line.
     marked: Option<(usize, u64)>,
 }
 
 impl Writer {
-    /// A writer with the first line; `None` if the line is longer than the limit.
+    /// A writer that has written the first line. `None` if this line is longer than the limit.
     pub(crate) fn begin(source: &Source) -> Option<Writer> {
         let header = Header {
             fenderline_session: FORMAT,
@@ -51,7 +51,7 @@ impl Writer {
         self.bytes + LONGEST_LINE_BYTES + MARK_BYTES + END_BYTES <= LARGEST_RECORDING_BYTES
     }
 
-    /// The JSON of a line if there is space for it. [`Writer::put`] writes it.
+    /// The JSON of a line, if there is space for it. [`Writer::put`] writes the line.
     pub(crate) fn prepare(&self, line: &Line) -> Result<String, Full> {
         if self.is_silent {
             return Ok(String::new());
@@ -61,7 +61,7 @@ impl Writer {
         if fits && self.has_room() { Ok(json) } else { Err(Full::Bytes) }
     }
 
-    /// Writes a line that was prepared.
+    /// Writes the JSON of a line from [`Writer::prepare`].
     pub(crate) fn put(&mut self, json: &str) {
         if self.is_silent {
             return;
@@ -72,8 +72,8 @@ impl Writer {
         self.marked = None;
     }
 
-    /// Writes a `reached` line, unless the last line is the same. The line is left out where there is no space for it; the
-    /// recording is valid without it.
+    /// Writes a `reached` line, unless the last line is the same. If there is no space, the line is left out, and the
+    /// recording is still valid.
     pub(crate) fn mark(&mut self, branch: usize, tick: u64, bits: impl FnOnce() -> String) {
         if self.is_silent || self.marked == Some((branch, tick)) {
             return;

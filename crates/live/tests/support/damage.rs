@@ -1,5 +1,5 @@
-//! Damages recordings at random, from a seed, as disks, networks, editors and attackers may do. Tests of the program use it
-//! too.
+//! Damages recordings at random, from a seed, as disks, networks, editors and attackers may damage them. Tests of the
+//! program also use this module.
 
 /// Random numbers from a seed: SplitMix64 (Steele, Lea & Flood, 2014).
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl Random {
     }
 }
 
-/// A damaged recording and the kind of damage. The bytes always differ from the sound ones.
+/// A damaged recording and the kind of damage. Its bytes always differ from those of the sound recording.
 pub(crate) fn damaged(sound: &[u8], seed: u64) -> (&'static str, Vec<u8>) {
     let mut random = Random::new(seed);
     loop {
@@ -118,7 +118,7 @@ fn damage(bytes: &mut Vec<u8>, random: &mut Random) -> &'static str {
     }
 }
 
-/// The end of a line after its own fields.
+/// The end of a line after the line's own fields.
 const TAIL: usize = r#","sum":"00000000"}"#.len();
 
 /// The lines of a sound recording without their check sums.
@@ -126,7 +126,7 @@ pub(crate) fn objects(sound: &str) -> Vec<String> {
     sound.lines().map(|line| format!("{}}}", &line[..line.len() - TAIL])).collect()
 }
 
-/// Lines with correct check sums, whatever their content, as an attacker can make them.
+/// Lines with correct check sums and any content, as an attacker can make them.
 pub(crate) fn sealed<'l>(objects: impl IntoIterator<Item = &'l str>) -> String {
     let mut text = String::new();
     let mut chain = 0;

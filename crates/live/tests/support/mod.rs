@@ -38,7 +38,7 @@ pub(crate) fn command(session: &mut Session, action: Action) -> u64 {
     session.command("test", 0, action).expect("a good command")
 }
 
-/// An order to a vessel, tug or line of a name, without arguments.
+/// An order without arguments to a vessel, tug or line with a name.
 pub(crate) fn order(order: OrderName, to: &str) -> NamedOrder {
     NamedOrder::new(order, to)
 }

@@ -1,23 +1,24 @@
-//! A ship and her berth: how far she is from lying alongside.
+//! A ship and her berth: how far the ship is from lying alongside.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation, Vec2};
 use fenderline_scenario::Scenario;
 
-/// Size of the basin (m): along the quay, and off it.
+/// Size of the basin (m): along the quay, and off the quay.
 const BASIN_ALONG_M: f64 = 400.0;
 const BASIN_OFF_M: f64 = 200.0;
 
-/// The berth of a scenario: the quay runs north along its fenders' faces, the ship lies west of it, and her berth is at north 0.
+/// The berth of a scenario: the quay runs north along its fenders' faces, the ship lies west of the quay, and the berth
+/// is at north 0.
 pub(super) struct Berth {
     /// Index of the ship's body.
     pub(super) ship: usize,
-    /// Points of her starboard side.
+    /// Points of the ship's starboard side.
     side_m: Vec<Vec2>,
     half_length_m: f64,
     /// East of the fenders' faces (m).
     faces_east_m: f64,
-    /// Distance along the quay from her berth at which she is still alongside (m).
+    /// Distance along the quay from the berth at which the ship is still alongside (m).
     berthed_within_m: f64,
 }
 
@@ -26,9 +27,9 @@ pub(super) struct Berth {
 pub(super) struct Lie {
     /// Her heading relative to the quay, from −π to π (rad).
     pub(super) heading_rad: f64,
-    /// Least clearance between her side and the line of the fenders' faces (m).
+    /// Least clearance between the ship's side and the line of the fenders' faces (m).
     pub(super) off_m: f64,
-    /// Distance from her berth (m); heading counts with her half length.
+    /// Distance from the berth (m); a deviation of heading counts with half the ship's length.
     pub(super) far_m: f64,
 }
 
@@ -49,7 +50,7 @@ impl Berth {
         })
     }
 
-    /// How she lies.
+    /// Position of the ship relative to the berth.
     pub(super) fn lie(&self, state: &BodyState) -> Lie {
         let turned = Rotation::from_angle(state.heading_rad);
         let east_m = |point: &Vec2| turned.apply(*point).y;
@@ -63,7 +64,7 @@ impl Berth {
         Lie { heading_rad, off_m, far_m }
     }
 
-    /// Whether she lies alongside, parallel and at rest.
+    /// Whether the ship lies alongside, parallel and at rest.
     pub(super) fn is_alongside(&self, state: &BodyState, lie: &Lie) -> bool {
         state.position_m.x.abs() < self.berthed_within_m
             && lie.off_m < 0.2
@@ -74,13 +75,13 @@ impl Berth {
 }
 
 impl Lie {
-    /// Whether she is at the line of the quay, beside or beyond the fenders. The faces are 1.8 m in front of the quay: within
-    /// 0.2 m of its line counts as touching it.
+    /// Whether the ship is at the line of the quay, beside or beyond the fenders. The faces are 1.8 m in front of the
+    /// quay: within 0.2 m of its line, a ship counts as touching the quay.
     pub(super) fn is_over_quay_line(&self) -> bool {
         self.off_m < -1.6
     }
 
-    /// Whether she has left the basin.
+    /// Whether the ship has left the basin.
     pub(super) fn is_out_of_basin(&self, state: &BodyState) -> bool {
         state.position_m.x.abs() > BASIN_ALONG_M || self.off_m > BASIN_OFF_M
     }

@@ -1,5 +1,5 @@
-//! One episode of the docking environment: from an action to the observation and the reward. The documentation is that of the
-//! Python module `fenderline.docking`.
+//! One episode of the docking environment: from an action to the observation and the reward. The
+//! Python module `fenderline.docking` has the documentation.
 
 use fenderline_contact::number::{bounded, greater};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -22,7 +22,8 @@ const STEPS: u32 = 900;
 const SCALES: [f64; SEEN] =
     [100.0, 50.0, 0.5, 1.0, 0.3, 0.005, 1.0, 1.0, 1.0, 1.0, 10.0, 10.0, 0.5, 1.0, 10.0, 5.0, 0.05];
 
-/// The largest of each number; the least is its negative, but for the energy it is 0.
+/// The largest value of each number; the least value is the negative of the largest, for the energy
+/// 0.
 const MOST: [f32; SEEN] = {
     let mut most = [10.0; SEEN];
     let ones = [6, 7, 8, 9, 14, 15, 16];
@@ -38,7 +39,7 @@ const ENERGY: usize = 13;
 
 pub(super) type Seen = [f32; SEEN];
 
-/// How an episode ended; the numbers are those of Python's `_Ended`.
+/// How an episode ended; the numbers equal those of Python's `_Ended`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ended {
     NotYet = 0,
@@ -123,7 +124,7 @@ impl Episode {
         let (position_m, heading_rad) = (drawn.position_m, drawn.heading_rad);
         self.start.bodies[berth.ship] = BodyStart { position_m, heading_rad, velocity };
         self.run.restart(&self.start);
-        // The direction of a wind is where it comes from.
+        // The direction of a wind is the direction from which it comes.
         let blows_mps = -ahead(wind_mps, from_rad);
         self.weather_mps = [blows_mps.x, blows_mps.y, current_mps.x];
         self.controls.fill(f64::NAN);
@@ -157,7 +158,7 @@ impl Episode {
             share = greater(share, fender.share_of_rated_energy.unwrap_or(0.0));
             has_failed |= fender.failed;
         }
-        // An earlier case wins over a later one.
+        // An earlier case precedes a later case.
         let ended = if lie.is_out_of_basin(&state) {
             Ended::LeftBasin
         } else if lie.is_over_quay_line() {
@@ -185,7 +186,7 @@ impl Episode {
         Ok(Outcome { seen: self.observe(&lie, berth), reward, ended, is_truncated })
     }
 
-    /// The present observation, of how she lies.
+    /// The present observation, from the position of the ship.
     fn observe(&self, lie: &Lie, berth: &Berth) -> Seen {
         let state = &self.run.simulation.states()[berth.ship];
         let [rudder, engine, bow, stern] = self.orders;

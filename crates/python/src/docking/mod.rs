@@ -85,7 +85,7 @@ impl Docking {
         let which = whole::indices(which, "episode", self.episodes.len() as u64)?;
         let numbers = starts.as_slice()?;
         if numbers.len() != which.len() * START {
-            return Err(errors::bad_argument("the array of starts has another shape"));
+            return Err(errors::bad_argument("the array of starts has a wrong shape"));
         }
         let mut seen = Vec::with_capacity(which.len() * SEEN);
         for (&index, row) in which.iter().zip(numbers.chunks_exact(START)) {
@@ -115,7 +115,7 @@ impl Docking {
         let Docking { berth, levers, episodes, threads } = self;
         let (actions, each) = (actions.as_slice()?, levers.len());
         if actions.len() != episodes.len() * each {
-            return Err(errors::bad_argument("the array of actions has another shape"));
+            return Err(errors::bad_argument("the array of actions has a wrong shape"));
         }
         if actions.iter().any(|number| number.is_nan()) {
             return Err(errors::bad_argument("an action is not a finite number"));

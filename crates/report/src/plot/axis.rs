@@ -15,8 +15,8 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis whose title reads `label [unit]`; an empty `unit` leaves the bracket out. Its range
-    /// is that of the data, widened to round numbers.
+    /// An axis whose title reads `label [unit]`; an empty `unit` leaves the bracket out. The range covers
+    /// the data, widened to round numbers.
     pub fn new(label: &str, unit: &str) -> Axis {
         Axis {
             label: label.to_owned(),
@@ -58,8 +58,8 @@ impl Axis {
         &self.unit
     }
 
-    /// The range and ticks for data between the extremes of `values`; values that are not finite
-    /// are passed over.
+    /// The range and ticks for data between the extremes of `values`; values that are not finite are
+    /// ignored.
     pub(super) fn fit(&self, values: impl Iterator<Item = f64>, ticks_wanted: u32) -> Fitted {
         if self.is_logarithmic {
             return self.fit_decades(values);
@@ -69,7 +69,7 @@ impl Axis {
             Some((lesser(lo, v), greater(hi, v)))
         });
         let (lo, hi) = widened(extremes.unwrap_or((0.0, 1.0)));
-        // Zero has one sign on paper: −0 among the data would else be an end of the axis.
+        // Adding 0 gives zero one sign; otherwise a −0 in the data would become an end of the axis.
         let (lo, hi) = (lo + 0.0, hi + 0.0);
         let step = nice_step(hi - lo, ticks_wanted);
         if self.is_tight {
@@ -95,7 +95,7 @@ impl Axis {
         Fitted {
             lo: first,
             hi: if last > first { last } else { first + 1.0 },
-            // Every decade, or every second one and so on where there are many.
+            // Every decade, or every second decade and so on if there are many.
             step: greater(libm::ceil((last - first) / 12.0), 1.0),
             is_logarithmic: true,
         }
@@ -112,7 +112,8 @@ fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
         return (0.0, 1.0);
     }
     if hi - lo > scale {
-        // The difference overflowed. No chart of a run does that, but none may loop for ever.
+        // The difference overflowed. This does not happen in charts of runs, but the function must end
+        // for any input.
         return (-f64::MAX / 4.0, f64::MAX / 4.0);
     }
     (lo - 0.05 * scale, hi + 0.05 * scale)

@@ -1,4 +1,4 @@
-//! Horizontal bars in groups: shares of a limit, one group a thing.
+//! Horizontal bars in groups: shares of a limit, one group for each thing.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -27,7 +27,7 @@ pub struct Bars {
 /// The bars of one thing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Printed left of it.
+    /// Label, printed left of the bars.
     pub name: String,
     /// One value per kind (%); `None`: no bar.
     pub values: Vec<Option<f64>>,
@@ -47,7 +47,7 @@ const LETTER: f64 = 6.6;
 /// Bars end here, however large their value (%): one failure must not flatten the others.
 const LONGEST: f64 = 250.0;
 
-/// Fills from dark to light, so that grey print tells them apart.
+/// Fills from dark to light, so they can be distinguished in grey print.
 const FILLS: [&str; 4] = ["#0b3a5b", "#3f8fc4", "#b5daf0", "#ffffff"];
 
 impl Bars {

@@ -50,7 +50,7 @@ const RIGHT: f64 = 16.0;
 const LEAST_LEFT: f64 = 66.0;
 /// Mean width of a digit at the size of the tick labels (px).
 const DIGIT: f64 = 6.4;
-/// Points closer than this to the one before are not drawn (px).
+/// Points closer than this to the previous point are not drawn (px).
 const FINEST: f64 = 0.05;
 
 /// A chart with its axes fitted and its area measured.
@@ -85,7 +85,7 @@ impl Area {
         self.left + self.x.share(x) * (self.right() - self.left)
     }
 
-    /// Whether a point has a place: on a logarithmic axis zero has none.
+    /// Whether a point has a place: on a logarithmic axis zero has no place.
     fn holds(&self, point: &Point) -> bool {
         self.px(point.x).is_finite() && self.py(point.y).is_finite()
     }
@@ -145,7 +145,8 @@ impl Chart {
         self.drawing(&Area::of(self, height))
     }
 
-    /// The series with a name, each with its style: a series without a name belongs to the one before.
+    /// The series with a name, each with its style: a series without a name belongs to the series
+    /// before it.
     pub(super) fn named(&self) -> impl Iterator<Item = (usize, &Series)> {
         let styled = self.series.iter().enumerate();
         styled.map(|(index, s)| (s.style.unwrap_or(index), s)).filter(|(_, s)| !s.name.is_empty())

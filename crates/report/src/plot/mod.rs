@@ -44,10 +44,10 @@ pub use tornado::{Tornado, Whisker};
 const COLOURS: [&str; STYLES] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F5F3F"];
 
-/// Series that can be told apart in one chart.
+/// Largest number of series that can be distinguished in one chart.
 pub const STYLES: usize = 8;
 
-/// Dashes in the same order, so that print without colour still tells series apart.
+/// Dashes in the same order, so series can be distinguished in print without colour.
 const DASHES: [&str; STYLES] =
     ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4", "16 3 3 3"];
 

@@ -4,7 +4,7 @@
 const GROUP: char = '\u{202f}';
 const MINUS: char = '\u{2212}';
 
-/// A number with its noun, of one and of many.
+/// A number with its noun, in the singular or plural.
 pub fn counted(count: u64, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
@@ -28,8 +28,8 @@ pub fn times(count: u64) -> String {
     if count == 1 { "once".to_owned() } else { format!("{count} times") }
 }
 
-/// `value` with a true minus sign and grouped thousands, to `decimals` places; powers of ten where
-/// the digits would run away.
+/// `value` with a true minus sign and grouped thousands, to `decimals` places; in powers of ten if
+/// there would be too many digits.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -93,7 +93,7 @@ fn exponent(value: f64) -> String {
     format!("{value:.3e}").replace('-', "\u{2212}")
 }
 
-/// Decimals that tell multiples of `step` apart, one to four.
+/// Number of decimals that distinguish multiples of `step`, one to four.
 pub fn decimals_for(step: f64) -> usize {
     (1..4).find(|&n| is_whole(step * libm::exp10(f64::from(n)))).unwrap_or(4) as usize
 }

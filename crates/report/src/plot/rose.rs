@@ -22,9 +22,9 @@ pub struct Rose {
 /// A ring of sectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring {
-    /// Printed at its outer edge.
+    /// Label, printed at the outer edge of the ring.
     pub label: String,
-    /// A share from 0 to 1 a sector; `None` where there is nothing to say.
+    /// A share from 0 to 1 for each sector; `None` without a value.
     pub shares: Vec<Option<f64>>,
 }
 

@@ -1,4 +1,4 @@
-//! A chart as a file of its own: an SVG picture with title, legend and style.
+//! A chart as a separate file: an SVG picture with title, legend and style.
 
 use maud::{Markup, PreEscaped, html};
 

@@ -25,7 +25,7 @@ pub struct Timeline {
 pub struct Lane {
     /// Printed left of it.
     pub name: String,
-    /// Draws its bars and marks dark.
+    /// True for a lane whose bars and marks are drawn dark.
     pub is_grave: bool,
     /// Its bars and marks.
     pub spans: Vec<Span>,
@@ -34,9 +34,9 @@ pub struct Lane {
 /// A bar or a mark of a lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Where it begins on the axis.
+    /// Where the bar begins on the axis.
     pub from: f64,
-    /// Where it ends; a mark ends where it begins.
+    /// Where the bar ends; a mark ends where it begins.
     pub to: f64,
     /// How a bar is filled.
     pub fill: Fill,

@@ -1,15 +1,17 @@
-//! The page of assumptions: method, ships, fenders, water, and what of it has to be checked.
+//! The page of assumptions: method, ships, fenders, water, and the assumptions that must be checked.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
 use fenderline_sim::{BodySetup, Integrator, Method, Setup};
 use maud::{Markup, html};
 
-use super::{Recorder, fenders, scene, vessels};
+use super::method_notes::method_notes;
+use super::recorder::Recorder;
+use super::{fenders, scene, vessels};
 use crate::plot::{fixed, plain};
 use fenderline_results::Outcome;
 
-/// From this time on it is given in hours too (s).
+/// Times from this on are given in hours too (s).
 const HOUR_S: f64 = 3600.0;
 /// Ships listed.
 const SHIPS: usize = 8;
@@ -30,7 +32,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             (fenders::data(setup))
             (to_check(outcome))
             h3 { "Method and its limits" }
-            (super::method_notes(outcome))
+            (method_notes(outcome))
         }
     }
 }
@@ -71,7 +73,7 @@ fn ships(setup: &Setup) -> Markup {
                     (fixed(100.0 * mass.added_sway_kg / mass.mass_kg, 0))
                     " % in sway (virtual mass factor C" sub { "m" } " " (fixed(1.0 + mass.added_sway_kg / mass.mass_kg, 2))
                     @if let Some(ratio) = extrapolated(setup, index) {
-                        ", by our extrapolation: she has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
+                        ", by our extrapolation: the ship has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
                         (PUBLISHED_RATIO)
                     }
                     "); radius of gyration " (plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 3)) "\u{a0}m"

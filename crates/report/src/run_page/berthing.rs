@@ -69,7 +69,7 @@ fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &Berthing
             dd {
                 (ship) ", " (plain(berthing.displacement_kg / 1e3, 6)) " t"
                 @if let Some(other) = berthing.other {
-                    " (the reduced mass M₁M₂/(M₁ + M₂) of two ships; the other has "
+                    " (the reduced mass M₁M₂/(M₁ + M₂) of two ships; the other ship has "
                     (plain(other.displacement_kg / 1e3, 6)) " t)"
                 }
                 "; length between perpendiculars "
@@ -225,9 +225,11 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
         p {
             "The abnormal energy by the formula is " (fixed(100.0 * abnormal_j / capacity_j, 0))
             " % of the rated energy of one fender: of "
-            (outcome.setup.fenders[fender.fender].name) ", which took the most, with its factors "
-            (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact. How many "
-            "fenders share it depends on their spacing and on the hull."
+            (outcome.setup.fenders[fender.fender].name) ", which took the largest energy, with its \
+                factors "
+            (significant(capacity_j / 1e3, 4)) " kJ. The formula gives the energy of one contact. \
+                How many "
+            "fenders share this energy depends on their spacing and on the hull."
         }
     }
 }
@@ -240,14 +242,15 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     html! {
         p {
             "The formula's Ce is the share of the energy that one contact takes if it does not slip and ends "
-            "when the hull stops there. The rest remains as rotation of the ship. "
+            "when the hull stops there. The rest of the energy remains as rotation of the ship. "
             @if off.abs() <= ALIKE {
-                "With the simulated ship's own radius of gyration, the fenders took that share in the first "
+                "With the radius of gyration of the simulated ship, the fenders took this share in \
+                 the first "
                 "hit to within " (fixed(100.0 * ALIKE, 0)) " %. "
             } @else {
                 "In the first hit the fenders took " (fixed(100.0 * off.abs(), 0)) " % "
                 @if off > 0.0 { "more" } @else { "less" }
-                " than that, with the simulated ship's own radius of gyration: "
+                " than this share, with the radius of gyration of the simulated ship: "
                 @if off > 0.0 {
                     "loads during the hit, an initial turn or speed along the berth, or neighbouring fenders on the "
                     "other side of the centre of gravity add to it. "
@@ -258,13 +261,15 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
             @if let Some(later) = berthing.later.filter(larger) {
                 "In the " (ordinal(later.number)) " hit, at " (fixed(later.at_s, decimals_for(outcome.setup.step_s)))
                 " s, they took " (fixed(later.energy_j / berthing.fender_energy_j, 1)) " times as much: the energy that "
-                "the formula leaves in her rotation reaches the fenders when she swings in, with the work of the loads. "
+                "the formula leaves in the ship's rotation reaches the fenders when the ship \
+                 swings in, together with the work of the loads. "
             }
         }
         p class="note" {
             "In the run the hull is rigid and there is no water cushion between hull and berth: Cs and Cc "
-            "are 1. Where several fenders are met at once, Ce is that of the point of their stretch that is nearest to the "
-            "centre of gravity. UFC 4-152-01 is as a public calculator has it. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
+            "are 1. If the hull meets several fenders at once, Ce belongs to the point between the outermost of them that is "
+            "nearest to the centre of gravity. The formula of UFC 4-152-01 is taken from a public calculator, the \
+             other formulas from public manuals; we did not read the text of PIANC's guidelines, "
             "and no conformity with them is claimed."
         }
     }

@@ -1,4 +1,5 @@
-//! The branches of a session side by side: what came of each, their ways in one plan, their speeds and distances in one chart.
+//! The branches of a session side by side: the outcome of each, the tracks in one plan, speeds and distances in one
+//! chart.
 
 use fenderline_contact::Vec2;
 use fenderline_results::{BranchOutcome, Outcome, WayPoint};
@@ -27,7 +28,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     html! {
         h2 { "Branches side by side" }
         p {
-            "Each branch from the start of the session to its own end. This report is that of "
+            "Each branch is shown from the start of the session to the end of the branch. This \
+             report is of "
             strong { (name(session.branch)) } "."
         }
         (table(all, session.branch))
@@ -140,7 +142,8 @@ fn plan(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
         Some(Label { text: title(of.id), place })
     });
     let plan = Plan {
-        title: "The ship in each branch: her way, and her hull at its end".to_owned(),
+        title: "The ship in each branch: her track, and her hull at the end of the branch"
+            .to_owned(),
         frame,
         outlines: fixed_bodies.chain(hulls).collect(),
         fenders: Vec::new(),
@@ -167,7 +170,7 @@ fn charts(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
     let chart = |title: &str, y: Axis, series: Vec<Series>| {
         let mut chart = page.chart(title, y, series);
         chart.x = chart.x.including(end_s / unit_s);
-        // Branches have times of their own beside those of the report.
+        // The branches have separate time axes from the charts of the report.
         chart.linked = Some("branches");
         chart
     };

@@ -4,7 +4,7 @@ use fenderline_contact::number::greater;
 
 use maud::{Markup, html};
 
-use super::Recorder;
+use super::recorder::Recorder;
 use super::recorder::{BodyTrace, PairTrace};
 use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
 use fenderline_results::Outcome;
@@ -138,7 +138,9 @@ impl<'a> Charts<'a> {
             [pair] => self.rebound(pair),
             _ => None,
         });
-        chart.note = "After the contact the speed is that along the last normal, at the last point of contact.".to_owned();
+        chart.note = "After the contact, the speed is measured along the last normal, at the last \
+            point of contact."
+            .to_owned();
         chart.render()
     }
 
@@ -150,7 +152,7 @@ impl<'a> Charts<'a> {
         Some(Reference { label: "−γV⁰".to_owned(), value })
     }
 
-    /// γ of the outlines of a pair; `None` if they touched through fenders, which have materials of their own.
+    /// γ of the outlines of a pair; `None` if they touched through fenders, which have separate materials.
     fn restitution_of(&self, bodies: [usize; 2]) -> Option<f64> {
         let setup = self.outcome.setup;
         if self.outcome.fenders.iter().any(|f| bodies.contains(&setup.fenders[f.fender].body)) {

@@ -1,11 +1,13 @@
-//! The title page: what the document is, the verdict, the governing numbers, a picture.
+//! The title page: kind of document, verdict, governing numbers, a picture.
 
 use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
 use super::governing::{Governing, governing};
+use super::harbour_key::harbour;
+use super::recorder::Recorder;
 use super::tables::{TONNE_N, number};
-use super::{Recorder, approach, exercise, scene, session, verdict};
+use super::{approach, exercise, scene, session, verdict};
 use crate::plot::{decimals_for, fenders_legend, fixed, ordinal, outlined_legend, significant};
 use crate::words::interrupted_text;
 use crate::{Head, table_head};
@@ -32,7 +34,7 @@ pub(super) fn cover(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 (scene::first(outcome, recorder))
                 (outlined_legend())
                 @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
-                (super::harbour(outcome))
+                (harbour(outcome))
             }
         }
     }
@@ -109,7 +111,7 @@ fn numbers(outcome: &Outcome<'_>, governing: &[Governing]) -> Markup {
     }
 }
 
-/// When it was, and in which hit of the berthing.
+/// The time of the number, and the hit of the berthing in which it occurred.
 fn time(row: &Governing, decimals: usize) -> String {
     let at = row.at_s.map_or_else(|| "–".to_owned(), |at_s| fixed(at_s, decimals));
     row.hit.map_or(at.clone(), |hit| format!("{at}, {} hit", ordinal(hit)))

@@ -4,8 +4,8 @@ use fenderline_contact::number::greater;
 
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::charts::{Charts, scaled};
+use super::recorder::Recorder;
 use super::tables::number;
 use crate::plot::{Axis, Series, decimals_for, fixed, significant};
 use crate::{Head, table_head};

@@ -1,4 +1,4 @@
-//! The exercise: its result on the title page, and each condition and limit with what it cost.
+//! The exercise: its result on the title page, and each condition and limit with its deduction.
 
 use fenderline_results::Outcome;
 use fenderline_sim::Setup;
@@ -43,8 +43,9 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             h3 { "Limits" }
             (limits(exercise, outcome.setup))
             p class="note" {
-                "The score begins at 100. An exceeded limit takes points in proportion to the excess, all of them at its worst \
-                value and beyond it. It is passed with the goal reached, " (fixed(of.pass_mark, 0))
+                "The score begins at 100. An exceeded limit costs points in proportion to the \
+                 excess, all its points at its worst value and beyond. The exercise is passed with \
+                 the goal reached, " (fixed(of.pass_mark, 0))
                 " points, and no limit exceeded that decides it. What happened after the end of the exercise does not count."
             }
         }

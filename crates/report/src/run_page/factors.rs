@@ -1,4 +1,4 @@
-//! Partial factors of the user, and what they make of the loads.
+//! Partial factors of the user, and the factored loads.
 
 use fenderline_results::Outcome;
 use fenderline_sim::factors::Factored;
@@ -8,7 +8,7 @@ use super::tables::{ROWS, more, number};
 use crate::plot::{fixed, plain, significant};
 use crate::{Head, table_head};
 
-/// A row: what it is of, the quantity with its unit, and the factored effect.
+/// A row: the fender or line, the quantity with its unit, and the factored effect.
 struct Row<'o> {
     name: &'o str,
     quantity: &'static str,
@@ -22,7 +22,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     html! {
         @if !factors.is_empty() {
             h3 { "Partial factors" }
-            p { "The factors are the scenario's own, of " (factors.source) ". fenderline claims none." }
+            p { "The factors come from the scenario, with the source " (factors.source) ". \
+                fenderline has no factors of its own." }
             div class="wide" {
                 table {
                     (table_head(&[

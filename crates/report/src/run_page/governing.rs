@@ -9,9 +9,9 @@ use fenderline_sim::{DolphinSummary, FenderSummary, Finding, PanelSummary, Rated
 /// A governing number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Governing {
-    /// What it is, such as `Reaction of a fender`.
+    /// The quantity, such as `Reaction of a fender`.
     pub quantity: &'static str,
-    /// The fender, line, ship or contact that it belongs to; empty for all together.
+    /// The fender, line, ship or contact to which the number belongs; empty for all together.
     pub subject: String,
     /// Its value, in `unit`.
     pub value: f64,
@@ -21,9 +21,9 @@ pub struct Governing {
     pub share: Option<(f64, &'static str)>,
     /// When (s).
     pub at_s: Option<f64>,
-    /// The hit of the berthing in which that was, 1 for the first.
+    /// The hit of the berthing in which the number occurred, 1 for the first.
     pub hit: Option<u32>,
-    /// It is above its limit.
+    /// The number is above its limit.
     pub is_over: bool,
 }
 
@@ -260,7 +260,7 @@ fn energies(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The rated energy of the fender that she meets first, with its factors (J); `None` where she meets several at once, which share the
+/// The rated energy of the fender that she meets first, with its factors (J); `None` if she meets several at once, which share the
 /// energy.
 fn capacity_of_one_j(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Option<f64> {
     let [one] = berthing.fenders[..] else { return None };

@@ -12,22 +12,23 @@ mod exercise;
 mod factors;
 mod fenders;
 mod governing;
+mod harbour_key;
+mod method_notes;
 mod parts;
 mod recorder;
 mod scene;
 mod session;
+mod signed;
+mod strongest;
 mod system;
 mod tables;
 mod verdict;
 mod vessels;
 
 use fenderline_contact::EventKind;
-use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::plot::{
-    chart_note, fenders_legend, harbour_legend, outlined_legend, page_of, shortened,
-};
+use crate::plot::{fenders_legend, outlined_legend, page_of, shortened};
 use crate::words::{event_text, with_code};
 use fenderline_results::{Outcome, is_plain};
 
@@ -36,10 +37,10 @@ pub use governing::{Governing, governing};
 pub use recorder::{Recorder, WindTrace};
 pub use vessels::{addressee, order_text};
 
+use harbour_key::harbour;
 use recorder::PairTrace;
+use strongest::strongest;
 
-/// Most pairs in a chart: more lines cannot be told apart.
-const DRAWN_PAIRS: usize = 6;
 /// Longest title at the foot of printed pages (characters).
 const TITLE: usize = 80;
 /// Most pairs with a close-up.
@@ -128,26 +129,6 @@ fn footer(outcome: &Outcome<'_>) -> String {
     parts.join(" · ")
 }
 
-/// The key to lines, tugs, banks and passing ships, if there are any.
-fn harbour(outcome: &Outcome<'_>) -> Markup {
-    let world = &outcome.setup.world;
-    let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
-    let has_banks = !world.environment.banks.is_empty();
-    let has = [has_lines, has_tugs, has_banks, !world.flow.passing.is_empty()];
-    html! {
-        @if has.contains(&true) { (harbour_legend(has)) }
-        @if !world.chart.features.is_empty() { (chart_note()) }
-    }
-}
-
-/// The pairs with the largest forces, largest first.
-fn strongest(recorder: &Recorder) -> Vec<&PairTrace> {
-    let mut pairs: Vec<&PairTrace> = recorder.pairs.iter().collect();
-    pairs.sort_by(|a, b| b.peak.normal_n.total_cmp(&a.peak.normal_n));
-    pairs.truncate(DRAWN_PAIRS);
-    pairs
-}
-
 fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
     let touched = recorder.pairs.len();
     html! {
@@ -199,82 +180,6 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
                     li { "and " (outcome.notices.len() - 20) " more, in summary.json" }
                 }
             }
-        }
-    }
-}
-
-fn method_notes(outcome: &Outcome<'_>) -> Markup {
-    html! {
-        ul class="plain" {
-            li {
-                "Contact forces: the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
-                "(TransNav 17(4), 2023), with its sign errors corrected: normal force from the overlap "
-                "area and its rate, friction by a shear spring that sticks and slips, and an "
-                "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
-            }
-            @match outcome.setup.method {
-                Method::Paper => (paper_notes(outcome.setup.step_s)),
-                Method::Coupled => (coupled_notes(outcome.setup.step_s)),
-            }
-            li {
-                "Bodies are rigid, and move in the horizontal plane. "
-                @if outcome.setup.world.vessels.is_empty() {
-                    "The water acts by added mass alone, without damping, wind or current."
-                } @else {
-                    "On vessels act hull, propeller, rudder and thrusters by the MMG method, extended to low "
-                    "speed, and wind, current and mean wave drift; on other bodies the water acts by added "
-                    "mass alone. "
-                    (vessels::degrees_of_freedom(outcome.setup))
-                }
-            }
-            li {
-                "Energy: the kinetic energy at the start plus the work of the loads equals the kinetic energy at "
-                "the end plus the work done against contact forces. Work is force times the mean velocity of the "
-                "step, so that this balance is exact. Its residual is rounding and, where surge and sway have "
-                "different added mass, the integration error of the Coriolis terms. Energy taken by contact forces "
-                "is stored, lost to restitution, damping and friction, or is a numerical loss or gain of method and "
-                "time step. That part decreases with the step, except where outlines meet in a corner, "
-                "because the contact law there has no potential."
-            }
-            @if !outcome.setup.fenders.is_empty() {
-                li {
-                    "The force of a fender is the gradient of its stored energy: its reaction at the mean "
-                    "deflection over its width, times the factor that speed, angle, temperature and "
-                    "tolerance gave at the first touch. Its energy is the integral of its reaction. Beyond its travel its "
-                    "stop acts, then the structure behind it."
-                }
-            }
-        }
-    }
-}
-
-fn paper_notes(step_s: f64) -> Markup {
-    html! {
-        li {
-            "Paper method: the limiter treats each pair on its own, without the other contacts and the "
-            "loads. Where a body rests on several others at once, or is pressed by a steady load, "
-            "depth and rebound may be wrong (docs/contact_model.md, section 5). The limiter uses the mass "
-            "with the smallest added mass."
-        }
-        li {
-            "Forces are those at the start of the time step over which they act (" (step_s)
-            " s here). The peak rises and the contact shortens with a smaller step, while the "
-            "impulse stays; compare two steps before a peak is used in design."
-        }
-    }
-}
-
-fn coupled_notes(step_s: f64) -> Markup {
-    html! {
-        li {
-            "Coupled method: the forces of all contacts of a step are solved together, with the "
-            "external loads and the full mass matrix of each body, so that several fenders "
-            "share one rebound and a steady load is held at its static depth."
-        }
-        li {
-            "Forces in the charts are means over the time step (" (step_s) " s here). If it is "
-            "too long for a contact, the engine takes sub-steps. Peaks in the tables "
-            "include the sub-steps."
         }
     }
 }

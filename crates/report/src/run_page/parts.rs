@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::charts::{Charts, scaled};
 use super::recorder::PartsTrace;
+use super::recorder::Recorder;
 use crate::plot::{Axis, Series};
 
 /// Spring, stop, damper and limiter over time; nothing without contact.

@@ -14,7 +14,7 @@ const LANES: usize = 12;
 /// Most lines of the list.
 const LINES: usize = 400;
 
-/// What the session was, its picture and its log; nothing for a run that nobody steered.
+/// Description of the session, its picture and its log; nothing for a run that nobody steered.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(session) = outcome.session else { return html! {} };
     html! {
@@ -96,11 +96,13 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     people.truncate(LANES);
     alarms.truncate(LANES);
     let mut note =
-        "Marks: commands, notes, and when a limit of the exercise was exceeded first. Dark red: alarms; amber: cautions; the text is that of the first. Full bar: active and not \
-         acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but nobody has acknowledged it."
+        "Marks: commands, notes, and when a limit of the exercise was exceeded first. Dark red: \
+         alarms; amber: cautions; the text belongs to the first of them. Full bar: active and not \
+         acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but \
+         nobody has acknowledged the alarm."
             .to_owned();
     if left_out > 0 {
-        note += &format!(" {left_out} more are in the list only.");
+        note += &format!(" {left_out} more are only in the list.");
     }
     let lanes: Vec<Lane> = people.into_iter().chain(alarms).collect();
     if lanes.is_empty() {

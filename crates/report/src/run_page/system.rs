@@ -8,16 +8,17 @@ use fenderline_sim::{
 };
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::fenders::{setup_table, used};
+use super::recorder::Recorder;
+use super::signed::signed;
 use crate::plot::{
     Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side, Use,
     decimals_for, fixed, shortened, significant,
 };
 
-/// Faces drawn at most, those with the most fenders and with more than one.
+/// Largest number of drawn faces: the faces with most fenders, each with more than one fender.
 const FACES: usize = 3;
-/// Faces whose directions differ by less are one (rad).
+/// Faces whose directions differ by less count as one face (rad).
 const SAME_FACING_RAD: f64 = 0.035;
 /// Mountings that are farther apart square to the face are not on one face (m).
 const SAME_LINE_M: f64 = 6.0;
@@ -47,7 +48,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     // The largest first; of equal ones in the order of the scenario.
     groups.sort_by_key(|group| core::cmp::Reverse(group.len()));
     let all = groups.len();
-    // Beside a row of fenders, the single one at a tug's bow is no system.
+    // Beside a row of fenders, the single fender at a tug's bow is not drawn as a system.
     groups.truncate(groups.iter().filter(|group| group.len() > 1).count().clamp(1, FACES));
     let left = all - groups.len();
     html! {
@@ -55,7 +56,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @for group in &groups { (sight.face(group).render()) }
         @if left > 0 {
             p class="note" {
-                "Drawn are the faces with the most fenders; " (left) " more "
+                "The drawing shows the faces with the most fenders; " (left) " more "
                 @if left == 1 { "has" } @else { "have" } " fenders."
             }
         }
@@ -104,7 +105,7 @@ impl Frame {
         Frame {
             mount_m: pose.apply(fender.position_m),
             origin_m: states[fender.body].position_m,
-            // One who looks against `outward` has it on the right hand.
+            // The right hand, as you look against `outward`.
             right: outward.quarter_turn_back(),
             outward,
         }
@@ -315,7 +316,7 @@ impl Sight<'_> {
     }
 }
 
-/// From above, the most used fender among those with a panel on several cones, in its largest turn; nothing where none was
+/// From above, the most used fender among those with a panel on several cones, in its largest turn; nothing if none was
 /// touched.
 fn panel_plan(outcome: &Outcome<'_>) -> Option<PanelPlan> {
     let setups = &outcome.setup.fenders;
@@ -391,7 +392,7 @@ fn chains(fender: &FenderSetup, summary: Option<&FenderSummary>) -> Vec<(Chain, 
     fender.chains.iter().enumerate().map(drawn).take(CHAINS).collect()
 }
 
-/// Where an outline is nearest to the face at a place along it (m); `None` where it does not reach there.
+/// Where an outline is nearest to the face at a place along it (m); `None` if it does not reach there.
 fn nearest_m(outline_m: &[[f64; 2]], along_m: f64) -> Option<f64> {
     let next = outline_m.iter().cycle().skip(1);
     let crossings = outline_m.iter().zip(next).filter_map(|(from, to)| {
@@ -416,11 +417,6 @@ fn out_at_m(side_m: &[[f64; 2]], height_m: f64) -> f64 {
         (_, Some(last)) => last[0],
         (_, None) => 0.0,
     }
-}
-
-/// A height with its sign.
-pub(super) fn signed(height_m: f64) -> String {
-    if height_m > 0.0 { format!("+{}", fixed(height_m, 2)) } else { fixed(height_m, 2) }
 }
 
 #[cfg(test)]

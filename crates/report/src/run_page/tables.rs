@@ -149,7 +149,8 @@ fn bodies(bodies: &[BodySetup]) -> Markup {
         }
         (more(bodies.len()))
         p class="note" {
-            "Length and breadth are those of the outline. Gyradius and displacement are without "
+            "Length and breadth are measured on the outline. Gyradius and displacement are without \
+             "
             "added mass. Speed is over ground at the start."
         }
     }

@@ -80,43 +80,51 @@ pub(crate) fn anchors_table() -> Layout<AnchorRow> {
         known(
             "x_m",
             "m",
-            "where it lies on the bottom, north, at the start of the interval",
+            "place of the anchor on the bottom, north, at the start of the interval",
             |r| r.place_m.map(|[north_m, _]| north_m),
         ),
-        known("y_m", "m", "where it lies on the bottom, east, at the start of the interval", |r| {
-            r.place_m.map(|[_, east_m]| east_m)
-        }),
+        known(
+            "y_m",
+            "m",
+            "place of the anchor on the bottom, east, at the start of the interval",
+            |r| r.place_m.map(|[_, east_m]| east_m),
+        ),
         float(
             "chain_out_m",
             "m",
-            "chain out from the hawse pipe at the start of the interval",
+            "length of chain out from the hawse pipe at the start of the interval",
             |r| r.chain_m,
         ),
-        float("on_bottom_m", "m", "chain on the bottom at the start of the interval", |r| {
-            r.on_bottom_m
-        }),
+        float(
+            "on_bottom_m",
+            "m",
+            "length of chain on the bottom at the start of the interval",
+            |r| r.on_bottom_m,
+        ),
         float("tension_n", "N", "mean tension of the chain at the hawse pipe", |r| r.tension_n),
         float(
             "peak_tension_n",
             "N",
-            "largest tension in a step of the interval; of a chain that parts or runs out, that at which it does",
+            "largest tension in a step of the interval; for a chain that parts or runs out, the \
+             tension at that moment",
             |r| r.peak_tension_n,
         ),
         known(
             "lead_rad",
             "rad",
-            "direction of the chain from the bow, positive to starboard, at the start of the interval; empty where it leads \
-             straight down",
+            "direction of the chain from the bow, positive to starboard, at the start of the \
+             interval; empty if the chain leads straight down",
             |r| r.lead_rad,
         ),
         float(
             "holding_n",
             "N",
-            "what anchor and chain hold against a horizontal pull at the start of the interval",
+            "holding force of anchor and chain against a horizontal pull at the start of the \
+             interval",
             |r| r.holding_n,
         ),
         float("dragged_m", "m", "how far the anchor dragged in the interval", |r| r.dragged_m),
-        flag("dragging", "whether it dragged in the interval", |r| r.dragging),
+        flag("dragging", "whether the anchor dragged in the interval", |r| r.dragging),
     ];
     Layout { name: "anchors", rows: "one row per anchor and interval", columns }
 }

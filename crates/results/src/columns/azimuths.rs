@@ -40,9 +40,13 @@ pub(crate) fn azimuths_table() -> Layout<AzimuthRow> {
         float("power_order", "1", "ordered thrust over the bollard thrust at full power", |r| {
             r.order.power
         }),
-        float("power", "1", "power in the same measure; at speed the thrust is less", |r| {
-            r.now.power.value
-        }),
+        float(
+            "power",
+            "1",
+            "power, as thrust at zero speed over the bollard thrust at full power; \
+            at speed the thrust is less",
+            |r| r.now.power.value,
+        ),
         float(
             "direction_order_rad",
             "rad",

@@ -50,17 +50,20 @@ pub(crate) fn chains_table() -> Layout<ChainRow> {
         float(
             "peak_tension_n",
             "N",
-            "largest tension within the interval: that at which it parted if it did so, 0 after that",
+            "largest tension within the interval; for a chain that parts, the tension at which it \
+             parts; 0 after that",
             |r| r.chain.peak_tension_n,
         ),
-        float("share_of_break_load", "1", "that tension over the break load", |r| {
+        float("share_of_break_load", "1", "largest tension over the break load", |r| {
             r.chain.share_of_break_load
         }),
-        flag("parted", "whether it has parted, in this interval or before", |r| r.chain.has_parted),
+        flag("parted", "whether the chain has parted, in this interval or before", |r| {
+            r.chain.has_parted
+        }),
     ];
     Layout {
         name: "chains",
-        rows: "one row per chain and interval in which its fender is touched",
+        rows: "one row per chain and interval in which the chain's fender is touched",
         columns,
     }
 }

@@ -18,9 +18,9 @@ pub(crate) struct ContactRow {
 
 /// The work of the contacts of a step, each written to one row only.
 ///
-/// The ledger accumulates by pair and by fender. Where several patches touch, the first row has the work of
-/// all of them, so that the sum over rows equals the ledger. One exception: with the paper's method and Runge–Kutta the
-/// later stages may see a contact one step before its first row.
+/// The ledger accumulates by pair and by fender. If several patches touch, the first row has the
+/// work of all patches, so the sum over rows equals the ledger. One exception: with the paper's
+/// method and Runge–Kutta the later stages may see a contact one step before its first row.
 pub(crate) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }
@@ -146,14 +146,15 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
         float(
             "normal_work_j",
             "J",
-            "work of the normal force on the bodies in the interval; the first row of a pair or fender has the work of all its \
-             patches, the others 0",
+            "work of the normal force on the bodies in the interval; the first row of a pair or \
+             fender has the work of all its patches, the other rows 0",
             |r| r.work_j[0],
         ),
         float(
             "tangential_work_j",
             "J",
-            "work of the tangential force on the bodies in the interval, in the same rows",
+            "work of the tangential force on the bodies in the interval, in the same rows as the \
+             work of the normal force",
             |r| r.work_j[1],
         ),
     ];

@@ -48,7 +48,8 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "radiation_work_j",
             "J",
-            "work of the water's answer to the motion of vessels with hydrodynamic data",
+            "work of the radiation force, the reaction of the water to the motion of vessels with \
+             hydrodynamic data",
             |r| r.energy.loads.radiation_j,
         ),
         float("banks_work_j", "J", "work of banks", |r| r.energy.loads.banks_j),
@@ -75,7 +76,8 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "piles_work_j",
             "J",
-            "work of the piles of flexible dolphins: less what they store, and less their losses",
+            "work of the piles of flexible dolphins on the bodies: minus the energy that they \
+             store, and minus their losses",
             |r| r.energy.loads.piles_j,
         ),
         float("other_work_j", "J", "work of the scenario's loads and of force providers", |r| {

@@ -18,7 +18,7 @@ pub(crate) struct LineRow {
 }
 
 impl LineRow {
-    /// The row of line number `line`; `None` while it is not fast.
+    /// The row of line number `line`; `None` while the line is not fast.
     pub(crate) fn new(t_s: f64, line: usize, now: &Mooring) -> Option<LineRow> {
         let (_, state) = now.line.as_ref()?;
         Some(LineRow {
@@ -57,11 +57,14 @@ pub(crate) fn lines_table() -> Layout<LineRow> {
     let columns: Vec<Column<LineRow>> = vec![
         float("t_s", "s", "start of the interval", |r| r.t_s),
         name("line", "name of the line", List::Lines, |r| Some(r.line)),
-        float("tension_n", "N", "mean tension at the ship's end while it is fast", |r| r.tension_n),
+        float("tension_n", "N", "mean tension at the ship's end while the line is fast", |r| {
+            r.tension_n
+        }),
         float(
             "peak_tension_n",
             "N",
-            "largest tension at the ship's end in a step of the interval; of a line that parts, that at which it does",
+            "largest tension at the ship's end in a step of the interval; for a line that parts, \
+             the tension at which it parts",
             |r| r.peak_tension_n,
         ),
         float(
@@ -70,10 +73,13 @@ pub(crate) fn lines_table() -> Layout<LineRow> {
             "unstretched length outboard at the start of the interval, tail included",
             |r| r.length_m,
         ),
-        float("rendered_m", "m", "line that the winch brake rendered in the interval", |r| {
-            r.rendered_m
-        }),
-        flag("parted", "whether it has parted", |r| r.parted),
+        float(
+            "rendered_m",
+            "m",
+            "length of line that the winch brake rendered in the interval",
+            |r| r.rendered_m,
+        ),
+        flag("parted", "whether the line has parted", |r| r.parted),
     ];
     Layout { name: "lines", rows: "one row per line that is made fast, and interval", columns }
 }

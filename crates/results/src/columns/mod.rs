@@ -64,7 +64,7 @@ pub(crate) use vessels::{VesselRow, vessels_table};
 /// A table with rows of type `R`: its name and its columns.
 pub(crate) struct Layout<R> {
     pub(crate) name: &'static str,
-    /// What one row is.
+    /// Meaning of one row.
     pub(crate) rows: &'static str,
     /// In the order of the file.
     pub(crate) columns: Vec<Column<R>>,
@@ -75,7 +75,7 @@ pub(crate) struct Layout<R> {
 pub struct TableReference {
     /// Name of the table; its file is `NAME.csv` or `NAME.parquet`.
     pub name: &'static str,
-    /// What one row is.
+    /// Meaning of one row.
     pub rows: &'static str,
     /// The columns, in the order of the file.
     pub columns: Vec<ColumnReference>,
@@ -88,7 +88,7 @@ pub struct ColumnReference {
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// Its meaning.
+    /// Meaning of the column.
     pub meaning: &'static str,
 }
 
@@ -128,7 +128,7 @@ pub struct Column<R> {
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// Its meaning.
+    /// Meaning of the column.
     pub meaning: &'static str,
     /// Takes the value from a row.
     pub value: Value<R>,
@@ -140,7 +140,7 @@ pub enum Value<R> {
     Float(fn(&R) -> f64),
     /// A number that some rows do not have: empty in csv, NaN elsewhere.
     Known(fn(&R) -> Option<f64>),
-    /// An index into one of the lists of [`Names`], written as the name there; empty where there is none.
+    /// An index into one of the lists of [`Names`], written as the name at this index; empty without an index.
     Name(List, fn(&R) -> Option<usize>),
     /// One of a few words.
     Word(fn(&R) -> &'static str),
@@ -189,7 +189,7 @@ pub enum List {
 pub struct Names {
     bodies: Vec<String>,
     fenders: Vec<String>,
-    /// A vessel has the name of her body.
+    /// A vessel has the name of the vessel's body.
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,

@@ -15,7 +15,7 @@ pub(crate) struct PanelRow {
 }
 
 impl PanelRow {
-    /// The row of a panel on so many cones.
+    /// The row of a panel on several cones.
     pub(crate) fn new(t_s: f64, motion: &PanelMotion, cones: usize) -> PanelRow {
         let most_m = motion.peak_deflections_m.iter().take(cones).copied().fold(0.0, greater);
         let least_m = motion.least_deflections_m.iter().take(cones).copied();
@@ -56,28 +56,28 @@ pub(crate) fn panels_table() -> Layout<PanelRow> {
         name("fender", "name of the fender with the panel", List::Fenders, |r| {
             Some(r.motion.fender.0 as usize)
         }),
-        name("hull", "name of the body that presses it", List::Bodies, |r| {
+        name("hull", "name of the body that presses the panel", List::Bodies, |r| {
             Some(r.motion.hull.0 as usize)
         }),
         float(
             "deflection_m",
             "m",
-            "deflection of the panel's middle at the start of the interval; that of the cone at x m to the right of the \
-             middle is deflection_m + x tilt_rad",
+            "deflection of the panel's middle at the start of the interval; the deflection of a \
+             cone at x m to the right of the middle is deflection_m + x tilt_rad",
             |r| r.motion.deflection_m,
         ),
         float(
             "tilt_rad",
             "rad",
-            "turn about the vertical axis at the start of the interval, positive where the right end, as seen from the \
-             water, is deflected more",
+            "turn about the vertical axis at the start of the interval, positive if the right end, \
+             as seen from the water, is deflected more",
             |r| r.motion.tilt_rad,
         ),
         float(
             "moment_nm",
             "N·m",
-            "moment of the cones' reactions about the panel's middle at the start of the interval, positive where the \
-             right ones bear more",
+            "moment of the cones' reactions about the panel's middle at the start of the interval, \
+             positive if the right cones bear more",
             |r| r.motion.moment_nm,
         ),
         float(
@@ -101,7 +101,7 @@ pub(crate) fn panels_table() -> Layout<PanelRow> {
         float(
             "least_cone_deflection_m",
             "m",
-            "smallest deflection of a cone within the interval, negative where it was stretched",
+            "smallest deflection of a cone within the interval, negative if the cone was stretched",
             |r| r.cones_m[1],
         ),
     ];

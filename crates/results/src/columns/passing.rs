@@ -40,7 +40,7 @@ pub(crate) fn passing_table() -> Layout<PassingRow> {
         float("x_m", "m", "midship: north", |r| r.now.pose.position_m.x),
         float("y_m", "m", "midship: east", |r| r.now.pose.position_m.y),
         float("heading_rad", "rad", "heading, clockwise from north", |r| r.now.heading_rad),
-        float("speed_mps", "m/s", "speed over ground along her track", |r| r.now.speed_mps),
+        float("speed_mps", "m/s", "speed over ground along the track", |r| r.now.speed_mps),
     ];
     Layout { name: "passing", rows: "one row per passing ship and interval, at its start", columns }
 }

@@ -52,7 +52,7 @@ impl VesselRow {
         }
     }
 
-    /// The same with the start of its interval.
+    /// The same row with the start of its interval.
     pub(crate) fn at(self, start_s: f64) -> VesselRow {
         VesselRow { t_s: start_s, ..self }
     }
@@ -76,7 +76,7 @@ impl Row for VesselRow {
     }
 }
 
-/// Replaces each force; `with` also gets the function that takes that force from others.
+/// Replaces each force; `with` also gets the function that takes this force from other rows.
 fn each_force(
     forces: &VesselForces,
     with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,
@@ -149,7 +149,8 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         force_columns!(
             VesselRow,
             "radiation_",
-            "the water's answer to the motion of a vessel with hydrodynamic data, and the coupling with heave, roll and pitch",
+            "the radiation force, the reaction of the water to the motion of a vessel with \
+             hydrodynamic data, and the coupling with heave, roll and pitch",
             forces.radiation
         ),
         force_columns!(VesselRow, "banks_", "banks (unvalidated)", forces.banks),
@@ -216,16 +217,20 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
             "pitch angle at the end of the interval, positive bow up; wave motion not included",
             |r| r.attitude.pitch.value,
         ),
-        float("squat_m", "m", "squat: sinkage of the hull at her speed through the water", |r| {
-            r.squat_m
-        }),
+        float(
+            "squat_m",
+            "m",
+            "squat: sinkage of the hull at the vessel's speed through the water",
+            |r| r.squat_m,
+        ),
         float("tide_m", "m", "water level above datum", |r| r.tide_m),
-        flag("aground", "whether she is aground in a step of the interval", |r| r.aground),
+        flag("aground", "whether the vessel is aground in a step of the interval", |r| r.aground),
     ];
     let columns = columns.into_iter().chain(forces.into_iter().flatten()).chain(motions).collect();
     Layout {
         name: "vessels",
-        rows: "one row per vessel and interval: states at its start, forces its means",
+        rows: "one row per vessel and interval: states are those at the start of the interval, \
+            forces are means over the interval",
         columns,
     }
 }

@@ -5,7 +5,7 @@ use fenderline_sim::factors::Factored;
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
-/// Adds `factors`, if the scenario has some: each with the user's source, and what it makes of fenders and lines.
+/// Adds `factors`, if the scenario has some: each with the user's source, and the factored values of fenders and lines.
 pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, factors) = (outcome.setup, &outcome.setup.world.factors);
     if factors.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     whole.put("factors", section);
 }
 
-/// Adds a factored value, with its share of what the fender or line can bear where that is known.
+/// Adds a factored value, with its share of the capacity of the fender or line if the capacity is known.
 fn put_factored(row: &mut Json, (unit, what): (&str, &str), factored: Option<Factored>) {
     let Some(factored) = factored else { return };
     row.put(&format!("factored_{what}_{unit}"), factored.value);

@@ -101,7 +101,7 @@ fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummar
     })
 }
 
-/// The peak tension of a chain; the time at which it parted has no key if it has not.
+/// The peak tension of a chain; the time of parting has no key if the chain has not parted.
 fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Json {
     let mut object = object!({
         "kind": chain.kind.word(),

@@ -163,7 +163,7 @@ fn energy_json(energy: Energy) -> Json {
         "residual_j": energy.residual_j,
         "exchanged_j": energy.exchanged_j(),
     });
-    // Only hulls by height take part in it.
+    // Only hulls by height have work of height.
     if energy.height_work_j != 0.0 {
         object.put("height_work_j", energy.height_work_j);
     }

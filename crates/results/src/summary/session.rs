@@ -16,7 +16,7 @@ pub(super) fn session_json(session: &RecordedSession) -> Json {
     })
 }
 
-/// A branch beside the others, without its way.
+/// A branch for comparison with other branches, without its track.
 fn branch_json(branch: &BranchOutcome) -> Json {
     let BranchOutcome { id, parent, from_s, ends_s, verdict, findings, score, .. } = branch;
     let BranchOutcome { fender_share, line_share, approach_mps, commands, alarms, .. } = branch;

@@ -134,7 +134,7 @@ fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Json {
     })
 }
 
-/// Missing values (the break load before the line is fast, the time at which it parted) have no key.
+/// Missing values (the break load before the line is fast, the time of parting) have no key.
 fn line_json(name: &str, totals: &LineTotals) -> Json {
     let mut object = object!({
         "name": name,
@@ -155,7 +155,7 @@ fn line_json(name: &str, totals: &LineTotals) -> Json {
     object
 }
 
-/// Missing values (where it lies, when it was lost) have no key.
+/// Missing values (place of the anchor, time of its loss) have no key.
 fn anchor_json(name: &str, totals: &AnchorTotals) -> Json {
     let mut object = object!({
         "name": name,
@@ -183,7 +183,7 @@ fn anchor_json(name: &str, totals: &AnchorTotals) -> Json {
     object
 }
 
-/// Adds the counts to those of contact events, and the first events by name.
+/// Adds the counts to the counts of contact events, and the first events by name.
 fn put_events(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     let of_world = world.events.counts().iter().map(|&(kind, n)| (world_event_key(kind), n));

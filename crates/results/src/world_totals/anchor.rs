@@ -12,23 +12,23 @@ use super::{Lasting, Peak};
 pub struct AnchorTotals {
     /// Break load of the chain (N).
     pub break_load_n: f64,
-    /// Peak tension of the chain at the hawse pipe (N); of a chain that was lost, that at which it was.
+    /// Peak tension of the chain at the hawse pipe (N); for a lost chain, the tension at its loss.
     pub tension_n: Peak,
     /// Most chain out (m).
     pub chain_m: Peak,
-    /// How long it was on the bottom.
+    /// How long the anchor was on the bottom.
     pub on_bottom: Lasting,
-    /// How far it dragged (m), and how long.
+    /// How far the anchor dragged (m).
     pub dragged_m: f64,
-    /// How long it dragged.
+    /// How long the anchor dragged.
     pub dragging: Lasting,
-    /// Energy that the bottom took from it (J).
+    /// Energy that the bottom absorbed from the anchor (J).
     pub dragged_j: f64,
     /// Chain that the brake rendered (m).
     pub rendered_m: f64,
-    /// When it was lost (s), and how.
+    /// When the anchor was lost (s), and how.
     pub lost: Option<(f64, LostBy)>,
-    /// Where it is at the end of the run.
+    /// Where the anchor is at the end of the run.
     pub position: AnchorPosition,
     /// Chain out at the end of the run (m).
     pub last_chain_m: f64,
@@ -70,7 +70,7 @@ impl AnchorTotals {
         self.last_tension_n = load.tension_n;
     }
 
-    /// Where it lies on the bottom at the end of the run: north and east (m).
+    /// Place of the anchor on the bottom at the end of the run: north and east (m).
     #[must_use]
     pub fn place_m(&self) -> Option<Vec2> {
         match self.position {
@@ -79,7 +79,7 @@ impl AnchorTotals {
         }
     }
 
-    /// The verdict on it.
+    /// The verdict on the anchor.
     #[must_use]
     pub fn verdict(&self) -> AnchorVerdict {
         match self.lost {
@@ -95,13 +95,13 @@ impl AnchorTotals {
 /// The verdict on an anchor, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AnchorVerdict {
-    /// It was never on the bottom.
+    /// The anchor was never on the bottom.
     NotUsed,
-    /// It held.
+    /// The anchor held.
     Held,
-    /// It dragged.
+    /// The anchor dragged.
     Dragged,
-    /// It was slipped by order.
+    /// The anchor was slipped by order.
     Slipped,
     /// Its chain parted or ran out.
     Lost,

@@ -42,7 +42,7 @@ impl WorldEvents {
 pub struct Who<'a> {
     /// `vessel`, `tug`, `line` or `anchor`.
     pub kind: &'static str,
-    /// Its name in the scenario.
+    /// Name of the vessel in the scenario.
     pub name: &'a str,
 }
 

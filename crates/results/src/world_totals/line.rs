@@ -8,27 +8,28 @@ use super::{Lasting, Peak};
 /// Totals of one line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineTotals {
-    /// Start of the first step in which it was fast (s).
+    /// Start of the first step in which the line was fast (s).
     pub made_fast_s: Option<f64>,
     /// Peak tension at the ship's end (N); for a parted line, the tension at which it parted.
     pub tension_n: Peak,
-    /// Least break load of rope and tail (N); `None` before it is made fast.
+    /// Least break load of rope and tail (N); `None` before the line is made fast.
     pub break_load_n: Option<f64>,
-    /// Working load (N), if its kind has one.
+    /// Working load (N), if the kind of line has a working load.
     pub working_load_n: Option<f64>,
-    /// How long it was above its working load.
+    /// How long the tension was above the working load.
     pub over_working: Lasting,
     /// Line rendered by the winch brake (m).
     pub rendered_m: f64,
-    /// When it parted (s).
+    /// When the line parted (s).
     pub parted_s: Option<f64>,
     /// Tension at the end of the run (N).
     pub last_tension_n: f64,
-    /// It is fast at the end of the run.
+    /// The line is fast at the end of the run.
     pub is_fast: bool,
-    /// Where its far end was when it was last fast.
+    /// Place of the far end when the line was last fast.
     pub end: Option<LineEnd>,
-    /// The bollard to which an order last sent it, as an index into [`fenderline_sim::WorldSetup::bollards`].
+    /// The bollard to which an order last sent the line, as an index into
+    /// [`fenderline_sim::WorldSetup::bollards`].
     pub bollard: Option<usize>,
 }
 
@@ -60,12 +61,12 @@ impl LineTotals {
         self.rendered_m += now.load.winch.rendered_m;
     }
 
-    /// Peak tension over break load; `None` before it is made fast.
+    /// Peak tension over break load; `None` before the line is made fast.
     pub fn share_of_break_load(&self) -> Option<f64> {
         self.break_load_n.map(|break_load_n| self.tension_n.value / break_load_n)
     }
 
-    /// The verdict on it.
+    /// The verdict on the line.
     pub fn verdict(&self) -> LineVerdict {
         if self.parted_s.is_some() {
             LineVerdict::Parted
@@ -84,13 +85,13 @@ impl LineTotals {
 /// The verdict on a line, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineVerdict {
-    /// It was never fast in this run.
+    /// The line was never fast in this run.
     NotMadeFast,
-    /// Made fast, and within its working load.
+    /// Made fast, and within the working load.
     Ok,
-    /// The brake of its winch rendered.
+    /// The brake of the winch rendered.
     Rendered,
-    /// Above its working load.
+    /// Above the working load.
     OverWorking,
     /// Parted.
     Parted,

@@ -7,7 +7,7 @@ use fenderline_sim::passing::{Nearest, PassingSetup};
 /// How near one passing ship came to the vessels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PassingTotals {
-    /// Nearest of all vessels: her index, and the clear distance (m) and time (s).
+    /// Nearest of all vessels: index of the vessel, clear distance (m) and time (s).
     pub nearest: Option<(usize, Nearest)>,
     /// Speed of the passing ship then (m/s).
     pub speed_mps: f64,

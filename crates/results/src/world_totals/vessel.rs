@@ -53,7 +53,7 @@ impl VesselTotals {
         self.through_water_mps.raise(water.speed_mps(), t_s);
         self.rate_of_turn_radps.raise(state.yaw_rate_radps, t_s);
         self.rudder_rad.raise(now.rudder.value, t_s);
-        // Attitude is that of the end of the step.
+        // Attitude belongs to the end of the step.
         let end_s = t_s + step_s;
         let [_, _, _, wave_roll_rad, wave_pitch_rad, _] = now.wave_motion.motion;
         self.heel_rad.raise(now.attitude.roll.value, end_s);

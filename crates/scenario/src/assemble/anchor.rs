@@ -7,8 +7,8 @@ use fenderline_sim::{
     AnchorSetup, AnchorStart, BodySetup, ChainLink, ChainSize, Environment, VesselSetup,
 };
 
+use super::assembly::{Assembly, Checked, Names};
 use super::orders::places;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::anchor::BowSide;
 

@@ -7,10 +7,10 @@ use fenderline_contact::{Pose, Rotation, Vec2, vec2};
 use fenderline_sim::{Approach, BodySetup, BodyVelocity, FenderSetup, Setup, Side};
 
 use self::sweep::{Face, are_apart, moved, travel_m};
+use super::assembly::listed;
+use super::assembly::{Assembly, Checked, Names};
 use super::pairs::Pairs;
 use super::rows::rounded;
-use super::unused::listed;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table, Value};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::row_names::number_in_row;
@@ -30,7 +30,7 @@ struct Target {
     face: Face,
     /// Unit vector out of the berth.
     out: Vec2,
-    /// Its direction, clockwise from north (rad).
+    /// Direction of the fender, clockwise from north (rad).
     out_rad: f64,
 }
 
@@ -45,7 +45,8 @@ impl Assembly<'_, '_> {
             }
             let table = item.table();
             let message = format!(
-                "the {} m to the fender take {:.0} s at {} m/s, but the run lasts {} s: she does not get there by her own speed",
+                "the {} m to the fender take {:.0} s at {} m/s, but the run lasts {} s: the ship \
+                 does not reach the fender at this speed",
                 rounded(approach.distance_m),
                 libm::ceil(needs_s),
                 rounded(approach.speed_mps()),
@@ -86,12 +87,15 @@ impl Assembly<'_, '_> {
         let start = starts.iter().find_map(|name| body.item(name).filter(|item| !item.is_default));
         let Some(item) = start else { return Ok(()) };
         let path = body.path_of(item.name);
-        let message = format!("`{path}` does not go together with `approach`, which gives it");
+        let message = format!(
+            "`{path}` does not go together with `approach`, which gives the \
+            start"
+        );
         let error = self.sources.error(&item.key_span, &path, message);
         Err(error.with_help("keep one of the two"))
     }
 
-    /// The bodies of the berth: the one that `to` names, or the dolphins of a row.
+    /// The bodies of the berth: the body that `to` names, or the dolphins of a row.
     fn berth(
         &self,
         table: &Table,
@@ -141,7 +145,7 @@ impl Assembly<'_, '_> {
         let targets = targets(berth, bodies, fenders);
         let (target, by_fender) = self.fender_met(table, &targets, fenders)?;
 
-        // Alongside, her side faces into the berth; the bow turns towards it by the angle.
+        // Alongside, the ship's side faces into the berth; the bow turns towards the berth by the angle.
         let quarter = core::f64::consts::FRAC_PI_2;
         let (alongside_rad, heading_rad, to_starboard) = match side {
             Side::Starboard => {
@@ -182,7 +186,8 @@ impl Assembly<'_, '_> {
         };
         let forward = Rotation::from_angle(alongside_rad).apply(vec2(1.0, 0.0));
         let speed_mps = approach.speed_mps();
-        // While the point closes the distance it also moves along, and shall then be at the fender's middle.
+        // While the contact point closes the distance, it also moves along the berth. At the end it must
+        // be at the middle of the fender.
         let before = target.out * distance_m - forward * (along_mps * distance_m / speed_mps);
         let position_m = target.face.middle_m() + before - attitude.apply(point_m);
         let (sine, cosine) = (libm::sin(angle_rad), libm::cos(angle_rad));
@@ -290,7 +295,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses a start inside the berth, and notes what is met before the fender.
+    /// Refuses a start inside the berth, and notes what the hull meets before the fender.
     fn check_way(
         &mut self,
         table: &Table,
@@ -302,7 +307,7 @@ impl Assembly<'_, '_> {
         let ship = &bodies[approach.body];
         let targets = targets(berth, bodies, fenders);
         let target = targets.iter().find(|target| target.fender == approach.fender);
-        let target = target.expect("the fender is one of the berth's");
+        let target = target.expect("the fender must be a fender of the berth");
         let hull = moved(ship.outline.vertices(), pose(ship));
         let structures = berth.iter().map(|body| {
             let body = &bodies[*body];
@@ -356,7 +361,7 @@ impl Assembly<'_, '_> {
         match (at_m, first) {
             (None, _) => {
                 let message =
-                    format!("`{path}`: on this way the hull never meets the fender {name}");
+                    format!("`{path}`: on this course the hull never meets the fender {name}");
                 Err(self.sources.error(&span, &path, message))
             }
             (Some(at_m), Some((first_m, what))) if at_m - first_m > EARLIER_M => {

@@ -4,7 +4,7 @@ use fenderline_sim::berthing::{AddedMass, BerthingSetup};
 use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup, VesselSetup};
 
 use super::particulars::Taken;
-use crate::assemble::{Assembly, Checked, Names};
+use crate::assemble::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::Table;
 use fenderline_keys::error::NO_EFFECT;
 
@@ -32,15 +32,15 @@ impl Assembly<'_, '_> {
         let Taken { length_bp_m, beam_m, draught_m, under_keel_clearance_m, block_coefficient } =
             self.particulars(table, ship, (bodies, vessels), environment)?;
         let mut abnormal = table.item("abnormal_factor");
-        // Towards a berth that moves itself, the approach does not say how fast the two close.
+        // If the berth moves, the approach does not give the closing speed.
         let is_at_rest = |approach: &Approach| {
             let berth = &bodies[fenders[approach.fender].body];
             berth.velocity == BodyVelocity::default()
         };
         let is_abnormal = |approach: &Approach| approach.body == ship && approach.is_abnormal();
         if let (Some(item), true) = (abnormal, approaches.iter().any(is_abnormal)) {
-            // The formula takes the speed of the run, which has the factor in it.
-            let message = format!("{NO_EFFECT}the run itself is that of an abnormal berthing");
+            // The formula takes the speed of the run, which includes the factor.
+            let message = format!("{NO_EFFECT}the run itself is already an abnormal berthing");
             self.note_at(&item.span, table.path_of(item.name), message);
             abnormal = None;
         }

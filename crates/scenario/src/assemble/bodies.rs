@@ -4,8 +4,8 @@ use fenderline_contact::Outline;
 use fenderline_sim::chart::Chart;
 use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
+use super::assembly::{Assembly, Checked};
 use super::vessel;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::Notice;
 use fenderline_keys::sources::Span;
@@ -70,7 +70,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The body's outline: its own, or its vessel's.
+    /// The body's outline: from the body's table, or from the vessel.
     pub(super) fn outline(
         &mut self,
         table: &Table,
@@ -128,7 +128,7 @@ impl Assembly<'_, '_> {
         Ok(outline)
     }
 
-    /// A notice where an outline does not have the size of its vessel.
+    /// A notice if an outline does not have the size of the vessel.
     fn note_size(
         &mut self,
         kind: Option<&vessel::Kind>,
@@ -167,7 +167,7 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message = format!("`{path}` is for floating bodies, but this one {is}");
+                let message = format!("`{path}` is for floating bodies, but this body {is}");
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `{by}`", item.name)))
             }
@@ -187,8 +187,10 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message =
-                    format!("`{path}` does not go together with `vessel`, whose model gives it");
+                let message = format!(
+                    "`{path}` does not go together with `vessel`, whose model gives this \
+                        value"
+                );
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
             }

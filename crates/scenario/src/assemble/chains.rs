@@ -3,7 +3,7 @@
 use fenderline_contact::Panel;
 use fenderline_sim::{ChainGrade, ChainKind, ChainLink, ChainSetup, ChainSize};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::vessels::Belting;
 use fenderline_keys::checked::{Item, Table};
 
@@ -34,7 +34,11 @@ impl Assembly<'_, '_> {
                 table.path_of("chains"),
                 Panel::MOST_CHAINS
             );
-            return refused(message, "take two chains at one place as one of twice the stiffness");
+            return refused(
+                message,
+                "combine two chains at one place into one chain of twice the \
+                stiffness",
+            );
         }
         if has(ChainKind::Weight) > 0 && panel_mass.is_none() {
             return Err(self.missing(
@@ -69,7 +73,7 @@ impl Assembly<'_, '_> {
             })?,
         };
         if kind == ChainKind::Weight {
-            // Its stretch does not matter: it carries the weight from the start.
+            // The stretch of a weight chain does not matter: the chain carries the weight from the start.
             let (slack_m, stiffness_npm) = (0.0, break_load_n);
             return Ok(ChainSetup { kind, at_m: 0.0, slack_m, stiffness_npm, break_load_n });
         }
@@ -117,7 +121,7 @@ impl Assembly<'_, '_> {
         };
         refuse(
             &["break_load", "stiffness"],
-            "does not go together with `diameter`, which gives it",
+            "does not go together with `diameter`, which gives this value",
         )?;
         let grade: ChainGrade = match chain.item("grade") {
             Some(item) => item.choice(),
@@ -135,7 +139,7 @@ impl Assembly<'_, '_> {
         Ok(Some(ChainSize { diameter_m: *diameter.number(), grade, link }))
     }
 
-    /// What a chain is longer than its span.
+    /// Slack of a chain: its length less its span.
     fn slack_m(&self, chain: &Table) -> Checked<f64> {
         let [slack, length, span] = ["slack", "length", "span"].map(|name| chain.item(name));
         if let Some(slack) = slack {

@@ -3,7 +3,7 @@
 use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::chart::projection::Projected;
 use crate::chart::{Budget, Placing, read};
 use fenderline_keys::checked::{Item, Table};
@@ -31,7 +31,8 @@ impl Assembly<'_, '_> {
         Ok(Chart { features, origin })
     }
 
-    /// How the files' coordinates become the scenario's, and where on the earth its origin is.
+    /// The conversion from the coordinates of the files to those of the scenario, and the place of the scenario's
+    /// origin on the earth.
     fn placing(&self, table: &Table) -> Checked<(Placing, Option<GeographicPlace>)> {
         let [projection, origin] = ["projection", "origin"].map(|key| table.item(key));
         let coordinates = table.given("coordinates");
@@ -117,7 +118,7 @@ impl Assembly<'_, '_> {
                 })
             }
             several => Err(complain(format!(
-                "`{path}`: the chart has {} areas named {}: each needs a name of its own",
+                "`{path}`: the chart has {} areas named {}: each needs another name",
                 several.len(),
                 quoted(wanted)
             ))),

@@ -1,6 +1,8 @@
-//! Wind and current coefficients of one's own: from a file and its convention to forces over dynamic pressure in this program's axes.
+//! Wind and current coefficients of the user: from a file and its convention to forces over dynamic
+//! pressure in this program's axes.
 
 mod angles;
+mod row;
 mod sense;
 
 use core::f64::consts::PI;
@@ -12,7 +14,8 @@ use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{CurrentTable, Environment};
 
 use self::angles::{Angles, angles};
-use super::{Assembly, Checked};
+use self::row::{Flow, Row};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::{Csv, Layout};
 use fenderline_keys::error::Notice;
@@ -26,25 +29,10 @@ const FORCE: [f64; 2] = [-1e12, 1e12];
 const UNITS: [(&str, &str, f64); 3] =
     [("n", "nm", 1.0), ("kn", "knm", 1e3), ("tf", "tfm", 9806.65)];
 
-/// The flow of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flow {
-    Wind,
-    Current,
-}
-
-/// A row in this program's axes: angle γ (deg) and [X, Y, N] over dynamic pressure (m², m², m³).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    pub(super) row: usize,
-    pub(super) angle_deg: f64,
-    pub(super) value: [f64; 3],
-}
-
 /// Where the numbers of a table are.
 struct Columns {
     angle: usize,
-    /// Degrees in a unit of that column.
+    /// Degrees in a unit of the column of angles.
     degrees: f64,
     depth: Option<usize>,
     draught: Option<usize>,
@@ -59,7 +47,7 @@ enum Across {
 }
 
 impl Assembly<'_, '_> {
-    /// The windage of a vessel with wind coefficients of her own, if her table has them.
+    /// The windage of a vessel with the user's wind coefficients, if the vessel's table has them.
     pub(super) fn own_wind(
         &mut self,
         vessel: &Table,
@@ -80,7 +68,8 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: self.sources.place(&other.key_span),
                 key: vessel.path_of("windage"),
-                message: "of it only the centroid's height is used: `wind_coefficients` has areas and coefficients"
+                message: "only the height of its centroid is used: areas and coefficients come \
+                    from `wind_coefficients`"
                     .to_owned(),
             });
         }
@@ -101,7 +90,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// The current coefficients of a vessel, if her table has them.
+    /// The current coefficients of a vessel, if the vessel's table has them.
     pub(super) fn own_current(
         &mut self,
         vessel: &Table,
@@ -119,7 +108,7 @@ impl Assembly<'_, '_> {
             .map_err(|error| self.refused(vessel, item, &error))
     }
 
-    /// Depths of the run outside those of the table.
+    /// Notes depths of the run that are outside the depths of the table.
     fn note_depths(
         &mut self,
         of: &Table,
@@ -142,17 +131,20 @@ impl Assembly<'_, '_> {
         let run = environment.depth_range_m().map(|depths_m| depths_m.map(|m| m / ship.draught_m));
         match run {
             None => note(format!(
-                "the water is deep: the forces are those of the greatest depth of the table, {most} draughts"
+                "the water is deep: the table's forces at its greatest depth, {most} draughts, are \
+                 used"
             )),
             Some([low, high]) => {
                 if low < least {
                     note(format!(
-                        "the water is down to {low:.3} draughts deep, but the table begins at {least}: below it its forces are used"
+                        "the water is down to {low:.3} draughts deep, but the table begins at \
+                         {least}: in less water the forces at {least} are used"
                     ));
                 }
                 if high > most {
                     note(format!(
-                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: beyond it its forces are used"
+                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: \
+                         in deeper water the forces at {most} are used"
                     ));
                 }
             }
@@ -187,7 +179,7 @@ impl Assembly<'_, '_> {
             if !about.is_default {
                 let path = of.path_of("moment_about");
                 let message = format!(
-                    "`{path}` does nothing: forces at the perpendiculars have no moment of their own"
+                    "`{path}` does nothing: forces at the perpendiculars have no separate moment"
                 );
                 return Err(self.sources.error(&about.key_span, &path, message));
             }
@@ -202,8 +194,8 @@ impl Assembly<'_, '_> {
             None => vec![1.0],
         };
         let scales = scales(of, held);
-        let mut rows = Vec::with_capacity(csv.len());
-        for row in 0..csv.len() {
+        let mut rows = Vec::with_capacity(csv.row_count());
+        for row in 0..csv.row_count() {
             rows.push(own_row(&csv, &columns, row, (&convention, held, scales), of, ship)?);
         }
         let at = |row: usize, column: Option<usize>, axis: &[f64]| {
@@ -259,7 +251,7 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: csv.place_of(None),
                 key: key.clone(),
-                message: "the angles are over one side: the other side is their mirror image"
+                message: "the angles cover one side: the other side is taken as the mirror image"
                     .to_owned(),
             });
         }
@@ -285,7 +277,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&of.given("file").span),
                 key: of.path_of("file"),
                 message: format!(
-                    "her draught of {draught_m} m is outside the table's, {} to {} m: the nearest is used",
+                    "her draught of {draught_m} m is outside the draughts of the table, {} to {} \
+                     m: the nearest draught is used",
                     draughts[0], draughts[last]
                 ),
             });
@@ -427,11 +420,11 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     })
 }
 
-/// Radians under the name of degrees, and degrees under that of radians.
+/// Refuses radians under the name of degrees, and degrees under the name of radians.
 fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     let is_rad = columns.degrees != 1.0;
     let (mut most, mut at) = (0.0, 0);
-    for row in 0..csv.len() {
+    for row in 0..csv.row_count() {
         let angle = csv.number(row, columns.angle, [-720.0, 720.0])?.abs();
         if angle > most {
             (most, at) = (angle, row);
@@ -439,7 +432,7 @@ fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     }
     let (found, other) = match (is_rad, most > 6.3) {
         (true, true) => ("degrees", "angle_deg"),
-        (false, false) if csv.len() > 2 && most > 0.0 => ("radians", "angle_rad"),
+        (false, false) if csv.row_count() > 2 && most > 0.0 => ("radians", "angle_rad"),
         _ => return Ok(()),
     };
     let message = format!("the largest angle is {most}: these are {found}");
@@ -449,7 +442,7 @@ fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
 /// The values of a column, rising, each once.
 fn axis(csv: &Csv<'_>, column: usize, bounds: [f64; 2]) -> Checked<Vec<f64>> {
     let numbers: Checked<Vec<f64>> =
-        (0..csv.len()).map(|row| csv.number(row, column, bounds)).collect();
+        (0..csv.row_count()).map(|row| csv.number(row, column, bounds)).collect();
     let mut numbers = numbers?;
     numbers.sort_by(f64::total_cmp);
     numbers.dedup();

@@ -3,17 +3,17 @@
 use fenderline_contact::vec2;
 use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile};
 
+use super::assembly::{Assembly, Checked};
 use super::environment::{DIRECTIONS_DEG, TIMES_S, along};
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::Csv;
 
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =
     ["t_s", "north_m", "east_m", "north_mps", "east_mps", "speed_mps", "towards_deg"];
-/// Bounds of places (m) and times (s) in such a file.
+/// Bounds of places (m) and times (s) in a file of the current.
 const PLACES_OR_TIMES: [f64; 2] = TIMES_S;
-/// Largest speed in such a file (m/s).
+/// Largest speed in a file of the current (m/s).
 const FASTEST_MPS: f64 = 15.0;
 
 impl Assembly<'_, '_> {
@@ -65,7 +65,7 @@ impl Assembly<'_, '_> {
             true => [csv.column("speed_mps")?, csv.column("towards_deg")?],
             false => [csv.column("north_mps")?, csv.column("east_mps")?],
         };
-        for row in 0..csv.len() {
+        for row in 0..csv.row_count() {
             for column in &columns {
                 csv.number(row, *column, PLACES_OR_TIMES)?;
             }

@@ -8,8 +8,8 @@ use fenderline_keys::reader;
 use fenderline_keys::row_names::name_in_row;
 use fenderline_keys::sources::{Sources, quoted};
 
-/// Adds a body for each dolphin to the bodies of the file. A pair that names a row becomes a pair with each of its
-/// dolphins.
+/// Adds a body for each dolphin to the bodies of the file. A pair that names a row becomes a pair with each dolphin of
+/// the row.
 pub(crate) fn add_dolphins(sources: &Sources<'_>, file: &mut Table) -> Result<(), ScenarioError> {
     let mut rows: Vec<(String, Vec<String>)> = Vec::new();
     let mut dolphins = Vec::new();
@@ -59,7 +59,7 @@ pub(crate) fn add_dolphins(sources: &Sources<'_>, file: &mut Table) -> Result<()
     Ok(())
 }
 
-/// The table of a dolphin's body. It keeps the path of the row, so that errors name the row's keys.
+/// The table of a dolphin's body. The table keeps the path of the row, so errors name the row's keys.
 fn dolphin(
     sources: &Sources<'_>,
     row: &Table,

@@ -2,7 +2,7 @@
 
 use fenderline_sim::{BodySetup, FenderSetup, Setup};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use super::plausible::FAR_FROM_WATER_M;
 use super::rows::rounded;
 use fenderline_keys::checked::Table;
@@ -10,19 +10,20 @@ use fenderline_keys::sources::quoted;
 
 /// A fender whose lower edge is no higher above the water than this meets most ships (m). Our choice.
 const LOW_M: f64 = 3.0;
-/// Height of a ship's side above the water over her draught, up to which nothing is said: loaded tankers and bulk
-/// carriers have 0.4 to 0.6. Our choice.
+/// Height of a ship's side above the water over the draught, up to which there is no notice: loaded tankers and
+/// bulk carriers have 0.4 to 0.6. Our choice.
 const SIDE_OVER_DRAUGHT: f64 = 0.6;
-/// The draught of a floating body, and where it is known from.
+/// The draught of a floating body, and the source of the draught.
 struct Draught {
     at_least_m: f64,
     from: &'static str,
-    /// Outlines by height say where her side is.
+    /// Outlines by height give the place of the side.
     has_outlines: bool,
 }
 
 impl Assembly<'_, '_> {
-    /// Notes ships that draw more water than there is, and fenders above the side that a ship of her draught has.
+    /// Notes ships that draw more than the depth of the water, and fenders above the usual side of a ship of
+    /// this draught.
     pub(super) fn note_draughts(
         &mut self,
         file: &Table,
@@ -65,7 +66,7 @@ impl Assembly<'_, '_> {
         let lower_m = |fender: &FenderSetup| {
             fender.above_water_m - level_m(setup, fender, highest_m) - 0.5 * fender.height_m
         };
-        // The few high ones first, and bodies by lists: fenders, bodies and pairs may be very many.
+        // The few high fenders first, and bodies by lists, because fenders, bodies and pairs may be very many.
         let partners = partners(setup);
         let floating: Vec<usize> =
             (0..setup.bodies.len()).filter(|body| !setup.bodies[*body].is_fixed()).collect();
@@ -86,8 +87,8 @@ impl Assembly<'_, '_> {
                     continue;
                 }
                 let message = format!(
-                    "the face is {} to {} m above the water, and {} draws {} m{}: check that her side is so high, or give \
-                     her `outlines`, which say where it is",
+                    "the face is {} to {} m above the water, and {} draws {} m{}: check that the \
+                     ship's side is so high, or give `outlines`, which show where the side is",
                     rounded(lower_m),
                     rounded(lower_m + fender.height_m),
                     quoted(&setup.bodies[body].name),
@@ -120,10 +121,10 @@ fn partners(setup: &Setup) -> Vec<Vec<usize>> {
     partners
 }
 
-/// How deep each body floats; `None` for a fixed one.
+/// Draught of each body; `None` for a fixed body.
 fn draughts(setup: &Setup) -> Vec<Option<Draught>> {
     let water_kgpm3 = setup.world.environment.water_density_kgpm3;
-    // A hull fills less than her outline times her draught.
+    // The volume of a hull is less than outline times draught.
     let least_m = |body: &BodySetup| {
         let mass_kg = body.mass?.mass_kg;
         Some(mass_kg / (water_kgpm3 * body.outline.area_m2()))

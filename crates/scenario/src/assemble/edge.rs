@@ -11,7 +11,7 @@ const ON_EDGE_M: f64 = 0.01;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) from_m: Vec2,
-    /// Unit vector along it.
+    /// Unit vector along the edge.
     pub(super) along: Vec2,
     pub(super) length_m: f64,
     /// Unit vector out of the body, at right angles to the edge.
@@ -53,8 +53,8 @@ pub(super) fn edges_with(outline: &Outline, points_m: &[Vec2]) -> Vec<Edge> {
     edges(outline).filter(holds_all).collect()
 }
 
-/// The direction in which a fender at a point of the outline faces (rad): out of its edge, at a corner midway between the
-/// two edges; `None` away from the outline.
+/// The direction in which a fender at a point of the outline faces (rad): out from the edge, at a corner
+/// midway between the two edges; `None` away from the outline.
 pub(super) fn facing_rad(outline: &Outline, point_m: Vec2) -> Option<f64> {
     match edges_with(outline, &[point_m]).as_slice() {
         [edge] => Some(direction_rad(edge.outward)),

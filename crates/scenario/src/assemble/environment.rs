@@ -12,15 +12,15 @@ use fenderline_sim::environment::{Bank, BankMethod, EnvironmentError, Tide, Tide
 use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
+use super::assembly::{Assembly, Checked};
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::{Notice, ScenarioError};
 
 /// Number of harmonics of a sea or a gusty wind.
 const HARMONICS: usize = 200;
-/// Depth that is deep for every wave (m).
+/// A depth that counts as deep water for every wave (m).
 const DEEP_M: f64 = 10_000.0;
 /// Bounds of times in a file (s).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
@@ -169,7 +169,7 @@ impl Assembly<'_, '_> {
         banks.map(bank).collect()
     }
 
-    /// Adds notices where the environment is unvalidated, or a formula is used outside its range.
+    /// Adds notices if a part of the environment is unvalidated, or a formula is used outside its range.
     pub(super) fn note_unvalidated(
         &mut self,
         file: &Table,
@@ -181,7 +181,8 @@ impl Assembly<'_, '_> {
         if let Some((first, _)) = banks.find(|(_, bank)| bank.method() == BankMethod::Norrbin) {
             self.note(
                 first,
-                "bank suction is UNVALIDATED: Norrbin's formulas are from memory, no source was read",
+                "bank suction is UNVALIDATED: Norrbin's formulas are from memory; we read no \
+                 source",
             );
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
@@ -195,14 +196,15 @@ impl Assembly<'_, '_> {
             };
             if least < SHALLOWEST_RATIO {
                 notify(format!(
-                    "{name} in water of {least:.2} draughts: no shallow-water formula covers less than \
-                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat keep their values there, \
-                     all but the drag of a flow across her"
+                    "{name} in water of {least:.2} draughts: no shallow-water formula covers less \
+                     than {SHALLOWEST_RATIO}; in less water added mass, hull forces and squat keep \
+                     their values at {SHALLOWEST_RATIO}; only the drag of a flow across the ship \
+                     grows further"
                 ));
             } else if least < PUBLISHED_RATIO {
                 notify(format!(
-                    "{name} in water of {least:.2} draughts: shallow-water corrections cover {PUBLISHED_RATIO} and more; \
-                     below that they are extrapolated linearly"
+                    "{name} in water of {least:.2} draughts: shallow-water corrections are valid \
+                     from {PUBLISHED_RATIO} on; in less water they are extrapolated linearly"
                 ));
             }
             if let Some((squat, [_, high])) =
@@ -210,15 +212,16 @@ impl Assembly<'_, '_> {
                 && most > high
             {
                 notify(format!(
-                    "squat of {name} by {}: the formula covers depths of up to {high} draughts, but here it is {most:.2}",
+                    "squat of {name} by {}: the formula covers depths of up to {high} draughts, \
+                     but the depth here is {most:.2}",
                     squat.name()
                 ));
             }
             let [at_start, at_low] = [kind.setup.ship.added_mass, kind.low_water_mass];
             if at_low.sway_m3 > 1.05 * at_start.sway_m3 {
                 notify(format!(
-                    "the tide falls under {name}: her added mass stays that of the start; at low water her sway added \
-                     mass would be {:.2} times that",
+                    "the tide falls under {name}: the added mass keeps its value at the start; at \
+                     low water the sway added mass would be {:.2} times as large",
                     at_low.sway_m3 / at_start.sway_m3
                 ));
             }
@@ -237,7 +240,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses keys that would have no effect beside another one.
+    /// Refuses keys that would have no effect beside another key.
     pub(super) fn none_of(&self, of: &Table, keys: &[&str], beside: &str) -> Checked<()> {
         match keys.iter().find_map(|key| of.item(key)) {
             None => Ok(()),

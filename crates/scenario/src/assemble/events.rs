@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use fenderline_sim::{Change, Fault, PlannedChange, Setup, VesselSetup};
 
+use super::assembly::{Assembly, Checked, Names};
 use super::orders::places;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::event::{CAN_END, OF_VESSEL, WHAT};
 

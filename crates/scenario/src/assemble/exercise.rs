@@ -5,19 +5,22 @@ use fenderline_sim::Setup;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Measure};
 
-use super::unused::listed;
-use super::{Assembly, Checked, Names};
+use super::assembly::listed;
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::exercise::GoalWord;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
-/// Farthest from the fenders of a ship that is alongside, unless the scenario says otherwise (m); our choice.
+/// Largest distance from the fenders at which a ship counts as alongside, unless the scenario gives another
+/// distance (m); our choice.
 const ALONGSIDE_M: f64 = 0.5;
-/// Nearest to the fenders of a ship that is clear of them, unless the scenario says otherwise (m); our choice.
+/// Least distance from the fenders at which a ship counts as clear, unless the scenario gives another
+/// distance (m); our choice.
 const CLEAR_M: f64 = 30.0;
 
-/// Farthest from its place of an anchor, unless the scenario says otherwise (m); our choice.
+/// Largest distance of an anchor from its required place, unless the scenario gives another distance (m);
+/// our choice.
 const AT_PLACE_M: f64 = 50.0;
 
 impl Assembly<'_, '_> {
@@ -79,7 +82,7 @@ impl Assembly<'_, '_> {
         let path = table.path_of(item.name);
         let body = self.body_named(table, item, item.name(), names)?;
         if body == own {
-            let message = format!("`{path}`: a ship is not her own berth");
+            let message = format!("`{path}`: a ship cannot be her own berth");
             return Err(self.sources.error(&item.span, &path, message));
         }
         let berth = Berth::of(setup, own, |other| other == body);
@@ -282,8 +285,10 @@ impl Assembly<'_, '_> {
         if !is_beyond {
             let path = table.path_of("worst");
             let side = if measure.is_least() { "above `least`" } else { "below `most`" };
-            let message =
-                format!("`{path}` is {side}: it costs all points, so it is the worse value");
+            let message = format!(
+                "`{path}` is {side}: the value that costs all points must be the worse \
+                    value"
+            );
             return Err(self.sources.error(&table.given("worst").span, &path, message));
         }
         Ok(Limit {
@@ -297,7 +302,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The lines of a ship: those whose fairlead is on her.
+/// The lines of a ship: the lines whose fairlead is on the ship.
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

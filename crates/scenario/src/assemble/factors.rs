@@ -2,7 +2,7 @@
 
 use fenderline_sim::factors::PartialFactors;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 
 impl Assembly<'_, '_> {
@@ -15,7 +15,7 @@ impl Assembly<'_, '_> {
             if let (Some(item), None) = (given, table.item(other)) {
                 let path = table.path_of(key);
                 let message =
-                    format!("`{path}` needs `{other}`: without that factor it does nothing");
+                    format!("`{path}` needs `{other}`: without that factor this key does nothing");
                 return Err(self.sources.error(&item.key_span, &path, message));
             }
         }
@@ -39,7 +39,7 @@ impl Assembly<'_, '_> {
         Ok(factors)
     }
 
-    /// Factors that nothing in the scenario can meet.
+    /// Notes factors without a fender or line to which they could apply.
     pub(super) fn note_factors(
         &mut self,
         table: Option<&Table>,

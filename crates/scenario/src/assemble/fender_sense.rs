@@ -3,12 +3,13 @@
 
 use fenderline_sim::FenderSetup;
 
+use super::assembly::Assembly;
 use super::rows::rounded;
-use super::{Assembly, FenderLibrary};
+use crate::library::FenderLibrary;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::rating::odd_reaction;
 
-/// Fenders are commonly less high than this (m): the largest pneumatic ones of ISO 17357 have 4.5 m.
+/// Fenders are usually less high than this (m): the largest pneumatic fenders of ISO 17357 have 4.5 m.
 const HIGH_M: f64 = 6.0;
 
 impl Assembly<'_, '_> {
@@ -27,7 +28,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Of a fender of the library: its rated reaction for its height, and its projection.
+    /// Notes a rated reaction that does not fit the height of a fender of the library, and a projection that does not
+    /// fit.
     fn note_odd_size(&mut self, table: &Table, family: &Item, library: &FenderLibrary) {
         let Ok(fender) = self.catalogue(table, family, library) else { return };
         let height_m = fender.height_m;
@@ -53,8 +55,8 @@ impl Assembly<'_, '_> {
         if let Some(item) = table.item("projection").filter(|item| *item.number() < height_m - 1e-9)
         {
             let message = format!(
-                "the face is {} m from the mounting, but the fender itself is {} m high: at least its height was expected, \
-                 plus the panel's thickness",
+                "the face is {} m from the mounting, but the fender itself is {} m high: at least \
+                 the fender's height plus the panel's thickness was expected",
                 rounded(*item.number()),
                 rounded(height_m)
             );
@@ -62,7 +64,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Of a fender with a law of its own: its reaction at its rated deflection, and the end of its curve.
+    /// Notes a fender with a `stiffness` or a `curve` whose reaction at the rated deflection, or whose end of the
+    /// curve, is unusual.
     fn note_weak_law(&mut self, table: &Table, fender: &FenderSetup) {
         let Some(item) = table.item("curve").or_else(|| table.item("stiffness")) else { return };
         if let Some(rated) = fender.rated {
@@ -75,8 +78,8 @@ impl Assembly<'_, '_> {
         };
         if let Some(projection) = table.item("projection").filter(|_| end_m > fender.projection_m) {
             let message = format!(
-                "the curve goes on to a deflection of {} m, but the face is only {} m from the mounting: the body itself \
-                 is struck before",
+                "the curve goes on to a deflection of {} m, but the face is only {} m from the \
+                 mounting: the hull would strike the body itself before that",
                 rounded(end_m),
                 rounded(fender.projection_m)
             );

@@ -1,18 +1,26 @@
 //! Fenders: from their tables and the fender data to a set-up.
 
 use fenderline_contact::{Rotation, Stop, vec2};
-use fenderline_sim::{BodySetup, FenderSetup, HullPressure};
+use fenderline_sim::{BodySetup, FenderSetup, HullPressure, NamedMaterial};
 
+use super::assembly::{Assembly, Checked, Names};
 use super::edge::{facing_rad, is_inside};
 use super::performance::Performance;
 use super::rows::rounded;
-use super::vessel::Kind;
-use super::{Assembly, Checked, FenderParts, Names};
+use super::vessel::{Decks, Kind};
 use crate::library::FenderLibrary;
 use crate::vessels::Belting;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::quoted;
+
+/// What fenders refer to.
+pub(super) struct FenderParts<'p> {
+    pub(super) library: &'p FenderLibrary,
+    pub(super) materials: &'p [NamedMaterial],
+    pub(super) decks: &'p Decks<'p>,
+    pub(super) bodies: &'p [BodySetup],
+}
 
 impl Assembly<'_, '_> {
     pub(super) fn fenders(
@@ -94,7 +102,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The fender's face: from its own keys, or from a belting of the vessel that carries it.
+    /// The fender's face: from the fender's keys, or from a belting of the vessel that carries the fender.
     fn face(&self, table: &Table, deck: Option<&Kind>, body: &BodySetup) -> Checked<Belting> {
         const OWN: [&str; 5] = ["position", "facing", "width", "face_height", "above_water"];
         if let Some(item) = table.item("belting") {
@@ -132,7 +140,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Refuses a fender whose face lies inside the body that carries it.
+    /// Refuses a fender whose face lies inside the body that carries the fender.
     fn refuse_facing_its_own_body(
         &self,
         table: &Table,
@@ -141,14 +149,17 @@ impl Assembly<'_, '_> {
         projection_m: f64,
     ) -> Checked<()> {
         let out = Rotation::from_angle(face.facing_rad).apply(vec2(projection_m, 0.0));
-        // The belting of a vessel may lie inside an outline that simplifies her.
+        // The belting of a vessel may lie inside a simplified outline of the vessel.
         if table.item("belting").is_some() || !is_inside(body, face.middle_m + out) {
             return Ok(());
         }
         let path = table.path_of("facing");
         let span = table.item("facing").map_or(&table.span, |item| &item.span);
         let name = quoted(&body.name);
-        let message = format!("`{path}`: the fender faces into {name}, the body that carries it");
+        let message = format!(
+            "`{path}`: the fender faces into {name}, the body that carries the \
+            fender"
+        );
         let error = self.sources.error(span, &path, message);
         let out_of_edge = facing_rad(&body.outline, face.middle_m);
         Err(error.with_help(match out_of_edge {
@@ -223,9 +234,9 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Height of the face (m), and how it presses on the hull. A pneumatic fender has no panel: its height is its diameter unless the
-/// scenario gives another. Of a panel whose height is not given no pressure is known, unless a
-/// permissible pressure is given: then its height is its width.
+/// Height of the face (m), and the kind of pressure on the hull. A pneumatic fender has no panel: the
+/// height is the diameter, unless the scenario gives another height. For a panel without a given height no
+/// pressure is computed, unless a permissible pressure is given: then the height equals the width.
 fn face_height(table: &Table, face: &Belting, performance: &Performance) -> (f64, HullPressure) {
     let has = |key: &str| table.item(key).is_some();
     let is_given = has("face_height") || has("belting");

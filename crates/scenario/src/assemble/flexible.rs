@@ -2,11 +2,11 @@
 
 use fenderline_sim::{DolphinSetup, SteelPiles};
 
+use super::assembly::{Assembly, Checked};
 use super::plausible::figures;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 
-/// Keys of piles of steel, and keys that they give.
+/// Keys of steel piles, and keys whose values follow from them.
 const OF_PILES: [&str; 7] =
     ["diameter", "wall", "length", "piles", "modulus", "yield_stress", "head_mass"];
 const GIVEN_BY_PILES: [&str; 2] = ["mass", "yield_load"];
@@ -81,7 +81,7 @@ impl Assembly<'_, '_> {
         Ok(piles)
     }
 
-    /// A whole number; 1 where it is not given.
+    /// A whole number; 1 unless given.
     fn whole(&self, table: &Table, name: &str) -> Checked<u32> {
         let Some(item) = table.item(name) else { return Ok(1) };
         let number = *item.number();

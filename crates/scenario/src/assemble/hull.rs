@@ -3,7 +3,8 @@
 use fenderline_contact::Outline;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
 
-use super::{Assembly, Checked, vessel};
+use super::assembly::{Assembly, Checked};
+use super::vessel;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::{Notice, ScenarioError};
 use fenderline_keys::sources::quoted;
@@ -12,7 +13,7 @@ use fenderline_keys::sources::quoted;
 const HIGH_M: f64 = 60.0;
 
 impl Assembly<'_, '_> {
-    /// The body's outlines by height; `None` where it has one outline.
+    /// The body's outlines by height; `None` for a body with one outline.
     pub(super) fn hull(
         &self,
         table: &Table,
@@ -59,8 +60,8 @@ impl Assembly<'_, '_> {
         hull.map(Some).map_err(|error| self.no_hull(table, item, fixed, &error))
     }
 
-    /// Vertical sides with one outline, for a vessel whose heave, roll and pitch move her sides at fenders. Where her sides end above
-    /// the water is not known, so they are taken to be high.
+    /// Vertical sides with one outline, for a vessel whose heave, roll and pitch move the sides at fenders. The
+    /// upper end of the sides is not known, so the sides are taken to be high.
     pub(super) fn vertical_sides(
         &self,
         table: &Table,
@@ -78,7 +79,7 @@ impl Assembly<'_, '_> {
         self.sources.error(&draught.key_span, &path, format!("`{path}` {why}"))
     }
 
-    /// The error of outlines that are no hull, at the outline that causes it.
+    /// The error for outlines that do not form a hull, at the outline that causes the error.
     fn no_hull(&self, table: &Table, item: &Item, fixed: bool, error: &HullError) -> ScenarioError {
         let (level, key) = match *error {
             HullError::TooFew { .. }
@@ -140,7 +141,8 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Where a fender lies that misses a hull at rest at some level of the water; `None` where it does not.
+/// The place of a fender that misses a hull at rest at some level of the water; `None` if the fender meets the
+/// hull at every level.
 fn outside(
     fender: &FenderSetup,
     host: &BodySetup,

@@ -7,7 +7,7 @@ use fenderline_contact::FenderLaw;
 use fenderline_sim::statistics::Limited;
 use fenderline_sim::{ChainKind, Change, FenderSetup, Setup};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::NO_EFFECT;
 use fenderline_keys::keys::anchor::BowSide;
@@ -29,7 +29,7 @@ impl Assembly<'_, '_> {
         self.note_after_the_end(file, setup.duration_s);
     }
 
-    /// A notice that a key has no effect, where the file gives it.
+    /// A notice that a key has no effect, if the file gives the key.
     pub(super) fn note_idle(&mut self, table: &Table, key: &str, why: &str) {
         if let Some(item) = table.item_if_any(key).filter(|item| !item.is_default) {
             self.note_at(&item.span, table.path_of(key), format!("{NO_EFFECT}{why}"));
@@ -41,7 +41,7 @@ impl Assembly<'_, '_> {
         self.note_at(&table.span, table.path.clone(), format!("{NO_EFFECT}{why}"));
     }
 
-    /// Numbers of materials that their pairs and fenders do not use.
+    /// Notes numbers of materials that pairs and fenders do not use.
     pub(super) fn note_idle_materials(
         &mut self,
         file: &Table,
@@ -79,7 +79,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Wind, current and waves that nothing feels, and numbers of theirs that are not used.
+    /// Notes wind, current and waves that act on nothing, and numbers of them that are not used.
     fn note_idle_weather(&mut self, file: &Table, setup: &Setup) {
         let environment = file.given("environment").table();
         let vessels = &setup.world.vessels;
@@ -111,7 +111,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Numbers of the flow about ships that no flow uses.
+    /// Notes numbers of the flow about ships that no flow uses.
     fn note_idle_flow(&mut self, file: &Table, setup: &Setup) {
         let interaction = file.given("environment").table().given("interaction").table();
         if setup.world.flow.hulls.is_empty() {
@@ -121,7 +121,7 @@ impl Assembly<'_, '_> {
             self.note_idle(interaction, "sections", why);
         }
         if setup.world.vessels.len() < 2 {
-            let why = "it acts between two vessels, and there are fewer";
+            let why = "interaction needs two vessels, and there are fewer";
             self.note_idle(interaction, "between_vessels", why);
         }
         for (_, ship) in file.given("passing").named() {
@@ -132,7 +132,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Kinds of vessels that nothing is of, and numbers that others replace.
+    /// Notes kinds of vessels that no body has, and numbers that other numbers replace.
     fn note_idle_vessels(&mut self, file: &Table, setup: &Setup) {
         let has_waves = setup.world.environment.sea.is_some();
         let of_bodies = file.given("body").named().iter().map(|(_, body)| body);
@@ -147,7 +147,11 @@ impl Assembly<'_, '_> {
                 continue;
             }
             if table.item("hydrodynamics").is_some() {
-                self.note_idle(table, "stability", "that of `hydrodynamics` is taken");
+                self.note_idle(
+                    table,
+                    "stability",
+                    "the stability data of `hydrodynamics` are used",
+                );
             }
             if !has_waves {
                 self.note_idle(table, "wave_response", "`[environment]` has no `waves`");
@@ -163,11 +167,11 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Keys of anchors that others replace.
+    /// Notes keys of anchors that other keys replace.
     fn note_idle_anchors(&mut self, file: &Table) {
         for (_, anchor) in file.given("anchor").named() {
             if anchor.item("holding_factor").is_some() {
-                self.note_idle(anchor, "type", "`holding_factor` says how much it holds");
+                self.note_idle(anchor, "type", "`holding_factor` gives the holding power");
             }
             let side: BowSide = anchor.given("side").choice();
             if let Some(hawse) = anchor.item("hawse") {
@@ -184,7 +188,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Keys of fenders for what the fender does not have.
+    /// Notes keys of fenders for parts that the fender does not have.
     fn note_idle_fenders(&mut self, tables: &[(String, Table)], setup: &Setup) {
         let level_m = setup.world.environment.level_range_m();
         for ((_, table), fender) in tables.iter().zip(&setup.fenders) {
@@ -195,7 +199,7 @@ impl Assembly<'_, '_> {
             }
             if *table.given("floating").flag() {
                 if !setup.bodies[fender.body].is_fixed() {
-                    let why = "the body that carries the fender floats itself";
+                    let why = "the body that carries the fender floats";
                     self.note_idle(table, "floating", why);
                 } else if level_m == [0.0, 0.0] {
                     self.note_idle(table, "floating", "the water stays at datum");
@@ -204,7 +208,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Limits of what the scenario does not have.
+    /// Notes limits of things that the scenario does not have.
     fn note_idle_limits(&mut self, file: &Table, setup: &Setup) {
         let limits = file.given("limit").named().iter().zip(&setup.world.statistics.limits);
         for ((_, table), limit) in limits {

@@ -3,7 +3,7 @@
 use fenderline_sim::VesselSetup;
 use fenderline_sim::statistics::{LimitSetup, Limited, StatisticsSetup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::limit::Subject;
 
@@ -73,7 +73,7 @@ impl Assembly<'_, '_> {
             if !vessels.is_empty() {
                 return Ok(0);
             }
-            let message = "motions are those of vessels, and no body has a `vessel`";
+            let message = "only vessels have motions, and no body has a `vessel`";
             return Err(self.refused(table, subject, &message));
         };
         let body = self.body_named(table, item, item.name(), names)?;

@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 use fenderline_sim::{BodySetup, Load};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {

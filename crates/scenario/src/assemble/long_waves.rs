@@ -6,24 +6,25 @@ use fenderline_sim::Environment;
 use fenderline_sim::environment::waves::{Realisation, RegularWave, Sea};
 use fenderline_sim::environment::{LongWaveSite, LongWaveSpectrum, LongWaves};
 
+use super::assembly::{Assembly, Checked};
 use super::environment::TIMES_S;
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::printable::printable_number;
 
 /// Harmonics of a spectrum of long waves.
 const HARMONICS: usize = 40;
-/// The keys of a spectrum beside those of every wave.
+/// The keys of a spectrum that a regular wave does not have.
 const OF_SPECTRUM: [&str; 4] = ["shortest_period", "longest_period", "peakedness", "seed"];
 /// The shortest period of a spectrum (s), if half the peak's is less.
 const SHORTEST_S: f64 = 25.0;
 /// Bounds of level (m) and velocity (m/s) in a file.
 const LEVELS_M: [f64; 2] = [-10.0, 10.0];
 const VELOCITIES_MPS: [f64; 2] = [-15.0, 15.0];
-/// A step between two rows of a file that is so many times the usual one is a gap.
+/// A step between two rows of a file counts as a gap if it is this many times the usual step.
 const GAP: f64 = 1.5;
-/// Ships of this part of a wave's length feel 0.90 of its force, if it runs along them: the mean of a cosine over a quarter of its length.
+/// A ship longer than this share of the wave length gets a notice. On a ship of this share, with the wave along
+/// the ship, the true force is 0.90 of the computed force: the mean of a cosine over a quarter of its length.
 const LONG_SHIP: f64 = 0.25;
 
 impl Assembly<'_, '_> {
@@ -48,8 +49,10 @@ impl Assembly<'_, '_> {
         self.all_of(of, &["height", "period", "towards"], help)?;
         let Some(depth_m) = start_m else {
             let path = table.path_of("long_waves");
-            let message =
-                format!("`{path}` needs a `depth` beside it: it decides the velocity of the water");
+            let message = format!(
+                "`{path}` needs a `depth` beside it: the depth decides the velocity of the \
+                    water"
+            );
             return Err(self.sources.error(&item.key_span, &path, message));
         };
         let number = |name: &str| of.item(name).map(|item| *item.number());
@@ -85,8 +88,8 @@ impl Assembly<'_, '_> {
         {
             let path = of.path_of(shortest.name);
             let message = format!(
-                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of `environment.waves`, of {:.1} s: there \
-                 energy would be in both",
+                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of \
+                 `environment.waves`, of {:.1} s: energy between the two would be counted twice",
                 printable_number(shortest_s),
                 of_sea_s
             );
@@ -113,7 +116,7 @@ impl Assembly<'_, '_> {
         let key = of.path_of("file");
         let columns = ["t_s", "level_m", "north_mps", "east_mps"];
         let (csv, [time, level, north, east]) = self.csv_of(file, &key, columns)?;
-        let rows = (0..csv.len()).map(|row| {
+        let rows = (0..csv.row_count()).map(|row| {
             let velocity = vec2(
                 csv.number(row, north, VELOCITIES_MPS)?,
                 csv.number(row, east, VELOCITIES_MPS)?,
@@ -123,7 +126,7 @@ impl Assembly<'_, '_> {
         let rows = rows.collect::<Checked<Vec<_>>>()?;
         let mut steps_s: Vec<f64> = rows.windows(2).map(|two| two[1].0 - two[0].0).collect();
         if let Some(row) = steps_s.iter().position(|step_s| *step_s <= 0.0) {
-            let message = "its time is not later than that of the row before".to_owned();
+            let message = "its time is not later than the time of the row before".to_owned();
             return Err(csv.cell_error(row + 1, time, message));
         }
         let gaps_s = steps_s.clone();
@@ -136,12 +139,14 @@ impl Assembly<'_, '_> {
                 printable_number(usual_s)
             );
             let error = csv.cell_error(row + 1, time, message);
-            return Err(error.with_help("a straight line over a gap would be no wave: fill it in"));
+            return Err(
+                error.with_help("interpolation over a gap would not be a wave: fill the gap")
+            );
         }
         let (first_s, last_s) = (rows[0].0, rows[rows.len() - 1].0);
         if first_s > 0.0 || last_s < duration_s {
             let message = format!(
-                "`{key}`: the file has the time from {} to {} s, the run that from 0 to {} s",
+                "`{key}`: the file has the time from {} to {} s, the run covers 0 to {} s",
                 printable_number(first_s),
                 printable_number(last_s),
                 printable_number(duration_s)
@@ -151,7 +156,7 @@ impl Assembly<'_, '_> {
         LongWaves::series(&rows).map_err(|error| self.refused(of, file, &error))
     }
 
-    /// Notices where a ship is too long for the waves, or touches the bottom in their trough.
+    /// Notices about a ship that is too long for the waves, or that touches the bottom in a trough.
     pub(super) fn note_long_waves(
         &mut self,
         file: &Table,
@@ -189,8 +194,9 @@ impl Assembly<'_, '_> {
         let wave_m = site.length_m(*period.number());
         if longest_m > LONG_SHIP * wave_m {
             let message = format!(
-                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a quarter of it: its force along her is taken \
-                 as that amidships over her whole length, more than 10 % too large",
+                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a \
+                 quarter of it: the force along the vessel is computed from the water amidships, \
+                 and is more than 10 % too large",
                 printable_number(*period.number()),
                 wave_m,
                 longest_m

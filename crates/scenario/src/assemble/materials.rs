@@ -3,7 +3,7 @@
 use fenderline_contact::Material;
 use fenderline_sim::NamedMaterial;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::Notice;
 
@@ -56,9 +56,10 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Refuses friction or rolling resistance on a material without shear stiffness. The paper carries friction by a shear spring
-    /// (eq. 4), whose stiffness is a parameter of its fender (Table 1), not derived from others; without it there is no friction at any
-    /// slip. A default would be as silent: how far a hull moves before it slides, and how it surges alongside, depend on it.
+    /// Refuses friction or rolling resistance on a material without shear stiffness. In the paper, friction is the
+    /// force of a shear spring (eq. 4). The stiffness of this spring is a parameter of the fender (Table 1) and does
+    /// not follow from other parameters; without a stiffness there is no friction at any slip. A default would be wrong
+    /// without a message: how far a hull moves before it slides, and how it surges alongside, depend on the stiffness.
     pub(super) fn need_shear_stiffness(
         &self,
         of: &Table,
@@ -71,11 +72,13 @@ impl Assembly<'_, '_> {
         let path = of.path_of(friction.name);
         let key = material.path_of("shear_stiffness");
         let message = format!(
-            "`{path}` needs `{key}`: friction acts through a shear spring, and would be none without it"
+            "`{path}` needs `{key}`: friction acts through a shear spring, and is zero without a \
+             stiffness"
         );
         let error = self.sources.error(&friction.span, &path, message);
         Err(error.with_help(
-            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or that of the fender's maker; without friction, remove `friction_static`",
+            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or the value of the \
+             fender's maker; without friction, remove `friction_static`",
         ))
     }
 }

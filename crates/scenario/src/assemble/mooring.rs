@@ -8,14 +8,14 @@ use fenderline_sim::mooring::{
 };
 use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetup};
 
+use super::assembly::{Assembly, Checked, Names};
 use super::vessel::Decks;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::mooring::AT_THE_FAR_END;
 use fenderline_keys::sources::quoted;
 
-/// Where a line is made fast by itself, and how long it then is.
+/// The far end of a line that is fast from the start, and the length of the line.
 struct FarEnd {
     end: LineEnd,
     initial_length: InitialLength,
@@ -82,7 +82,7 @@ impl Assembly<'_, '_> {
                     true => InboardEnd::Winch(winch),
                     false => InboardEnd::Bitts,
                 },
-                // A line on board has its length when it is made fast.
+                // A line on board gets its length when it is made fast.
                 initial_length: far
                     .as_ref()
                     .map_or(InitialLength::Outboard(0.0), |far| far.initial_length),
@@ -129,7 +129,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// The end of a line that is made fast by itself.
+    /// The far end of a line that is fast from the start.
     fn far_end(
         &self,
         table: &Table,

@@ -7,7 +7,7 @@ use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{ArgumentKind, Arguments, Named, OrderName, TargetKind, Value};
 use fenderline_sim::{Order, OrderError, Setup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};
@@ -216,7 +216,7 @@ impl Assembly<'_, '_> {
         index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))
     }
 
-    /// The simulation's error about an order, at the key that it is about.
+    /// The simulation's error about an order, at the key with the mistake.
     fn refused_order(&self, table: &Table, what: &Item, error: &OrderError) -> ScenarioError {
         let tables = match &what.value {
             fenderline_keys::checked::Value::Table(own) => [own, table],

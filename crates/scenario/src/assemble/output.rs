@@ -1,12 +1,12 @@
 //! What a run writes.
 
-use crate::assemble::{Assembly, Checked};
+use crate::assemble::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 use fenderline_sim::{OutputPlan, OutputTable};
 
-/// Difference of the interval from a whole number of steps, as a share of it, that rounding may make.
+/// Largest difference of the interval from a whole number of steps that counts as rounding, as a share of the interval.
 const ROUNDING: f64 = 1e-9;
 
 impl Assembly<'_, '_> {

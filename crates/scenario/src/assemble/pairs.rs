@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use fenderline_sim::{BodySetup, PairSetup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::quoted;

@@ -4,12 +4,12 @@ use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{FenderLaw, Panel, Unloading};
 use fenderline_sim::Rated;
 
+use super::assembly::{Assembly, Checked};
 use super::performance::Performance;
-use super::{Assembly, Checked};
 use crate::vessels::Belting;
 use fenderline_keys::checked::Table;
 
-/// A panel, and the height of its reaction above the middle of its face (m).
+/// A panel, and the height of the reaction above the middle of the face (m).
 pub(super) struct PanelParts {
     pub(super) panel: Panel,
     pub(super) reaction_above_m: f64,
@@ -32,7 +32,7 @@ impl Assembly<'_, '_> {
         if performance.law == FenderLaw::Area {
             let message =
                 format!("`{path}` is for fenders with a `type`, a `stiffness` or a `curve`");
-            return refused(message, "give the cones a law of their own");
+            return refused(message, "give the cones a `type`, a `stiffness` or a `curve`");
         }
         if !(2..=Panel::MOST_CONES).contains(&cones.len()) {
             let message = format!(
@@ -53,7 +53,8 @@ impl Assembly<'_, '_> {
             });
         if high_m - low_m < Panel::LEAST_SPREAD_M {
             let message = format!(
-                "`{path}`: all cones stand at one place along the panel and do not hold it against turning"
+                "`{path}`: all cones stand at one place along the panel and cannot hold the panel \
+                 against turning"
             );
             return refused(
                 message,
@@ -106,8 +107,8 @@ impl PanelParts {
         })
     }
 
-    /// How the cones unload: a curve counts by the share of the energy that it returns from the rated deflection, because
-    /// the energy of a panel is a sum over cones of different deflections.
+    /// The unloading law of the cones. Of an unloading curve, only the share of the energy that the curve returns from
+    /// the rated deflection is used, because the energy of a panel is a sum over cones of different deflections.
     pub(super) fn unloading(
         &self,
         of_cone: Option<Unloading>,

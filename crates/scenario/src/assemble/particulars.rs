@@ -4,15 +4,16 @@ use fenderline_contact::number::greater;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{BodySetup, Environment, VesselSetup};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::assemble::plausible::figures;
 use fenderline_keys::checked::Table;
 use fenderline_keys::sources::quoted;
 
-/// Length, beam, draught and block coefficient in the table over those of the vessel: beyond this they are not the same ship.
+/// If length, beam, draught or block coefficient in the table differ from the vessel's values by more than this share,
+/// a notice says so.
 const SAME_SHIP: f64 = 0.03;
-/// Under-keel clearance in the table beside that of the water, over the latter. Cm goes with the clearance, which is small beside the
-/// depth.
+/// If the under-keel clearance in the table differs from the clearance by the water depth by more than this share of
+/// the latter, a notice says so. Cm depends on the clearance, which is small compared with the depth.
 const SAME_CLEARANCE: f64 = 0.05;
 
 /// The particulars that the formulas take.
@@ -24,14 +25,14 @@ pub(super) struct Taken {
     pub(super) block_coefficient: f64,
 }
 
-/// A particular that scenario or library have besides the table: its value, and where it is from.
+/// A particular from the scenario or the library, which the table may also give: the value, and its source.
 struct Known {
     value: f64,
     from: String,
 }
 
 impl Assembly<'_, '_> {
-    /// The particulars of a berthing. A notice where the table and the vessel, or the water, disagree.
+    /// The particulars of a berthing. A notice says if the table and the vessel, or the water, disagree.
     ///
     /// # Errors
     /// A particular that neither has; a ship that is aground.
@@ -101,7 +102,8 @@ impl Assembly<'_, '_> {
                 false => format!("{} to {} m", figures(least_m), figures(most_m)),
             };
             let message = format!(
-                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught of {1} m leaves {2} m: {0} m is taken",
+                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught \
+                 of {1} m is {2} m: {0} m is used",
                 figures(given_m),
                 figures(draught_m),
                 figures(depth_m - draught_m),
@@ -111,7 +113,7 @@ impl Assembly<'_, '_> {
         Ok(given_m)
     }
 
-    /// The number of the table, else the known one.
+    /// The number of the table, else the known number.
     fn particular(
         &mut self,
         table: &Table,
@@ -129,7 +131,7 @@ impl Assembly<'_, '_> {
         {
             let [given, value] = [given, value].map(figures);
             let message = format!(
-                "{given}{unit} is given, but {from} has {value}{unit}: {given}{unit} is taken"
+                "{given}{unit} is given, but {from} has {value}{unit}: {given}{unit} is used"
             );
             self.note_at(&item.span, table.path_of(key), message);
         }

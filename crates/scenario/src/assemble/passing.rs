@@ -10,9 +10,9 @@ use fenderline_sim::passing::{
 use fenderline_sim::track::{Pace, Path, Track};
 use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use crate::vessels::{VesselData, VesselLibrary};
 use fenderline_keys::checked::Table;
 use fenderline_keys::keys::passing::SectionsBy;
@@ -24,7 +24,8 @@ const SUDDEN: f64 = 1.0;
 const ASKEW_RAD: f64 = 0.35;
 
 impl Assembly<'_, '_> {
-    /// The flow between ships: passing ships and, where they, `between_vessels` or banks need them, the hulls of the vessels.
+    /// The flow between ships: passing ships, and the hulls of the vessels if passing ships, `between_vessels` or banks
+    /// need them.
     pub(super) fn flow(
         &mut self,
         file: &Table,
@@ -91,8 +92,8 @@ impl Assembly<'_, '_> {
         environment: &Environment,
     ) {
         let mut message = String::from(
-            "the flow between vessels is that of slender ships in deep water without lift; nearer than a quarter of the mean beam it \
-             is left out",
+            "the flow between vessels is for slender ships in deep water, without lift; nearer \
+             than a quarter of the mean beam it is left out",
         );
         if environment.depth_m.is_some() {
             message += ", and the depth is not taken into account";
@@ -110,9 +111,10 @@ impl Assembly<'_, '_> {
         ships: (&[VesselSetup], &[BodySetup]),
     ) {
         let mut message = String::from(
-            "the pull of a bank by the image of the ship is that of slender ships without waves and lift: 12 to 63 % below that by \
-             panels, without the moment that turns the bow away, not compared with measurements; nearer than an eighth of the beam and \
-             at more than 30 degrees it is left out",
+            "the pull of a bank by the image of the ship is for slender ships, without waves and \
+             lift: it is 12 to 63 % less than by panels, has no moment that turns the bow away, \
+             and was not compared with measurements; nearer than an eighth of the beam and at more \
+             than 30 degrees it is left out",
         );
         if images > 1 {
             message += "; between two banks the images of images are left out";
@@ -160,7 +162,7 @@ impl Assembly<'_, '_> {
         Ok(PassingSetup { name: name.to_owned(), hull, outline_m, track, depth, berth })
     }
 
-    /// Her outline about midship: her own, that of her vessel, or a rectangle.
+    /// Outline of a passing ship about midship: from her table, from her vessel, or a rectangle.
     fn outline_of(
         &self,
         table: &Table,
@@ -229,7 +231,8 @@ impl Assembly<'_, '_> {
             self.note_formulas(table, ship, setup);
             if ship.hull.length_m < HARDLY_SLENDER * ship.hull.beam_m {
                 let message = format!(
-                    "she is {} beams long: the flow is that of slender ships, and less is known of her",
+                    "she is {} beams long: the flow is for slender ships, and is less accurate for \
+                     a ship of this form",
                     rounded(ship.hull.length_m / ship.hull.beam_m)
                 );
                 self.note(table, &message);
@@ -237,8 +240,8 @@ impl Assembly<'_, '_> {
             let most_s = 0.05 * ship.hull.length_m / fastest_mps;
             if setup.step_s > most_s {
                 let message = format!(
-                    "in a step of {} s she moves by more than a twentieth of her length: peaks of her force may be missed; take {} s \
-                     or less",
+                    "in a step of {} s the passing ship moves by more than a twentieth of her \
+                     length: peaks of the force may be missed; take steps of {} s or less",
                     rounded(setup.step_s),
                     rounded(most_s)
                 );
@@ -248,7 +251,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// Her way past the bodies that do not move at the start.
+    /// Checks the track of a passing ship past the bodies that do not move at the start.
     fn check_passing_track(
         &mut self,
         table: &Table,
@@ -266,13 +269,13 @@ impl Assembly<'_, '_> {
             let nearest = ship.nearest(body.outline.vertices(), pose, setup.duration_s);
             if nearest.distance_m <= 0.0 {
                 let message = format!(
-                    "`{}`: she would go through {} at {:.0} s",
+                    "`{}`: the passing ship would go through {} at {:.0} s",
                     table.path,
                     quoted(&body.name),
                     nearest.t_s
                 );
                 let error = self.sources.error(&table.span, &table.path, message);
-                return Err(error.with_help("move her track away, until there is a clear gap"));
+                return Err(error.with_help("move the track away, until there is a clear gap"));
             }
             if setup.world.vessels.iter().any(|vessel| vessel.body == index)
                 && nearest_vessel.is_none_or(|(_, distance_m, _)| nearest.distance_m < distance_m)
@@ -284,7 +287,7 @@ impl Assembly<'_, '_> {
         let body = &setup.bodies[body];
         if t_s >= setup.duration_s && ship.track.pace.speed_mps(t_s) > 0.0 {
             let message = format!(
-                "the run ends before she has passed {}: she is still coming nearer, {} m away",
+                "the run ends before the ship has passed {}: she is still coming nearer, {} m away",
                 quoted(&body.name),
                 rounded(distance_m)
             );
@@ -295,7 +298,8 @@ impl Assembly<'_, '_> {
         let at_start_m = ship.nearest(body.outline.vertices(), pose, 0.0).distance_m;
         if at_start_m < SUDDEN * ship.hull.length_m && start.speed_mps > 0.0 {
             let message = format!(
-                "she is {} m from {} at the start: her force begins suddenly; let her come from farther away",
+                "she is {} m from {} at the start: the force begins suddenly; let the ship come \
+                 from farther away",
                 rounded(at_start_m),
                 quoted(&body.name)
             );
@@ -306,7 +310,8 @@ impl Assembly<'_, '_> {
             let askew_rad = libm::asin(bounded(libm::sin(turned), -1.0, 1.0)).abs();
             if askew_rad > ASKEW_RAD {
                 let message = format!(
-                    "she passes {} at an angle of {:.0} degrees, but the factors for depth and quay are of parallel passing",
+                    "she passes {} at an angle of {:.0} degrees, but the factors for depth and \
+                     quay are for parallel passing",
                     quoted(&body.name),
                     askew_rad.to_degrees()
                 );
@@ -338,7 +343,8 @@ impl Assembly<'_, '_> {
         let share = fastest_mps / critical_mps;
         if share >= 1.0 {
             let message = format!(
-                "{} m/s is faster than long waves in {} m of water, {} m/s: no ship passes at that speed, and the flow knows no waves",
+                "{} m/s is faster than long waves in {} m of water, {} m/s: no ship passes at that \
+                 speed, and the flow has no waves",
                 rounded(fastest_mps),
                 rounded(shallowest_m),
                 rounded(critical_mps)
@@ -347,7 +353,8 @@ impl Assembly<'_, '_> {
         }
         if share > NEARLY_CRITICAL {
             let message = format!(
-                "she goes at {share:.2} of the speed of long waves in {} m of water: the flow knows no waves, and the forces are too small",
+                "she goes at {share:.2} of the speed of long waves in {} m of water: the flow has \
+                 no waves, and the forces are too small",
                 rounded(shallowest_m)
             );
             self.note_at(&item.span, table.path_of(item.name), message);
@@ -361,13 +368,14 @@ impl Assembly<'_, '_> {
         let mut parts = Vec::new();
         match ship.depth {
             DepthFactors::Kriebel if is_deep => {
-                parts.push("the water is deep: it has no factors for the depth");
+                parts.push("the water is deep: there are no factors for the depth");
             }
             DepthFactors::Kriebel => parts.push(
                 "the factors for the depth are recalled (Kriebel 2005, not read) and compared with one worked case",
             ),
             DepthFactors::DeepWater if !is_deep => parts.push(
-                "the depth is not taken into account: model tests in shallow water found several times these forces",
+                "the depth is not taken into account: model tests in shallow water found forces \
+                 several times as large",
             ),
             DepthFactors::DeepWater => {}
         }
@@ -380,7 +388,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// What is said of vessels that are too short for the flow of slender ships; nothing if there are none.
+/// The text about vessels that are too short for the flow of slender ships; empty without such vessels.
 fn none_for_short(hulls: &[FlowHull], (vessels, bodies): (&[VesselSetup], &[BodySetup])) -> String {
     let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
     let short: Vec<String> = short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();

@@ -1,4 +1,5 @@
-//! What a fender does under load: its curve, factors, unloading and stop, from a catalogue or its own.
+//! The behaviour of a fender under load: curve, factors, unloading and stop, from a catalogue or from the fender's
+//! keys.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +7,7 @@ use fenderline_contact::{FenderLaw, ReactionFactors, Unloading};
 use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{FenderSource, HullPressure, Rated};
 
-use crate::assemble::{Assembly, Checked};
+use crate::assemble::assembly::{Assembly, Checked};
 use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
@@ -19,15 +20,15 @@ const STOP_OVER_MEAN: f64 = 50.0;
 /// her fenders compresses them statically.
 const STATIC_TIME_S: f64 = 1000.0;
 
-/// The law of a fender and the data that come with it.
+/// The law of a fender and the data that belong to the law.
 pub(super) struct Performance {
     pub(super) law: FenderLaw,
-    /// The unloading law of its type.
+    /// The unloading law of the fender's type.
     pub(super) unloading: Option<Unloading>,
     pub(super) rated: Option<Rated>,
-    /// Where its stop begins unless the scenario gives one (m).
+    /// Deflection at which the stop begins, unless the scenario gives a stop (m).
     pub(super) end_m: f64,
-    /// Stiffness of that stop (N/m).
+    /// Stiffness of the stop (N/m).
     pub(super) stop_stiffness_npm: f64,
     pub(super) height_m: Option<f64>,
     pub(super) factors: ReactionFactors,
@@ -36,7 +37,7 @@ pub(super) struct Performance {
     pub(super) source: Option<FenderSource>,
 }
 
-/// Share of the absorbed energy that a fender returns if nothing is known of it: that of the built-in fenders of solid rubber
+/// Share of the absorbed energy that a fender without data returns: the share of the built-in fenders of solid rubber
 /// (`fenders/cone.toml` has the reason). Assumed.
 const ASSUMED_RETURNED_ENERGY: f64 = 0.55;
 
@@ -45,7 +46,7 @@ pub(super) fn wants_unloading(table: &Table) -> bool {
     table.item("unloading_law").is_none_or(|item| *item.flag())
 }
 
-/// The source of a fender's data, with a remark where its unloading law is assumed.
+/// The source of a fender's data, with a remark if the unloading law is assumed.
 fn assumed(table: &Table, has_type_s: bool, source: String) -> String {
     let own = ["returned_energy", "unloading"].iter().any(|key| table.item(key).is_some());
     if has_type_s || own || !wants_unloading(table) {
@@ -132,8 +133,8 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// How its reaction falls in unloading: by its own keys, by those of its type, or as assumed of solid rubber. `None`: by the
-    /// restitution of its material, where `unloading_law` is false.
+    /// The unloading law of a fender: from the fender's keys, from the keys of its type, or as assumed for solid
+    /// rubber. `None`: unloading by the restitution of the material, if `unloading_law` is false.
     pub(super) fn unloading(
         &self,
         table: &Table,

@@ -1,24 +1,24 @@
-//! Notices of what can be computed but is hardly meant: faces that overlap or stand in the seabed, masses that do not fit
-//! the hull.
+//! Notices about input that can be computed but is probably a mistake: faces that overlap or stand in the seabed,
+//! masses that do not fit the hull.
 
 use fenderline_contact::number::lesser;
 use fenderline_contact::{Rotation, vec2};
 use fenderline_sim::berthing::BerthingSetup;
 use fenderline_sim::{BodySetup, Environment, FenderSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::sources::quoted;
 
-/// A face whose middle is further than this from the water is unusual where no depth is given (m): our choice, beyond the
-/// greatest tides.
+/// Without a given depth, a face whose middle is farther than this from the water is unusual (m): our choice, beyond
+/// the greatest tides.
 pub(super) const FAR_FROM_WATER_M: f64 = 15.0;
-/// Draught over beam of things that float; ships have 0.2 to 0.6, barges and pontoons less. Our choice, wide enough for
-/// all of them.
+/// Usual range of draught over beam of floating bodies: ships have 0.2 to 0.6, barges and pontoons less. Our choice,
+/// wide enough for all of these.
 const DRAUGHT_OVER_BEAM: [f64; 2] = [0.01, 1.2];
-/// Displacement by the particulars of a berthing over the body's mass. Published examples that give both agree to a few
-/// per cent.
+/// Displacement by the particulars of a berthing over the body's mass. Published examples that give particulars and
+/// mass agree to a few per cent.
 const DISPLACEMENT_FITS: [f64; 2] = [0.9, 1.1];
 /// Length of the outline over the length between perpendiculars, and beam of the outline over the beam.
 const LENGTH_FITS: [f64; 2] = [0.85, 1.3];
@@ -29,7 +29,7 @@ fn fits([low, high]: [f64; 2], value: f64) -> bool {
 }
 
 impl Assembly<'_, '_> {
-    /// Refuses a fender in the seabed, and notes one far from the water.
+    /// Refuses a fender in the seabed, and notes a fender far from the water.
     pub(super) fn check_heights(
         &mut self,
         tables: &[(String, Table)],
@@ -75,7 +75,7 @@ impl Assembly<'_, '_> {
 
     /// Notes faces of fenders of one body that overlap.
     pub(super) fn note_overlaps(&mut self, tables: &[(String, Table)], fenders: &[FenderSetup]) {
-        // Places along the face, for each body and direction: neighbours in this order are the only ones to compare.
+        // Places along the face, for each body and direction: only neighbours in this order must be compared.
         let mut places: Vec<(usize, i64, f64, usize)> = Vec::with_capacity(fenders.len());
         for (index, fender) in fenders.iter().enumerate() {
             let out = Rotation::from_angle(fender.facing_rad).apply(vec2(1.0, 0.0));

@@ -2,7 +2,7 @@
 
 use fenderline_sim::{BodySetup, ProviderSetup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {

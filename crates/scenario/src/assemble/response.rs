@@ -4,7 +4,7 @@ use fenderline_sim::Float;
 use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTable};
 use fenderline_sim::hydro::Particulars;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;
@@ -13,11 +13,11 @@ use fenderline_keys::error::Notice;
 struct Motion {
     /// Its column of amplitudes.
     amplitude: &'static str,
-    /// Its column of phases.
+    /// Column of the motion of phases.
     phase: &'static str,
     /// Its amplitude is in degrees.
     is_angle: bool,
-    /// The table must have it.
+    /// The table must have this column.
     is_needed: bool,
 }
 
@@ -62,7 +62,7 @@ impl Assembly<'_, '_> {
                 *columns = Some([csv.column(amplitude)?, csv.column(phase)?]);
             }
         }
-        for row in 0..csv.len() {
+        for row in 0..csv.row_count() {
             csv.number(row, omega, [1e-3, 100.0])?;
             // Waves from starboard are the mirror image of waves from port.
             csv.number(row, heading, [0.0, 180.0])?;
@@ -76,7 +76,7 @@ impl Assembly<'_, '_> {
             );
             return Err(csv.header_error(message));
         }
-        let mut operators = Vec::with_capacity(csv.len());
+        let mut operators = Vec::with_capacity(csv.row_count());
         for &row in &grid.rows {
             let mut six = [Complex::default(); 6];
             for (operator, (column, motion)) in six.iter_mut().zip(columns.iter().zip(&MOTIONS)) {
@@ -88,16 +88,16 @@ impl Assembly<'_, '_> {
             }
             operators.push(six);
         }
-        // In waves much longer than the ship, she rises with the crest. Heave is positive down here, so its real part
-        // must be negative.
+        // In waves much longer than the ship, the ship rises with the crest. Heave is positive down here, so the real
+        // part of heave must be negative.
         let longest = &operators[..headings.len()];
         if longest.iter().all(|six| six[HEAVE].re > 0.3) {
             self.notices.push(Notice {
                 place: self.sources.place(&item.span),
                 key: key.clone(),
                 message: format!(
-                    "in the longest waves of {} the ship sinks on the crest; heave must be positive down, is it \
-                     positive up in the file?",
+                    "in the longest waves of {} the ship sinks on the crest; heave must be \
+                     positive down: is heave positive up in the file?",
                     item.text()
                 ),
             });

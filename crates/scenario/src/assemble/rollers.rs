@@ -1,13 +1,13 @@
-//! Roller and wheel fenders: their face rolls along the hull, so that rolling resistance takes the place of friction.
+//! Roller and wheel fenders: the face rolls along the hull, so rolling resistance takes the place of friction.
 
 use fenderline_sim::{FenderSetup, NamedMaterial};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {
-    /// Gives each roller fender a material of its own: that of its table, with the rolling resistance for its friction.
-    /// Rollers that differ in nothing share one.
+    /// Gives each roller fender a separate material: the material of the fender's table, with the rolling resistance as
+    /// friction. Equal rollers share a material.
     ///
     /// # Errors
     /// A rolling resistance on a material without shear stiffness.

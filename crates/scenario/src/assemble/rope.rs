@@ -1,8 +1,8 @@
-//! Ropes of lines and tails: of a material that is built in, or of one's own.
+//! Ropes of lines and tails: of a built-in material, or with the user's stretch.
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;
@@ -71,8 +71,8 @@ impl Assembly<'_, '_> {
             (false, true) => (csv.column("load_percent")?, 0.01),
             _ => (csv.column("load_kn")?, 1e3 / break_load_n),
         };
-        let mut points: Vec<[f64; 2]> = Vec::with_capacity(csv.len());
-        for row in 0..csv.len() {
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(csv.row_count());
+        for row in 0..csv.row_count() {
             let percent = csv.number(row, extension, [0.0, LONGEST_PERCENT])?;
             let share = unit * csv.number(row, load, [0.0, 1e7])?;
             if row == 0 && (percent, share) != (0.0, 0.0) {
@@ -106,10 +106,11 @@ impl Assembly<'_, '_> {
         let last = curve.last_share();
         if last < 1.0 {
             self.notices.push(Notice {
-                place: csv.place_of(Some((csv.len() - 1, load))),
+                place: csv.place_of(Some((csv.row_count() - 1, load))),
                 key,
                 message: format!(
-                    "the curve ends at {} % of the break load: beyond it the last slope goes on",
+                    "the curve ends at {} % of the break load: beyond the end the last slope goes \
+                     on",
                     printable_number((1e3 * last).round() / 10.0)
                 ),
             });

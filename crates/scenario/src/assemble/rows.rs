@@ -3,6 +3,7 @@
 
 pub(super) mod keys;
 mod places;
+mod written;
 
 use std::collections::BTreeSet;
 
@@ -10,17 +11,18 @@ use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::BodySetup;
 
 use self::places::Line;
+pub(super) use self::written::rounded;
+use self::written::shown;
+use super::assembly::{Assembly, Checked, Names};
 use super::edge::{direction_rad, edges_with, facing_rad};
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table, Value};
-use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::FENDER;
 use fenderline_keys::overrides::pattern::fits;
 use fenderline_keys::reader;
 use fenderline_keys::row_names::name_in_row;
 use fenderline_keys::sources::{Span, quoted};
 
-/// Where one fender of a row stands.
+/// The place of one fender of a row.
 struct Stand {
     body: String,
     position_m: Vec2,
@@ -196,7 +198,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// The table of one fender: the keys of the row, those of the exceptions for it, and its place.
+    /// The table of one fender: the keys of the row, the keys of the exceptions for this fender, and the place.
     fn fender_of_row(&self, name: &str, row: &Table, stand: Stand) -> Checked<Table> {
         let placed = |key: &'static str, value: Value| {
             let of_row = row.item(key).map_or((row.span.clone(), row.span.clone()), |item| {
@@ -238,8 +240,8 @@ impl Assembly<'_, '_> {
         reader::with_defaults(self.sources, &FENDER, &row.path, &row.span, items)
     }
 
-    /// Which of two values of a key counts: the command line over the file, and there the later one; in the file the
-    /// exception over the row.
+    /// Rank of a value of a key: the command line precedes the file, and of two values on the command line the later
+    /// value counts; in the file, the exception precedes the row.
     fn rank(&self, is_exception: bool, item: &Item) -> Rank {
         let start = if item.is_default { 0 } else { item.span.start };
         let is_override = start > self.sources.text.len();
@@ -253,18 +255,3 @@ impl Assembly<'_, '_> {
 }
 
 type Rank = (bool, bool, usize);
-
-/// A point, for messages.
-fn shown(point_m: Vec2) -> String {
-    format!("[{}, {}]", rounded(point_m.x), rounded(point_m.y))
-}
-
-/// To the millimetre, for messages.
-pub(super) fn rounded(value: f64) -> f64 {
-    libm::round(value * 1000.0) / 1000.0 + 0.0
-}
-
-/// As [`Assembly::missing`], for keys of which several would do.
-fn one_of_two(error: ScenarioError) -> ScenarioError {
-    error.with_help("give two of `spacing`, `number` and `last`")
-}

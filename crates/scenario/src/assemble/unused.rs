@@ -4,14 +4,13 @@ use std::collections::BTreeSet;
 
 use fenderline_sim::{BodySetup, FenderSetup, Method};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use super::pairs::Pairs;
 use fenderline_keys::checked::Table;
 use fenderline_keys::error::{NO_EFFECT, Notice};
-use fenderline_keys::sources::quoted;
 
 impl Assembly<'_, '_> {
-    /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.
+    /// Notes bodies that touch nothing, and materials that nothing uses; a single notice if there is no pair.
     pub(super) fn note_unused(
         &mut self,
         file: &Table,
@@ -51,7 +50,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Materials whose restitution does nothing: only fenders with an unloading law use them.
+    /// Notes materials whose restitution has no effect, because only fenders with an unloading law use the material.
     fn note_restitution(&mut self, file: &Table, pairs: &Pairs, fenders: &[FenderSetup]) {
         let method: Method = file.given("contact").table().given("method").choice();
         if method == Method::Paper {
@@ -84,12 +83,4 @@ impl Assembly<'_, '_> {
             message: message.to_owned(),
         });
     }
-}
-
-/// The first few names, in quotes.
-pub(super) fn listed<'n>(names: impl Iterator<Item = &'n str> + Clone) -> String {
-    const SHOWN: usize = 8;
-    let left_out = names.clone().count().saturating_sub(SHOWN);
-    let shown = names.take(SHOWN).map(quoted).collect::<Vec<_>>().join(", ");
-    if left_out == 0 { shown } else { format!("{shown} and {left_out} more") }
 }

@@ -9,8 +9,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::{AddedMass, Ratio};
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::response::estimate;
-use super::{Assembly, Checked};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::{Notice, ScenarioError};
@@ -19,10 +19,10 @@ use fenderline_keys::sources::{Span, quoted};
 /// A kind of vessel; several bodies may be of one kind.
 pub(super) struct Kind {
     pub(super) setup: VesselSetup,
-    /// Where notices about it point: its table, or the body that names it.
+    /// Place for notices about the kind: the table of the kind, or the body that names the kind.
     pub(super) place: (Span, String),
     pub(super) mass: MassProperties,
-    /// Her added mass at the lowest water of the run.
+    /// Added mass of the vessel at the lowest water of the run.
     pub(super) low_water_mass: AddedMass,
     data: VesselData,
 }
@@ -146,7 +146,7 @@ impl Kind {
     }
 }
 
-/// The key that a notice about a ratio points at.
+/// The key to which a notice about a ratio points.
 fn key_of(ratio: Ratio) -> &'static str {
     match ratio {
         Ratio::BlockCoefficient => "block_coefficient",
@@ -169,8 +169,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Every kind of vessel: the scenario's own, in the order of the file, then those of the library that bodies
-    /// name.
+    /// Every kind of vessel: first the kinds of the scenario, in the order of the file, then the
+    /// kinds of the library that bodies name.
     pub(super) fn kinds(
         &mut self,
         file: &Table,
@@ -274,7 +274,7 @@ impl Assembly<'_, '_> {
         self.deck_point(table, item, "chock", deck, |data| &data.chocks)
     }
 
-    /// Bitts, likewise.
+    /// Bitts, from the centre of gravity, and their height above the water (m).
     pub(super) fn bitts(
         &self,
         table: &Table,

@@ -5,7 +5,7 @@ use fenderline_sim::environment::wind::{
 };
 use fenderline_sim::hydro::Particulars;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::windage::{METHODS, WindageMethod};
 use fenderline_keys::sources::quoted;
@@ -47,7 +47,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// Checks that the table has all particulars of its method and none of another method.
+    /// Checks that the table has all particulars of its method, and no particulars of another method.
     fn only_particulars_of(
         &self,
         of: &Table,

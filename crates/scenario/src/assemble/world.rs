@@ -6,8 +6,8 @@ use std::fmt::Display;
 use fenderline_sim::tug::{TugEnvelope, VectorTug};
 use fenderline_sim::{TugSetup, VesselSetup};
 
+use super::assembly::{Assembly, Checked, Names, listed};
 use super::orders::places;
-use super::{Assembly, Checked, Names, listed};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::quoted;
@@ -53,7 +53,7 @@ impl Assembly<'_, '_> {
             let path = table.path_of(item.name);
             let message = format!("`{path}`: body {} is not a vessel", quoted(item.name()));
             let error = self.sources.error(&item.span, &path, message);
-            error.with_help("give it a `vessel` in its own table")
+            error.with_help("give the body a `vessel` in its table")
         })
     }
 
@@ -87,7 +87,8 @@ impl Assembly<'_, '_> {
                 tug.check().map_err(|error| self.wrong(table, &error))?;
                 let height = table.given("above_water");
                 if !height.is_default && vessels[vessel].seakeeping.is_none() {
-                    let message = "the height of her force heels a vessel with `hydrodynamics` only, and this one has none";
+                    let message = "the height of the force heels only a vessel with \
+                        `hydrodynamics`, and this vessel has none";
                     return Err(self.refused(table, height, &message));
                 }
                 Ok(TugSetup { vessel, tug, above_water_m: *height.number() })

@@ -1,14 +1,14 @@
-//! From the features of a GeoJSON file to those of a chart.
+//! From the features of a GeoJSON file to the features of a chart.
 
 use fenderline_contact::{Outline, OutlineError, Vec2};
 use fenderline_sim::chart::{ChartFeature, ChartKind, ChartMark, ChartShape, MarkColour, MarkSide};
 
 use super::geojson::{Coordinates, Properties, Raw};
-use super::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
+use super::placing::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
-/// Longest name (bytes), as that of a body.
+/// Longest name (bytes), the same as for a body.
 const LONGEST_NAME: usize = 200;
 /// Depths that a chart may have (m): heights that fall dry are negative.
 const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
@@ -22,10 +22,10 @@ pub(super) struct Reading<'r> {
 }
 
 impl Reading<'_> {
-    /// The features that one of a file makes: one for each part of its geometry.
+    /// The features of the chart that a feature of a file makes: one for each part of the geometry.
     ///
     /// # Errors
-    /// Why it is not a feature of a chart.
+    /// The reason why it is not a feature of a chart.
     pub(super) fn features(&mut self, raw: &Raw) -> Read<Vec<ChartFeature>> {
         if raw.kind != "Feature" {
             return Err(format!("its `type` is {}, not \"Feature\"", quoted(&raw.kind)));
@@ -42,7 +42,7 @@ impl Reading<'_> {
         };
         let features: Vec<ChartFeature> = shapes.into_iter().map(feature).collect::<Read<_>>()?;
         if kind == ChartKind::Name && name.is_empty() {
-            return Err("it has no `name`, but is one".to_owned());
+            return Err("it is a name, but has no property `name`".to_owned());
         }
         Ok(features)
     }
@@ -71,7 +71,12 @@ impl Reading<'_> {
             "GeometryCollection" => {
                 return Err("a GeometryCollection is not read: make each part a feature".to_owned());
             }
-            other => return Err(format!("its geometry is {}, which is none", quoted(other))),
+            other => {
+                return Err(format!(
+                    "its geometry is {}, which is not a geometry of GeoJSON",
+                    quoted(other)
+                ));
+            }
         };
         // Each of these takes a place in messages and pictures.
         self.budget.features = self
@@ -120,7 +125,8 @@ impl Reading<'_> {
     }
 
     fn ring(&mut self, ring: &Coordinates) -> Read<Vec<Vec2>> {
-        // Compared as written: a place that is projected twice has the same bits, but a mistake is easier to understand so.
+        // The points are compared as written, which makes an error easier to understand; projected
+        // points would compare equally well.
         let (Some(Coordinates::Position(first)), Some(Coordinates::Position(last))) =
             (list(ring)?.first(), list(ring)?.last())
         else {

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
-use super::{LARGEST_FILE, MOST_FEATURES};
+use super::placing::{LARGEST_FILE, MOST_FEATURES};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::{Sources, quoted};
 
@@ -68,7 +68,8 @@ pub(super) struct Properties {
     pub(super) side: Option<String>,
 }
 
-/// Nested lists of numbers. A list of two or more numbers is a position; what follows two of them, as a height, is dropped.
+/// Nested lists of numbers. A list of two or more numbers is a position; further numbers, such as a height, are
+/// dropped.
 #[derive(Debug)]
 pub(super) enum Coordinates {
     Number(f64),
@@ -99,7 +100,7 @@ impl<'a> File<'a> {
         if text.len() > LARGEST_FILE {
             let most = LARGEST_FILE >> 20;
             let error = sources.file_error(format!("the chart is larger than {most} MiB"));
-            return Err(error.with_help("simplify its lines: a chart has at most 20,000 points"));
+            return Err(error.with_help("simplify the lines: a chart has at most 20,000 points"));
         }
         // Some programs begin a file with a byte order mark, which JSON does not have.
         let json = text.strip_prefix('\u{feff}').unwrap_or(text);

@@ -3,8 +3,9 @@
 //! The equations are those of Karney, "Transverse Mercator with an accuracy of a few nanometers", Journal of Geodesy 85
 //! (2011) 475–485: conformal latitude by eq. 7 to 9, the sphere's projection by eq. 10, the series by eq. 11 with the
 //! coefficients of eq. 35 to sixth order, the meridian's length by eq. 14. The coefficients were written from memory;
-//! `tests/chart_projection.rs` compares with PROJ. It is our own code because libraries use the sine and cosine of the
-//! operating system, which differ in their last bits from machine to machine, and a quay may be taken from a chart.
+//! `tests/chart_projection.rs` compares with PROJ. This is our own code because libraries use the sine and cosine of
+//! the operating system, whose last bits differ from machine to machine; a quay may be taken from a chart, so the bits
+//! of a run would differ.
 
 use fenderline_contact::{Vec2, vec2};
 
@@ -104,7 +105,7 @@ impl Series {
     }
 }
 
-/// The central meridian of the zone of 6 degrees that a longitude lies in.
+/// The central meridian of the zone of 6 degrees in which a longitude lies.
 fn zone_meridian_rad(longitude_rad: f64) -> f64 {
     let zone = libm::floor(longitude_rad / (2.0 * HALF_ZONE_RAD));
     (2.0 * zone + 1.0) * HALF_ZONE_RAD

@@ -1,4 +1,4 @@
-//! The contents of a fender file, in SI units. The standing of a fender is that of its weakest part.
+//! The contents of a fender file, in SI units. The standing of a fender is the standing of its weakest part.
 
 use fenderline_contact::Unloading;
 use fenderline_sim::hydro::vessels::Standing;
@@ -12,11 +12,12 @@ pub struct Family {
     pub rated_deflection: f64,
     /// Deflection over height against reaction over rated reaction, from (0, 0), deflections rising; piecewise linear.
     pub curve: Vec<(f64, f64)>,
-    /// Deflection over height against energy over rated energy as published; empty where none was. For comparison only.
+    /// Deflection over height against energy over rated energy as published; empty if no energy was published. For
+    /// comparison only.
     pub published_energy: Vec<(f64, f64)>,
     /// Where the curve comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
     /// How the reaction falls in unloading.
     pub unloading: Option<FamilyUnloading>,
@@ -30,7 +31,7 @@ pub struct Family {
     pub angle_reaction: Option<FactorTable>,
     /// Manufacturing tolerance of reaction and energy.
     pub tolerance: Option<Tolerance>,
-    /// Index of the size from which others are scaled.
+    /// Index of the size from which other sizes are scaled.
     pub reference: Option<usize>,
     /// Sizes, in the order of the file.
     pub sizes: Vec<FenderSize>,
@@ -42,9 +43,9 @@ pub struct FamilyUnloading {
     /// The share of energy returned, or the unloading curve with deflections over height and reactions over rated
     /// reaction.
     pub law: Unloading,
-    /// Where it comes from.
+    /// Where the unloading law comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -57,7 +58,7 @@ pub struct FactorTable {
     pub holds: Option<String>,
     /// Where they come from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -66,9 +67,9 @@ pub struct FactorTable {
 pub struct Tolerance {
     /// To either side, 0.1 for ±10 %.
     pub value: f64,
-    /// Where it comes from.
+    /// Where the manufacturing tolerance comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -89,9 +90,9 @@ pub struct FenderSize {
     pub hull_pressure_npm2: Option<f64>,
     /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
-    /// Where it comes from.
+    /// Where the size comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -102,8 +103,8 @@ pub struct HullPressureLimit {
     pub ship: String,
     /// Greatest mean pressure under a panel (N/m²).
     pub limit_npm2: f64,
-    /// Where it comes from.
+    /// Where the hull pressure limit comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }

@@ -11,11 +11,11 @@ use super::family::{FactorTable, Family, FenderSize};
 pub struct CatalogueFender {
     /// Family.
     pub family: String,
-    /// Size within the family; for a size that the catalogue does not have, how it was derived.
+    /// Size within the family; for a size that the catalogue does not have, a description of the scaling.
     pub designation: String,
     /// Extent in the direction of compression (m).
     pub height_m: f64,
-    /// Length along the berth (m), where the size has one.
+    /// Length along the berth (m), if the size has a length.
     pub length_m: Option<f64>,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
@@ -23,35 +23,35 @@ pub struct CatalogueFender {
     pub rated_reaction_n: f64,
     /// Energy to the rated deflection (J): the integral of the reaction.
     pub rated_energy_j: f64,
-    /// Rated energy as published (J), where it was. It differs from the integral by several per cent
-    /// (13 % for the smallest pneumatic fender) and is not used.
+    /// Rated energy as published (J), if published. It differs from the integral by several per cent (13 %
+    /// for the smallest pneumatic fender) and is not used.
     pub published_energy_j: Option<f64>,
     /// Deflection (m) against reaction (N), from (0, 0), deflections rising; piecewise linear. It may reach beyond the
     /// rated deflection.
     pub curve: Vec<(f64, f64)>,
-    /// How the reaction falls in unloading, where the family has it.
+    /// Unloading law, if the family has one.
     pub unloading: Option<Unloading>,
-    /// Temperature (°C) against factor on the reaction; empty where none is known.
+    /// Temperature (°C) against factor on the reaction; empty without data.
     pub temperature_factors: Vec<(f64, f64)>,
-    /// Time to rated deflection (s) against factor on the reaction; empty where none is known.
+    /// Time to rated deflection (s) against factor on the reaction; empty without data.
     pub velocity_factors: Vec<(f64, f64)>,
-    /// Angle of compression (rad) against factor on the energy; empty where none is known.
+    /// Angle of compression (rad) against factor on the energy; empty without data.
     pub angle_energy_factors: Vec<(f64, f64)>,
-    /// Angle of compression (rad) against factor on the reaction; empty where none is known.
+    /// Angle of compression (rad) against factor on the reaction; empty without data.
     pub angle_reaction_factors: Vec<(f64, f64)>,
-    /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, where it is known.
+    /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, if known.
     pub tolerance: Option<f64>,
-    /// Pressure on the hull at the rated deflection (N/m²); `None` where the panel sets it.
+    /// Pressure on the hull at the rated deflection (N/m²); `None` if the pressure depends on the panel.
     pub hull_pressure_npm2: Option<f64>,
     /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
-    /// Whether a panel presses on the hull. False in a family of which any size has its own hull pressure.
+    /// Whether a panel presses on the hull. False in a family in which any size has a hull pressure.
     pub has_panel: bool,
     /// Where curve and rating come from.
     pub source: String,
-    /// The weaker standing of curve and rating. At best `Derived` where the published energy and the integral differ by
-    /// more than [`CatalogueFender::TOLERANCE`]: the curve was then not measured on this size. Unloading, factors and
-    /// tolerance have their own standings in the family.
+    /// The weaker standing of curve and rating. At best `Derived` if the published energy and the integral
+    /// differ by more than [`CatalogueFender::TOLERANCE`]: the curve was then not measured on this size.
+    /// Unloading, factors and tolerance have separate standings in the family.
     pub standing: Standing,
 }
 
@@ -59,7 +59,7 @@ impl CatalogueFender {
     /// The manufacturing tolerance that fenders commonly have, ±10 %.
     pub const TOLERANCE: f64 = 0.1;
 
-    /// Energy as computed over energy as published, less 1; `None` where none was published.
+    /// Computed energy over published energy, less 1; `None` if no energy was published.
     #[must_use]
     pub fn energy_difference(&self) -> Option<f64> {
         self.published_energy_j.map(|published_j| self.rated_energy_j / published_j - 1.0)

@@ -21,7 +21,7 @@ pub(crate) static FENDER_FILE: TableSpec = TableSpec {
             "hull_pressure",
             Kind::Named(&HULL_PRESSURE),
             Is("{}"),
-            "What a ship's side bears, by type of ship.",
+            "Hull pressure that a ship's side can bear, by type of ship.",
             &[],
         ),
     ],
@@ -32,7 +32,7 @@ const SOURCE: KeySpec = key(
     "source",
     Kind::Text,
     Refused,
-    "Where the numbers come from.",
+    "Source of the numbers.",
     &["\"the maker's catalogue of 2021, page 12\""],
 );
 
@@ -46,8 +46,8 @@ const STANDING: KeySpec = key(
 
 static FAMILY: TableSpec = TableSpec {
     what: "a family of fenders",
-    doc: "Fenders of one shape: a curve that all sizes share, and sizes. A table with the name of a known \
-          family may only add sizes.",
+    doc: "A family of fenders of one shape: sizes, and a curve that all sizes share. A table with \
+          the name of a known family may only add sizes.",
     keys: &[
         key(
             "rated_deflection",
@@ -59,8 +59,9 @@ static FAMILY: TableSpec = TableSpec {
         key(
             "reference",
             Kind::Text,
-            Means("no sizes are derived from others"),
-            "Designation of the size from which others are scaled, reaction by height squared.",
+            Means("no sizes are scaled from another size"),
+            "Designation of the size from which other sizes are scaled, reaction by height \
+             squared.",
             &["\"1000 A\""],
         ),
         key(
@@ -73,8 +74,8 @@ static FAMILY: TableSpec = TableSpec {
         key(
             "unloading",
             Kind::Table(&UNLOADING),
-            Means("55 % of the energy is returned, as by solid rubber (assumed)"),
-            "How the reaction falls in unloading.",
+            Means("55 % of the energy is returned, assumed for solid rubber"),
+            "Law by which the reaction falls in unloading.",
             &[],
         ),
         key(
@@ -147,7 +148,7 @@ static CURVE: TableSpec = TableSpec {
             }),
             Means("none was published"),
             "Rows of deflection over height and energy over rated energy as published: for \
-                  comparison only, the energy is the integral of the reaction.",
+             comparison only; the program integrates the reaction.",
             &["[[0, 0], [0.25, 0.4], [0.5, 1]]"],
         ),
         SOURCE,
@@ -158,7 +159,7 @@ static CURVE: TableSpec = TableSpec {
 
 static UNLOADING: TableSpec = TableSpec {
     what: "an unloading law",
-    doc: "How the reaction falls in unloading: `returned_energy` or `points`.",
+    doc: "Law by which the reaction falls in unloading: `returned_energy` or `points`.",
     keys: &[
         key(
             "returned_energy",
@@ -175,9 +176,9 @@ static UNLOADING: TableSpec = TableSpec {
                 fewest: 2,
             }),
             Unless("`returned_energy` is given"),
-            "The unloading curve: rows of deflection over height and reaction over rated reaction, from [0, 0]; \
-             straight between them, nowhere above the curve. Beyond the last row it keeps the same share of the \
-             curve as there.",
+            "The unloading curve: rows of deflection over height and reaction over rated reaction, \
+             from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the \
+             unloading curve keeps the same share of the loading curve as at the last row.",
             &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
         ),
         SOURCE,
@@ -193,8 +194,8 @@ static UNLOADING: TableSpec = TableSpec {
 const HOLDS: KeySpec = key(
     "holds",
     Kind::Text,
-    Means("wherever the family is used"),
-    "Where the factors hold.",
+    Means("for all fenders of the family"),
+    "Conditions for which the factors hold.",
     &["\"blended rubber\""],
 );
 
@@ -294,7 +295,7 @@ static SIZE: TableSpec = TableSpec {
             "designation",
             Kind::Text,
             Refused,
-            "Its name within the family.",
+            "Name of the size within the family.",
             &["\"1000x1500 50kPa\""],
         ),
         key(
@@ -307,7 +308,7 @@ static SIZE: TableSpec = TableSpec {
         key(
             "length",
             Kind::Quantity(METRES),
-            Means("it has none of its own"),
+            Means("no pressure"),
             "Length along the berth.",
             &["\"1500 mm\""],
         ),
@@ -349,7 +350,7 @@ const PRESSURE: Quantity = Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1
 
 static HULL_PRESSURE: TableSpec = TableSpec {
     what: "a hull pressure limit",
-    doc: "What the side of a type of ship bears.",
+    doc: "Hull pressure that the side of a type of ship can bear.",
     keys: &[
         key(
             "limit",

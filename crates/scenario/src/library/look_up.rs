@@ -13,7 +13,7 @@ use fenderline_keys::suggest::nearest;
 pub enum LookUpError {
     /// The name is unknown.
     Unknown {
-        /// What it should name: `family`, `size of cone fenders`, `type of ship`.
+        /// Kind of thing that the name should mean: `family`, `size of cone fenders`, `type of ship`.
         what: String,
         /// The name.
         name: String,
@@ -22,14 +22,14 @@ pub enum LookUpError {
         /// All known names.
         known: Vec<String>,
     },
-    /// The family has no size from which others may be scaled.
+    /// The family has no size from which other sizes may be scaled.
     NoReference {
         /// The family.
         family: String,
     },
     /// A height or reaction out of range.
     OutOfRange {
-        /// Which of them, with its unit.
+        /// The number out of range, with its unit.
         quantity: &'static str,
         /// Its value.
         value: f64,
@@ -37,7 +37,7 @@ pub enum LookUpError {
 }
 
 impl LookUpError {
-    /// The error for a name that is not among the known ones.
+    /// The error for an unknown name.
     pub(crate) fn unknown<'a>(
         what: String,
         name: &str,

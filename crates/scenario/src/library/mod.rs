@@ -120,7 +120,7 @@ impl FenderLibrary {
     /// The family of this name.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no such family.
     pub fn family(&self, name: &str) -> Result<&Family, LookUpError> {
         Ok(&self.families[self.family_place(name)?])
     }
@@ -135,7 +135,7 @@ impl FenderLibrary {
     /// A size of a family.
     ///
     /// # Errors
-    /// There is none of that name.
+    /// There is no size of this name.
     pub fn fender(&self, family: &str, designation: &str) -> Result<CatalogueFender, LookUpError> {
         let place = self.family_place(family)?;
         let (family, sizes) = (&self.families[place], &self.places.sizes[place]);
@@ -162,7 +162,7 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, &size))
     }
 
-    /// A fender with a rating of the user's own on the curve of a family.
+    /// A fender with the user's rating on the curve of a family.
     ///
     /// # Errors
     /// No such family, or a height (m) or rated reaction (N) out of range.
@@ -187,7 +187,7 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, &size))
     }
 
-    /// The hull pressure that the side of a type of ship bears.
+    /// The hull pressure that the side of a type of ship can bear.
     ///
     /// # Errors
     /// There is no such type.
@@ -200,7 +200,7 @@ impl FenderLibrary {
     }
 }
 
-/// The bounds are those of a size in a file; NaN fails them.
+/// The bounds are the same as for a size in a file; NaN is out of bounds.
 fn checked_height_m(value: f64) -> Result<f64, LookUpError> {
     let good = (1e-3..=100.0).contains(&value);
     good.then_some(value).ok_or(LookUpError::OutOfRange { quantity: "height [m]", value })

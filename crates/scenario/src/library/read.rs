@@ -71,7 +71,8 @@ pub(super) fn hull_pressures(
     Ok(())
 }
 
-/// The error for a family without a curve: it lacks one, or its name is a misspelt known one.
+/// The error for a family without a curve: the curve is missing, or the name is a misspelt known
+/// name.
 fn without_curve(
     sources: &Sources<'_>,
     name: &str,
@@ -147,7 +148,7 @@ fn new_family(
     })
 }
 
-/// The rated deflection, where the curve reaches it with the rated reaction.
+/// The rated deflection, checked: the curve must have the rated reaction there.
 fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read<f64> {
     let path = table.path_of("rated_deflection");
     let Some(item) = table.item("rated_deflection") else {

@@ -10,23 +10,23 @@ use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 /// A vessel of the library: everything that does not depend on the scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselData {
-    /// Her key.
+    /// Key of the vessel.
     pub name: String,
-    /// Her name in reports, and where every number comes from.
+    /// Name of the vessel in reports, and the source of every number.
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model that the resistance in `ship` was measured on (m), where it is known.
+    /// Length of the model on which the resistance in `ship` was measured (m), if known.
     pub resistance_of_model_m: Option<f64>,
-    /// Length overall (m), where it is known.
+    /// Length overall (m), if known.
     pub length_overall_m: Option<f64>,
-    /// Her manoeuvring model in deep water.
+    /// Manoeuvring model of the vessel in deep water.
     pub ship: Mmg,
     /// Speed at which standard manoeuvres begin (m/s).
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub rudder: RateLimited,
-    /// Her shaft, where she has a propeller.
+    /// Shaft of the vessel, if she has a propeller.
     pub shaft: Option<Shaft>,
     /// Tunnel thrusters, in the order of the file.
     pub thrusters: Vec<ThrusterSetup>,
@@ -36,13 +36,13 @@ pub struct VesselData {
     pub windage: Option<ShipWindage>,
     /// Data for heave, roll and pitch.
     pub stability: Option<Stability>,
-    /// Her outline, forward and to starboard of midship (m).
+    /// Outline of the vessel, forward and to starboard of midship (m).
     pub outline_m: Option<Vec<Vec2>>,
-    /// Where lines leave her.
+    /// Places where lines leave the vessel.
     pub chocks: Vec<DeckPoint>,
-    /// Where lines of others are made fast.
+    /// Places where lines of other vessels are made fast.
     pub bitts: Vec<DeckPoint>,
-    /// Strips that a fender may lie on.
+    /// Strips on which a fender may lie.
     pub beltings: Vec<Belting>,
     /// Coefficients that a geometrically similar vessel may use.
     pub(crate) coefficients: Coefficients,
@@ -71,11 +71,11 @@ pub struct Stability {
 /// A chock or a pair of bitts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeckPoint {
-    /// Unique among its kind on the vessel.
+    /// Name of the point, unique among points of its kind on the vessel.
     pub name: String,
     /// Forward and to starboard of midship (m).
     pub at_m: Vec2,
-    /// Above the still water at her draught (m).
+    /// Height above the still water at the vessel's draught (m).
     pub above_water_m: f64,
 }
 
@@ -84,13 +84,13 @@ pub struct DeckPoint {
 pub struct Belting {
     /// Unique on the vessel.
     pub name: String,
-    /// Its middle, forward and to starboard of midship (m).
+    /// Middle of the strip, forward and to starboard of midship (m).
     pub middle_m: Vec2,
-    /// Direction in which it faces: 0 forward, positive to starboard (rad).
+    /// Direction in which the strip faces: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Its length (m).
+    /// Length of the strip (m).
     pub width_m: f64,
-    /// Its middle above the still water at her draught (m).
+    /// Middle of the strip above the still water at her draught (m).
     pub above_water_m: f64,
     /// Its extent up and down (m).
     pub extent_m: f64,

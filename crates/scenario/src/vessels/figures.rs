@@ -17,9 +17,9 @@ const NO_FIGURES: [&str; 5] = ["title", "tank_model", "coefficients_of", "from",
 pub(super) struct Leaf {
     /// Path below the vessel, as `propeller.wake`, and its value.
     pub(super) figure: Figure,
-    /// The file does not give it.
+    /// The value is the default: the file does not give the key.
     pub(super) is_default: bool,
-    /// Its key.
+    /// Key of the leaf.
     pub(super) key_span: Span,
 }
 

@@ -2,6 +2,7 @@
 
 mod deck;
 mod hull;
+mod shared;
 mod source;
 mod stern;
 
@@ -9,6 +10,7 @@ use serde_json::json;
 
 use self::deck::{BELTING, DECK_POINT, OUTLINE};
 use self::hull::{ADDED_MASS, DRIFT_POLYNOMIAL, LOW_SPEED, SWAY_POLYNOMIAL};
+use self::shared::ESTIMATED;
 use self::source::SOURCE;
 use self::stern::{PROPELLER, RUDDER};
 use fenderline_keys::keys::quantities::{LENGTH, PLACE};
@@ -16,10 +18,6 @@ use fenderline_keys::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
-
-const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
-const POSITIVE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e3 };
-const ESTIMATED: &str = "estimated; reports name it as an estimate";
 
 /// The whole file.
 pub(crate) static VESSEL_FILE: TableSpec = TableSpec {
@@ -47,8 +45,9 @@ static VESSEL: TableSpec = TableSpec {
             "coefficients_of",
             Kind::Text,
             Means("her own, or estimated"),
-            "Another vessel, of which this is a model or a sister: coefficients that are not given here are taken from \
-             it, and speed, revolutions and rudder rate are scaled by Froude's law.",
+            "Another vessel, of which this vessel is a model or a sister. Coefficients that are \
+             not given here are taken from the other vessel, and speed, revolutions and rudder \
+             rate are scaled by Froude's law.",
             &["\"kvlcc2\""],
         ),
         key(
@@ -62,7 +61,7 @@ static VESSEL: TableSpec = TableSpec {
             "length_overall",
             Kind::Quantity(LENGTH),
             Means("not known"),
-            "Length overall; the outline must have it.",
+            "Length overall; the outline must have this length.",
             &["\"298 m\""],
         ),
         key("beam", Kind::Quantity(LENGTH), Refused, "Beam.", &["\"46 m\""]),
@@ -112,9 +111,9 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "resistance_of_model",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
-            Means("her resistance is that of the full-scale ship, or unknown"),
-            "Length of the model that the resistance was measured on. A model has more friction than a ship, so crash \
-             stops are also shown without the excess.",
+            Means("the resistance is for the full-scale ship, or unknown"),
+            "Length of the model on which the resistance was measured. A model has more friction \
+             than a ship, so crash stops are also shown without the excess friction.",
             &["\"7 m\""],
         ),
         key(
@@ -128,7 +127,7 @@ static VESSEL: TableSpec = TableSpec {
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
             Means("`speed`, if it is known"),
-            "The same as a Froude number, with g = 9.81 m/s².",
+            "Speed at which standard manoeuvres begin, as a Froude number with g = 9.81 m/s².",
             &["0.26"],
         ),
         key("added_mass", Kind::Table(&ADDED_MASS), Means(ESTIMATED), "Added mass.", &[]),
@@ -160,7 +159,8 @@ static VESSEL: TableSpec = TableSpec {
             "azimuth",
             Kind::Named(&AZIMUTH),
             Is("{}"),
-            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            "Azimuth units, by name. A vessel without a propeller moves and steers by azimuth \
+             units.",
             &[],
         ),
         key("windage", Kind::Table(&WINDAGE), Means("no wind forces"), "Wind areas.", &[]),
@@ -175,21 +175,21 @@ static VESSEL: TableSpec = TableSpec {
             "outline",
             Kind::Table(&OUTLINE),
             Means("bodies give it"),
-            "Her outline in the horizontal plane.",
+            "Outline of the vessel in the horizontal plane.",
             &[],
         ),
         key(
             "chock",
             Kind::Named(&DECK_POINT),
             Is("{}"),
-            "Chocks and fairleads, by name: where lines leave her.",
+            "Chocks and fairleads, by name: the places where lines leave the vessel.",
             &[],
         ),
         key(
             "bitts",
             Kind::Named(&DECK_POINT),
             Is("{}"),
-            "Bitts, by name: where lines of others are made fast.",
+            "Bitts, by name: the places where lines of other vessels are made fast.",
             &[],
         ),
         key(
@@ -203,7 +203,7 @@ static VESSEL: TableSpec = TableSpec {
             "source",
             Kind::List(&SOURCE),
             Refused,
-            "Where the numbers come from: every number has one source.",
+            "Sources of the numbers: every number has one source.",
             &[],
         ),
     ],
@@ -220,11 +220,3 @@ static VESSEL: TableSpec = TableSpec {
         })
     }),
 };
-
-/// Keys of coefficients without dimension, all of which must be given.
-macro_rules! coefficients {
-    ($($name:literal: $doc:literal),* $(,)?) => {
-        &[$(key($name, Kind::Quantity(COEFFICIENT), Refused, $doc, &["-0.04"])),*]
-    };
-}
-use coefficients;

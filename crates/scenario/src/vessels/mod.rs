@@ -102,7 +102,7 @@ impl VesselLibrary {
     /// The vessel of this name.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no such vessel.
     pub fn vessel(&self, name: &str) -> Result<&VesselData, LookUpError> {
         self.places.get(name).map(|place| &self.vessels[*place]).ok_or_else(|| {
             let known = self.vessels.iter().map(|vessel| vessel.name.as_str());

@@ -143,8 +143,8 @@ pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
         .collect()
 }
 
-/// The origin of a vessel that a scenario derives from another, without the sources of what it replaces. Propeller and
-/// rudder are replaced key by key, everything else by whole tables.
+/// The origin of a vessel that a scenario derives from another, without the sources of the replaced numbers. Propeller
+/// and rudder are replaced key by key, everything else by whole tables.
 pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
     let by_key = |name: &str| covers("propeller", name) || covers("rudder", name);
     let own = leaves(table);

@@ -3,10 +3,10 @@
 mod coefficients;
 mod machinery;
 mod particulars;
+mod reading;
 mod stability;
 
 use std::f64::consts::TAU;
-use std::fmt::Display;
 
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{Known, estimated};
@@ -16,11 +16,11 @@ use super::data::VesselData;
 use super::provenance;
 use super::shape::{self, Hull};
 use crate::assemble;
-use crate::library::LookUpError;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::Sources;
 
+use self::reading::Reading;
 pub(crate) use self::stability::hydrostatics;
 use self::stability::oscillators;
 
@@ -50,7 +50,7 @@ pub(super) fn file_vessel(
     })
 }
 
-/// A vessel of a scenario, with its own particulars or derived from one of the library.
+/// A vessel of a scenario, with particulars of its own, or derived from a vessel of the library.
 ///
 /// # Errors
 /// An unknown vessel in `from`, particulars beside `from`, missing or impossible particulars.
@@ -74,33 +74,7 @@ pub(crate) fn own_vessel(
     }
 }
 
-struct Reading<'r, 's> {
-    sources: &'r Sources<'s>,
-    table: &'r Table,
-}
-
 impl Reading<'_, '_> {
-    fn at(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
-        let path = table.path_of(item.name);
-        self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
-    }
-
-    fn looked_up(&self, item: &Item, error: &LookUpError) -> ScenarioError {
-        self.at(self.table, item, error).with_help(error.help())
-    }
-
-    fn missing(&self, table: &Table, name: &str, help: &str) -> ScenarioError {
-        let path = table.path_of(name);
-        let message = format!("`{path}` is missing");
-        self.sources.error(&table.span, &path, message).with_help(help)
-    }
-
-    fn together(&self, table: &Table, item: &Item, with: &str) -> ScenarioError {
-        let path = table.path_of(item.name);
-        let message = format!("`{path}` does not go together with `{with}`");
-        self.sources.error(&item.key_span, &path, message)
-    }
-
     /// Reads the whole vessel. `sources` is called last, so that mistakes in numbers are reported first.
     fn vessel(
         &self,
@@ -247,7 +221,7 @@ impl Reading<'_, '_> {
         Ok(())
     }
 
-    /// Refuses particulars beside `from`: they are those of the library's vessel.
+    /// Refuses particulars beside `from`, because they come from the library's vessel.
     fn refuse_other_particulars(&self) -> Read<()> {
         let table = self.table;
         const HERS: [&str; 6] =
@@ -255,9 +229,10 @@ impl Reading<'_, '_> {
         for name in HERS {
             if let Some(item) = table.item(name) {
                 let error = self.together(table, item, "from");
-                return Err(
-                    error.with_help("remove it: the vessel of `from` has its own particulars")
-                );
+                return Err(error.with_help(
+                    "remove this key: the particulars come from the vessel of \
+                        `from`",
+                ));
             }
         }
         for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
@@ -265,7 +240,7 @@ impl Reading<'_, '_> {
             if let Some(item) = inner.item(name) {
                 let error = self.together(inner, item, "from");
                 return Err(error.with_help(
-                    "remove it: the vessel of `from` has its own propeller and rudder",
+                    "remove this key: propeller and rudder come from the vessel of `from`",
                 ));
             }
         }

@@ -64,7 +64,7 @@ pub(super) fn outline(
                 "it is {length_m} m long, but her length between perpendiculars is {} m",
                 ship.length_m
             );
-            Err(complain(message).with_help("give `length_overall` if that is right"))
+            Err(complain(message).with_help("give `length_overall` if this length is right"))
         }
         _ => Ok(Some(points)),
     }
@@ -133,9 +133,9 @@ pub(super) fn beltings(
     tables.iter().map(read).collect()
 }
 
-/// The hull that points on deck must be on.
+/// The hull on which points of the deck must lie.
 pub(super) struct Hull<'h> {
-    /// The outline about midship, where it is known.
+    /// The outline about midship, if known.
     pub(super) outline_m: Option<&'h [Vec2]>,
     /// Length and beam.
     pub(super) ship: &'h Particulars,

@@ -1,28 +1,31 @@
-//! Sends the instruments' sentences to chart programs.
+//! Sends the sentences of the ships' instruments to chart programs.
 
 use std::time::{Duration, Instant};
 
 use fenderline_live::Session;
 use fenderline_nautical::{ChartOrigin, GeoPoint, Moment};
 
+use super::clock::unix_ms;
 use crate::hub::Hub;
 use crate::instruments;
 
 /// Wall time between two rounds of sentences.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// The clock of the sentences. They go by wall time, paused or not, because chart programs do.
+/// The timing of the sentences. Chart programs go by wall time, so the sentences do too, even while the session is
+/// paused.
 #[derive(Debug)]
 pub(super) struct ChartOutput {
-    /// The scenario's origin, where the user gave one.
+    /// The scenario's origin, if the user gave one.
     given: Option<ChartOrigin>,
-    /// When the last round was sent.
+    /// Time at which the last round was sent.
     sent: Option<Instant>,
     rounds: u64,
 }
 
 impl ChartOutput {
-    /// Sentences about an origin; `None`: that of the scenario's chart, and 0° N 0° E without one.
+    /// Uses the given origin for the sentences. With `None` the origin is the origin of the scenario's chart, or 0° N
+    /// 0° E if there is no chart.
     pub(super) fn new(given: Option<ChartOrigin>) -> ChartOutput {
         ChartOutput { given, sent: None, rounds: 0 }
     }
@@ -32,7 +35,7 @@ impl ChartOutput {
         if self.sent.is_some_and(|at| now < at + INTERVAL) {
             return;
         }
-        let at = Moment::from_unix(super::unix_ms() as f64 * 1e-3);
+        let at = Moment::from_unix(unix_ms() as f64 * 1e-3);
         let origin = self.given.or_else(|| of_chart(session)).unwrap_or_default();
         let round = instruments::sentences(session, &origin, at, self.rounds);
         hub.sentences.send_replace(Some(round.into()));
@@ -41,7 +44,7 @@ impl ChartOutput {
     }
 }
 
-/// The origin of a session's chart; `None` without one, and beyond 85° of latitude.
+/// The origin of a session's chart. `None` without a chart, and beyond 85° of latitude.
 fn of_chart(session: &Session) -> Option<ChartOrigin> {
     let place = session.simulation().setup().world.chart.origin?;
     let (latitude_deg, longitude_deg) =

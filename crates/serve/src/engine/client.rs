@@ -11,16 +11,16 @@ use crate::rate::Bucket;
 /// A connected client.
 pub(super) struct Client {
     pub(super) role: Role,
-    /// Its role and number, for notices.
+    /// The client's role and number, for notices.
     pub(super) label: String,
-    /// The secret of its page, which it keeps over a reload; `None` until it has said it.
+    /// The secret of the client's page, which the page keeps when it is reloaded. `None` until the page has sent it.
     pub(super) seat: Option<String>,
-    /// Holds the latest greeting.
+    /// The channel that holds the latest greeting.
     pub(super) hello: watch::Sender<Option<Text>>,
-    /// Queues answers and notices.
+    /// The queue of answers and notices for the client.
     pub(super) out: mpsc::Sender<Text>,
-    /// Limits its trials.
+    /// Limits the trials of the client.
     pub(super) trials: Bucket,
-    /// When it last asked for the history.
+    /// Time at which the client last asked for the history.
     pub(super) asked: Option<Instant>,
 }

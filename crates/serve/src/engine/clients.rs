@@ -17,7 +17,7 @@ use crate::permit;
 use crate::role_words::role_words;
 
 impl Engine {
-    /// Links of all roles that the scenario has.
+    /// Links for all roles in the scenario.
     pub(crate) fn links(&self) -> Vec<Link> {
         let tokens = self.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
         tokens.links(&self.roles())
@@ -32,7 +32,7 @@ impl Engine {
         pilots.chain(tugs).chain([Role::Observer]).collect()
     }
 
-    /// Makes tokens for the scenario's roles that have none yet.
+    /// Makes tokens for the roles in the scenario that have none yet.
     pub(super) fn make_tokens(&self) -> Result<(), getrandom::Error> {
         let mut tokens = self.hub.tokens.write().unwrap_or_else(PoisonError::into_inner);
         tokens.add(&self.roles())
@@ -67,8 +67,8 @@ impl Engine {
         self.crowd.change();
     }
 
-    /// Sends a newcomer the present frame, unless the last one that was published is for her role too. The others see that she is there
-    /// in their next frame.
+    /// Sends a new client the present frame, unless the last published frame is for the client's role too. The other
+    /// clients see the new number of clients in their next frame.
     fn send_first_frame(&self, client: ClientId) {
         let Some(of) = self.clients.get(&client) else { return };
         if self.hub.frames.borrow().as_ref().is_some_and(|last| last.is_for(&of.role)) {
@@ -81,7 +81,8 @@ impl Engine {
         let _ = of.out.try_send(message::with_events(&text, &[], marks.as_deref()).into());
     }
 
-    /// Shows the number of clients, and tells of observers of whom nobody has been told, if that is due.
+    /// Publishes a frame if one is due to show the number of clients. Sends a notice about observers that nobody was
+    /// told about, if it is due.
     pub(super) fn show_crowd(&mut self) {
         let now = Instant::now();
         if self.crowd.due_at(self.published).is_some_and(|at| at <= now) {
@@ -117,13 +118,13 @@ impl Engine {
         self.crowd.change();
     }
 
-    /// Greets all clients after a change of roles or holders, and keeps both.
+    /// Greets all clients after a change of roles or holders, and keeps the roles and holders in their file.
     pub(super) fn greet_all(&self) {
         self.keep_seats();
         self.clients.keys().for_each(|&client| self.greet(client));
     }
 
-    /// Sends a client its role, the scenario, and which controls it may use.
+    /// Sends a client its role, the scenario, and the controls that it may use.
     fn greet(&self, client: ClientId) {
         let Some(of) = self.clients.get(&client) else { return };
         let cast = self.session.cast();
@@ -177,7 +178,7 @@ impl Engine {
     pub(super) fn notify_all(&self, text: &str) {
         let text: Text = message::text(&Reply::Notice { text: text.to_owned() }).into();
         for client in self.clients.values() {
-            // The queue of a client that does not read is full. Its connection is about to be closed for that.
+            // The queue is full, so the client does not read. Its connection is about to be closed for that reason.
             let _ = client.out.try_send(Arc::clone(&text));
         }
     }

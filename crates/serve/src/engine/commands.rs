@@ -1,4 +1,4 @@
-//! Commands of clients: checked against role and claims, then carried out.
+//! Commands of clients. Commands are checked against the role and the claims, then carried out.
 
 use std::time::Instant;
 
@@ -6,6 +6,7 @@ use fenderline_live::message::{Reply, Role};
 use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, OtherAction, Refusal, Request};
 
 use super::Engine;
+use super::clock::unix_ms;
 use crate::claims::ClientId;
 use crate::file_change::Wish;
 use crate::opening::{Requester, Work};
@@ -13,9 +14,9 @@ use crate::permit::{self, Needs};
 
 /// How a command was carried out.
 enum Done {
-    /// At this tick. With `shows`, clients get a frame now.
+    /// At this tick. If `shows` is true, clients get a frame now.
     AtTick { tick: u64, shows: bool },
-    /// The answer follows when work on another thread has ended.
+    /// Later: the answer follows when work on another thread has ended.
     AnswerFollows,
 }
 
@@ -42,7 +43,7 @@ impl Engine {
                 }
                 Reply::Ack { id, tick }
             }
-            // A command without a number gets no acknowledgement.
+            // A command without a number is not acknowledged.
             (Ok(_), _) => return,
             (Err(refusal), id) => {
                 let reason = refusal.to_string();
@@ -58,22 +59,22 @@ impl Engine {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = self.may_give(client, role, &action)?;
         self.may_acknowledge(role, &action)?;
-        let tick = self.session.command(label, super::unix_ms(), action)?;
+        let tick = self.session.command(label, unix_ms(), action)?;
         self.take_helms(&[needs], (client, label))?;
         Ok(self.has_given(tick))
     }
 
-    /// Records what was given, and shows it.
+    /// Records the command that was given. If the session is paused, its effect is shown.
     fn has_given(&mut self, tick: u64) -> Done {
         self.record();
-        // While paused, the frame and a new prediction show the effect of the order.
+        // While the session is paused, a frame and a new prediction show the effect of the order.
         if self.paused {
             self.predictor.reset();
         }
         Done::AtTick { tick, shows: self.paused }
     }
 
-    /// Checks that a client may give this command, by its role and by the holders of the controls.
+    /// Checks that a client may give this command. The client's role and the holders of the controls decide.
     fn may_give(&self, client: ClientId, role: &Role, action: &Action) -> Result<Needs, Refusal> {
         let needs = permit::for_action(role, action, self.session.cast())?;
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
@@ -82,7 +83,7 @@ impl Engine {
         Ok(needs)
     }
 
-    /// Gives a client the helms that its commands have taken.
+    /// Gives a client the helms that its commands take.
     fn take_helms(&mut self, needs: &[Needs], of: (ClientId, &str)) -> Result<(), Refusal> {
         let mut taken = false;
         for needs in needs {
@@ -99,7 +100,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Starts a trial manoeuvre: the run does not change, and no control is taken.
+    /// Starts a trial manoeuvre. The run does not change, and no control is taken.
     fn trial(
         &mut self,
         requester: &Requester,
@@ -123,7 +124,7 @@ impl Engine {
         Ok(Done::AtTick { tick: self.session.tick(), shows: false })
     }
 
-    /// Gives several orders at once: all of them or none.
+    /// Gives several orders at once. Either all orders are given or none.
     fn give(
         &mut self,
         requester: &Requester,
@@ -133,12 +134,12 @@ impl Engine {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = orders.iter().map(|order| self.may_give(client, role, order));
         let needs = needs.collect::<Result<Vec<Needs>, Refusal>>()?;
-        let tick = self.session.command_all(label, super::unix_ms(), orders)?;
+        let tick = self.session.command_all(label, unix_ms(), orders)?;
         self.take_helms(&needs, (client, label))?;
         Ok(self.has_given(tick))
     }
 
-    /// Checks whether a role may acknowledge this alarm, if that is the action.
+    /// If the action acknowledges an alarm, checks that the role may acknowledge it.
     fn may_acknowledge(&self, role: &Role, action: &Action) -> Result<(), Refusal> {
         if let Action::Other(OtherAction::Acknowledge { key }) = action {
             self.session.alarms().may_acknowledge(key, role)?;
@@ -187,7 +188,7 @@ impl Engine {
                 let was_rewound = self.session.is_rewound();
                 self.session.rewind(tick)?;
                 self.paused_elsewhere();
-                // Once, not for every position while the timeline is dragged.
+                // The notice comes once, and not for every position while somebody drags the timeline.
                 if !was_rewound && self.session.is_rewound() {
                     self.notify_all(&format!("{label} has rewound the session"));
                 }
@@ -252,7 +253,7 @@ impl Engine {
         Ok(Done::AtTick { tick: self.session.tick(), shows: true })
     }
 
-    /// Pauses after the session was moved to another time or branch.
+    /// Pauses after the session has moved to another time or branch.
     fn paused_elsewhere(&mut self) {
         self.paused = true;
         self.predictor.reset();

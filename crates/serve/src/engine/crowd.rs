@@ -1,23 +1,23 @@
-//! Clients that come and go. However many do, the others get few frames and notices of it: a crowd must not cost ten times what
-//! the simulation costs. A pure state machine: the caller gives the time.
+//! Clients that come and go. The other clients get few frames and notices about them, however many come and go: a crowd
+//! must not cost ten times as much as the simulation. A pure state machine: the caller gives the time.
 
 use std::time::{Duration, Instant};
 
 use crate::rate::Bucket;
 
-/// Least wall time from a frame to one that shows nothing new but the number of clients. It is a step of most scenarios, so that a
-/// run at the pace of wall time shows the number with its ticks.
+/// Least wall time between a frame and the next frame that shows nothing new but the number of clients. This time
+/// equals a step of most scenarios. A run at the pace of wall time therefore shows the number with its ticks.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(100);
 /// Notices about observers per second, and in one burst.
 const NOTICES: (f64, f64) = (1.0, 10.0);
 
-/// What the others have not been told yet.
+/// Changes that the other clients have not been told of yet.
 #[derive(Debug)]
 pub(super) struct Crowd {
-    /// The number of clients differs from that of the last frame.
+    /// True if the number of clients differs from the number in the last frame.
     has_changed: bool,
     notices: Bucket,
-    /// Observers that came or went without a notice.
+    /// Number of observers that came or went without a notice.
     untold: u64,
 }
 
@@ -31,25 +31,26 @@ impl Crowd {
         self.has_changed = true;
     }
 
-    /// A frame was published: it has the number of clients.
+    /// Notes that a frame was published, which shows the number of clients.
     pub(super) fn is_shown(&mut self) {
         self.has_changed = false;
     }
 
-    /// When a frame has to show the number of clients, from the time of the last frame; `None`: it is shown.
+    /// Time at which a frame has to show the number of clients, given the time of the last frame. `None` if the last
+    /// frame shows it.
     pub(super) fn due_at(&self, published: Instant) -> Option<Instant> {
         self.has_changed.then(|| published + BETWEEN_FRAMES)
     }
 
-    /// Whether to tell of an observer by a notice of her own. Otherwise she is counted.
+    /// True if a notice may tell of this observer. Otherwise the observer is counted.
     pub(super) fn may_tell(&mut self, now: Instant) -> bool {
-        // Those who were counted come first.
+        // The observers that were counted have to be told of first.
         let may = self.untold == 0 && self.notices.take(now);
         self.untold += u64::from(!may);
         may
     }
 
-    /// How many observers came or went without a notice, once they may be told of together.
+    /// Number of observers that came or went without a notice, once a notice may tell of them together.
     pub(super) fn untold(&mut self, now: Instant) -> Option<u64> {
         (self.untold > 0 && self.notices.take(now)).then(|| std::mem::take(&mut self.untold))
     }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use fenderline_live::message::EventNow;
 
-/// Events that a frame carries for clients that missed some.
+/// Number of events in a frame, for clients that missed some frames.
 const KEPT: usize = 64;
 
-/// The latest events. Each has a number that is never used twice, so that a client gets each event once.
+/// The latest events. Each has a number that is never used twice. A client therefore gets each event once.
 #[derive(Debug)]
 pub(super) struct EventLog {
     next: u64,
@@ -28,7 +28,7 @@ impl EventLog {
         }
     }
 
-    /// Drops all events. Their numbers are not used again.
+    /// Drops all events. The numbers of these events are not used again.
     pub(super) fn clear(&mut self) {
         self.latest.clear();
     }

@@ -1,5 +1,5 @@
-//! Loading, saving, renaming and deleting sessions and exercises, and reports. All take a while and run on a thread of their own; this thread begins them and takes
-//! their result.
+//! Loading, saving, renaming and deleting sessions and exercises, and making reports. All of these take a while, so
+//! they run on another thread. The simulation's thread begins each task and takes its result.
 
 use std::mem;
 use std::path::Path;
@@ -68,7 +68,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins to save the present state as an exercise. What the file leaves out is told to the instructor.
+    /// Begins to save the present state as an exercise. A notice tells the instructor what the file leaves out.
     pub(super) fn save_exercise(
         &mut self,
         requester: Requester,
@@ -110,7 +110,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins to make the report of the session up to now: of the branch that is shown.
+    /// Begins to make the report of the session up to now, for the branch that is shown.
     pub(super) fn report(&mut self, requester: Requester) -> Result<(), Refusal> {
         self.check_no_work()?;
         if self.session.branches()[self.session.current_branch()].ends_tick == 0 {
@@ -128,7 +128,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Sends the outcome of work on another thread to this one.
+    /// The function with which work on another thread sends its outcome to this thread.
     fn send_outcome(&self) -> impl FnOnce(Outcome) + Send + 'static {
         let hub = Arc::clone(&self.hub);
         move |outcome| {
@@ -181,7 +181,7 @@ impl Engine {
             let is_opening = work.file().is_some();
             let Requester { client, label, id } = work.requester;
             self.hub.log.refused(&format!("refused {label}: {reason}"));
-            // The start of an opening was acknowledged: its number is used up.
+            // The start of an opening was acknowledged already, so its number must not be used again.
             let id = id.filter(|_| !is_opening);
             self.reply(client, &Reply::Refused { id, reason });
         }
@@ -207,7 +207,7 @@ impl Engine {
         self.notify_all(&text);
     }
 
-    /// Shows a file of the gallery under its new name, among the deleted ones, or back.
+    /// Shows a file of the gallery under its new name, among the deleted files, or back in the list.
     fn file_changed(&mut self, requester: &Requester, changed: Changed) {
         for ended in self.ended.iter_mut().filter(|ended| **ended == changed.from) {
             ended.clone_from(&changed.to);
@@ -233,14 +233,14 @@ impl Engine {
         self.notify_all(&format!("saved as {name}"));
     }
 
-    /// Ends the present session and continues with an opened one, paused.
+    /// Ends the present session and continues with an opened session, which is paused.
     fn take_over(
         &mut self,
         requester: &Requester,
         Ready { opened, recorder, former }: Ready,
     ) -> Result<(), String> {
         self.end_recording();
-        // What was just run can be opened again, if there was a run.
+        // If the ended session had a run, its recording can be opened again.
         let ended = mem::replace(&mut self.recorder, recorder).path().to_owned();
         if self.session.branches().iter().any(|branch| branch.ends_tick > 0)
             && let Some(entry) = former
@@ -256,12 +256,12 @@ impl Engine {
         self.history = KeptHistory::default();
         self.predictor.reset();
         self.paused = true;
-        // The pace was that of the former exercise.
+        // The former pace belonged to the former exercise.
         self.pacer = Pacer::new(self.session.simulation().setup().step_s, Instant::now());
         self.greet_all();
         let label = &requester.label;
         self.notify_all(&format!("{label} has loaded {}; it is paused", self.session.title()));
-        // Long sentences over the plan of everybody would hide the ship that is about to start.
+        // Long sentences over everybody's chart would hide the ship that is about to start.
         let t_s = self.session.simulation().time_s();
         for notice in &opened.notices {
             self.events.add(t_s, notice.clone());

@@ -1,4 +1,4 @@
-//! Sends the session's past to pages that were loaded anew.
+//! Sends the session's past to pages that were opened late or loaded again.
 
 use std::time::{Duration, Instant};
 
@@ -8,14 +8,15 @@ use fenderline_live::{Cast, Refusal, message};
 use super::Engine;
 use crate::claims::ClientId;
 
-/// A client may ask once within this time: the answer is a hundred kilobytes.
+/// A client may ask once within this time, because the answer has a hundred kilobytes.
 const BETWEEN: Duration = Duration::from_secs(1);
 
 impl Engine {
-    /// Sends the past up to the present tick to a client: of the ship that its role is about, or of the one that is named.
+    /// Sends a client the past up to the present tick. This is the past of the ship of the client's role, or of the
+    /// ship that `named` names.
     ///
     /// # Errors
-    /// It asked a moment ago; the ship is not there, or not the role's.
+    /// The client asked a moment ago. The ship does not exist, or the role may not see her past.
     pub(super) fn send_history(
         &mut self,
         client: ClientId,
@@ -33,14 +34,14 @@ impl Engine {
         let text = self.history.text(version, (vessel, as_shown), || {
             session.history(vessel, &of.role).map(|history| message::text(&history).into())
         })?;
-        // The queue of a client that does not read is full. Its connection is about to be closed for that.
+        // The queue is full, so the client does not read. Its connection is about to be closed for that reason.
         let _ = of.out.try_send(text);
         Ok(())
     }
 }
 
-/// The vessel whose past a role gets. Fog must not be seen through by the charts of another ship: only the instructor has those
-/// of every ship.
+/// The vessel whose past a role gets. The charts of another ship could show what fog hides. Only the instructor gets
+/// the charts of every ship.
 fn charted(role: &Role, named: Option<&str>, cast: &Cast) -> Result<Option<usize>, Refusal> {
     let index = |name: &str| cast.vessels.iter().position(|vessel| vessel == name);
     let own = match role {

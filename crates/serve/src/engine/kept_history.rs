@@ -1,14 +1,14 @@
-//! The texts of the session's past, for pages that ask for them at the same tick.
+//! Keeps the texts of the session's past, for pages that ask for them at the same tick.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::hub::Text;
 
-/// The vessel of a past, and whether it is as her instruments showed it.
+/// The vessel whose past it is, and true if the values are those that her instruments showed.
 type Of = (Option<usize>, bool);
 
-/// A version of the past, and the texts of it.
+/// A version of the past, and its texts.
 #[derive(Debug, Default)]
 pub(super) struct KeptHistory {
     version: (usize, u64, u64),
@@ -16,10 +16,10 @@ pub(super) struct KeptHistory {
 }
 
 impl KeptHistory {
-    /// The text of a version of the past of a vessel: the one that is kept, or a new one.
+    /// The text of the past of a vessel in a version: the text that is kept, or a new text by `write`.
     ///
     /// # Errors
-    /// That of `write`.
+    /// The error of `write`.
     pub(super) fn text<E>(
         &mut self,
         version: (usize, u64, u64),

@@ -1,4 +1,4 @@
-//! Names of people and seats of pages: who is at which page.
+//! Names of people and seats of pages. Names and seats tell who is at which page.
 
 use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};
@@ -9,7 +9,7 @@ use crate::kept_seats::SECRET_DIGITS;
 use crate::role_words::role_words;
 
 impl Engine {
-    /// Names the person at a page. She gets back the controls that she left when her connection broke.
+    /// Sets the name of the person at a page. The person gets back the controls left when the connection broke.
     ///
     /// # Errors
     /// A name that is empty, too long, or has control characters.
@@ -24,7 +24,7 @@ impl Engine {
         if length == 0 || length > LONGEST_NAME || name.chars().any(char::is_control) {
             return Err(Refusal::new(format_args!("a name has 1 to {LONGEST_NAME} characters")));
         }
-        // Two people of one name in one role are told apart by a number.
+        // If two people with one name have the same role, a number distinguishes them.
         let numbers = (1..).map(|number| match number {
             1 => format!("{name} ({})", role_words(role)),
             _ => format!("{name} {number} ({})", role_words(role)),
@@ -48,11 +48,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Gives a page that is loaded again the controls and the label that it left. Only one page has a seat at a time: a copy of a page,
-    /// which has its secret too, gets nothing while the first is there.
+    /// Gives a reloaded page the controls and the label that it left. Only one page has a seat at a time. A copy of a
+    /// page has the same secret, but gets nothing while the first page is connected.
     ///
     /// # Errors
-    /// A key that is not of hexadecimal digits; a seat that another page has.
+    /// The key does not consist of hexadecimal digits, or another page has the seat.
     pub(super) fn seat(
         &mut self,
         client: ClientId,

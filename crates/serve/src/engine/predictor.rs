@@ -1,4 +1,4 @@
-//! Predictions of the ships' paths, on a thread of their own.
+//! Predictions of the ships' paths. Predictions run on another thread.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -11,35 +11,36 @@ use crate::hub::{Hub, Predicted};
 
 /// Wall time between the starts of two predictions.
 const INTERVAL: Duration = Duration::from_millis(100);
-/// How much earlier than that one may start. They start with ticks, which are not exact: without it, every second tick of a tenth of a
-/// second would be a little too early.
+/// A prediction may start this much earlier than the interval says. Predictions start at ticks, whose times are not
+/// exact. Without this margin, every second tick of 0.1 s would come a little too early.
 const EARLY: Duration = Duration::from_millis(20);
-/// A prediction that takes longer ends early.
+/// A prediction that takes longer than this ends early.
 const LONGEST: Duration = Duration::from_secs(1);
-/// Simulated time that a prediction covers, and between two of its points (s).
+/// Simulated time that a prediction covers (s), and simulated time between two of its points (s).
 const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
 
-/// Asks for predictions, one after the other.
+/// Starts predictions, one after the other.
 #[derive(Debug, Default)]
 pub(super) struct Predictor {
     due: Due,
-    /// Number of changes after which no earlier prediction can be continued.
+    /// Number of changes that make it impossible to continue an earlier prediction.
     changes: u64,
     thread: Option<Thread>,
 }
 
-/// When the next prediction is due. A pure state machine.
+/// Time at which the next prediction is due. A pure state machine.
 #[derive(Debug, Default)]
 struct Due(Option<Instant>);
 
 impl Due {
-    /// Whether a prediction may start. The state of a paused session does not change: one prediction is enough for it.
+    /// True if a prediction may start. The state of a paused session does not change, so it needs one prediction only.
     fn is_due(&self, now: Instant, paused: bool) -> bool {
         self.0.is_none_or(|at| !paused && now + EARLY >= at)
     }
 
-    /// A prediction starts: the next one is due an interval later than this one was, so that small delays do not add up.
+    /// Notes the start of a prediction. The next prediction is due one interval after the time at which this one was
+    /// due, so that small delays do not add up.
     fn start(&mut self, now: Instant) {
         let was_due = self.0.map_or(now, |at| if at + INTERVAL < now { now } else { at });
         self.0 = Some(was_due + INTERVAL);
@@ -53,14 +54,14 @@ struct Job {
     changes: u64,
 }
 
-/// What the engine has last asked for.
+/// The latest request of the engine.
 #[derive(Debug, Default)]
 struct Asked {
     job: Option<Job>,
     ended: bool,
 }
 
-/// What waits for the thread. A newer job takes the place of one that waits.
+/// The job that waits for the thread. A newer job replaces a waiting job.
 #[derive(Debug, Default)]
 struct Inbox {
     asked: Mutex<Asked>,
@@ -72,7 +73,7 @@ impl Inbox {
         self.asked.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes the latest job, waiting for one. `None` when there is no engine any more.
+    /// Takes the latest job, and waits until there is one. `None` when the engine has ended.
     fn take(&self) -> Option<Job> {
         let waits = |asked: &mut Asked| asked.job.is_none() && !asked.ended;
         let asked = self.changed.wait_while(self.asked(), waits);
@@ -80,7 +81,8 @@ impl Inbox {
     }
 }
 
-/// The thread. It lasts: threads that come and go would each leave memory behind.
+/// The thread for predictions. The thread runs as long as the engine: threads that come and go would each leave memory
+/// behind.
 #[derive(Debug)]
 struct Thread {
     inbox: Arc<Inbox>,
@@ -88,13 +90,15 @@ struct Thread {
 }
 
 impl Predictor {
-    /// The next prediction is due at once, and is made anew: the state, the orders or the whole run have changed.
+    /// Makes the next prediction due at once and starts it from the beginning. The state, the orders or the whole run
+    /// have changed.
     pub(super) fn reset(&mut self) {
         self.due = Due::default();
         self.changes += 1;
     }
 
-    /// Asks for a prediction if one is due. If the one before is still being made, it comes after that; only the latest waits.
+    /// Asks for a prediction if one is due. If the last prediction is still being made, the new one follows it. Only
+    /// the latest request waits.
     pub(super) fn start_if_due(
         &mut self,
         now: Instant,
@@ -107,9 +111,9 @@ impl Predictor {
         }
         self.due.start(now);
         let Some(prediction) = session.prediction() else { return };
-        // A thread that has ended by a panic is replaced.
+        // Replaces a thread that has ended by a panic.
         if self.thread.as_ref().is_none_or(|thread| thread.handle.is_finished()) {
-            // Without a thread the next one tries again.
+            // If no thread can be started, the next prediction tries again.
             self.thread = Thread::start(hub).ok();
         }
         if let Some(Thread { inbox, .. }) = &self.thread {
@@ -138,7 +142,7 @@ impl Thread {
     }
 }
 
-/// Makes predictions until there is no engine any more.
+/// Makes predictions until the engine has ended.
 fn predict(inbox: &Inbox, hub: &Hub) {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let mut allowance = Allowance::new(if processors == 1 { 0.5 } else { 2.0 / 3.0 });
@@ -156,17 +160,18 @@ fn predict(inbox: &Inbox, hub: &Hub) {
     }
 }
 
-/// The time that predictions may take, so that they leave something of a processor to others.
+/// Limits the time for predictions, to leave some of a processor's time for others.
 #[derive(Debug)]
 struct Allowance {
-    /// Share of a processor.
+    /// Share of a processor that predictions may use.
     share: f64,
-    /// What is left (s), at a time.
+    /// Time for predictions that was left at the time `at` (s).
     left_s: f64,
     at: Option<Instant>,
 }
 
-/// What is left of the allowance after a long time without predictions (s): some may follow each other without a rest.
+/// Largest allowance, after a long time without predictions (s). Some predictions may then follow each other without a
+/// rest.
 const MOST_LEFT_S: f64 = 0.5;
 
 impl Allowance {
@@ -174,7 +179,7 @@ impl Allowance {
         Allowance { share, left_s: MOST_LEFT_S, at: None }
     }
 
-    /// The rest after a prediction that began and ended at these times.
+    /// The rest to take after a prediction with these times of beginning and end.
     fn rest(&mut self, begun: Instant, ended: Instant) -> Duration {
         let gained_s = self.at.map_or(0.0, |at| self.share * (ended - at).as_secs_f64());
         self.at = Some(ended);
@@ -189,7 +194,8 @@ mod tests {
 
     const MS: Duration = Duration::from_millis(1);
 
-    /// Starts within ten seconds, with a tick each tenth of a second that begins some milliseconds late.
+    /// Number of starts within ten seconds. There is a tick each tenth of a second, which begins some milliseconds
+    /// late.
     #[test]
     fn there_is_a_prediction_for_every_tick_of_a_tenth_of_a_second_though_ticks_begin_late() {
         let begun = Instant::now();
@@ -205,7 +211,7 @@ mod tests {
         assert_eq!(starts.count(), 100);
     }
 
-    /// Predictions within a minute that take this long each, when another one always waits.
+    /// Number of predictions within a minute, if each takes this long and another one always waits.
     fn made(work_ms: u32) -> u32 {
         let begun = Instant::now();
         let mut allowance = Allowance::new(0.5);
@@ -220,7 +226,7 @@ mod tests {
 
     #[test]
     fn long_predictions_take_half_of_a_processor_where_there_is_one_and_a_few_need_no_rest() {
-        // Half of a minute, and half a second at the start.
+        // Half of a minute, and the half second at the start.
         for work_ms in [20, 120, 1000] {
             let worked_ms = made(work_ms) * work_ms;
             assert!((30_000..=31_500).contains(&worked_ms), "{work_ms} ms: {worked_ms} ms");

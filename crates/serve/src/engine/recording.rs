@@ -1,10 +1,10 @@
-//! Writes the running session to its file.
+//! Writes the running session to its recording.
 
 use super::Engine;
 
 impl Engine {
     /// Appends new lines of the session to the recording's file. After the first failure nothing more is written, and
-    /// the users are told once.
+    /// the users get one notice.
     pub(super) fn record(&mut self) {
         let lines = self.session.take_lines();
         if lines.is_empty() || self.recording_failed {

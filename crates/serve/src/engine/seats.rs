@@ -1,4 +1,4 @@
-//! Links and holders of controls, kept for a server that starts again.
+//! Links and holders of controls. Links and holders are kept for a server that starts again.
 
 use std::sync::PoisonError;
 
@@ -6,7 +6,7 @@ use super::Engine;
 use crate::kept_seats::{KeptSeats, beside};
 
 impl Engine {
-    /// Takes the links of a former run of this session, and its holders of the controls that there are.
+    /// Restores the links of a former run of this session. Restores the holders of those controls that exist.
     pub(super) fn take_seats(&mut self, seats: &KeptSeats) {
         self.hub.tokens.write().unwrap_or_else(PoisonError::into_inner).restore(&seats.links);
         let controls = self.session.cast().controls();
@@ -15,7 +15,7 @@ impl Engine {
         self.claims.restore(&holders);
     }
 
-    /// Keeps the present links and holders beside the recording, by another thread.
+    /// Keeps the present links and holders in the file beside the recording. Another thread writes the file.
     pub(super) fn keep_seats(&self) {
         let links = self.hub.tokens.read().unwrap_or_else(PoisonError::into_inner).kept();
         let seats = KeptSeats::of(links, self.claims.kept());

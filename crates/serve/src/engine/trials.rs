@@ -1,4 +1,5 @@
-//! Trial manoeuvres, on a thread of their own, one after the other. Each client has one at most: a newer one replaces it.
+//! Trial manoeuvres. The trials run on another thread, one after the other. Each client has at most one trial; a newer
+//! trial replaces it.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,20 +15,20 @@ use crate::claims::ClientId;
 use crate::hub::Text;
 use crate::rate::Bucket;
 
-/// Wall time until the first answer, and between two: what is known so far is shown then. With the ways to the server and
-/// back and the drawing, the first one is on the screen within three tenths of a second.
+/// Wall time until the first answer, and between two answers. Each answer shows the result so far. With the network and
+/// the drawing, the first answer is on the screen within 0.3 s.
 const FIRST_ANSWER: Duration = Duration::from_millis(60);
 const BETWEEN_ANSWERS: Duration = Duration::from_millis(120);
-/// Longest wall time of a trial, and of one for which others wait.
+/// Longest wall time of a trial, and of a trial while others wait.
 const LONGEST: Duration = Duration::from_secs(4);
 const LONGEST_BESIDE_OTHERS: Duration = Duration::from_millis(400);
-/// Trials of one client per second, and in one burst: each copies the run on the simulation's thread.
+/// Trials of one client per second, and in one burst. Each trial copies the run on the simulation's thread.
 const RATE: (f64, f64) = (10.0, 10.0);
 
 /// A trial that waits or runs.
 struct Job {
     client: ClientId,
-    /// Number of the command.
+    /// Number of the command that asked for the trial.
     id: i64,
     trial: Trial,
     out: mpsc::Sender<Text>,
@@ -37,7 +38,7 @@ struct Job {
 #[derive(Default)]
 struct State {
     waiting: VecDeque<Job>,
-    /// The client whose trial runs, and what stops it.
+    /// The client whose trial runs, and the flag that stops the trial.
     running: Option<(ClientId, Arc<AtomicBool>)>,
     ended: bool,
 }
@@ -54,7 +55,7 @@ impl Shared {
     }
 }
 
-/// The trials of all clients. Its thread starts with the first one.
+/// The trials of all clients. The thread starts with the first trial.
 #[derive(Default)]
 pub(super) struct Trials {
     shared: Arc<Shared>,
@@ -62,15 +63,15 @@ pub(super) struct Trials {
 }
 
 impl Trials {
-    /// Limits the trials of one client.
+    /// Makes the limit for the trials of one client.
     pub(super) fn bucket(now: Instant) -> Bucket {
         Bucket::new(RATE.0, RATE.1, now)
     }
 
-    /// Starts a trial of a client, whose answers go to `out`. The client's earlier trial ends.
+    /// Starts a trial of a client, and sends its answers to `out`. An earlier trial of the client ends.
     ///
     /// # Errors
-    /// There is no thread for it.
+    /// There is no thread for the trial.
     pub(super) fn start(
         &mut self,
         (client, id): (ClientId, i64),
@@ -127,7 +128,7 @@ impl Drop for Trials {
     }
 }
 
-/// The thread: runs the trials until the server ends.
+/// Runs the trials on the thread, until the server ends.
 fn work(shared: &Shared) {
     loop {
         let mut state = shared.state();
@@ -145,7 +146,8 @@ fn work(shared: &Shared) {
     }
 }
 
-/// Runs a trial and sends its answers. It ends early if it is stopped, takes too long, or its client does not read.
+/// Runs a trial and sends its answers. The trial ends early if it is stopped, takes too long, or its client does not
+/// read.
 fn run(job: Job, is_alone: impl Fn() -> bool) {
     let Job { id, trial, out, stop, .. } = job;
     let (tick, horizon_s) = (trial.tick(), trial.horizon_s());

@@ -15,18 +15,18 @@ pub enum AnchorError {
         /// The number.
         error: OutOfRange,
     },
-    /// It is on the bottom at the start, but the water has no depth.
+    /// The anchor is on the bottom at the start, but the environment gives no depth.
     NoBottom {
         /// The anchor.
         anchor: String,
     },
-    /// It is on the bottom at the start, but its chain does not reach it.
+    /// The anchor is on the bottom at the start, but farther away than its chain reaches.
     ChainTooShort {
         /// The anchor.
         anchor: String,
         /// Chain out (m).
         chain_m: f64,
-        /// What it has to span (m).
+        /// Distance from the hawse pipe to the anchor (m).
         reach_m: f64,
     },
 }

@@ -1,12 +1,13 @@
-//! What anchor and chain hold on the bottom.
+//! The holding power of anchor and chain on the bottom.
 
 use fenderline_contact::number::greater;
 
 use super::gear::AnchorGear;
 use crate::mooring::{Cable, catenary};
 
-/// Share of the holding power by the sine of the angle between shank and bottom: 1 over the scope of a straight chain
-/// (D. Casey's table by scope, 10 to 2). Beyond, a straight line to nothing at a right angle, which is our assumption.
+/// Share of the holding power, by the sine of the angle between shank and bottom. The sine is 1 over the scope of a
+/// straight chain (D. Casey's table by scope, 10 to 2). For larger angles we assume a straight line to zero at a right
+/// angle.
 const BY_UPLIFT: [[f64; 2]; 8] = [
     [0.1, 1.0],
     [1.0 / 7.0, 0.91],
@@ -18,7 +19,8 @@ const BY_UPLIFT: [[f64; 2]; 8] = [
     [1.0, 0.0],
 ];
 
-/// Share of the holding power that an anchor keeps when the chain lifts its shank, by the sine of the angle with the bottom.
+/// Share of its holding power that an anchor keeps when the chain lifts the shank. `sine` is the sine of the angle
+/// between shank and bottom.
 #[must_use]
 pub fn uplift_share(sine: f64) -> f64 {
     let Some(upper) = BY_UPLIFT.iter().position(|point| point[0] >= sine) else { return 0.0 };
@@ -29,7 +31,7 @@ pub fn uplift_share(sine: f64) -> f64 {
     y0 + (y1 - y0) * (sine - x0) / (x1 - x0)
 }
 
-/// The chain between hawse pipe and anchor.
+/// Forces of the chain between hawse pipe and anchor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pull {
     /// Horizontal tension (N), the same along the chain.
@@ -49,7 +51,7 @@ impl Pull {
     }
 }
 
-/// Chain of an anchor on the bottom, in water of a density.
+/// The chain of an anchor that is on the bottom.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ground<'a> {
     pub(super) gear: &'a AnchorGear,
@@ -61,7 +63,7 @@ pub(super) struct Ground<'a> {
 }
 
 impl Ground<'_> {
-    /// The chain at a horizontal distance between anchor and hawse pipe.
+    /// Forces of the chain at this horizontal distance between anchor and hawse pipe.
     pub(super) fn pull(&self, chain_m: f64, span_m: f64) -> Pull {
         let chain = self.gear.chain();
         let cable = Cable {
@@ -78,7 +80,7 @@ impl Ground<'_> {
         }
     }
 
-    /// What anchor and chain hold against a horizontal pull (N), with the anchor's holding power over its weight.
+    /// The horizontal pull that anchor and chain hold (N). `factor` is the anchor's holding power over its weight.
     pub(super) fn holding_n(&self, pull: &Pull, factor: f64) -> f64 {
         let sine = match pull.uplift_n > 0.0 {
             true => pull.uplift_n / libm::hypot(pull.horizontal_n, pull.uplift_n),
@@ -88,13 +90,13 @@ impl Ground<'_> {
             + self.gear.chain_friction * self.chain_npm * pull.on_bottom_m
     }
 
-    /// By how much a pull is more than what holds (N): along the bottom, or upwards.
+    /// By how much a pull exceeds what anchor and chain hold, along the bottom or upwards (N).
     pub(super) fn excess_n(&self, pull: &Pull, factor: f64) -> f64 {
         let along_n = pull.horizontal_n - self.holding_n(pull, factor);
         greater(along_n, pull.uplift_n - self.anchor_n)
     }
 
-    /// The largest distance up to `span_m` at which the pull is not more than what holds (m).
+    /// The largest distance up to `span_m` at which anchor and chain hold the pull (m).
     pub(super) fn holding_span_m(&self, chain_m: f64, span_m: f64, factor: f64) -> f64 {
         let excess_n = |span_m: f64| self.excess_n(&self.pull(chain_m, span_m), factor);
         let near_m = greater(span_m - 0.5, 0.0);
@@ -102,7 +104,7 @@ impl Ground<'_> {
             true => (near_m, span_m),
             false => (0.0, near_m),
         };
-        // The excess grows with the distance. To 1e-9 m.
+        // Bisection to 1e-9 m: the excess grows with the distance.
         while dragged_m - held_m > 1e-9 {
             let middle_m = held_m.midpoint(dragged_m);
             if middle_m <= held_m || middle_m >= dragged_m {
@@ -117,8 +119,8 @@ impl Ground<'_> {
         held_m
     }
 
-    /// The shortest chain from `chain_m` to the whole at which the tension at the hawse pipe is at most `limit_n` (m); the whole
-    /// chain if there is none.
+    /// The shortest chain, from `chain_m` to the whole chain, with which the tension at the hawse pipe is at most
+    /// `limit_n` (m). The whole chain if no length is enough.
     pub(super) fn rendered_m(&self, chain_m: f64, span_m: f64, limit_n: f64) -> f64 {
         let (mut tight_m, mut slack_m) = (chain_m, self.gear.chain_length_m);
         if self.pull(slack_m, span_m).tension_n() > limit_n {

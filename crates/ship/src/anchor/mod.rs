@@ -1,8 +1,9 @@
-//! Anchors on chains: let go, held on the brake, veered, hove in, dredged, slipped.
+//! Anchors on chains. An anchor can be let go, held on the brake, veered, hove in, dredged or slipped.
 //!
-//! An anchor holds a ship as far as anchor and chain hold the bottom. [`AnchorGear::step`] moves the windlass, finds the form of
-//! the chain between hawse pipe and anchor, lets the anchor drag where the pull is more than it holds, and gives the force on
-//! the ship. Chain and anchor are quasi-static, without inertia and without drag in the water.
+//! A ship is held as far as anchor and chain hold the bottom. [`AnchorGear::step`] moves the windlass, and finds the
+//! form of the chain between hawse pipe and anchor. If the pull is more than the anchor holds, the anchor drags. The
+//! step returns the force on the ship. Chain and anchor are quasi-static: they have no inertia and no drag in the
+//! water.
 //!
 //! | what | formula or value | source |
 //! |---|---|---|
@@ -12,7 +13,7 @@
 //! | form of the chain | [`crate::mooring::catenary`]: without stretch s = √(h² + 2ha), a = H/w | as mooring cables |
 //! | holding power | λa Wa + λc w l: anchor, and chain of length l on the bottom | P = Wa λa + Wc λc l, λc = 0.75, in a training paper of a shipping company (read) |
 //! | λa of a stockless anchor | 3 | shipcalculators.com: 3 m g (read); Hall and Spek 3 in mud, 7 in sand (realtrawlers.com, read) |
-//! | λa of a high-holding-power anchor | 6 | at least twice that of a stockless anchor (ABS rules; Wärtsilä encyclopaedia; read) |
+//! | λa of a high-holding-power anchor | 6 | at least twice the holding power of a stockless anchor (ABS rules; Wärtsilä encyclopaedia; read) |
 //! | dragging | 1.5 Wa | Japan P&I, Loss Prevention Bulletin 25 (recalled); that the pull falls to a constant value: trials of Shioji Maru (abstract read) |
 //! | share with the shank lifted | by scope, 10: 1; 7: 0.91; 6: 0.85; 5: 0.77; 4: 0.67; 3: 0.53; 2: 0.35 | D. Casey, BoatUS (table read), for small craft |
 //! | windlass: pull, overload, speed | 37.5, 42.5, 47.5 d² N (d in mm, grades 1 to 3), 1.5 times that, 0.15 m/s | IACS UR A3 and GB/T 4447 (read) |
@@ -20,9 +21,9 @@
 //! | bitter end | 30 % of the break load | recalled |
 //! | speed of chain that runs out | 5 m/s | our assumption |
 //!
-//! Simplifications: the chain lies in a straight line from the anchor, so the part on the bottom has no friction across; the
-//! friction along it adds to the holding power, but does not change the form. An anchor bites at once where it comes to rest, and
-//! breaks out without suction. Chain above the water weighs as in the water.
+//! Simplifications. The chain lies in a straight line from the anchor, so the part on the bottom has no friction
+//! sideways. Friction along the chain adds to the holding power, but does not change the form. An anchor bites at once
+//! where it comes to rest, and breaks out without suction. Chain above the water weighs the same as chain in the water.
 
 mod error;
 mod gear;

@@ -1,22 +1,22 @@
-//! The state of an anchor, its orders, and what happens to it.
+//! The state of an anchor, the orders to its windlass, and its events.
 
 use fenderline_contact::Vec2;
 
 /// Where an anchor is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnchorPosition {
-    /// In the hawse pipe.
+    /// The anchor is in the hawse pipe.
     Housed,
-    /// Hangs on its chain, in the water or above it.
+    /// The anchor hangs on its chain, in the water or above it.
     Hanging,
-    /// On the bottom: north and east (m).
+    /// The anchor is on the bottom, at this position north and east (m).
     OnBottom(Vec2),
-    /// Gone, with its chain.
+    /// The anchor is lost, with its chain.
     Lost(LostBy),
 }
 
 impl AnchorPosition {
-    /// Its word in results and messages.
+    /// The word for the position in results and messages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -42,14 +42,14 @@ pub enum LostBy {
 /// The order to a windlass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WindlassOrder {
-    /// Brake on.
+    /// The brake is on.
     #[default]
     Hold,
-    /// Chain runs out until this much is out (m); then the brake is put on.
+    /// Chain runs out until this length is out (m); then the brake is put on.
     LetGo(f64),
-    /// Chain is paid out under power until this much is out (m); then the brake is put on.
+    /// Chain is paid out under power until this length is out (m); then the brake is put on.
     Veer(f64),
-    /// Chain is hove in until this much is out (m); 0: until the anchor is home. Then the brake is put on.
+    /// Chain is hove in until this length is out (m); 0 means until the anchor is home. Then the brake is put on.
     Heave(f64),
 }
 
@@ -58,33 +58,33 @@ pub enum WindlassOrder {
 pub struct AnchorFaults {
     /// The windlass has no power: it neither heaves nor veers. The anchor can still be let go, and the brake holds.
     pub windlass_failed: bool,
-    /// The anchor does not bite: it holds as a dragging anchor does.
+    /// The anchor does not bite: it only holds as much as a dragging anchor.
     pub does_not_bite: bool,
 }
 
 /// The state of an anchor: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorState {
-    /// Where it is.
+    /// Where the anchor is.
     pub position: AnchorPosition,
     /// Chain out, from the hawse pipe (m).
     pub chain_m: f64,
     /// The order to the windlass.
     pub order: WindlassOrder,
-    /// It drags: it moved in the last step.
+    /// Whether the anchor drags: it moved in the last step.
     pub dragging: bool,
-    /// The brake rendered in the last step.
+    /// Whether the brake rendered (slipped under load) in the last step.
     pub rendering: bool,
-    /// How far it has dragged since it came to the bottom (m).
+    /// How far the anchor has dragged since it came to the bottom (m).
     pub dragged_m: f64,
-    /// Energy that the bottom has taken from it by dragging in the run (J).
+    /// Energy that dragging has cost in the run (J).
     pub dragged_j: f64,
-    /// Faults.
+    /// Faults of anchor and windlass.
     pub faults: AnchorFaults,
 }
 
 impl AnchorState {
-    /// In the hawse pipe.
+    /// The state of an anchor in the hawse pipe.
     #[must_use]
     pub fn housed() -> AnchorState {
         AnchorState {
@@ -99,13 +99,13 @@ impl AnchorState {
         }
     }
 
-    /// On the bottom with chain out (m).
+    /// The state of an anchor on the bottom, with this length of chain out (m).
     #[must_use]
     pub fn on_bottom(at_m: Vec2, chain_m: f64) -> AnchorState {
         AnchorState { position: AnchorPosition::OnBottom(at_m), chain_m, ..AnchorState::housed() }
     }
 
-    /// True if it is gone.
+    /// True if the anchor is lost.
     #[must_use]
     pub fn is_lost(&self) -> bool {
         matches!(self.position, AnchorPosition::Lost(_))
@@ -119,7 +119,7 @@ impl AnchorState {
     }
 }
 
-/// Where the hawse pipe is.
+/// Position of the hawse pipe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hawse {
     /// North and east (m).
@@ -128,43 +128,43 @@ pub struct Hawse {
     pub above_bottom_m: Option<f64>,
 }
 
-/// What chain and anchor do in a step.
+/// Forces and motions of chain and anchor in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AnchorLoad {
     /// Tension of the chain at the hawse pipe (N).
     pub tension_n: f64,
     /// Force on the ship at the hawse pipe: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// What anchor and chain hold against a horizontal pull (N): the dragging resistance while it drags; 0 if the anchor is not on
-    /// the bottom.
+    /// Horizontal pull that anchor and chain hold (N). While the anchor drags this is the dragging resistance. 0 if the
+    /// anchor is not on the bottom.
     pub holding_n: f64,
     /// Chain on the bottom (m).
     pub on_bottom_m: f64,
     /// How far the anchor dragged (m).
     pub moved_m: f64,
-    /// Chain that the brake rendered (m).
+    /// Length of chain that ran out because the brake rendered (m).
     pub rendered_m: f64,
-    /// The windlass stalls: it heaves no more against the tension.
+    /// Whether the windlass stalls: the tension is too high for it to heave.
     pub stalled: bool,
     /// The tension at which the chain was lost in this step (N).
     pub lost_at_n: Option<f64>,
 }
 
-/// How the chain leads, from nearly vertical to nearly level.
+/// How steeply the chain leads, from nearly vertical to nearly level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stay {
     /// Within 10° of the vertical.
     UpAndDown,
     /// Steeper than 60° below the horizontal.
     Short,
-    /// Steeper than 30°.
+    /// Steeper than 30° below the horizontal.
     Medium,
-    /// Flatter.
+    /// Flatter than 30°.
     Long,
 }
 
 impl Stay {
-    /// Its words.
+    /// The words for it.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -177,7 +177,8 @@ impl Stay {
 }
 
 impl AnchorLoad {
-    /// How the chain leads below the horizontal; the limits between are our choice. `None` without a pull.
+    /// How steeply the chain leads below the horizontal. The limits between the words are our choice. `None` without a
+    /// pull.
     #[must_use]
     pub fn stay(&self) -> Option<Stay> {
         let [north_n, east_n, up_n] = self.on_ship_n;
@@ -194,12 +195,12 @@ impl AnchorLoad {
         })
     }
 
-    /// Direction of the chain from the bow of a ship with a heading, positive to starboard, −π to π (rad). `None` where it leads
-    /// straight down.
+    /// Direction of the chain from the bow of a ship with a heading, positive to starboard, −π to π (rad). `None` if
+    /// the chain leads straight down.
     #[must_use]
     pub fn lead_rad(&self, heading_rad: f64) -> Option<f64> {
         let [north_n, east_n, _] = self.on_ship_n;
-        // A chain up and down leads nowhere.
+        // A chain that leads straight down has no direction.
         let leads = libm::hypot(north_n, east_n) > 1e-3 * self.tension_n;
         let direction_rad = libm::atan2(east_n, north_n) - heading_rad;
         leads.then(|| libm::remainder(direction_rad, core::f64::consts::TAU))
@@ -207,7 +208,7 @@ impl AnchorLoad {
 }
 
 impl LostBy {
-    /// Its word in results.
+    /// The word for it in results.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -218,20 +219,20 @@ impl LostBy {
     }
 }
 
-/// What happens to an anchor. States that last are reported once, when they begin.
+/// Events of an anchor. A state that lasts is reported once, when it begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AnchorEvent {
-    /// It came to the bottom.
+    /// The anchor came to the bottom.
     OnBottom,
-    /// It was hove off the bottom.
+    /// The anchor was hove off the bottom.
     Aweigh,
-    /// It is home in the hawse pipe.
+    /// The anchor is home in the hawse pipe.
     Home,
-    /// It drags.
+    /// The anchor drags.
     Drags,
-    /// It stopped dragging, and holds.
+    /// The anchor stopped dragging, and holds.
     Holds,
-    /// The brake renders.
+    /// The brake renders: chain slips out under load.
     Renders,
     /// The chain parted.
     Parted,
@@ -242,7 +243,7 @@ pub enum AnchorEvent {
 }
 
 impl AnchorEvent {
-    /// Its key in results.
+    /// The key of the event in results.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -258,7 +259,7 @@ impl AnchorEvent {
         }
     }
 
-    /// What happened, for a sentence that begins with the anchor.
+    /// Text of the event. The text continues a sentence that begins with the anchor.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {

@@ -10,11 +10,11 @@ use super::state::{
 };
 
 impl AnchorGear {
-    /// One step: the windlass carries out its order for `step_s`, then chain and anchor give the force on the ship. `last_n` is the
-    /// tension in the last step, against which the windlass heaves. Events go to `tell`.
+    /// One step: the windlass carries out its order for `step_s`, then chain and anchor give the force on the ship.
+    /// `last_n` is the tension in the last step, against which the windlass heaves. Events are passed to `tell`.
     ///
-    /// The anchor drags towards the hawse pipe until the pull is no more than it holds. Where the tension is still above the brake's
-    /// limit, the brake renders.
+    /// The anchor drags towards the hawse pipe until it holds the pull. If the tension is still above the limit of the
+    /// brake, the brake renders.
     pub fn step(
         &self,
         state: &mut AnchorState,
@@ -101,7 +101,7 @@ impl AnchorGear {
         }
     }
 
-    /// The anchor hangs on its chain.
+    /// A step of an anchor that hangs on its chain.
     fn hang(
         &self,
         state: &mut AnchorState,
@@ -115,7 +115,7 @@ impl AnchorGear {
             (state.chain_m, state.order) = (before.chain_m, before.order);
             load.stalled = true;
         }
-        // In water so deep that chain and anchor are more than the brake holds, all chain runs out.
+        // In very deep water chain and anchor may weigh more than the brake holds: then all chain runs out.
         if tension_n > self.windlass.brake_n {
             load.rendered_m = self.chain_length_m - state.chain_m;
             state.chain_m = self.chain_length_m;
@@ -126,7 +126,7 @@ impl AnchorGear {
         load
     }
 
-    /// The anchor is on the bottom at `place_m`.
+    /// A step of an anchor on the bottom at `place_m`.
     fn hold(
         &self,
         state: &mut AnchorState,
@@ -140,7 +140,7 @@ impl AnchorGear {
         let mut held = self.held(state, towards.length(), ground);
         let mut load = AnchorLoad::default();
         if state.chain_m < before.chain_m && held.pull.tension_n() > self.windlass.stall_n() {
-            // The windlass does not move the chain against this tension.
+            // The windlass cannot move the chain against this tension.
             (state.chain_m, state.order) = (before.chain_m, before.order);
             held = self.held(state, towards.length(), ground);
             load.stalled = true;
@@ -184,7 +184,8 @@ impl AnchorGear {
         }
     }
 
-    /// Chain and anchor at a distance of the hawse pipe, after the anchor has dragged and the brake has rendered.
+    /// Chain and anchor when the hawse pipe is at a distance `span_m`, after the anchor has dragged and the brake has
+    /// rendered.
     fn held(&self, state: &AnchorState, span_m: f64, ground: &Ground<'_>) -> Held {
         let (chain_m, faults) = (state.chain_m, state.faults);
         let bites = !state.dragging && !faults.does_not_bite;
@@ -204,7 +205,7 @@ impl AnchorGear {
             rendered_m = longer_m - chain_m;
             pull = ground.pull(longer_m, span_m);
         }
-        // An anchor that stops holds again.
+        // An anchor that stops dragging holds again.
         let factor = match drags || faults.does_not_bite {
             true => self.dragging_factor,
             false => self.holding_factor,
@@ -218,12 +219,12 @@ struct Held {
     pull: Pull,
     /// Distance between anchor and hawse pipe (m).
     span_m: f64,
-    /// Chain that the brake rendered (m).
+    /// Length of chain that ran out because the brake rendered (m).
     rendered_m: f64,
     holding_n: f64,
 }
 
-/// The anchor is lost under a tension.
+/// The anchor is lost at this tension.
 fn lose(
     state: &mut AnchorState,
     by: LostBy,

@@ -6,9 +6,9 @@ use crate::range::{OutOfRange, within};
 /// A windlass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Windlass {
-    /// Tension at which the brake renders (N).
+    /// Tension at which the brake renders, so that chain slips out (N).
     pub brake_n: f64,
-    /// Pull up to which it heaves at its full speed (N). It stalls at 1.5 times that.
+    /// Pull up to which the windlass heaves at full speed (N). At 1.5 times this pull the windlass stalls.
     pub pull_n: f64,
     /// Speed of heaving and of veering under power (m/s).
     pub heave_mps: f64,
@@ -16,15 +16,15 @@ pub struct Windlass {
     pub let_go_mps: f64,
 }
 
-/// Overload over the pull in continuous duty, at which the windlass stalls (IACS UR A3).
+/// Tension at which the windlass stalls, over the pull in continuous duty (IACS UR A3).
 const OVERLOAD: f64 = 1.5;
 
 impl Windlass {
-    /// Brake over break load where a chain stopper is fitted (IACS UR A3).
+    /// Load of the brake over break load of the chain, if a chain stopper is fitted (IACS UR A3).
     pub const BRAKE_SHARE: f64 = 0.45;
 
-    /// The windlass that the rules ask for with a chain (IACS UR A3): pull by diameter and grade, 0.15 m/s, brake for 45 % of the
-    /// break load. Chain runs out at 5 m/s, which is our assumption.
+    /// The windlass that the rules require for a chain (IACS UR A3): pull by diameter and grade, 0.15 m/s, and a brake
+    /// for 45 % of the break load. Chain runs out at 5 m/s, which is our assumption.
     #[must_use]
     pub fn of_rules(chain: &ChainSize) -> Windlass {
         let per_square_n = match chain.grade {
@@ -41,14 +41,14 @@ impl Windlass {
         }
     }
 
-    /// Tension at which it stalls (N).
+    /// Tension at which the windlass stalls (N).
     #[must_use]
     pub fn stall_n(&self) -> f64 {
         OVERLOAD * self.pull_n
     }
 
-    /// Speed of heaving at a tension (m/s): full up to the pull, then falling to zero at the stall. The straight line between is
-    /// our assumption.
+    /// Speed of heaving at a tension (m/s). The speed is the full speed up to the pull, and then falls to zero at the
+    /// stall. We assume a straight line between the pull and the stall.
     #[must_use]
     pub fn heaving_mps(&self, tension_n: f64) -> f64 {
         if tension_n <= self.pull_n {

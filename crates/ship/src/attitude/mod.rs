@@ -1,11 +1,11 @@
 //! Heave, roll and pitch of a ship.
 //!
-//! Each of the three is a damped oscillator with mass or inertia (added mass included), linear damping and hydrostatic
-//! restoring. They are driven by the moments of all horizontal forces about the centre of gravity, with the height at
-//! which each force acts. The horizontal motion depends on them only at fenders that meet a hull with outlines by height
-//! (`HullByHeight` of the crate `fenderline-sim`). First-order wave motion is superposed, and does
-//! not pass through the oscillators. This is a low-frequency model with constant added mass: it has no memory terms as
-//! in Cummins' equation, and no coupling of heave and pitch.
+//! Each motion is a damped oscillator with mass or inertia (added mass included), linear damping and hydrostatic
+//! restoring. The moments of all horizontal forces about the centre of gravity drive it, each with the height at which
+//! the force acts. The horizontal motion depends on heave, roll and pitch only at fenders that meet a hull with
+//! outlines by height (`HullByHeight` of the crate `fenderline-world`). First-order wave motion is added to the result and does not pass
+//! through the oscillators. This is a low-frequency model with constant added mass: it has no memory terms as in
+//! Cummins' equation, and no coupling of heave and pitch.
 
 use fenderline_contact::Vec2;
 
@@ -26,7 +26,7 @@ pub struct Attitude {
     pub pitch: Motion,
 }
 
-/// Force and moments on heave, roll and pitch: means over a step, in the body's axes.
+/// Force and moments that drive heave, roll and pitch: means over a step, in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AttitudeLoad {
     /// Vertical force beyond weight and buoyancy, positive down (N).
@@ -38,8 +38,8 @@ pub struct AttitudeLoad {
 }
 
 impl AttitudeLoad {
-    /// Adds a horizontal force in the body's axes (forward, to starboard) that acts `above_m` above the centre of gravity. A
-    /// force to starboard above it heels the ship to starboard; a force forward trims her by the bow.
+    /// Adds a horizontal force in the body's axes that acts `above_m` above the centre of gravity. There, a force to
+    /// starboard heels the ship to starboard, and a force forward trims her by the bow.
     pub fn add(&mut self, forward_n: f64, starboard_n: f64, above_m: f64) {
         self.roll_nm += starboard_n * above_m;
         self.pitch_nm -= forward_n * above_m;

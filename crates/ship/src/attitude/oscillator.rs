@@ -41,8 +41,8 @@ impl Oscillator {
         let (x, v) = (from.value - equilibrium, from.rate);
         let decay = zeta * omega;
         let fade = libm::exp(-decay * step_s);
-        // With s = ω√|1 − ζ²|: x(t) = e^{−ζωt}(x(c + ζω q/s) + v q/s), where c and q are cos and sin of st below
-        // critical damping, cosh and sinh above it.
+        // With s = ω√|1 − ζ²|: x(t) = e^{−ζωt}(x(c + ζω q/s) + v q/s), where c and q are cos st and sin st below
+        // critical damping, and cosh st and sinh st above it.
         let square = 1.0 - zeta * zeta;
         let s = omega * libm::sqrt(square.abs());
         let t = s * step_s;
@@ -63,7 +63,7 @@ impl Oscillator {
 mod tests {
     use super::*;
 
-    /// The motion by ten thousand small steps of the explicit midpoint rule, with an error of (ωh)³ per step.
+    /// The motion by ten thousand small steps of the explicit midpoint rule. The error per step is (ωh)³.
     fn by_small_steps(o: &Oscillator, mut m: Motion, force: f64, seconds: f64) -> Motion {
         let h = seconds / 1e4;
         let acceleration = |m: Motion| {

@@ -17,14 +17,14 @@ pub struct Hydrostatics {
     pub pitch: Oscillator,
 }
 
-/// A particular with which a ship cannot float upright.
+/// An error: with this particular a ship cannot float upright.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttitudeError {
     /// The quantity, with its unit.
     pub quantity: &'static str,
-    /// Its value.
+    /// The value of the quantity.
     pub value: f64,
-    /// The condition it must satisfy.
+    /// The condition that the value must satisfy.
     pub must: &'static str,
 }
 
@@ -55,24 +55,24 @@ pub struct HydrostaticParticulars {
     pub water_kgpm3: f64,
 }
 
-/// Added mass in heave over displacement, for a ship with a beam of five draughts (*recalled*).
+/// Added mass in heave over displacement, for a ship whose beam is five times her draught (*recalled*).
 const ADDED_HEAVE: f64 = 2.0;
-/// Damping ratios of heave, roll and pitch. Roll and pitch: usual values for hulls with bilge keels (*recalled*). Heave:
-/// assumed by this project.
+/// Damping ratios of heave, roll and pitch. The values for roll and pitch are usual for hulls with bilge keels
+/// (*recalled*). The value for heave is our assumption.
 const DAMPING: [f64; 3] = [0.3, 0.15, 0.3];
-/// Roll's radius of gyration over beam, added inertia included. ITTC (7.5-02-07-02.1) recommends 0.35 to 0.40
-/// without added inertia where nothing is known; HSVA's roll test of KVLCC2 gave 0.37 with it.
+/// Roll's radius of gyration over beam, added inertia included. ITTC (7.5-02-07-02.1) recommends 0.35 to 0.40, without
+/// added inertia, if nothing is known. HSVA's roll test of KVLCC2 gave 0.37, with added inertia.
 const ROLL_GYRADIUS: f64 = 0.40;
 /// Pitch's radius of gyration over length, without added inertia.
 const PITCH_GYRADIUS: f64 = 0.25;
 
 impl Hydrostatics {
-    /// From the particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L and
-    /// the waterplane's longitudinal moment of inertia by 0.350 C² − 0.405 C + 0.146 over B L³ (C the
-    /// waterplane coefficient; D'Arcangelo, *recalled*).
+    /// The oscillators from the particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L.
+    /// The waterplane's longitudinal moment of inertia over B L³ is 0.350 C² − 0.405 C + 0.146, with the waterplane
+    /// coefficient C (D'Arcangelo, *recalled*).
     ///
     /// # Errors
-    /// A particular that is not positive, GM among them, or a waterplane larger than length times beam.
+    /// A particular that is not positive (GM is one of them), or a waterplane larger than length times beam.
     pub fn of(ship: &HydrostaticParticulars) -> Result<Hydrostatics, AttitudeError> {
         let positive = [
             ("displacement [kg]", ship.mass_kg),
@@ -123,7 +123,7 @@ impl Hydrostatics {
     }
 }
 
-/// The estimated periods and damping ratios with their source, for reports.
+/// The estimated periods and damping ratios with their sources, for reports.
 #[must_use]
 pub fn oscillator_estimates(of: &Hydrostatics) -> Source {
     let figures =
@@ -158,8 +158,8 @@ mod tests {
         water_kgpm3: 1025.0,
     };
 
-    /// The closed forms of validation/independent/ship_formulas.py: heave 9.87 s; roll 36.9, 26.1 and 16.5 s at GM 1, 2 and 5 m, printed to
-    /// a tenth.
+    /// The closed forms of validation/independent/ship_formulas.py, printed to a tenth: heave 9.87 s; roll 36.9, 26.1
+    /// and 16.5 s at GM 1, 2 and 5 m.
     #[test]
     fn periods_of_the_container_ship_agree_with_the_closed_forms() {
         for (gm_m, roll_s) in [(1.0, 36.9), (2.0, 26.1), (5.0, 16.5)] {

@@ -11,11 +11,11 @@ pub struct LateralDevice {
     pub limits_n: [f64; 2],
 }
 
-/// Computes forces to starboard of all devices (N) that together give a lateral force (N) and a yaw moment (N·m), with the
-/// least sum of squares and within their limits.
+/// Computes forces of all devices, positive to starboard (N), that together give a lateral force (N) and a yaw moment
+/// (N·m). The sum of squares is least, and each force is within the device's limits.
 ///
-/// Least squares with two conditions: f_i = λ + μ x_i. A device beyond its limit is set to it, and the rest is allocated again
-/// to the others, at most once for each device.
+/// Least squares with two conditions: f_i = λ + μ x_i. A device beyond its limit is set to the limit, and the rest is
+/// allocated again to the other devices, at most once for each device.
 ///
 /// ```
 /// use fenderline_ship::control::{LateralDevice, allocate};
@@ -45,7 +45,7 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
             second += x * x;
         }
         let determinant = count * second - first * first;
-        // Devices at one position give no moment about it: the force has priority.
+        // Devices at a single position cannot give a moment about it: the force has priority.
         let (level, slope) = if determinant > 1e-9 * (second + 1.0) * count {
             (
                 (rest_n * second - rest_nm * first) / determinant,
@@ -110,7 +110,7 @@ mod tests {
         let (force, _, forces) = given(&devices, 9e5, 0.0);
         assert_eq!(forces[0], 1e5);
         assert!((force - 9e5).abs() < 1e-6, "{forces:?}");
-        // More than all of them: each at its limit.
+        // The demand is more than all devices can give: each is at its limit.
         let (force, _, _) = given(&devices, 9e7, 0.0);
         assert_eq!(force, 2.1e6);
         assert_eq!(given(&[], 1.0, 1.0).0, 0.0);

@@ -1,8 +1,9 @@
-//! Control of a tug that is a vessel and assists a ship: she keeps a relative position, comes alongside and pushes, or pulls on
-//! a line. Each law turns the states of both into a velocity and a heading, or a thrust; thrusters follow them.
+//! Control of a tug that is a vessel and assists a ship. The tug keeps a relative position, comes alongside and pushes,
+//! or pulls on a line. Each law takes the states of both and gives a velocity and a heading, or a thrust. The tug's
+//! thrusters follow these.
 //!
-//! The laws are simple and ours: no published law was found. A tug does not find her way round a ship: bring her to the right
-//! side first.
+//! The laws are simple, and our own: no published law was found. A tug does not find her way round a ship, so bring her
+//! to the right side first.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2};
@@ -11,34 +12,35 @@ use super::station::Demand;
 use super::thrust::Sway;
 use super::turn_to;
 
-/// Speed at which a tug makes contact (m/s), unless a lower one is ordered.
+/// Speed at which a tug makes contact (m/s), unless a lower speed is ordered.
 pub const TOUCH_MPS: f64 = 0.1;
-/// Errors of heading (rad) and of position along the side (m) at which she waits at the stand-off distance.
+/// Errors of heading (rad) and of position along the side (m) with which a tug waits at the stand-off distance.
 const WAIT_ERRORS: [f64; 2] = [0.25, 3.0];
-/// Errors below this share of [`WAIT_ERRORS`] do not make her wait.
+/// Errors below this share of [`WAIT_ERRORS`] do not make the tug wait.
 const NEAR_ENOUGH: f64 = 0.3;
-/// Stand-off distance over her length.
+/// Stand-off distance over the tug's length.
 const STAND_OFF: f64 = 0.5;
-/// She does not push with a greater error of heading (rad).
+/// A tug with a greater error of heading does not push (rad).
 const ASKEW_RAD: f64 = 0.6;
-/// From this share of the ordered force on, friction holds her bow along the side.
+/// From this share of the ordered force on, friction holds the tug's bow in place along the ship's side.
 const HELD_SHARE: f64 = 0.25;
-/// Factor on the yaw gain while her bow is held. She then turns about her bow instead of her centre of gravity, with more
-/// inertia.
+/// Factor on the yaw gain while the tug's bow is held. The tug then turns about her bow instead of her centre of
+/// gravity, with more inertia.
 const HELD_YAW_GAIN: f64 = 6.0;
-/// Beyond this distance over her length, and from this speed on (m/s), she goes bow first.
+/// From this distance (over her length) and from this speed on (m/s), a tug goes bow first.
 const FAR: f64 = 0.75;
 const BOW_FIRST_MPS: f64 = 0.5;
-/// Factor on the time constant of position for the last metres, because her thrusters lag.
+/// Factor on the time constant of position for the last metres, because the thrusters lag.
 const PATIENCE: f64 = 1.6;
-/// Speeds ahead at which she begins to correct her position by steering, and corrects it by steering alone (m/s).
+/// Speeds ahead at which a tug begins to correct her position by steering, and at which she corrects it by steering
+/// alone (m/s).
 const STEERS_MPS: [f64; 2] = [0.5, 1.5];
-/// Largest change of heading for that (rad).
+/// Largest change of heading for this steering (rad).
 const MOST_STEERED_RAD: f64 = 0.5;
-/// Speed outwards while she takes up the last slack of a line (m/s).
+/// Speed outwards while the tug takes up the last slack of a line (m/s).
 const TAKE_UP_MPS: f64 = 0.3;
 
-/// Constants of the control of a vessel.
+/// Constants for the control of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handling {
     /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
@@ -49,12 +51,13 @@ pub struct Handling {
     pub place_time_s: f64,
     /// Greatest rate of turn (rad/s).
     pub fastest_turn_radps: f64,
-    /// Her length (m).
+    /// Length of the vessel (m).
     pub length_m: f64,
 }
 
 impl Handling {
-    /// Constants from the length: 5 s and 20 s for a tug of 32 m, scaled by Froude's law. Ours.
+    /// Constants from the length: time constants of 5 s and 20 s for a tug of 32 m, scaled by Froude's law. The values
+    /// are our own.
     #[must_use]
     pub fn of(inertia: [f64; 3], length_m: f64) -> Handling {
         let scale = libm::sqrt(length_m / 32.0);
@@ -67,14 +70,14 @@ impl Handling {
         }
     }
 
-    /// The heading for a tug that is far from her position: she goes there bow first, because units at her stern move her
+    /// The heading for a tug far from her position. The tug goes there bow first, because units at her stern move her
     /// sideways only slowly.
     fn bow_first(&self, off: Vec2, going_mps: Vec2) -> Option<f64> {
         let far = off.length() > FAR * self.length_m && going_mps.length() > BOW_FIRST_MPS;
         far.then(|| libm::atan2(going_mps.y, going_mps.x))
     }
 
-    /// The moment (N·m) that turns her to a heading, less a known disturbance.
+    /// The moment (N·m) that turns the vessel to a heading, less a known disturbance.
     #[must_use]
     pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, disturbance_nm: f64) -> f64 {
         let turn = turn_to(state.heading_rad, heading_rad) / self.place_time_s;
@@ -90,7 +93,7 @@ pub enum Task {
     Follow {
         /// The position (m).
         place_m: Vec2,
-        /// Its velocity (m/s).
+        /// Velocity of the position (m/s).
         velocity_mps: Vec2,
         /// The heading (rad).
         heading_rad: f64,
@@ -99,60 +102,60 @@ pub enum Task {
     Push {
         /// Point of the ship's side (m).
         place_m: Vec2,
-        /// Its velocity (m/s).
+        /// Velocity of the point (m/s).
         velocity_mps: Vec2,
         /// Unit vector into the ship.
         inward: Vec2,
-        /// Distance from her centre of gravity to the tip of her bow with its fender (m).
+        /// Distance from the tug's centre of gravity to the tip of her bow, bow fender included (m).
         bow_m: f64,
-        /// Force (N).
+        /// Ordered force (N).
         force_n: f64,
-        /// Contact force between them in the last step (N).
+        /// Contact force between tug and ship in the last step (N).
         contact_n: f64,
     },
     /// Pull on a line.
     Pull {
         /// The ship's end of the line (m).
         place_m: Vec2,
-        /// Its velocity (m/s).
+        /// Velocity of this end (m/s).
         velocity_mps: Vec2,
         /// Unit vector of the pull on the ship.
         outward: Vec2,
-        /// True if the line leads over her bow: she then faces the ship and pulls astern.
+        /// True if the line leads over the tug's bow: she then faces the ship and pulls astern.
         over_bow: bool,
         /// Length of the line less the distance between its ends (m).
         slack_m: f64,
-        /// Force (N).
+        /// Ordered force (N).
         force_n: f64,
         /// Tension of the line in the last step (N).
         tension_n: f64,
     },
 }
 
-/// The demand of a task in a step.
+/// The demand of a task on the thrusters in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistDemand {
-    /// Demand on her thrusters.
+    /// Force and moment demanded.
     pub demand: Demand,
-    /// Whether the demanded sway force is met.
+    /// Whether the demanded sway force must be met.
     pub sway: Sway,
 }
 
-/// The share of steering in the correction of her position, 0 to 1, and the change of heading for it (rad). At speed, units at
-/// her stern turn her long before they move her sideways.
+/// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading for it (rad). At speed,
+/// units at the stern turn her long before they move her sideways.
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
     let [begins_mps, whole_mps] = STEERS_MPS;
     let share = bounded((own.x - begins_mps) / (whole_mps - begins_mps), 0.0, 1.0);
-    // Without speed ahead she cannot steer, and the angle is undefined.
+    // Without speed ahead a tug cannot steer, and the angle is undefined.
     let angle_rad = if share > 0.0 { libm::atan2(own.y, own.x) } else { 0.0 };
     (share, share * bounded(angle_rad, -MOST_STEERED_RAD, MOST_STEERED_RAD))
 }
 
-/// The demand on her thrusters, in her axes about her centre of gravity.
+/// The demand on the tug's thrusters, in her axes about her centre of gravity.
 ///
-/// `disturbance` is the force of hull, wind and waves in the last step, which she compensates. `fastest_mps` limits her speed
-/// relative to the ship. `steady_nm` is the integral of the yaw control.
+/// `disturbance` is the force of hull, wind and waves in the last step, which the demand compensates. `fastest_mps`
+/// limits the tug's speed relative to the ship. `steady_nm` is the integral of the yaw control.
 #[must_use]
 pub fn assist(
     task: &Task,
@@ -196,7 +199,7 @@ pub fn assist(
             let across = off - outward * off.dot(outward);
             let way = limited(across * (1.0 / handling.place_time_s), fastest_mps);
             let out_mps = if tension_n > 0.0 {
-                // Against a taut line she damps her speed.
+                // On a taut line the tug damps her speed.
                 let along = Rotation::from_angle(state.heading_rad).apply_inverse(facing).x;
                 let out_mps = (state.velocity_mps - velocity_mps).dot(outward);
                 let eased_n = force_n - handling.inertia[0] / handling.speed_time_s * out_mps;
@@ -225,8 +228,8 @@ pub fn assist(
     }
 }
 
-/// Velocity relative to the ship while she comes alongside: to the stand-off distance until heading and position along the side
-/// are right, then on until she makes contact.
+/// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until
+/// heading and position along the side are right, and then on until she makes contact.
 fn alongside(
     state: &BodyState,
     handling: &Handling,
@@ -243,13 +246,13 @@ fn alongside(
     let to_go_m = gap_m - waits * STAND_OFF * handling.length_m;
     let touch_mps = lesser(TOUCH_MPS, fastest_mps);
     let closing = to_go_m / (PATIENCE * handling.place_time_s) + touch_mps * (1.0 - waits);
-    // At the side, no faster than the contact speed.
+    // At the side, the tug moves no faster than the contact speed.
     let most_mps = if gap_m <= 0.0 { touch_mps } else { fastest_mps };
     inward * bounded(closing, -fastest_mps, most_mps)
         + limited(across * (1.0 / handling.place_time_s), fastest_mps)
 }
 
-/// The vector, limited to a length.
+/// The vector, shortened to a length if it is longer.
 fn limited(vector: Vec2, longest: f64) -> Vec2 {
     let length = vector.length();
     if length > longest { vector * (longest / length) } else { vector }

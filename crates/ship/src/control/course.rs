@@ -6,8 +6,8 @@ use super::turn_to;
 
 /// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the stops.
 ///
-/// The gains of `of_ship` are customary, not tuned for a ship: one degree of rudder for each degree of error, and counter-rudder
-/// from the time in which she sails 1.5 times her length.
+/// The gains of `of_ship` are customary values, not tuned for a ship: one degree of rudder for each degree of error,
+/// and a counter-rudder gain of the time in which the ship sails 1.5 times her length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoursePilot {
     /// Wanted heading (rad).
@@ -21,14 +21,14 @@ pub struct CoursePilot {
 }
 
 impl CoursePilot {
-    /// A pilot for a ship of a length at a speed.
+    /// A pilot for a ship of this length at this speed.
     #[must_use]
     pub fn of_ship(heading_rad: f64, length_m: f64, speed_mps: f64, stop_rad: f64) -> CoursePilot {
         let rate_gain_s = 1.5 * length_m / greater(speed_mps.abs(), 0.5);
         CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
     }
 
-    /// The rudder order (rad). Going astern the rudder acts in the opposite direction.
+    /// The rudder order (rad). When the ship goes astern the rudder acts in the opposite direction.
     #[must_use]
     pub fn rudder_rad(&self, heading_rad: f64, yaw_rate_radps: f64, surge_mps: f64) -> f64 {
         let ask =
@@ -38,21 +38,23 @@ impl CoursePilot {
     }
 }
 
-/// Keeps a speed with the engine: a share of full revolutions by proportion and integral.
+/// Keeps a speed with the engine. The order is a share of full revolutions, by proportional and integral control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedPilot {
     /// Wanted speed ahead through the water (m/s).
     pub speed_mps: f64,
     /// Speed at full revolutions (m/s), for the feed-forward.
     pub full_speed_mps: f64,
-    /// Time in which a constant error would move the order by as much as the error itself does (s).
+    /// Integral time: the time after which a constant error has moved the order as much by the integral as by the error
+    /// itself (s).
     pub integral_s: f64,
     /// The integral so far (dimensionless).
     pub integral: f64,
 }
 
 impl SpeedPilot {
-    /// The order in this step: revolutions over full revolutions, −1 to 1. The integral stops while the order is at its limit.
+    /// The order for this step: revolutions over full revolutions, −1 to 1. The integral stays constant while the order
+    /// is at its limit.
     pub fn revolutions(&mut self, surge_mps: f64, step_s: f64) -> f64 {
         let error = (self.speed_mps - surge_mps) / self.full_speed_mps;
         let feed_forward = self.speed_mps / self.full_speed_mps;

@@ -1,5 +1,5 @@
-//! Simple pilots: from a ship's state to orders for rudder, engine, thrusters and tugs. They demand forces; actuators and water
-//! decide what comes of it.
+//! Simple pilots: they turn a ship's state into orders for rudder, engine, thrusters and tugs. Pilots demand forces;
+//! actuators and water decide the result.
 
 mod allocation;
 mod assist;

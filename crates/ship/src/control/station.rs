@@ -25,17 +25,17 @@ pub struct Gains {
     pub period_s: f64,
     /// Damping over critical damping.
     pub damping: f64,
-    /// Time of the integral (s): much longer than the period.
+    /// Integral time (s): much longer than the period.
     pub integral_s: f64,
     /// Greatest speed of approach: surge, sway (m/s), yaw (rad/s).
     pub fastest: [f64; 3],
 }
 
-/// Goes to a position and stays there.
+/// A pilot that goes to a position and stays there.
 ///
-/// The error in each of surge, sway and yaw gives a wanted speed, limited to the greatest one; the error in speed gives the
-/// force. Near the position this acts as a damped spring, farther away it gives a steady approach. So a master brings a ship
-/// alongside: parallel, and no faster than the fenders allow.
+/// The error in each of surge, sway and yaw gives a wanted speed, up to the greatest speed. The error in speed gives
+/// the force. Near the position this acts as a damped spring; farther away it gives a steady approach. A master brings
+/// a ship alongside in this way: parallel, and no faster than the fenders allow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationPilot {
     /// Wanted position of the centre of gravity, earth-fixed (m).
@@ -49,7 +49,7 @@ pub struct StationPilot {
 }
 
 impl StationPilot {
-    /// The demand in this step. The integral of an axis stops while the demand is at its limit `largest`.
+    /// The demand in this step. The integral of an axis stays constant while the demand is at the limit `largest`.
     pub fn demand(&mut self, state: &BodyState, largest: &Demand, step_s: f64) -> Demand {
         let attitude = Rotation::from_angle(state.heading_rad);
         let off = attitude.apply_inverse(self.position_m - state.position_m);

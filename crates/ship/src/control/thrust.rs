@@ -1,5 +1,5 @@
-//! Allocation of a force in the plane and a yaw moment to devices some of which can push in any direction: azimuth units,
-//! propeller, tunnel thrusters and tugs.
+//! Allocation of a force in the plane and a yaw moment to devices. Azimuth units can push in any direction. A propeller
+//! pushes only ahead and astern; tunnel thrusters and tugs push only to the sides.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};
@@ -9,55 +9,56 @@ use super::station::Demand;
 /// The forces that a device can give (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
-    /// Ahead only: from the first (negative: astern) to the second.
+    /// Ahead only: from the first force (negative: astern) to the second.
     Ahead([f64; 2]),
-    /// To starboard only: from the first (negative: to port) to the second.
+    /// To starboard only: from the first force (negative: to port) to the second.
     Across([f64; 2]),
-    /// In any direction, up to this.
+    /// The device pushes in any direction, up to this force.
     Round(f64),
 }
 
-/// A device at a position of the ship.
+/// A device at a position on the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrustDevice {
     /// Ahead and to starboard of the centre of gravity (m).
     pub at_m: Vec2,
-    /// The forces that it can give at present.
+    /// The forces that the device can give at present.
     pub reach: Reach,
 }
 
-/// Whether the demanded sway force is met.
+/// Whether the demanded sway force must be met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sway {
-    /// It is met.
+    /// The demanded sway force is met.
     Held,
-    /// It is ignored: something else holds her sideways, such as friction between her bow fender and a ship's side.
+    /// The demanded sway force is ignored. Something else holds the vessel sideways, such as friction between a tug's
+    /// bow fender and a ship's side.
     Free,
 }
 
 /// Surge, sway and yaw of a force (N, N, N·m over the scale of length).
 type Axes = [f64; 3];
 
-/// Devices that together meet a demand, and the forces that they give. Its memory is reused: nothing is allocated where there are no more
-/// devices than before.
+/// Devices, and the forces that they give to meet a demand together. The memory is reused: nothing is allocated unless
+/// there are more devices than before.
 #[derive(Clone, Debug, Default)]
 pub struct ThrustShares {
     /// The devices.
     pub devices: Vec<ThrustDevice>,
-    /// The force of each, ahead and to starboard (N), after [`ThrustShares::meet`].
+    /// The force of each device, ahead and to starboard (N), after [`ThrustShares::meet`].
     pub forces_n: Vec<Vec2>,
     /// Forces of the devices that are set to their limits.
     fixed: Vec<Option<Vec2>>,
-    /// Forces for one axis alone.
+    /// Forces that give one axis alone.
     part_n: Vec<Vec2>,
 }
 
 impl ThrustShares {
-    /// Computes forces of all devices that together give the demand with the least sum of squares.
+    /// Computes forces of all devices that together give the demand, with the least sum of squares.
     ///
-    /// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction beyond its limit is set to it, and
-    /// the rest is allocated again. Where azimuth units are beyond their limits, the yaw moment has priority, then surge, then
-    /// sway: each is reduced to the largest part that all units can give.
+    /// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device with one direction that is beyond its limit
+    /// is set to the limit, and the rest is allocated again. If azimuth units are beyond their limits, the yaw moment
+    /// has priority, then surge, then sway: each is reduced to the largest part that all units can give.
     ///
     /// ```
     /// use fenderline_contact::vec2;
@@ -80,8 +81,9 @@ impl ThrustShares {
         allocate(devices, demand, sway, (forces_n, fixed, part_n));
     }
 
-    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged, but a small
-    /// demand that changes its sign then turns a unit by a small angle instead of half a turn, which would take ten seconds.
+    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged. But
+    /// if a small demand changes its sign, a unit then turns by a small angle and not by half a turn, which would take
+    /// ten seconds.
     pub fn bias_pairs(&mut self) {
         bias_pairs(&self.devices, &mut self.forces_n);
     }
@@ -106,7 +108,7 @@ fn allocate(
     if problem.all_within(forces_n) {
         return;
     }
-    // Axis by axis, by priority.
+    // The axes are met one by one, by priority.
     let rest = problem.less(wanted, fixed);
     for (force_n, fixed_n) in forces_n.iter_mut().zip(&*fixed) {
         *force_n = fixed_n.unwrap_or(Vec2::ZERO);
@@ -125,7 +127,7 @@ fn allocate(
     }
 }
 
-/// Opposing force of a pair of units over the smaller of their limits.
+/// Opposing force of a pair of units, over the smaller of their two limits.
 const BIAS: f64 = 0.15;
 
 /// See [`ThrustShares::bias_pairs`].
@@ -140,7 +142,7 @@ fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
             if apart.x.abs() > 0.1 * apart.y.abs() {
                 continue;
             }
-            // Along the line between them, so that the moment is unchanged too.
+            // The forces act along the line between the units, so that the moment is unchanged too.
             let bias_n = apart * (BIAS * lesser(one_n, other_n) / apart.length());
             let share = lesser(
                 largest_share(devices[i].reach, forces_n[i], -bias_n),
@@ -159,7 +161,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Surge, sway and yaw of a force of a device; sway is 0 where it is ignored.
+    /// Surge, sway and yaw of a force of a device; sway is 0 if it is ignored.
     fn effect(&self, device: &ThrustDevice, force_n: Vec2) -> Axes {
         let sway_n = if self.sway == Sway::Held { force_n.y } else { 0.0 };
         [force_n.x, sway_n, device.at_m.cross(force_n) / self.scale_m]
@@ -185,8 +187,8 @@ impl Problem<'_> {
         rest
     }
 
-    /// f = Bᵀ(BBᵀ + ε)⁻¹ rest over the devices that are not fixed. The small ε matters only where they cannot give an axis at
-    /// all: there the result is the nearest one.
+    /// f = Bᵀ(BBᵀ + ε)⁻¹ rest, over the devices that are not fixed. The small ε matters only if the devices cannot give
+    /// an axis at all: then the result is the nearest that they can give.
     fn share(&self, rest: Axes, fixed: &[Option<Vec2>], forces_n: &mut [Vec2]) {
         let mut matrix = [[0.0; 3]; 3];
         for (device, _) in self.devices.iter().zip(fixed).filter(|(_, fixed)| fixed.is_none()) {
@@ -215,7 +217,7 @@ impl Problem<'_> {
         }
     }
 
-    /// The device of one direction that is farthest beyond its limits, and its force at the limit.
+    /// The device with one direction that is farthest beyond its limits, and its force at the limit.
     fn worst(&self, fixed: &[Option<Vec2>], forces_n: &[Vec2]) -> Option<(usize, Vec2)> {
         let mut worst: Option<(usize, Vec2, f64)> = None;
         for (i, device) in self.devices.iter().enumerate().filter(|(i, _)| fixed[*i].is_none()) {
@@ -335,7 +337,7 @@ mod tests {
             assert!((sum.yaw_nm - 1e6).abs() < 100.0);
             forces_n.iter().map(|f| f.length()).fold(0.0, greater)
         };
-        // By the arm of 12 m to the stern instead of the 2.5 m between the units.
+        // The moment uses the arm of 12 m to the stern, not the 2.5 m between the units.
         assert!((hardest(Sway::Held) - 2e5).abs() < 100.0);
         assert!(hardest(Sway::Free) < 0.25 * hardest(Sway::Held));
     }

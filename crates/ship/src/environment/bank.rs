@@ -1,5 +1,5 @@
-//! Bank effect: the force of a vertical bank on a ship under way, by Norrbin's formulas. Not validated. The other method, her image in
-//! the flow of slender ships, is in [`crate::passing`].
+//! Bank effect: the force of a vertical bank on a ship under way, by Norrbin's formulas. Not validated. The other
+//! method, the ship's image in a flow about slender ships, is in [`crate::passing`].
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -15,13 +15,13 @@ pub struct Bank {
     method: BankMethod,
 }
 
-/// How a bank acts.
+/// The method for the force of a bank.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BankMethod {
     /// By Norrbin's formulas: [`Bank::force`].
     #[default]
     Norrbin,
-    /// By the image of the ship behind it: [`crate::passing::force_of_wall`].
+    /// By the image of the ship behind the bank: [`crate::passing::force_of_wall`].
     Image,
 }
 
@@ -70,20 +70,20 @@ impl Bank {
         [self.from_m, self.to_m]
     }
 
-    /// How it acts.
+    /// The method for the force of this bank.
     #[must_use]
     pub fn method(&self) -> BankMethod {
         self.method
     }
 
-    /// Force and moment by Norrbin's formulas about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, for a ship
-    /// going ahead, a moment that turns the bow away from it. NOT VALIDATED.
+    /// Force and moment about midship by Norrbin's formulas, [X, Y, N] in (N, N, N·m). The forces are suction towards
+    /// the bank and, for a ship going ahead, a moment that turns the bow away from the bank. NOT VALIDATED.
     ///
-    /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to
-    /// starboard: Norrbin (1974) for a vertical wall, recalled; the source could not be read. Here y is the distance of
-    /// midship from the line of the bank, at least half a beam. Additions by this project: u is the component of her speed
-    /// along the bank, N changes its sign astern, and both forces are proportional to the share of her length that is
-    /// abreast of the bank.
+    /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to starboard:
+    /// Norrbin (1974) for a vertical wall, recalled; the source could not be read. y is the distance of midship from
+    /// the line of the bank, at least half a beam. Our additions: u is the component of the ship's speed along the
+    /// bank, N changes its sign astern, and both are proportional to the share of her length that is abreast of the
+    /// bank.
     #[must_use]
     pub fn force(&self, ship: &ShipAtBank, water: &BankWater) -> [f64; 3] {
         let length_m = (self.to_m - self.from_m).length();
@@ -94,9 +94,10 @@ impl Bank {
         let (at_m, half_m) = (along.dot(offset_m), 0.5 * ship.length_m * cos.abs());
         let abreast_m = lesser(at_m + half_m, length_m) - greater(at_m - half_m, 0.0);
         let share = greater(abreast_m / ship.length_m, 0.0);
-        // Positive if the bank is to starboard. The vector from the ship to the line is minus her offset from it.
+        // Positive if the bank is to starboard. The vector from the ship to the line is minus the ship's offset from
+        // the line.
         let across_m = -along.cross(offset_m);
-        // The side changes continuously across the line of the bank.
+        // The sign of the side changes continuously across the line of the bank.
         let half_beam_m = 0.5 * ship.beam_m;
         let side = bounded(across_m * cos.signum() / half_beam_m, -1.0, 1.0);
         let distance_m = greater(across_m.abs(), half_beam_m);

@@ -14,7 +14,7 @@ pub enum EnvironmentError {
     NotIncreasing {
         /// The axis.
         axis: &'static str,
-        /// Index of the first entry that is not above the one before it.
+        /// Index of the first entry that is not greater than the entry before it.
         entry: usize,
     },
     /// A table has the wrong number of entries.

@@ -12,7 +12,7 @@ const SUB_INTERVALS: usize = 16;
 /// One harmonic, amplitude · cos(frequency · t + phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Harmonic {
-    /// In the unit of the band.
+    /// Frequency, in the unit of the frequency band.
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
     pub(super) phase_rad: f64,
@@ -33,9 +33,9 @@ impl Realisation {
         Ok(())
     }
 
-    /// Divides the band from `low` to `high` into bins with limits in geometric progression. Each bin becomes one harmonic
-    /// with the energy of the bin, ½a² = ∫S df, at a random frequency within the bin, so that the sum is not
-    /// periodic.
+    /// Divides the band from `low` to `high` into bins; the limits are in geometric progression. Each bin becomes one
+    /// harmonic with the energy of the bin, ½a² = ∫S df. The frequency of a harmonic is random within the bin, so that
+    /// the sum is not periodic.
     pub(super) fn harmonics_of(
         &self,
         density: impl Fn(f64) -> f64,

@@ -1,4 +1,4 @@
-//! Forces of a steady flow on a ship by a table: by angle, and by depth where the table has several depths.
+//! Forces of a steady flow on a ship, from a table by angle. A table may have several depths of water.
 
 use core::f64::consts::{PI, TAU};
 
@@ -6,22 +6,25 @@ use super::error::EnvironmentError;
 use super::table::{Place, check_axis, place};
 use crate::range::within;
 
-/// Surge and sway force (m²) and yaw moment about midship (m³) of a flow on a ship, each over the dynamic pressure ½ρV² of the flow:
-/// coefficient times reference area, and times reference length for the moment.
+/// Surge and sway force (m²) and yaw moment about midship (m³) of a flow on a ship, each divided by the dynamic
+/// pressure ½ρV² of the flow. So each value is a coefficient times the reference area; for the moment, also times the
+/// reference length.
 ///
-/// The angle γ is that of [`super::wind::RelativeWind`]: where the flow comes from, measured from the bow, positive over the port side.
-/// Forces are positive forward and to starboard, the moment with the bow to starboard. Between two angles, and between two depths, the
-/// values are joined by straight lines; over the angles periodically. Beyond the least and the greatest depth they are those of that depth.
+/// The angle γ is that of [`super::wind::RelativeWind`]: the direction from which the flow comes, measured from the
+/// bow, positive over the port side. Forces are positive forward and to starboard; the moment is positive if it turns
+/// the bow to starboard. Between two angles and between two depths the values are interpolated linearly; the angles
+/// close round the circle. Below the least depth the values of the least depth are used, and above the greatest depth
+/// those of the greatest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadTable {
     depth_ratios: Vec<f64>,
     angles_rad: Vec<f64>,
-    /// All angles of the first depth, then those of the next.
+    /// Values: all angles of the first depth, then all angles of the next.
     values: Vec<[f64; 3]>,
     sides: Sides,
 }
 
-/// What the angles of a [`LoadTable`] reach over.
+/// The range of the angles of a [`LoadTable`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
     /// From 0 to π: a flow over starboard is the mirror image of a flow over port.
@@ -31,12 +34,12 @@ pub enum Sides {
 }
 
 impl LoadTable {
-    /// A table of the depths over the draught, the angles (rad) and the values: all angles of the first depth, then those of the next.
-    /// A single depth stands for every depth.
+    /// A table of depths over the draught, angles (rad) and values: all angles of the first depth, then all angles of
+    /// the next. A single depth stands for every depth.
     ///
     /// # Errors
-    /// Axes that do not rise, fewer than three angles, a wrong number of values, a value that is not finite, mirrored angles that do not reach
-    /// from 0 to π, and other angles that span a whole turn or more.
+    /// Axes that do not rise; fewer than three angles; a wrong number of values; a value that is not finite; mirrored
+    /// angles that do not reach from 0 to π; other angles that span a whole turn or more.
     pub fn new(
         depth_ratios: Vec<f64>,
         angles_rad: Vec<f64>,
@@ -79,14 +82,14 @@ impl LoadTable {
         &self.angles_rad
     }
 
-    /// True if it was given for one side.
+    /// True if the table was given for one side only.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         self.sides == Sides::Mirrored
     }
 
-    /// The values [X, Y, N] (m², m², m³) at an angle γ (rad) in water of a depth over the draught; `None`: deep. A mirrored table has no side
-    /// force and no moment in a flow from straight ahead or astern.
+    /// The values [X, Y, N] (m², m², m³) at an angle γ (rad) and at a ratio of water depth to draught; `None`: deep
+    /// water. A mirrored table has no side force and no moment if the flow comes from straight ahead or astern.
     #[must_use]
     pub fn at(&self, angle_rad: f64, depth_ratio: Option<f64>) -> [f64; 3] {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
@@ -116,7 +119,7 @@ impl LoadTable {
         place(self.angles_rad.len(), |k| self.angles_rad[k], angle_rad)
     }
 
-    /// The place on the axis of a whole turn: between the last and the first angle the table closes.
+    /// The place on the axis of a whole turn. The table closes between the last and the first angle.
     fn around(&self, angle_rad: f64) -> Place {
         let (count, first_rad) = (self.angles_rad.len(), self.angles_rad[0]);
         let mut from_first_rad = libm::fmod(angle_rad - first_rad, TAU);
@@ -177,7 +180,7 @@ mod tests {
                 assert!(at.iter().zip(value).all(|(a, b)| (a - b).abs() < 1e-12), "{at:?}");
             }
         }
-        // Half of the way from 2.5 rad over π to −2 rad.
+        // Half of the way from 2.5 rad, past π, to −2 rad.
         let middle = table.at(0.5 * (2.5 - 2.0 + TAU), None);
         assert!((middle[1] + 1.0).abs() < 1e-12, "{middle:?}");
         let mut last = table.at(-4.0, None);

@@ -1,14 +1,17 @@
-//! Long waves at a berth: infragravity waves and seiches, as level and velocity of the water there.
+//! Long waves at a berth: infragravity waves and seiches. Long waves are given by level and velocity of the water at
+//! the berth.
 //!
-//! They are much longer than the depth and the ship. So the level is taken as the same all over the berth, and so is the velocity, which
-//! is also the same over the depth. The level lifts a ship as the tide does; the velocity acts as a current whose acceleration pushes her
-//! (Froude–Krylov force and added mass).
+//! Long waves are much longer than the depth and the ship. So the level is taken to be the same all over the berth. The
+//! velocity is taken to be the same all over the berth and over the depth. The level lifts a ship as the tide does. The
+//! velocity acts as a current, and its acceleration pushes the ship (Froude–Krylov force and added mass).
 //!
-//! By linear theory a wave of amplitude a and phase speed c = ω/k moves the water of a depth h to and fro with the mean velocity a c/h over
-//! the depth (derived: a level that rises needs that flow), with k by the dispersion relation. Before a wall that reflects it wholly it stands:
-//! with A at the wall, the level is A cos(kx) cos(ωt) at a distance x from the wall, and the velocity towards it −A (c/h) sin(kx) sin(ωt).
+//! By linear theory, a wave of amplitude a and phase speed c = ω/k moves water of depth h to and fro. The mean velocity
+//! over the depth is a c/h (derived: a level that rises needs this flow), with k by the dispersion relation. In front
+//! of a wall that reflects it wholly, the wave is a standing wave. With the amplitude A at the wall, the level is A
+//! cos(kx) cos(ωt) at a distance x from the wall, and the velocity towards the wall is −A (c/h) sin(kx) sin(ωt).
 //!
-//! The spectrum has the shape of JONSWAP about its peak within a band: our assumption, as no standard shape of such waves is known to us.
+//! The spectrum has the shape of JONSWAP around its peak, within a band. This is our assumption: we know no standard
+//! shape for such waves.
 
 use core::f64::consts::TAU;
 
@@ -22,25 +25,26 @@ use super::table::{check_axis, is_off, place};
 use super::waves::{Jonswap, RegularWave, wave_number};
 use crate::range::within;
 
-/// Heights over the depth at which long waves break: that of a solitary wave (McCowan 1894; recalled).
+/// Height over depth at which long waves break: the value for a solitary wave (McCowan 1894; recalled).
 const BREAKING: f64 = 0.78;
-/// The least length of a long wave, in depths. At ten its velocity at the surface is 1.2 times that at the bottom.
+/// The least length of a long wave, in depths. For this length, the velocity at the surface is 1.2 times the velocity
+/// at the bottom.
 const LENGTH_IN_DEPTHS: f64 = 10.0;
-/// Shortest and longest period of a long wave (s). 25 s parts it from swell.
+/// Shortest and longest period of a long wave (s). A period of 25 s separates long waves from swell.
 const PERIODS_S: [f64; 2] = [25.0, 86_400.0];
 
-/// Where long waves are: a berth.
+/// The berth at which there are long waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LongWaveSite {
-    /// Where they run to, clockwise from north (rad).
+    /// Direction to which the waves run, clockwise from north (rad).
     pub towards_rad: f64,
     /// Depth of the water (m).
     pub depth_m: f64,
-    /// Distance to a wall to which they run and which reflects them wholly (m); `None`: no wall, the waves run on.
+    /// Distance to a wall ahead that reflects the waves wholly (m); `None`: there is no wall, and the waves run on.
     pub wall_m: Option<f64>,
 }
 
-/// A spectrum of long waves. With a wall its height is that at the wall.
+/// A spectrum of long waves. If there is a wall, the height is the height at the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LongWaveSpectrum {
     /// Significant height (m).
@@ -49,7 +53,7 @@ pub struct LongWaveSpectrum {
     pub peak_period_s: f64,
     /// Shortest and longest period (s), with the peak between them.
     pub periods_s: [f64; 2],
-    /// γ of JONSWAP.
+    /// Peak enhancement γ of JONSWAP.
     pub peak_enhancement: f64,
 }
 
@@ -57,7 +61,8 @@ pub struct LongWaveSpectrum {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LongWaves {
     kind: Kind,
-    /// Lowest and highest level (m); of a spectrum its significant height below and above, which it seldom passes.
+    /// Lowest and highest level (m). For a spectrum the bounds are minus and plus the significant height, which the
+    /// level seldom passes.
     range_m: [f64; 2],
 }
 
@@ -67,13 +72,13 @@ enum Kind {
     Series { times_s: Vec<f64>, levels_m: Vec<f64>, velocities_mps: Vec<Vec2> },
 }
 
-/// level · cos(ωt + ε), and the velocity along the direction.
+/// One harmonic: level · cos(ωt + ε), and the velocity along the direction of the waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Part {
     frequency_radps: f64,
     phase_rad: f64,
     level_m: f64,
-    /// Amplitudes of the velocity in phase with the cosine and with the sine (m/s).
+    /// Amplitudes of the velocity, in phase with the cosine and with the sine (m/s).
     velocity_mps: [f64; 2],
 }
 
@@ -85,17 +90,17 @@ impl LongWaveSite {
         Ok(())
     }
 
-    /// Checks the height of waves (m): they break at 0.78 of the depth.
+    /// Checks the height of waves (m): waves break at 0.78 of the depth.
     ///
     /// # Errors
-    /// A height below 0 or so large that they would break.
+    /// A height below 0, or one at which the waves would break.
     pub fn check_height(&self, height_m: f64) -> Result<(), EnvironmentError> {
         let most_m = BREAKING * self.depth_m;
         within("height of the long waves [m], which break at 0.78 depths", height_m, 0.0, most_m)?;
         Ok(())
     }
 
-    /// Checks the period of waves (s): they are long if ten depths or more.
+    /// Checks the period of waves (s): waves are long if their length is ten depths or more.
     ///
     /// # Errors
     /// A period that is not between 25 s and a day, or too short for the depth.
@@ -113,7 +118,7 @@ impl LongWaveSite {
         TAU / wave_number(TAU / period_s, self.depth_m)
     }
 
-    /// One harmonic from its amplitude, that at the wall if there is one.
+    /// One harmonic from its amplitude. If there is a wall, it is the amplitude at the wall.
     fn part(&self, frequency_radps: f64, amplitude_m: f64, phase_rad: f64) -> Part {
         let number = wave_number(frequency_radps, self.depth_m);
         let velocity_mps = amplitude_m * frequency_radps / (number * self.depth_m);
@@ -134,10 +139,10 @@ impl LongWaveSite {
 }
 
 impl LongWaves {
-    /// One regular long wave, with a wall a seiche. With a wall its height is that at the wall.
+    /// One regular long wave; with a wall it is a seiche, and the height is the height at the wall.
     ///
     /// # Errors
-    /// A number out of range, a wave that would break, or one that is too short for the depth.
+    /// A number out of range, a wave that would break, or a wave that is too short for the depth.
     pub fn regular(wave: RegularWave, site: &LongWaveSite) -> Result<LongWaves, EnvironmentError> {
         site.check()?;
         site.check_height(wave.height_m)?;
@@ -149,10 +154,12 @@ impl LongWaves {
         Ok(LongWaves { kind, range_m: [-reach_m, reach_m] })
     }
 
-    /// Long waves with random phases by a spectrum: the same seed gives the same bits. Its significant height is exact.
+    /// Long waves with random phases, from a spectrum. The same seed gives the same bits. The significant height is
+    /// exact.
     ///
     /// # Errors
-    /// A number out of range, a height at which they would break, a peak outside the band, or periods too short for the depth.
+    /// A number out of range, a height at which the waves would break, a peak outside the band, or periods too short
+    /// for the depth.
     pub fn of_spectrum(
         spectrum: &LongWaveSpectrum,
         site: &LongWaveSite,
@@ -186,7 +193,8 @@ impl LongWaves {
         Ok(waves)
     }
 
-    /// Rows of time (s), level (m) and velocity, north and east (m/s): straight lines between them.
+    /// Long waves from rows of time (s), level (m) and velocity, north and east (m/s), with straight lines between
+    /// them.
     ///
     /// # Errors
     /// Fewer than two rows, times that do not increase, or a number out of range.
@@ -208,7 +216,8 @@ impl LongWaves {
         Ok(LongWaves { kind, range_m })
     }
 
-    /// Whether a time (s) is before the first or after the last row of a series, whose level and velocity are then held.
+    /// Whether a time (s) is before the first or after the last row of a series, where the level and velocity of that
+    /// row are used.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match &self.kind {
@@ -251,13 +260,14 @@ impl LongWaves {
         }
     }
 
-    /// Bounds of the level (m). Of a spectrum they are its significant height below and above, which it seldom passes.
+    /// Bounds of the level (m). For a spectrum the bounds are minus and plus the significant height, which the level
+    /// seldom passes.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         self.range_m
     }
 
-    /// Four times the standard deviation of the level (m); of a series that of its rows.
+    /// Four times the standard deviation of the level (m); for a series it is computed from the rows.
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {
         4.0 * match &self.kind {
@@ -268,7 +278,7 @@ impl LongWaves {
         }
     }
 
-    /// The standard deviation of the velocity, north and east (m/s); of a series that of its rows.
+    /// The standard deviation of the velocity, north and east (m/s); for a series it is computed from the rows.
     #[must_use]
     pub fn velocity_deviation(&self) -> Vec2 {
         match &self.kind {
@@ -312,8 +322,8 @@ mod tests {
         assert!((one - other).abs() <= tolerance, "{one} {other}");
     }
 
-    /// 12,000 s are 120 peak periods: the time mean of a sum of harmonics that are 0.0014 rad/s apart at the peak still has
-    /// beats, so the run is 400,000 s, of which the variance is known to 1 %.
+    /// A run of 12,000 s would be 120 peak periods. Near the peak the harmonics are 0.0014 rad/s apart, so the mean
+    /// over such a run still has beats. The run is therefore 400,000 s, over which the variance is known to 1 %.
     #[test]
     fn the_level_has_the_significant_height_and_the_velocity_follows_it() {
         let waves = LongWaves::of_spectrum(&SPECTRUM, &SITE, DRAW).expect("good numbers");
@@ -323,7 +333,8 @@ mod tests {
         close(waves.significant_height_m(), 0.2, 1e-12);
         let levels_m: Vec<f64> = (0..100_000).map(|k| waves.level_m(4.0 * f64::from(k))).collect();
         close(4.0 * deviation(levels_m.iter().copied()), 0.2, 0.002);
-        // Waves of 50 to 200 s run at 13.63 to 13.98 m/s here: the velocity is the level times that over the depth.
+        // Waves of 50 to 200 s run at 13.63 to 13.98 m/s here: the velocity is the level times this speed over the
+        // depth.
         for (k, level_m) in levels_m.iter().enumerate().take(500) {
             let velocity = waves.velocity(4.0 * k as f64);
             close(velocity.dot(SITE.along()), level_m * 13.9 / 20.0, 0.002);
@@ -331,7 +342,8 @@ mod tests {
         }
     }
 
-    /// Continuity: between two places of a standing wave the level rises by the flow that does not leave again.
+    /// Continuity: between two places of a standing wave the level rises by the flow that enters and does not leave
+    /// again.
     #[test]
     fn a_seiche_keeps_its_water() {
         let wave = RegularWave { height_m: 0.4, period_s: 300.0, phase_rad: 0.3 };
@@ -342,14 +354,15 @@ mod tests {
         let (t_s, by_s, by_m) = (77.0, 0.01, 0.01);
         let [near, here, far] = [at(700.0 - by_m), at(700.0), at(700.0 + by_m)];
         let rises_mps = (here.level_m(t_s + by_s) - here.level_m(t_s - by_s)) / (2.0 * by_s);
-        // Towards the wall: what comes in at the far place less what goes on at the near one.
+        // Towards the wall: the flow that enters at the far place, less the flow that leaves at the near place.
         let stays_ps = (far.velocity(t_s).x - near.velocity(t_s).x) / (2.0 * by_m);
         close(rises_mps, 20.0 * stays_ps, 1e-7);
         let quarter_m = 0.25 * SITE.length_m(300.0);
         close(at(0.0).range_m()[1], 0.2, 1e-15);
         close(at(0.0).velocity(t_s).length(), 0.0, 1e-15);
         close(at(quarter_m).range_m()[1], 0.0, 1e-15);
-        // At the node: amplitude times phase speed over depth, here √(gh) within a permille.
+        // At the node the velocity is the amplitude times the phase speed over the depth. The phase speed here is √(gh)
+        // within a permille.
         let node_mps = at(quarter_m).velocity_deviation().x * core::f64::consts::SQRT_2;
         close(node_mps, 0.2 * (9.80665_f64 / 20.0).sqrt(), 1e-3 * 0.14);
     }
@@ -381,7 +394,7 @@ mod tests {
             let message = of(bad, SITE);
             assert!(message.contains(what), "{message}");
         }
-        // A wave of 50 s has 1,500 m in 100 m of water, and 10 depths in 230 m.
+        // A wave of 50 s is 1,500 m long in 100 m of water. In 230 m of water it is 10 depths long.
         let message = of(SPECTRUM, LongWaveSite { depth_m: 250.0, ..SITE });
         assert!(message.contains("in depths"), "{message}");
         assert!(of(SPECTRUM, LongWaveSite { depth_m: f64::NAN, ..SITE }).contains("depth"));

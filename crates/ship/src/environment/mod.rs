@@ -4,9 +4,9 @@
 //! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
 //! they are created; after that no function fails.
 //!
-//! Axes: positions and velocities earth-fixed, x north and y east; forces on a ship [X, Y, N] in her own
-//! axes about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well the source of a
-//! formula is known. *Found*: read in a public source. *Recalled*: from memory, to be checked. *Derived*: by this project.
+//! Axes: positions and velocities earth-fixed, x north and y east; forces on a ship [X, Y, N] are in the ship's axes
+//! about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well the source of a formula
+//! is known. *Found*: read in a public source. *Recalled*: from memory, to be checked. *Derived*: by this project.
 //!
 //! ```
 //! use fenderline_contact::vec2;

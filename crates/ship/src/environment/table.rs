@@ -38,8 +38,8 @@ pub(super) struct Place {
     pub(super) share: f64,
 }
 
-/// Whether a value is off an axis, so that [`place`] takes the entry at its end. An axis of one entry means no change along it, and holds
-/// everywhere.
+/// Whether a value is off an axis, so that [`place`] returns an end of the axis. An axis of one entry means that
+/// nothing changes along it: no value is off it.
 pub(super) fn is_off(count: usize, at: impl Fn(usize) -> f64, value: f64) -> bool {
     count > 1 && (value < at(0) || value > at(count - 1))
 }

@@ -14,7 +14,7 @@ use crate::range::within;
 pub enum Tide {
     /// Constant (m).
     Level(f64),
-    /// Points (time (s), level (m)), linear between them and constant before the first and after the last.
+    /// Points (time (s), level (m)), linear between them and constant before the first point and after the last.
     Curve(Vec<[f64; 2]>),
     /// A mean level and harmonic constituents.
     Harmonic {
@@ -71,7 +71,8 @@ impl Tide {
         Ok(())
     }
 
-    /// Whether a time (s) is before the first or after the last point of a curve, whose level is then held. One point alone is a constant level.
+    /// Whether a time (s) is before the first or after the last point of a curve, where the level of that point is
+    /// used. A curve with a single point is a constant level.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match self {

@@ -1,6 +1,6 @@
 //! Dynamics between an order and the machinery: rate limits and first-order lags.
 //!
-//! Every step is exact for any Δt: two steps of Δt/2 under the same order give the result of one step of Δt.
+//! Every step is exact for any Δt: two steps of Δt/2 under the same order give the same result as one step of Δt.
 
 use fenderline_contact::number::bounded;
 
@@ -44,7 +44,8 @@ impl RateLimited {
     }
 }
 
-/// A direction that turns at a constant rate: without stops by the shorter way, or between stops.
+/// A direction that turns at a constant rate. Without stops the direction turns the shorter way; with stops it stays
+/// between the stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
     /// Current direction in (−π, π] (rad).
@@ -56,8 +57,9 @@ pub struct Slewing {
 }
 
 impl Slewing {
-    /// Turns towards the order for `step_s`; for an order exactly opposite, to starboard. An order beyond the stop turns it to
-    /// the stop; with stops it never turns through the stern. A non-finite order moves nothing.
+    /// Turns towards the order for `step_s`. If the order is exactly opposite, it turns to starboard. An order beyond a
+    /// stop turns it to the stop. With stops the direction never turns through the stern. A non-finite order moves
+    /// nothing.
     pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
         if !order_rad.is_finite() {
             return Order::Clamped;
@@ -73,7 +75,7 @@ impl Slewing {
     }
 }
 
-/// The angle in (−π, π] (rad).
+/// The angle, wrapped to (−π, π] (rad).
 fn wrapped(angle_rad: f64) -> f64 {
     let rest_rad = libm::remainder(angle_rad, TAU);
     if rest_rad <= -PI { rest_rad + TAU } else { rest_rad }
@@ -100,7 +102,7 @@ impl Lag {
     }
 }
 
-/// Engine telegraph.
+/// Positions of the engine telegraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Telegraph {
     /// Full astern.
@@ -157,8 +159,8 @@ impl Telegraph {
         }
     }
 
-    /// Revolutions over those at full ahead at sea. Typical values for slow-running engines; a vessel with a table of her own
-    /// uses that.
+    /// Revolutions over the revolutions at full ahead at sea. The revolutions are typical values for slow-running
+    /// engines. A vessel with a table of her own uses her table.
     pub fn revolutions_ratio(self) -> f64 {
         match self {
             Telegraph::FullAstern => -0.70,

@@ -1,7 +1,7 @@
 //! Added mass in surge, sway and yaw from main particulars.
 //!
-//! Everything here is an estimate, and is reported as one. Clarke's formula was read in a public toolbox, the regression
-//! on Motora's charts in public programs. `fenderline validate` compares both with potential flow
+//! Everything here is an estimate, and reports call it an estimate. Clarke's formula was read in a public toolbox; the
+//! regression on Motora's charts was read in public programs. `fenderline validate` compares both with potential flow
 //! (validation/added_mass.toml).
 
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// From MMG coefficients: masses divided by ½ρL²d, moment of inertia by ½ρL⁴d.
+    /// Added mass from MMG coefficients: masses divided by ½ρL²d, moment of inertia divided by ½ρL⁴d.
     pub fn from_mmg(ship: &Particulars, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: surge * ship.mass_unit_m3(),
@@ -30,7 +30,7 @@ impl AddedMass {
         }
     }
 
-    /// Each component multiplied by a factor, as in shallow water.
+    /// This added mass with each component multiplied by a factor, as is done for shallow water.
     pub fn scaled(&self, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: self.surge_m3 * surge,
@@ -40,11 +40,11 @@ impl AddedMass {
     }
 }
 
-/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as in several public programs that agree (sway and
-/// yaw: nikpau/mmgdynamics); the paper was not read.
+/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as printed in several public programs, which agree (sway
+/// and yaw: nikpau/mmgdynamics). The paper was not read.
 ///
 /// # Errors
-/// [`HydroError::NegativeAddedMass`] where the hull is outside the charts.
+/// [`HydroError::NegativeAddedMass`] if the hull is outside the charts.
 pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     let block = ship.block_coefficient();
     let (length_m, beam_m, draught_m) = (ship.length_m, ship.beam_m, ship.draught_m);
@@ -77,7 +77,7 @@ pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
 /// −N'ṙ = π(T/L)²[1/12 + 0.017 Cb B/T − 0.33 B/L] by ½ρL⁵.
 ///
 /// # Errors
-/// [`HydroError::NegativeAddedMass`] for a stubby hull, where the formula turns negative.
+/// [`HydroError::NegativeAddedMass`] for a stubby hull, for which the formula turns negative.
 pub fn clarke_added_mass(ship: &Particulars) -> Result<(f64, f64), HydroError> {
     let (length_m, beam_m) = (ship.length_m, ship.beam_m);
     let depth = ship.draught_m / length_m;

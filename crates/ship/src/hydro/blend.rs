@@ -1,7 +1,8 @@
 //! One hull force for all directions of motion: the MMG polynomial under way, the low-speed form otherwise.
 //!
-//! The weight of the polynomial depends only on the *direction* of the motion, by drift and by yaw apart, because a polynomial is
-//! fitted in a box: drift angles up to 20° or so, yaw rates rL/U up to 1 or so. Beyond, its cubes are not the hull's.
+//! The weight of the polynomial depends only on the *direction* of the motion: on drift and on yaw, each by itself. A
+//! polynomial is fitted in a limited range: drift angles up to 20° or so, yaw rates rL/U up to 1 or so. Beyond this
+//! range the cubic terms do not describe the hull.
 //!
 //! | | the polynomial alone | the low-speed form alone |
 //! |---|---|---|
@@ -10,27 +11,29 @@
 //! | drift ahead, 1.1 draughts of water | up to 15° | from 27° |
 //! | yaw rate rL/U | up to 1.5 | from 3 |
 //!
-//! The limits of drift go down with draught over depth: near the bottom a hull stalls earlier ([`Stall`]), and ships drift
-//! less in their turns: tankers of known particulars by 26° in deep water, 21° at 2 draughts, 16° at 1.5 and 6° at 1.2. So in turns of 35° and
-//! in zig-zags the polynomial acts alone (`tests/hydro_manoeuvres.rs`).
+//! The limits of drift decrease with draught over depth, because near the bottom a hull stalls earlier ([`Stall`]).
+//! Ships also drift less in their turns there: tankers of known particulars by 26° in deep water, 21° at 2 draughts,
+//! 16° at 1.5 and 6° at 1.2. So in turns with 35° of rudder and in zig-zags the polynomial acts alone
+//! (`tests/hydro_manoeuvres.rs`).
 //!
-//! Direction is used and not speed, because both forms are homogeneous of degree two in (u, v, r): with a weight of degree
-//! zero their sum is so too. The sum is zero at rest, its slope is at most proportional to the speed, and there is no
-//! transition speed: the polynomial applies down to dead slow ahead, and a ship that crabs or turns on the spot has the
-//! cross-flow form at any speed.
+//! The weight depends on direction and not on speed because both forms are homogeneous of degree two in (u, v, r). With
+//! a weight of degree zero their sum is so too. The sum is zero at rest, and its slope is at most proportional to the
+//! speed. There is no transition speed: the polynomial applies down to dead slow ahead, and a ship that crabs or turns
+//! on the spot has the cross-flow form at any speed.
 
 use super::added_mass::AddedMass;
 use super::low_speed::LowSpeedHull;
-use super::mmg::{Polynomial, coriolis};
 use super::particulars::Particulars;
+use super::polynomial::{Polynomial, coriolis};
 use super::quantities::{Force, Velocity, Water, smooth_step};
 use super::stall::Stall;
 
-/// |v|/U up to which only the polynomial is used, and from which on only the low-speed form is: in deep water.
+/// Up to the first value of |v|/U only the polynomial is used, and from the second value on only the low-speed form.
+/// The values are for deep water.
 const DRIFT: [f64; 2] = [0.52, 0.72];
-/// How much less these limits are for each unit of draught over depth.
+/// How much the limits decrease for each unit of draught over depth.
 const DRIFT_BY_DEPTH: [f64; 2] = [0.285, 0.297];
-/// The same limits of |r|L/U, at any depth.
+/// The two limits of |r|L/U, in the same sense, at any depth.
 const YAW: [f64; 2] = [1.5, 3.0];
 
 /// Hull coefficients for all directions of motion.
@@ -40,7 +43,7 @@ pub struct Hull {
     pub under_way: Option<Polynomial>,
     /// The low-speed form, for all other motions.
     pub low_speed: LowSpeedHull,
-    /// What the low-speed form loses of her lift as she drifts more.
+    /// The lift that the low-speed form loses as the drift increases.
     pub stall: Stall,
 }
 
@@ -50,13 +53,14 @@ impl Hull {
         Hull { under_way, low_speed, stall: Stall::of(&low_speed, &low_speed, 0.0) }
     }
 
-    /// A hull with a polynomial and no low-speed tests, estimated by [`LowSpeedHull::from_linear`].
+    /// A hull with a polynomial but no low-speed tests. [`LowSpeedHull::from_linear`] estimates the low-speed form of
+    /// such a hull.
     pub fn from_polynomial(polynomial: Polynomial, ship: &Particulars, added: &AddedMass) -> Hull {
         let low_speed = LowSpeedHull::from_linear(&polynomial.linear(ship, added), ship);
         Hull::deep(Some(polynomial), low_speed)
     }
 
-    /// Force at midship with the added mass' Coriolis terms, m_y v r and −m_x u r.
+    /// Force at midship with the Coriolis terms of the added mass, m_y v r and −m_x u r.
     pub fn force(
         &self,
         velocity: &Velocity,
@@ -96,7 +100,7 @@ pub fn polynomial_weight(velocity: &Velocity, length_m: f64, draught_over_depth:
     faded(drift, [all, none]) * faded(yaw, YAW)
 }
 
-/// 1 up to the first limit, 0 from the second on, a smooth step between.
+/// A weight: 1 up to the first limit, 0 from the second limit on, a smooth step between.
 fn faded(value: f64, [all, none]: [f64; 2]) -> f64 {
     1.0 - smooth_step((value - all) / (none - all))
 }

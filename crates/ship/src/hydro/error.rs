@@ -6,7 +6,7 @@ use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
-/// An error in a ship's particulars or in her conditions.
+/// An error in a ship's particulars or in the conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum HydroError {
@@ -14,7 +14,7 @@ pub enum HydroError {
     OutOfRange {
         /// The quantity, with its unit.
         quantity: &'static str,
-        /// Its value.
+        /// Value of the quantity.
         value: f64,
         /// Lower limit.
         low: f64,
@@ -27,7 +27,7 @@ pub enum HydroError {
         formula: &'static str,
         /// The coefficient.
         coefficient: &'static str,
-        /// Its value.
+        /// Value of the coefficient.
         value: f64,
     },
     /// The water is no deeper than the draught.
@@ -37,7 +37,7 @@ pub enum HydroError {
         /// Draught (m).
         draught_m: f64,
     },
-    /// A depth Froude number at or above 1, where the formula is not defined.
+    /// A depth Froude number of 1 or more, for which the formula is not defined.
     Supercritical {
         /// Depth Froude number V/√(gh).
         froude: f64,
@@ -69,7 +69,7 @@ impl fmt::Display for HydroError {
 
 impl std::error::Error for HydroError {}
 
-/// Returns the value if it is within the range; NaN is not.
+/// Returns the value if it is within the range; NaN is never within a range.
 pub(super) fn within(
     quantity: &'static str,
     value: f64,

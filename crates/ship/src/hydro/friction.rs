@@ -1,8 +1,8 @@
 //! Frictional resistance: from model scale to full scale.
 //!
-//! The resistance coefficient of a tank model is larger than that of the ship, because its Reynolds number is about a
-//! hundred times smaller. The difference matters little in turns, but the stopping distance is inversely proportional to
-//! the resistance.
+//! The resistance coefficient of a tank model is larger than that of the ship, because the model's Reynolds number is
+//! about a hundred times smaller. The difference matters little in turns, but the stopping distance is inversely
+//! proportional to the resistance.
 
 use super::error::{HydroError, within};
 use super::mmg::{Mmg, Polynomial};
@@ -23,10 +23,10 @@ pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
 }
 
 impl Mmg {
-    /// The ship with her full-scale friction, from coefficients with a model's resistance. The correction is the difference of
-    /// the ITTC 1957 line between model and ship at the Froude number of a speed (m/s), on the wetted surface 1.7Ld + ∇/d
-    /// (UFC 4-159-03, eq. 18 and 19, read). Form factor and roughness allowance are neglected; they have opposite
-    /// effects.
+    /// The ship with her full-scale friction, from coefficients that contain a model's resistance. The correction is
+    /// the difference of the ITTC 1957 line between model and ship, at the Froude number of a speed (m/s), on the
+    /// wetted surface 1.7Ld + ∇/d (UFC 4-159-03, eq. 18 and 19, read). Form factor and roughness allowance are
+    /// neglected; they have opposite effects.
     ///
     /// # Errors
     /// [`HydroError::OutOfRange`] for a speed or a model length out of range, or if no resistance would be left.
@@ -64,8 +64,8 @@ impl Mmg {
 mod tests {
     use super::*;
 
-    /// Morrall's worked example: Re 5.62·10⁶, C_F 3.325·10⁻³. The tolerance is half a unit of the last digit of C_F, plus as
-    /// much for the rounding of Re.
+    /// Morrall's worked example: Re 5.62·10⁶, C_F 3.325·10⁻³. The tolerance is half a unit of the last digit of C_F,
+    /// plus the same for the rounding of Re.
     #[test]
     fn the_ittc_line_gives_the_published_example() {
         let ours = ittc_1957(5.62e6).expect("in range");

@@ -48,14 +48,17 @@ mod blend;
 mod error;
 mod estimate;
 mod friction;
+mod linear_terms;
 mod low_speed;
 mod mmg;
 mod model3;
 mod particulars;
+mod polynomial;
 mod propeller;
 mod propeller_series;
 mod quantities;
 mod rudder;
+mod source;
 mod thruster;
 
 pub use added_mass::{AddedMass, clarke_added_mass, zhou_added_mass};

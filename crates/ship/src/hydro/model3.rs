@@ -1,8 +1,7 @@
 //! The equations of motion of a ship in three degrees of freedom, about midship, in water without current.
 //!
-//! (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and
-//! (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G m u r, with X, Y, N of [`Mmg::forces`], which include
-//! the Coriolis terms of the added mass.
+//! (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G
+//! m u r, with X, Y, N from [`Mmg::forces`]. These equations include the Coriolis terms of the added mass.
 
 use super::mmg::Mmg;
 use super::quantities::{Controls, Force, Velocity, Water};
@@ -16,7 +15,7 @@ pub struct Motion {
     pub east_m: f64,
     /// Heading, clockwise from north, not wrapped (rad).
     pub heading_rad: f64,
-    /// Velocity in her own axes.
+    /// Velocity in the ship's axes.
     pub velocity: Velocity,
 }
 
@@ -68,7 +67,7 @@ impl Model3 {
         self.water
     }
 
-    /// One step of semi-implicit Euler: velocities first, then the position with the new velocities.
+    /// One step of semi-implicit Euler: first the velocities, then the position with the new velocities.
     pub fn semi_implicit(
         &self,
         motion: &Motion,

@@ -20,8 +20,8 @@ pub struct Particulars {
 }
 
 impl Particulars {
-    /// From a block coefficient instead of a volume, with the centre of gravity amidships and a
-    /// gyradius of 0.25 L (the usual assumption of the MMG method).
+    /// Particulars from a block coefficient instead of a volume. The centre of gravity is amidships and the gyradius
+    /// 0.25 L (the usual assumption of the MMG method).
     ///
     /// # Errors
     /// See [`Particulars::check`].

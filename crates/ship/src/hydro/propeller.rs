@@ -1,12 +1,13 @@
 //! A propeller in all four quadrants of speed of advance and revolutions.
 //!
-//! With vp = 0.7πnD and va the speed of advance, β_p = atan2(va, vp) and
-//! T = ½ρ c_T(β_p)(va² + vp²) πD²/4, Q likewise with another D. This form has no division by n or
-//! va: thrust is continuous through zero revolutions and zero speed.
+//! With vp = 0.7πnD and the speed of advance va, β_p = atan2(va, vp) and T = ½ρ c_T(β_p)(va² + vp²) πD²/4. The torque Q
+//! has the same form with another factor D. This form has no division by n or va: thrust is continuous through zero
+//! revolutions and zero speed.
 //!
-//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°), the four-quadrant series of a
-//! Wageningen B4-70 for β_p < −25° or > 60° and all revolutions astern, and a smooth interpolation between, which is
-//! an addition of this project. c_Q is always from the series, as no torque is published with the manoeuvring models.
+//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). Elsewhere c_T is the
+//! four-quadrant series of a Wageningen B4-70 for β_p < −25°, for β_p > 60°, and for all revolutions astern. Between
+//! these ranges c_T is a smooth interpolation, which is our addition. c_Q is always from the series, because no torque
+//! is published with the manoeuvring models.
 
 use std::f64::consts::PI;
 
@@ -41,7 +42,7 @@ impl Series {
 pub struct Propeller {
     /// Diameter D (m).
     pub diameter_m: f64,
-    /// K_T polynomial [k₀, k₁, k₂] over J in the first quadrant; `None` to use the series.
+    /// K_T polynomial [k₀, k₁, k₂] in J for the first quadrant; `None` to use the series.
     pub thrust_polynomial: Option<[f64; 3]>,
     /// The series for the other quadrants and for torque.
     pub series: Series,
@@ -104,7 +105,7 @@ struct Flow {
     sin: f64,
 }
 
-/// Weight of the ship's polynomial, smooth over β_p.
+/// Weight of the ship's polynomial. The weight is a smooth function of β_p.
 fn own_weight(cos: f64, sin: f64) -> f64 {
     if cos <= 0.0 {
         return 0.0;
@@ -130,8 +131,8 @@ fn series_torque(series: Series, cos: f64, sin: f64) -> f64 {
     -1e-3 * series_sum(series.harmonics(), 2, cos, sin)
 }
 
-/// Σ A cos kβ + B sin kβ, with A in a column and B in the next. The harmonics follow from a recurrence by 2β: even and odd
-/// ones are separate chains, which the processor computes in parallel.
+/// Σ A cos kβ + B sin kβ, with A in one column and B in the next. The harmonics follow from a recurrence by 2β: even
+/// and odd harmonics are separate chains, which the processor computes in parallel.
 fn series_sum(harmonics: &Harmonics, column: usize, cos: f64, sin: f64) -> f64 {
     let (cos_2, sin_2) = (cos * cos - sin * sin, 2.0 * sin * cos);
     let turned = |(c, s): (f64, f64)| (c * cos_2 - s * sin_2, s * cos_2 + c * sin_2);

@@ -1,5 +1,5 @@
-//! Velocities and forces in the ship's own axes: x forward, y to starboard, moments positive to
-//! starboard, all about midship.
+//! Velocities and forces in the ship's axes: x forward, y to starboard, moments positive to starboard, all about
+//! midship.
 
 use crate::constants::SEA_WATER_KGPM3;
 use fenderline_contact::number::bounded;
@@ -13,7 +13,7 @@ pub struct Velocity {
     pub surge_mps: f64,
     /// To starboard (m/s).
     pub sway_mps: f64,
-    /// Bow to starboard (rad/s).
+    /// Rate of turn, positive if the bow turns to starboard (rad/s).
     pub yaw_radps: f64,
 }
 
@@ -36,7 +36,7 @@ pub struct Force {
     pub surge_n: f64,
     /// To starboard (N).
     pub sway_n: f64,
-    /// Bow to starboard (N m).
+    /// Moment, positive if it turns the bow to starboard (N m).
     pub yaw_nm: f64,
 }
 
@@ -94,7 +94,7 @@ pub struct Controls {
     pub rudder_rad: f64,
 }
 
-/// Smooth step 3t² − 2t³ between 0 and 1, constant outside.
+/// Smooth step 3t² − 2t³ between 0 and 1, constant outside this range.
 pub(super) fn smooth_step(t: f64) -> f64 {
     let t = bounded(t, 0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -1,24 +1,26 @@
 //! A rudder behind a propeller in all conditions: propeller ahead, stopped or astern.
 //!
-//! Ahead it is the rudder of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of u_R that is finite at
-//! bollard pull. The rest is an addition of this project, chosen for continuous forces, and not validated:
+//! With the propeller ahead it is the rudder of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of u_R
+//! that is finite at bollard pull. The rest is our addition. Our addition is chosen for continuous forces, and not
+//! validated:
 //!
-//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|), with the sign of the thrust.
-//! - If the race passes over the rudder, that speed is multiplied by κ, as in the method. If the rudder is on the intake
-//!   side, the factor is that of actuator-disc theory half a diameter upstream, ½(1 − 1/√2) = 0.146.
-//! - Drift enters as Uβ up to about 40° and as −v beyond, because β is discontinuous astern.
+//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|). The
+//!   speed of the race has the sign of the thrust T.
+//! - If the race passes over the rudder, its speed is multiplied by κ, as in the method. If the rudder is on the intake
+//!   side, the factor is ½(1 − 1/√2) = 0.146: actuator-disc theory half a diameter upstream.
+//! - Drift enters as Uβ up to about 40° and as −v beyond, because β is discontinuous for motion straight astern.
 //! - In reversed flow the rudder has the same lift as in flow from ahead, which is optimistic.
 
 use std::f64::consts::PI;
 
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// Induced speed half a diameter upstream of the disc, over that far downstream.
+/// Induced speed half a diameter upstream of the disc, over the induced speed far downstream.
 const INTAKE: f64 = 0.5 * (1.0 - std::f64::consts::FRAC_1_SQRT_2);
-/// cos β up to which drift enters as −v, and from which on as Uβ.
+/// cos β up to which drift enters as −v, and cos β from which on it enters as Uβ.
 const DRIFT_COSINES: [f64; 2] = [0.26, 0.77];
 
-/// A rudder with its interaction coefficients with hull and propeller, by the MMG method.
+/// A rudder, with coefficients of its interaction with hull and propeller, by the MMG method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rudder {
     /// Movable area A_R (m²).
@@ -37,9 +39,9 @@ pub struct Rudder {
     pub straightening_place: f64,
     /// Steering resistance deduction t_R.
     pub resistance_deduction: f64,
-    /// a_H: lateral force on the hull due to steering, over that of the rudder.
+    /// a_H: lateral force on the hull due to steering, over the lateral force on the rudder.
     pub hull_gain: f64,
-    /// x'_H: position of that force, over L.
+    /// x'_H: position of the lateral force on the hull, over L.
     pub hull_place: f64,
     /// x'_R: position of the rudder, over L (−0.5 at the after perpendicular).
     pub place: f64,
@@ -52,7 +54,7 @@ pub struct Race {
     pub advance_mps: f64,
     /// Thrust of the propeller (N).
     pub thrust_n: f64,
-    /// Its diameter (m).
+    /// Diameter of the propeller (m).
     pub diameter_m: f64,
 }
 
@@ -96,8 +98,8 @@ impl Rudder {
             * (along_mps * sin - across_mps * cos)
     }
 
-    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²), extended to the case where the two parts
-    /// have different signs by (p|p| + q|q|)/√(p² + q²), which is equal to it for equal signs.
+    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²). If the two parts p and q have different signs, (p|p| +
+    /// q|q|)/√(p² + q²) extends the formula; for equal signs the two are the same.
     fn inflow_along_mps(&self, race: &Race, water: Water) -> f64 {
         let advance_mps = race.advance_mps;
         let loading =
@@ -117,7 +119,7 @@ impl Rudder {
 
     /// v_R = γ_R(Uβ − l_R r) (m/s), with γ_R for the side from which the water comes.
     ///
-    /// γ_R is selected by the sign of β_R, which makes v_R continuous; some sources select it by β_P.
+    /// γ_R is selected by the sign of β_R, which makes v_R continuous; some sources select γ_R by β_P.
     fn inflow_across_mps(&self, velocity: &Velocity, length_m: f64) -> f64 {
         let speed_mps = velocity.speed_mps();
         if speed_mps == 0.0 {
@@ -139,13 +141,13 @@ impl Rudder {
     }
 }
 
-/// 1 if all the water through the disc passes over the rudder, 0 if the rudder is on the intake side; between them if thrust
-/// and speed of advance have different signs.
+/// 1 if all the water through the disc passes over the rudder, 0 if the rudder is on the intake side. The value is
+/// between the two if thrust and speed of advance have different signs.
 fn share_over_rudder(advance_mps: f64, loading: f64) -> f64 {
     let advance_squared = advance_mps * advance_mps;
     let sum = advance_squared + loading.abs();
     if sum == 0.0 {
-        // No race and no speed of advance, or one whose square is 0: any share gives no flow.
+        // There is no race, and no speed of advance or one whose computed square is 0: any share gives no flow.
         return 1.0;
     }
     match (advance_mps >= 0.0, loading >= 0.0) {

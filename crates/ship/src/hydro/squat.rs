@@ -6,7 +6,8 @@ use fenderline_contact::number::{greater, lesser};
 use super::particulars::Particulars;
 use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
-/// Depth Froude number above which the squat stays constant: displacement ships do not go faster in shallow water.
+/// Above this depth Froude number the squat stays constant, because displacement ships do not go faster in shallow
+/// water.
 pub const FASTEST_FROUDE: f64 = 0.9;
 
 /// The speed of long waves in water of a depth (m): √(gh) (m/s).
@@ -15,11 +16,11 @@ pub fn critical_mps(depth_m: f64) -> f64 {
     (STANDARD_GRAVITY_MPS2 * depth_m).sqrt()
 }
 
-/// A squat formula for open water, as given by PIANC (`shallow/squat_formulas.rs`). Verified against independent
-/// calculations, not validated against trials.
+/// A squat formula for open water, as given by PIANC (`shallow/squat_formulas.rs`). The formulas are verified against
+/// independent calculations, but not validated against trials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
-    /// Barrass for open water, [`barrass_squat_m`]: independent of depth, for 1.1 to 1.4 draughts.
+    /// Barrass for open water, [`barrass_squat_m`]. The formula does not depend on depth. For 1.1 to 1.4 draughts.
     Barrass,
     /// ICORELS, [`icorels_squat_m`].
     #[default]
@@ -29,7 +30,7 @@ pub enum Squat {
 }
 
 impl Squat {
-    /// Its name, for reports.
+    /// Name of the formula, for reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -39,7 +40,7 @@ impl Squat {
         }
     }
 
-    /// Range of depth over draught for which it is valid (recalled); `None`: any shallow depth.
+    /// Range of depth over draught for which the formula is valid (recalled); `None`: any shallow depth.
     #[must_use]
     pub fn depth_ratios(self) -> Option<[f64; 2]> {
         match self {
@@ -51,9 +52,9 @@ impl Squat {
 
     /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern.
     ///
-    /// Above a depth Froude number of 0.9 it is constant: displacement ships do not go faster there, and ICORELS is
-    /// singular at 1. Below [`SHALLOWEST_RATIO`] draughts, also aground, it is that at this depth: no formula is valid for
-    /// less, and squat is continuous where the ship touches the bottom.
+    /// Above a depth Froude number of 0.9 the squat is constant: displacement ships do not go faster there, and ICORELS
+    /// is singular at 1. Below [`SHALLOWEST_RATIO`] draughts, also aground, the squat for that depth is used. No
+    /// formula is valid for less depth, and the squat stays continuous when the ship touches the bottom.
     ///
     /// # Panics
     /// If depth or speed is NaN.

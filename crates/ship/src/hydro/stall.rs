@@ -1,31 +1,36 @@
-//! The lift of a drifting hull, and how the hull loses it as she drifts more.
+//! The lift of a drifting hull, and the loss of lift as the drift increases.
 //!
-//! A slender hull in deep water is a wing of an aspect ratio of 0.1: its lift does not break down before half a right angle, and the
-//! form of Yoshimura et al., Y_v v|u|, has it at all angles. Near the bottom she is a wing between walls, of an effective aspect ratio
-//! above 1. Y_v and N_v are then seven or eight times as large, and such a wing stalls at 15 to 20°. So what the bottom adds is lost from there on.
-//! In a flow that is quite separated no hull keeps more lift than 0.8 of her cross-flow drag (ours): at most, side force is then 1.15
-//! times that abeam. Of the library only a tug, with 1.0 in deep water, would have more.
+//! In deep water a slender hull is a wing with an aspect ratio of 0.1. The lift of such a hull does not break down
+//! below half a right angle, and the form of Yoshimura et al., Y_v v|u|, has this lift at all angles. Near the bottom
+//! the hull is a wing between walls, with an effective aspect ratio above 1. Y_v and N_v are then seven or eight times
+//! as large, and such a wing stalls at 15 to 20°. So beyond this angle the hull loses the lift that the bottom adds. In
+//! a fully separated flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then
+//! at most 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more, with 1.0 in deep
+//! water.
 //!
-//! The only curve over all angles that could be read is OCIMF's for a loaded tanker in 1.1 draughts of water (`validation/current.toml`). Its side
-//! force, less the cross-flow drag C_D sin²β, is 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is what
-//! there is in deep water. Over the stern it is the same. The moment, less the shift by 0.02 L that a fuller stern makes, falls to half of
-//! N_v sin β cos β and no further: bow and stern are still pushed apart as by a flow that is not separated (Munk). The angles and this half are read from
-//! the curve; they hold at all depths, as there is no other.
+//! Only one curve over all angles could be read: OCIMF's curve for a loaded tanker in 1.1 draughts of water
+//! (`validation/current.toml`). From the curve's side force the cross-flow drag C_D sin²β is subtracted. The rest is
+//! 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is the value of deep
+//! water. In a flow over the stern it is the same. A fuller stern shifts the moment by 0.02 L. Without this shift the
+//! moment falls to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is
+//! not separated (Munk). The angles and this half are read from the curve. The angles and the half are used at all
+//! depths, because there is no other curve.
 
 use fenderline_contact::number::lesser;
 
 use super::low_speed::LowSpeedHull;
 use super::quantities::{Velocity, smooth_step};
 
-/// |u|/U from which on the flow is attached, 20°, and up to which it is separated, 46°.
+/// From the first value of |u|/U on, the flow is attached (20°). Up to the second value of |u|/U, it is separated
+/// (46°).
 const ATTACHED: f64 = 0.94;
 const SEPARATED: f64 = 0.70;
 /// Share of the moment due to the bottom that is left in separated flow.
 const MOMENT_LEFT: f64 = 0.5;
-/// Most lift in separated flow, Y'v over the drag coefficient in the same depth.
+/// Largest lift in separated flow: Y'v over the drag coefficient at the same depth.
 const MOST_LIFT: f64 = 0.8;
 
-/// What a hull loses of her lift in separated flow.
+/// The part of its lift that a hull loses in separated flow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stall {
     /// Draught over depth, 0 in deep water.
@@ -37,7 +42,7 @@ pub struct Stall {
 }
 
 impl Stall {
-    /// From the forms in deep water and in the depth in question.
+    /// The loss of lift, from the low-speed forms in deep water and at the actual depth.
     pub(super) fn of(deep: &LowSpeedHull, there: &LowSpeedHull, draught_over_depth: f64) -> Stall {
         let most = MOST_LIFT * there.cross_flow.drag_coefficient;
         let kept = lesser(deep.sway_v.abs(), most);
@@ -48,7 +53,7 @@ impl Stall {
         }
     }
 
-    /// The low-speed form for a direction of motion: without the lift that is lost.
+    /// The low-speed form for a direction of motion, without the lost lift.
     pub(super) fn after(&self, attached: &LowSpeedHull, velocity: &Velocity) -> LowSpeedHull {
         let separated = separated(velocity);
         LowSpeedHull {
@@ -59,12 +64,12 @@ impl Stall {
     }
 }
 
-/// The share of a term that is more than what is kept of it.
+/// The share of a term that is lost if the value `kept` remains.
 fn lost(kept: f64, term: f64) -> f64 {
     if term.abs() > kept { 1.0 - kept / term.abs() } else { 0.0 }
 }
 
-/// How far the flow is separated, 0 to 1: by the drift angle, ahead and astern alike.
+/// How far the flow is separated, 0 to 1. The separation depends on the drift angle, in the same way ahead and astern.
 fn separated(velocity: &Velocity) -> f64 {
     let speed_mps = velocity.speed_mps();
     if speed_mps == 0.0 {

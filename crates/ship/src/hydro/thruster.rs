@@ -8,9 +8,9 @@ use super::quantities::{Force, Velocity, Water, smooth_step};
 
 /// Speed at which a tunnel thruster is least effective.
 const WORST_MPS: f64 = 4.0 * KNOT_MPS;
-/// Its effectiveness at that speed.
+/// Effectiveness of a tunnel thruster at this speed.
 const WORST: f64 = 0.5;
-/// Speed from which on it is fully effective again.
+/// Speed from which on a tunnel thruster is fully effective again.
 const AGAIN_MPS: f64 = 15.0 * KNOT_MPS;
 
 /// A bow or stern thruster in a tunnel.
@@ -59,8 +59,8 @@ pub struct AzimuthThruster {
 impl AzimuthThruster {
     /// Force for revolutions (1/s) and an azimuth (rad) of the thrust: 0 drives ahead, π/2 to starboard.
     ///
-    /// The speed of advance is the velocity of the water at the unit along its axis, yaw included. Drag of the unit across its
-    /// axis is neglected.
+    /// The speed of advance is the velocity of the water at the unit along its axis, yaw included. Drag across the axis
+    /// is neglected.
     pub fn force(
         &self,
         shaft_rps: f64,
@@ -82,8 +82,8 @@ impl AzimuthThruster {
         (1.0 - self.wake) * (along_mps * cos + across_mps * sin)
     }
 
-    /// Revolutions (1/s) that give a thrust (N) in a direction at a velocity of the ship: at most `max_rps`, and zero if the
-    /// inflow alone gives more thrust.
+    /// Revolutions (1/s) that give a thrust (N) in a direction, at a velocity of the ship. At most `max_rps`; zero if
+    /// the inflow alone gives more thrust.
     pub fn revolutions_at(
         &self,
         thrust_n: f64,
@@ -100,7 +100,7 @@ impl AzimuthThruster {
         least_with(surplus_n, max_rps)
     }
 
-    /// Revolutions (1/s) that give a thrust ahead at rest (N): thrust is proportional to their square.
+    /// Revolutions (1/s) that give a thrust ahead at rest (N): thrust is proportional to the square of the revolutions.
     pub fn revolutions_for(&self, thrust_n: f64, water: Water) -> f64 {
         let of_one_n = (1.0 - self.thrust_deduction) * self.propeller.thrust_n(0.0, 1.0, water);
         libm::sqrt(greater(thrust_n, 0.0) / of_one_n)
@@ -109,14 +109,16 @@ impl AzimuthThruster {
 
 /// Halvings of the range of revolutions.
 const HALVINGS: u32 = 24;
-/// Half the width of the bracket of the root, over the greatest revolutions: less than the last halving leaves.
+/// Half the width of the bracket around the root, over the greatest revolutions. The half width is less than the
+/// interval that the last halving leaves.
 const FINE: f64 = 1.0 / 134_217_728.0;
 
-/// The revolutions (1/s) from 0 to `max_rps` at which a surplus of thrust, which increases with them, becomes positive: by bisection.
+/// The revolutions (1/s) from 0 to `max_rps` at which the thrust exceeds the wanted thrust, found by bisection. The
+/// surplus of thrust increases with the revolutions.
 ///
-/// The series of the propeller is most of a tug's step, so that the root is bracketed first, by the rule of false position in the square of the
-/// revolutions, to which thrust is nearly proportional. The surplus is computed within the bracket only, which is less than half as often, and
-/// the result is that of a plain bisection to the bit.
+/// The series of the propeller takes most of a tug's step. So the root is bracketed first, by the rule of false
+/// position in the square of the revolutions, to which thrust is nearly proportional. The surplus is then computed only
+/// within the bracket, which is less than half as often. The result is that of a plain bisection to the bit.
 fn least_with(surplus_n: impl Fn(f64) -> f64, max_rps: f64) -> f64 {
     let (below, above) = bracket(&surplus_n, max_rps);
     let (mut low, mut high) = (0.0, max_rps);
@@ -131,7 +133,8 @@ fn least_with(surplus_n: impl Fn(f64) -> f64, max_rps: f64) -> f64 {
 /// Revolutions (1/s) below which, and from which on, the sign of the surplus is known.
 fn bracket(surplus_n: &impl Fn(f64) -> f64, max_rps: f64) -> (f64, f64) {
     let (mut low, mut at_low) = (0.0, surplus_n(0.0));
-    // The inflow from astern alone gives more: thrust falls before it rises, and only a plain bisection finds what that finds.
+    // The inflow from astern alone gives more thrust: the thrust falls before it rises, and only a plain bisection
+    // finds the same root.
     if at_low >= 0.0 {
         return (-1.0, f64::INFINITY);
     }
@@ -144,14 +147,15 @@ fn bracket(surplus_n: &impl Fn(f64) -> f64, max_rps: f64) -> (f64, f64) {
     for _ in 0..8 {
         let square = low * low + (high * high - low * low) * at_low / (at_low - at_high);
         let next = square.sqrt();
-        // Also ends where the two ends are one number.
+        // The loop also ends if both ends are the same number.
         let is_inside = low < next && next < high;
         if !is_inside {
             break;
         }
         let at_next = surplus_n(next);
         let is_short = at_next < 0.0;
-        // The end that stays twice counts half (Illinois): otherwise the other one would come near in small steps.
+        // An end that stays twice counts half (the Illinois rule). Otherwise the other end would come near in small
+        // steps only.
         let stays = was_short == Some(is_short);
         if is_short {
             (low, at_low) = (next, at_next);
@@ -189,7 +193,7 @@ mod tests {
         0.5 * (low + high)
     }
 
-    /// Every thrust at speeds of advance from 6 kn astern to 12 kn ahead.
+    /// The test covers every thrust, at speeds of advance from 6 kn astern to 12 kn ahead.
     #[test]
     fn revolutions_are_those_of_a_plain_bisection_to_the_bit() {
         let water = Water::SEA;

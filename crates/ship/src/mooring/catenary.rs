@@ -11,18 +11,19 @@ pub struct Cable {
     pub length_m: f64,
     /// EA (N), above 0.
     pub axial_stiffness_n: f64,
-    /// Weight per unstretched length in water (or air) (N/m), above 0.
+    /// Weight per unstretched length, in water or in air (N/m), above 0.
     pub weight_npm: f64,
 }
 
 /// A cable in equilibrium between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Catenary {
-    /// Horizontal tension H, constant along the cable, as the bottom has no friction (N).
+    /// Horizontal tension H, constant along the cable, because the bottom has no friction (N).
     pub horizontal_n: f64,
     /// Vertical force of the cable on its upper end, positive downwards (N).
     pub upper_vertical_n: f64,
-    /// Vertical force of the cable on its lower end, positive upwards; negative if the cable hangs below that end (N).
+    /// Vertical force of the cable on its lower end, positive upwards; negative if the cable hangs below the lower end
+    /// (N).
     pub lower_vertical_n: f64,
     /// Unstretched length that lies on the bottom (m).
     pub on_bottom_m: f64,
@@ -36,7 +37,7 @@ impl Catenary {
     }
 }
 
-/// Horizontal extent x and vertical extent z of the cable, with their derivatives by H and V.
+/// Horizontal extent x and vertical extent z of the cable, with their derivatives with respect to H and V.
 struct Extent {
     x: f64,
     x_h: f64,
@@ -46,15 +47,14 @@ struct Extent {
     z_v: f64,
 }
 
-/// The equilibrium of a cable whose upper end is `span_m` ≥ 0 away horizontally from the lower one and
-/// `rise_m` ≥ 0 above it. With `on_bottom` the lower end lies on a level bottom without friction.
+/// The equilibrium of a cable. The upper end is `span_m` ≥ 0 away horizontally from the lower end and `rise_m` ≥ 0
+/// above it. With `on_bottom` the lower end lies on a level bottom without friction.
 ///
-/// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA,
-/// z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL − ½wL²)/EA; with the part L − V/w on the bottom
-/// x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw) (Jonkman's quasi-static
-/// module, as MoorPy has it: found). It is solved by Newton's method in H and V from Jonkman's first guess. If that
-/// does not converge, two nested one-dimensional problems are solved: V for the rise at each H, and H for the span. Both
-/// are monotonic, so that bracketed Newton cannot fail.
+/// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA, z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL −
+/// ½wL²)/EA; with a part L − V/w on the bottom, x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw)
+/// (Jonkman's quasi-static module, as MoorPy has it: found). The system is solved by Newton's method in H and V from
+/// Jonkman's first guess. If that does not converge, two nested one-dimensional problems are solved: V for the rise at
+/// each H, and H for the span. Both problems are monotonic, so that bracketed Newton cannot fail.
 #[must_use]
 pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Catenary {
     if on_bottom && let Some(slack) = slack_on_bottom(cable, span_m, rise_m) {
@@ -81,7 +81,7 @@ pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Cat
 /// H and V by Newton's method in both; `None` if it does not converge to 1e-12 of the length.
 fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f64, f64)> {
     let (l, w) = (cable.length_m, cable.weight_npm);
-    // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 where it is taut (Jonkman, as in MoorPy's Catenary.py).
+    // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 if the cable is taut (Jonkman, as in MoorPy's Catenary.py).
     let excess = 3.0 * ((l * l - rise_m * rise_m) / (span_m * span_m) - 1.0);
     let lambda = if excess > 0.04 { excess.sqrt() } else { 0.2 };
     let mut h = 0.5 * w * span_m / lambda;
@@ -95,7 +95,7 @@ fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f
         let det = e.x_h * e.z_v - e.x_v * e.z_h;
         let step_h = (x * e.z_v - z * e.x_v) / det;
         let step_v = (z * e.x_h - x * e.z_h) / det;
-        // H and V stay positive.
+        // H and V must stay positive.
         h = if h + step_h > 0.0 { h + step_h } else { 0.25 * h };
         v = if v + step_v > 0.0 { v + step_v } else { 0.25 * v };
         if !(h.is_finite() && v.is_finite()) {
@@ -125,8 +125,8 @@ fn bracketed(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> (f64, 
     (h, vertical_for(cable, h, rise_m, on_bottom))
 }
 
-/// A slack cable on the bottom: part of it hangs vertically, the rest lies on the bottom. `None` if the cable is too short
-/// for that.
+/// A slack cable on the bottom: one part hangs vertically, and the rest lies on the bottom. `None` if the cable is too
+/// short for this.
 fn slack_on_bottom(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
     let (w, ea) = (cable.weight_npm, cable.axial_stiffness_n);
     // s + ws²/(2EA) = rise, without cancellation.
@@ -150,7 +150,7 @@ fn taut_on_bottom(cable: &Cable, span_m: f64) -> Catenary {
     }
 }
 
-/// A cable with its ends above each other: two vertical legs, or one stretched leg.
+/// A cable whose ends are above each other: two vertical legs, or one stretched leg.
 fn vertical(cable: &Cable, rise_m: f64) -> Catenary {
     let (l, w, ea) = (cable.length_m, cable.weight_npm, cable.axial_stiffness_n);
     let stretched_m = l + 0.5 * w * l * l / ea;
@@ -213,8 +213,9 @@ fn extent(cable: &Cable, h: f64, v: f64, on_bottom: bool) -> Extent {
 mod tests {
     use super::*;
 
-    /// The two solution methods agree wherever both converge, to 1e-6 of the weight: a residual of 1e-12 of the length is
-    /// at most EA·1e-12 of tension (here 1e-8 of the weight), and more for a slack cable, whose shape depends little on H.
+    /// The two solution methods agree wherever both converge, to 1e-6 of the weight. A residual of 1e-12 of the length
+    /// is an error of at most EA·1e-12 of tension (here 1e-8 of the weight). It is more for a slack cable, whose shape
+    /// depends little on H.
     #[test]
     fn newton_and_the_bracketed_solution_agree() {
         let (mut converged, mut all) = (0, 0);

@@ -21,11 +21,11 @@ impl LineEnds {
 pub(super) struct Span {
     pub(super) distance_m: f64,
     pub(super) horizontal_m: f64,
-    /// Height of the shore end above the ship's (m).
+    /// Height of the shore end above the ship's end (m).
     pub(super) up_m: f64,
     /// Unit vector from the ship's end to the shore end; zero if they coincide.
     pub(super) towards_shore: [f64; 3],
-    /// Horizontal unit vector from the ship's end to the shore end; zero if they are above each other.
+    /// Horizontal unit vector from the ship's end to the shore end; zero if one end is above the other.
     pub(super) horizontally: [f64; 2],
 }
 

@@ -21,13 +21,13 @@ pub enum MooringError {
     TooShort {
         /// The line.
         line: String,
-        /// Its length (m).
+        /// Length of the line (m).
         length_m: f64,
-        /// Distance between its ends (m).
+        /// Distance between the ends of the line (m).
         span_m: f64,
     },
-    /// A pretension that cannot be reached: it is above the break load or the winch's render tension, below the tension from
-    /// the line's own weight, or needs less than the tail outboard.
+    /// A pretension that cannot be reached. The pretension is above the break load or above the winch's render tension,
+    /// it is below the tension by the line's own weight, or it would leave less than the tail outboard.
     Pretension {
         /// The line.
         line: String,

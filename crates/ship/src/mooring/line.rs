@@ -27,9 +27,9 @@ pub struct LineLoad {
     pub tension_n: f64,
     /// Force on the ship at her fairlead: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Force on what holds the other end: north, east, up (N).
+    /// Force on the bollard, anchor or ship at the other end: north, east, up (N).
     pub on_shore_n: [f64; 3],
-    /// What the winch did in the step.
+    /// Report of the winch in the step.
     pub winch: WinchReport,
     /// The tension at which the line parted in this step (N).
     pub parted_at_n: Option<f64>,
@@ -39,7 +39,7 @@ pub struct LineLoad {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     setup: LineSetup,
-    /// Tensions at which the load curve of rope or tail has a corner, increasing (N).
+    /// Tensions at which the load curve of rope or tail has a corner, in rising order (N).
     corners_n: Vec<f64>,
     break_load_n: f64,
     /// Length outboard with an empty drum (m).
@@ -78,10 +78,11 @@ impl Line {
         self.break_load_n
     }
 
-    /// One step: executes the winch order for `step_s`, then gives the forces for the present positions of the ends.
+    /// One step: carries out the winch order for `step_s`, then computes the forces for the present positions of the
+    /// ends.
     ///
-    /// A brake renders until the tension is at its setting, and does not take line back in. A line whose tension is then
-    /// still above the break load parts for good.
+    /// A brake renders until the tension is down to its setting, and does not take line back in. If the tension is then
+    /// still above the break load, the line parts for good.
     pub fn step(
         &self,
         state: &mut LineState,
@@ -107,7 +108,7 @@ impl Line {
         load
     }
 
-    /// Executes a winch order, which changes the length outboard.
+    /// Carries out a winch order, which changes the length outboard.
     fn run_winch(
         &self,
         winch: &Winch,
@@ -144,7 +145,7 @@ impl Line {
         report
     }
 
-    /// A constant-tension winch moves the line towards its band, as fast as it can.
+    /// Moves a line on a constant-tension winch towards the band of tension, as fast as the winch can.
     fn hold_tension(
         &self,
         automatic: &ConstantTension,
@@ -216,8 +217,8 @@ impl Line {
         }
     }
 
-    /// The tension at which rope and tail together span the distance between the ends (N). It is exact, because the stretch is
-    /// a piecewise linear function of the tension.
+    /// The tension at which rope and tail together span the distance between the ends (N). The result is exact, because
+    /// the stretch is a piecewise linear function of the tension.
     fn light_tension_n(&self, rope: &LightRope<'_>, span: &Span) -> f64 {
         if span.distance_m <= rope.length_m {
             return 0.0;
@@ -231,8 +232,8 @@ impl Line {
         low_n + (high_n - low_n) * (span.distance_m - low_m) / (high_m - low_m)
     }
 
-    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side: the tail alone if that is long
-    /// enough. `None` if the weight of a cable gives more tension at every length.
+    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side. The length is that of the
+    /// tail alone if the tail is long enough. `None` if the weight of a cable gives more tension at every length.
     fn length_for(&self, tension_n: f64, ends: &LineEnds) -> Option<f64> {
         let span = Span::of(ends);
         match &self.setup.kind {
@@ -250,14 +251,15 @@ impl Line {
                 Some(taut_m)
             }
             LineKind::Heavy { axial_stiffness_n, .. } => {
-                // At this length a straight cable without weight has the wanted tension; the real one has more.
+                // At this length a straight cable without weight has the wanted tension; the real cable has more.
                 let taut_m = span.distance_m / (1.0 + tension_n / axial_stiffness_n);
                 self.heavy_length_m(tension_n, taut_m, ends)
             }
         }
     }
 
-    /// Length of a cable or of a rope with weight for a tension: lengthens a taut cable until the tension falls below the wanted one, then bisects.
+    /// Length of a cable or of a rope with weight for a tension. The search lengthens a taut cable until the tension
+    /// falls below the wanted tension, then bisects.
     fn heavy_length_m(&self, tension_n: f64, taut_m: f64, ends: &LineEnds) -> Option<f64> {
         let tension_at = |length_m: f64| self.load(length_m, ends).tension_n;
         let (mut tight_m, mut tight_n) = (taut_m, tension_at(taut_m));
@@ -270,7 +272,7 @@ impl Line {
                 break;
             }
             if slack_n >= tight_n {
-                // Past the minimum of the tension: the weight alone gives more than the wanted tension.
+                // The tension is past its minimum: the weight alone gives more than the wanted tension.
                 return None;
             }
             (tight_m, tight_n) = (slack_m, slack_n);
@@ -288,17 +290,17 @@ impl Line {
     }
 }
 
-/// A mooring rope of a length outboard.
+/// A mooring rope with a length outboard.
 struct LightRope<'l> {
     main: &'l Rope,
     tail: Option<&'l Tail>,
     details: &'l LineDetails,
-    /// Unstretched, with the tail (m).
+    /// Unstretched length, tail included (m).
     length_m: f64,
 }
 
 impl LightRope<'_> {
-    /// Stretched length outboard at a tension (m), with what the rope on deck gives.
+    /// Stretched length outboard at a tension (m), with the stretch of the rope on deck added.
     fn reach_m(&self, tension_n: f64) -> f64 {
         let tail_m = self.tail.map_or(0.0, |tail| tail.length_m);
         let main_m = (self.length_m - tail_m) * (1.0 + strain(self.main, tension_n));
@@ -308,7 +310,7 @@ impl LightRope<'_> {
             + stretch_on_deck_m(self.main, self.details, tension_n)
     }
 
-    /// Forces with the sag by its weight, from the tension without it.
+    /// Forces of a rope that sags by its weight. `least_n` is the tension without weight.
     fn sagging_load(&self, least_n: f64, span: &Span) -> LineLoad {
         let weight_n = self.details.weight_npm * self.length_m;
         let spans_m = [span.distance_m, span.horizontal_m];
@@ -324,7 +326,7 @@ impl LightRope<'_> {
     }
 }
 
-/// What the rope on deck stretches by at a tension outboard (m).
+/// Stretch of the rope on deck at a tension outboard (m).
 fn stretch_on_deck_m(main: &Rope, details: &LineDetails, tension_n: f64) -> f64 {
     details.on_deck.map_or(0.0, |deck| deck.length_m * strain(main, deck.share * tension_n))
 }

@@ -1,13 +1,13 @@
 //! Mooring lines: ropes, tails, winches, and cables in a catenary.
 //!
-//! A [`Line`] is the constant part, checked once; a [`LineState`] is plain data that can be copied, compared and
-//! replayed. [`Line::step`] takes the positions of the two ends and gives the forces on them. Lines are quasi-static,
-//! without inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only the
-//! winch dissipates energy.
+//! A [`Line`] is the constant part, checked once. A [`LineState`] is plain data that can be copied, compared and
+//! replayed. [`Line::step`] takes the positions of the two ends and returns the forces on them. Lines are quasi-static;
+//! lines have no inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only
+//! the winch dissipates energy.
 //!
-//! MEG4 (found in public summaries; the guideline was not read): a line's design break force is 100 to
-//! 105 % of the ship design MBL, a tail's 125 to 130 %; working load 55 % (wire) or 50 % (synthetic);
-//! brakes are set to render at 60 %.
+//! MEG4 (found in public summaries; the guideline was not read): the design break force of a line is 100 to 105 % of
+//! the ship design MBL, that of a tail 125 to 130 %. The working load is 55 % (wire) or 50 % (synthetic). Brakes are
+//! set to render at 60 %.
 //!
 //! ```
 //! use fenderline_ship::mooring::*;

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use super::error::RopeError;
 
-/// Tension as a share of the break load, by strain: piecewise linear, starting at (0, 0) and extrapolated beyond the last
+/// Tension as a share of the break load, by strain: piecewise linear from (0, 0) on, and extrapolated beyond the last
 /// point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RopeCurve {
-    /// (strain, share of the break load).
+    /// Points (strain, share of the break load).
     points: Cow<'static, [[f64; 2]]>,
 }
 
@@ -41,7 +41,7 @@ impl RopeCurve {
         }
     }
 
-    /// The straight curve of an axial stiffness EA (N) of a rope of a break load (N).
+    /// The straight curve of a rope with an axial stiffness EA (N) and a break load (N).
     ///
     /// # Errors
     /// A strain at break above 10, or numbers that are not above zero.

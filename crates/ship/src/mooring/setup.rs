@@ -15,22 +15,22 @@ pub struct LineSetup {
     pub name: String,
     /// Type and material.
     pub kind: LineKind,
-    /// What holds its inboard end.
+    /// The device that holds the inboard end of the line.
     pub inboard_end: InboardEnd,
-    /// Its length outboard at the start.
+    /// Length outboard at the start.
     pub initial_length: InitialLength,
 }
 
 /// Type and material of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LineKind {
-    /// A mooring rope: straight between its ends, but for the sag by its weight where that is given.
+    /// A mooring rope: straight between its ends, apart from the sag by its weight if the weight is given.
     Light {
         /// The rope on the winch.
         main: Rope,
         /// A softer tail in series at the shore end.
         tail: Option<Tail>,
-        /// What else is known of it.
+        /// Further data of the rope.
         details: LineDetails,
     },
     /// A cable that hangs in a catenary.
@@ -46,36 +46,39 @@ pub enum LineKind {
     },
 }
 
-/// What may be known of a rope beside its load curve.
+/// Further data of a rope, beside its load curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineDetails {
-    /// The rope on deck, between what holds it and the chock.
+    /// The rope on deck, between winch or bitts and the chock.
     pub on_deck: Option<OnDeck>,
     /// Weight of rope and tail outboard per unstretched length (N/m); 0: neglected.
     ///
-    /// The rope then hangs in a flat parabola: its stretched length S and the distance c of its ends, h of it horizontal, are in
-    /// S = c (1 + (W h/S)²/(24 T²)), with W the weight outboard and T the tension along the chord, at its middle; each end bears half of the
-    /// weight. The error is of the next order, (W/T)⁴/1920 or so of the length.
+    /// With weight, the rope hangs in a flat parabola. The rope's stretched length S and the distance c of its ends, of
+    /// which h is horizontal, satisfy S = c (1 + (W h/S)²/(24 T²)). W is the weight outboard, and T the tension along
+    /// the chord, at the middle of the chord. Each end bears half of the weight. The error is of the next order, about
+    /// (W/T)⁴/1920 of the length.
     pub weight_npm: f64,
-    /// Working load (N), where it is not the guideline's share of the break load.
+    /// Working load (N), if it is not the guideline's share of the break load.
     pub working_load_n: Option<f64>,
 }
 
 /// Rope on deck between winch or bitts and the chock.
 ///
-/// It stretches with the tension that reaches it over the chock: T e^(−μφ) by the capstan's equation for a rope that is hauled outboard, as
-/// where the tension rises. A rope whose tension falls holds more on deck; this hysteresis is left out, so that the rope stays elastic.
-/// Brake and stall of a winch are compared with the tension outboard.
+/// The rope on deck stretches with the tension that reaches it over the chock: T e^(−μφ), by the capstan's equation for
+/// a rope that is hauled outboard, as when the tension rises. When the tension falls, the rope on deck keeps a higher
+/// tension. This hysteresis is left out, so that the rope stays elastic. Brake and stall of a winch are compared with
+/// the tension outboard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnDeck {
-    /// Its unstretched length (m).
+    /// Unstretched length of the rope on deck (m).
     pub length_m: f64,
-    /// Share of the tension that reaches it, e^(−μφ): above 0, at most 1.
+    /// Share of the tension that reaches the rope on deck, e^(−μφ): above 0, at most 1.
     pub share: f64,
 }
 
 impl OnDeck {
-    /// Rope on deck of a length (m) behind a chock of a coefficient of friction μ, about which it is bent by an angle φ (rad).
+    /// Rope on deck with this length (m) behind a chock. The rope bends round the chock by an angle φ (rad), with a
+    /// coefficient of friction μ.
     #[must_use]
     pub fn behind_chock(length_m: f64, friction: f64, wrap_rad: f64) -> OnDeck {
         OnDeck { length_m, share: libm::exp(-friction * wrap_rad) }
@@ -85,13 +88,13 @@ impl OnDeck {
 /// A tail in series with a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tail {
-    /// Its rope.
+    /// Rope of the tail.
     pub rope: Rope,
-    /// Its unstretched length (m).
+    /// Unstretched length of the tail (m).
     pub length_m: f64,
 }
 
-/// What holds the inboard end of a line.
+/// The device that holds the inboard end of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InboardEnd {
     /// Bitts: the line is held until it parts.
@@ -143,7 +146,7 @@ impl LineKind {
     }
 
     /// Working load of a mooring rope (N): 55 % of the rope's break load for wire, 50 % for others (public summaries of
-    /// OCIMF's MEG4), unless it is given. `None` for a cable, for which that guideline has none.
+    /// OCIMF's MEG4), unless it is given. `None` for a cable: the guideline gives none for cables.
     #[must_use]
     pub fn working_load_n(&self) -> Option<f64> {
         match self {
@@ -158,7 +161,7 @@ impl LineKind {
         }
     }
 
-    /// Tensions at which the load curve of rope or tail has a corner, increasing (N); none for a cable.
+    /// Tensions at which the load curve of rope or tail has a corner, in rising order (N); none for a cable.
     pub(super) fn corners_n(&self) -> Vec<f64> {
         let LineKind::Light { main, tail, details } = self else { return vec![] };
         let ropes = [Some(main), tail.as_ref().map(|tail| &tail.rope)];

@@ -1,7 +1,7 @@
 //! Root finding within a bracket.
 
-/// The root of an increasing function in [low, high] with f(low) ≤ 0 ≤ f(high), by Newton's method safeguarded by bisection,
-/// with at most 200 evaluations. `f` gives value and slope.
+/// The root of an increasing function in [low, high] with f(low) ≤ 0 ≤ f(high), by Newton's method safeguarded by
+/// bisection, with at most 200 evaluations. `f` returns value and slope.
 pub(super) fn root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64) -> f64 {
     let mut x = low.midpoint(high);
     for _ in 0..200 {
@@ -15,7 +15,7 @@ pub(super) fn root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64) -
             high = x;
         }
         let newton = x - value / slope;
-        // The comparison is false also for NaN and infinity, at zero slope.
+        // The comparison is also false for NaN and infinity, which occur at zero slope.
         let next = if newton > low && newton < high { newton } else { low.midpoint(high) };
         if (next - x).abs() <= 4.0 * f64::EPSILON * x.abs() {
             return next;

@@ -15,13 +15,14 @@ pub struct Winch {
     pub rate_mps: f64,
     /// Rope on the drum at the start (m).
     pub reserve_m: f64,
-    /// What holds a tension where the order is [`WinchOrder::Hold`]; `None`: the brake holds the line.
+    /// The automatic control that holds a tension while the order is [`WinchOrder::Hold`]; `None`: the brake holds the
+    /// line.
     pub constant_tension: Option<ConstantTension>,
 }
 
-/// The automatic of a constant-tension winch: it pays out above a band about the set tension, down to the band, and heaves in
-/// below it, up to the band. Faster motions than its speeds leave the tension outside the band. The brake renders as that of other
-/// winches.
+/// The automatic control of a constant-tension winch. The winch pays out if the tension is above a band around the set
+/// tension, down to the band. The winch heaves in if the tension is below the band, up to the band. Motions faster than
+/// the winch's speeds leave the tension outside the band. The brake renders as on other winches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTension {
     /// The set tension (N).
@@ -53,7 +54,7 @@ impl ConstantTension {
 /// The order to a winch for a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WinchOrder {
-    /// Brake on; a constant-tension winch holds its tension.
+    /// Brake on. A constant-tension winch holds its tension.
     #[default]
     Hold,
     /// Heave in (m/s).
@@ -62,24 +63,24 @@ pub enum WinchOrder {
     PayOut(f64),
 }
 
-/// What a winch did in a step.
+/// Report of a winch in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WinchReport {
     /// Length of rope rendered by the brake (m); 0 if it held.
     pub rendered_m: f64,
-    /// The motor stalled: it heaved less than ordered because of the tension.
+    /// Whether the motor stalled: it heaved less than ordered because of the tension.
     pub stalled: bool,
-    /// The ordered rate was above the winch's maximum, negative or NaN, and was limited.
+    /// Whether the ordered rate was limited: it was above the winch's maximum, negative or NaN.
     pub rate_limited: bool,
-    /// The drum is empty.
+    /// Whether the drum is empty.
     pub drum_empty: bool,
-    /// An order to heave or pay out a line on bitts, which has no effect.
+    /// Whether the order was to heave or pay out a line on bitts, which has no effect.
     pub no_winch: bool,
 }
 
 impl Winch {
-    /// A winch for a ship design MBL: brake set to render at 60 %, motor 30 % (both found in public
-    /// summaries of MEG4 and of brake tests: 60 %, pull 22 to 33 %), 0.25 m/s (assumed).
+    /// A winch for a ship design MBL. The brake renders at 60 % and the motor pulls 30 % (both found in public
+    /// summaries of MEG4 and of brake tests: 60 %, pull 22 to 33 %). The rate is 0.25 m/s (assumed).
     #[must_use]
     pub fn of_design(ship_design_mbl_n: f64, reserve_m: f64) -> Winch {
         Winch {
@@ -99,7 +100,7 @@ impl Winch {
         self.constant_tension.map_or(Ok(()), |automatic| automatic.check(self.render_n))
     }
 
-    /// Length that an order moves in a step, positive outboard (m), within the winch's maximum rate.
+    /// Length that an order moves in a step within the winch's maximum rate, positive outboard (m).
     pub(super) fn ordered_m(
         &self,
         order: WinchOrder,

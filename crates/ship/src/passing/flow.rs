@@ -10,21 +10,23 @@ use super::sections::Sections;
 /// A ship that passes.
 #[derive(Clone, Copy, Debug)]
 pub struct PassingShip<'s> {
-    /// Her sections.
+    /// Sections of the ship.
     pub sections: &'s Sections,
-    /// Where she is; the origin is that of her sections.
+    /// Pose of the ship; its origin is the origin of the sections.
     pub pose: Pose,
-    /// Her velocity over the water, north and east (m/s).
+    /// Velocity of the ship through the water, north and east (m/s).
     pub velocity_mps: Vec2,
 }
 
-/// Force and moment [X, Y, N] of a passing ship on a ship at rest, in the axes of the latter and about the origin of her sections:
-/// forward, to starboard, clockwise from above (N, N, N·m). Deep, open water; [`super::factors`] are for shallow water and quays.
+/// Force and moment [X, Y, N] of a passing ship on a ship at rest (N, N, N·m): forward, to starboard, clockwise from
+/// above. Force and moment are in the axes of the ship at rest, about the origin of her sections. The formulas are for
+/// deep, open water; [`super::factors`] are for shallow water and quays.
 ///
-/// `closest_m` is the least distance that any two points of the axes are taken to have, such as the mean of the two beams: nearer than
-/// that the hulls would overlap, and the force stays that of the distance.
+/// `closest_m` is the least distance that any two points of the axes are taken to have, such as the mean of the two
+/// beams. Nearer than this the hulls would overlap, and the force at this distance is used.
 ///
-/// Of the acceleration of the water only the part that the speed of the passing ship makes is taken, not that of a change of her speed.
+/// The acceleration of the water contains only the part due to the speed of the passing ship, not the part due to a
+/// change of her speed.
 #[must_use]
 pub fn force(
     at_rest: &Sections,
@@ -37,14 +39,16 @@ pub fn force(
     force_under_way(&at_rest, passing, density_kgpm3, closest_m)
 }
 
-/// As [`force`], on a ship that goes ahead or astern herself, at U₁ along her axis; both velocities are through the water.
+/// As [`force`], but the ship that feels the force goes ahead or astern herself, at U₁ along her axis. The velocities
+/// of both ships are through the water.
 ///
-/// The water of the other ship's flow has the velocity (u, v) at a section of area S. Her displaced water feels the acceleration that
-/// a place at rest sees, ρS ∂(u, v)/∂t. Across her axis her added mass, ρS for the slender half circle, has the momentum ρSv, which
-/// changes as she sees it: ρS (∂v/∂t)₁ − U₁ ∂(ρSv)/∂x, where ( )₁ is the change at a place that moves with her (Lighthill's momentum
-/// of slender bodies, recalled). Over her length the last term leaves no force and the moment U₁ ∫ρSv dx. Derived by this project; without
-/// speed of her own it is Wang's flow, and for two ships abreast of each other at one speed the forces are equal and opposite, as those
-/// between rows of sources must be. There is no lift: neither hull sheds a wake.
+/// The flow of the other ship gives the water the velocity (u, v) at a section of area S. The water displaced by that
+/// section feels the acceleration at a fixed place, ρS ∂(u, v)/∂t. Across the ship's axis, the added mass of the
+/// section (ρS for the slender half circle) has the momentum ρSv. In the frame of the moving ship this momentum changes
+/// by ρS (∂v/∂t)₁ − U₁ ∂(ρSv)/∂x, where ( )₁ is the change at a place that moves with the ship (Lighthill's momentum of
+/// slender bodies, recalled). Over the ship's length the last term leaves no force, and the moment U₁ ∫ρSv dx. We
+/// derived this. With U₁ = 0 it is Wang's flow. For two ships abreast at one speed the forces are equal and opposite,
+/// as the forces between rows of sources must be. There is no lift: neither hull sheds a wake.
 #[must_use]
 pub fn force_under_way(
     own: &PassingShip<'_>,
@@ -55,20 +59,21 @@ pub fn force_under_way(
     force_above_bottom([own, other], density_kgpm3, closest_m, None)
 }
 
-/// As [`force_under_way`], in water of a depth (m; `None`: deep): every source has its images in surface and bottom.
+/// As [`force_under_way`], in water of a depth (m; `None`: deep): every source has images in surface and bottom.
 pub(super) fn force_above_bottom(
     [own, other]: [&PassingShip<'_>; 2],
     density_kgpm3: f64,
     closest_m: f64,
     depth_m: Option<f64>,
 ) -> [f64; 3] {
-    // All in the axes of the ship that is pushed.
+    // All quantities are in the axes of the ship that is pushed.
     let relative = own.pose.to(other.pose);
     let [own_mps, velocity_mps] =
         [own, other].map(|ship| own.pose.rotation.apply_inverse(ship.velocity_mps));
     let own_mps = vec2(own_mps.x, 0.0);
     let ahead = relative.rotation.apply(vec2(1.0, 0.0));
-    // Where her area grows forward, she draws water in as she goes ahead; the image above the surface doubles it.
+    // Where the sectional area grows in the direction of the bow, the ship draws water in as she goes ahead. The image
+    // above the surface doubles this.
     let strength_mps = -velocity_mps.dot(ahead) / TAU;
     let mut wrench = [0.0; 3];
     for panel in &own.sections.panels {
@@ -97,9 +102,9 @@ const IMAGES: u32 = 4;
 
 /// A source, seen from a place.
 struct Seen {
-    /// From the source to the place (m).
+    /// Vector from the source to the place (m).
     from_m: Vec2,
-    /// Σ1/r³ over Σ1/r⁵: r² for a source alone (m²).
+    /// Σ1/r³ over Σ1/r⁵ (m²). For a source without images this is r².
     r2_m2: f64,
     /// Σ1/r³ over the source and its images (1/m³).
     per_r3: f64,
@@ -111,8 +116,8 @@ impl Seen {
         Seen { from_m, r2_m2, per_r3: 1.0 / (r2_m2 * libm::sqrt(r2_m2)) }
     }
 
-    /// A row of images, twice the depth apart. Those beyond the first few are taken as an integral from half way to the next, with the
-    /// first term of Euler and Maclaurin: below 0.01 % of the sum.
+    /// A row of images, twice the depth apart. The images beyond the first few are replaced by an integral from half
+    /// way to the next, with the first term of Euler and Maclaurin. The error is below 0.01 % of the sum.
     fn above_bottom(from_m: Vec2, closest_m: f64, depth_m: f64) -> Seen {
         let plane_m2 = greater(from_m.length_squared(), closest_m * closest_m);
         let apart_m = 2.0 * depth_m;
@@ -126,7 +131,7 @@ impl Seen {
             per_r3 += 2.0 * per;
             per_r5 += 2.0 * per / squared_m2;
         }
-        // ∫dz/(ρ² + z²)^{3/2} and ∫dz/(ρ² + z²)^{5/2} from there on, on both sides.
+        // ∫dz/(ρ² + z²)^{3/2} and ∫dz/(ρ² + z²)^{5/2} from that place on, on both sides.
         let last_m = (f64::from(IMAGES) + 0.5) * apart_m;
         let far_m2 = plane_m2 + last_m * last_m;
         let per_far3 = one(far_m2);
@@ -139,7 +144,7 @@ impl Seen {
         Seen { from_m, r2_m2: per_r3 / per_r5, per_r3 }
     }
 
-    /// How fast d/r³ changes in the place if the source moves past it: d is from the source to the place.
+    /// Rate of change of d/r³ at the place if the source moves past it. d is the vector from the source to the place.
     fn change(&self, velocity_mps: Vec2) -> Vec2 {
         let along = 3.0 * self.from_m.dot(velocity_mps) / self.r2_m2;
         (self.from_m * along - velocity_mps) * self.per_r3
@@ -150,7 +155,7 @@ impl Seen {
 mod tests {
     use super::*;
 
-    /// Images summed one by one, four thousand on each side: 0.01 %.
+    /// The reference sums four thousand images on each side one by one. The tolerance is 0.01 %.
     #[test]
     fn images_in_the_bottom_are_the_sum_of_all() {
         for plane_m in [3.0, 12.0, 30.0, 90.0, 400.0] {

@@ -1,21 +1,24 @@
-//! Forces of a passing ship on a ship at rest, such as one at her berth.
+//! Forces of a passing ship on a ship at rest, such as a ship at her berth.
 //!
-//! Potential flow about slender ships (Wang, Dynamic effects of ship passage on moored vessels, J. Waterways, Harbors and Coastal
-//! Eng. 101, 1975). The passing ship is a row of sources along her axis, by the change of her sectional area and her speed. Where the water
-//! speeds up, the ship at rest is pushed along with the water that she displaces; across her axis her added mass is pushed too, which for
-//! slender ships is that of a half circle of the same area. In the formulas of the paper, with U the passing speed, x along the ships
-//! and S' the slope of a sectional area along x:
+//! The method is potential flow about slender ships (Wang, Dynamic effects of ship passage on moored vessels, J.
+//! Waterways, Harbors and Coastal Eng. 101, 1975). The passing ship is a row of sources along her axis. The strength of
+//! the sources follows from her speed and from the change of her sectional area. Where the flow accelerates the water,
+//! it pushes the ship at rest together with the water that she displaces. Across her axis the accelerated water also
+//! pushes her added mass, which for slender ships is that of a half circle of the same area. In the formulas of the
+//! paper, with U the passing speed, x along the ships and S' the slope of a sectional area along x:
 //!
 //! - surge X = ρU²/(2π) ∬ S₁'S₂' (x₂−x₁+ξ)/r³,
 //! - sway Y = ρU²η/π ∬ S₁'S₂'/r³,
 //! - yaw N = ρU²η/π ∬ (S₁'x₁+S₁) S₂'/r³,
 //!
-//! for parallel ships in deep water, at a distance ξ along and η across, r² = (x₂−x₁+ξ)²+η². [`force`] has the same flow for ships at any
-//! angle. A wall beside a ship under way is a mirror: [`force_of_wall`] has the flow of her image.
+//! for parallel ships in deep water, at a distance ξ along and η across, with r² = (x₂−x₁+ξ)²+η². [`force`] gives the
+//! same flow for ships at any angle. A wall beside a ship under way is a mirror: [`force_of_wall`] has the flow of the
+//! ship's image.
 //!
-//! The sources make no waves and the flow follows the ships at once, so the formulas are for speeds well below that of long waves in
-//! the depth. The ship at rest does not disturb the flow of the other one. Model tests have forces that grow with U^2.32 (Swiegers,
-//! Calculation of the forces on a moored ship due to a passing container ship, Stellenbosch 2011).
+//! The sources make no waves, and the flow follows the ships at once. So the formulas are for speeds well below the
+//! speed of long waves in the depth. The ship at rest does not disturb the flow of the passing ship. In model tests the
+//! forces grow with U^2.32 (Swiegers, Calculation of the forces on a moored ship due to a passing container ship,
+//! Stellenbosch 2011).
 
 mod bank;
 mod flow;

@@ -6,21 +6,22 @@ use fenderline_contact::{Pose, Vec2};
 use super::setup::PassingSetup;
 use crate::distance::of_outlines_m;
 
-/// Most places of the ship that are looked at.
+/// Largest number of places of the ship that are tested.
 const MOST_PLACES: f64 = 1e6;
 
-/// Where a passing ship is nearest to a body.
+/// Distance and time at which a passing ship is nearest to a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
-    /// Clear distance between the outlines (m); 0 where they meet.
+    /// Clear distance between the outlines (m); 0 if they meet.
     pub distance_m: f64,
-    /// When (s).
+    /// Time at which the distance is least (s).
     pub t_s: f64,
 }
 
 impl PassingSetup {
-    /// How near she comes to an outline in a pose, from time 0 to `duration_s`. She is looked at each time that she has moved by a
-    /// tenth of her beam at her highest speed; farther away than three of her lengths only the distance of the middles is.
+    /// How near the passing ship comes to an outline in a pose, from time 0 to `duration_s`. The search tests a place
+    /// each time the ship, at her highest speed, has moved by a tenth of her beam. If she is farther away than three of
+    /// her lengths, it tests only the distance of the middles.
     #[must_use]
     pub fn nearest(&self, outline_m: &[Vec2], pose: Pose, duration_s: f64) -> Nearest {
         let fastest_mps = self.track.pace.fastest_mps();
@@ -36,13 +37,13 @@ impl PassingSetup {
         nearest
     }
 
-    /// Whether her outline lies over another one in a pose at a time.
+    /// Whether the ship's outline overlaps another outline in a pose at a time.
     #[must_use]
     pub fn meets(&self, outline_m: &[Vec2], pose: Pose, t_s: f64) -> bool {
         self.nearer_than_m(f64::MIN_POSITIVE, t_s, outline_m, pose).is_some()
     }
 
-    /// Her clear distance from an outline in a pose at a time, if it is less than `most_m`.
+    /// The clear distance of the ship from an outline in a pose at a time, if it is less than `most_m`.
     #[must_use]
     pub fn nearer_than_m(
         &self,
@@ -63,7 +64,7 @@ impl PassingSetup {
         let found_m = if between_m > 3.0 * self.hull.length_m {
             between_m
         } else {
-            // In the frame of the outline.
+            // The search is in the frame of the outline.
             let relative = pose.to(at);
             let hull: Vec<Vec2> =
                 self.outline_m.iter().map(|point| relative.apply(*point)).collect();
@@ -107,7 +108,7 @@ mod tests {
         assert_eq!(struck.distance_m, 0.0);
         // Bow and corner meet 230 m before the middles are abreast.
         assert!((struck.t_s - (300.0 - 230.0 / 4.0)).abs() < 1.0, "{struck:?}");
-        // A run that ends before she is there.
+        // The run ends before the ship arrives.
         assert!(ship(10.0).nearest(&quay, at, 100.0).distance_m > 0.0);
     }
 }

@@ -2,20 +2,21 @@
 
 use crate::range::{OutOfRange, within};
 
-/// What the ship at rest lies at.
+/// The berth of the ship at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Berth {
     /// A jetty that the water flows through.
     Open,
-    /// A quay wall on her far side. Its factors 1.4, 0.4 and 0.5 are an estimate from the figures of Swiegers (2011).
+    /// A quay wall on the ship's far side. The factors 1.4, 0.4 and 0.5 are an estimate from the figures of Swiegers
+    /// (2011).
     Quay,
 }
 
-/// Factors on surge, sway and yaw of [`super::force`] at a depth: by Kriebel's model tests (Mooring loads due to parallel passing ships,
-/// 2005), as our design notes give them; the paper was not read.
+/// Factors on surge, sway and yaw of [`super::force`] at a depth: by Kriebel's model tests (Mooring loads due to
+/// parallel passing ships, 2005), as our design notes quote them; the paper was not read.
 ///
-/// 1 + a e^(bT/d) e^(−0.08 (G/B − g)²) with T/d the draught of the ship at rest over the depth, G/B the clear gap between the hulls over
-/// the mean of the beams, and (a, b, g) = (1.70, 2.92, 3), (0.52, 4.33, 2), (0.48, 3.87, 2).
+/// 1 + a e^(bT/d) e^(−0.08 (G/B − g)²) where T/d is the draught of the ship at rest over the depth, G/B the clear gap
+/// between the hulls over the mean of the beams, and (a, b, g) = (1.70, 2.92, 3), (0.52, 4.33, 2), (0.48, 3.87, 2).
 ///
 /// # Errors
 /// A draught that is not between 0 and 1 times the depth, a gap below 0 or above 100 beams.

@@ -4,37 +4,39 @@ use std::fmt;
 
 use crate::range::{OutOfRange, within};
 
-/// Panels along a ship: the midpoint rule then has an error below 0.5 % at a distance of a tenth of her length.
+/// Panels along a ship. With this number, at a distance of a tenth of the ship's length, the midpoint rule has an error
+/// below 0.5 %.
 const PANELS: u32 = 48;
 
-/// The areas of a ship's sections below the water, along her length.
+/// The areas of a ship's sections below the water, along the length of the ship.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
     /// Panels of equal length, from aft to forward.
     pub(super) panels: Vec<Panel>,
-    /// Sources: places and the change of the area there, from aft to forward. A stern or bow that ends bluntly is one.
+    /// Sources: places where the area changes, and the changes, from aft to forward. A blunt stern or bow is one
+    /// source.
     pub(super) changes: Vec<Change>,
 }
 
 /// A part of a ship's length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Panel {
-    /// Its middle, forward of the origin (m).
+    /// Middle of the panel, forward of the origin (m).
     pub(super) x_m: f64,
-    /// Its volume below the water (m³).
+    /// Volume of the panel below the water (m³).
     pub(super) volume_m3: f64,
 }
 
 /// A change of the sectional area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Change {
-    /// Forward of the origin (m).
+    /// Place of the change, forward of the origin (m).
     pub(super) x_m: f64,
-    /// Area forward of it less that aft of it (m²).
+    /// Area forward of the place, less the area aft of it (m²).
     pub(super) area_m2: f64,
 }
 
-/// Areas of which no ship can be made.
+/// Errors in the areas of a ship's sections.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SectionsError {
@@ -42,9 +44,9 @@ pub enum SectionsError {
     OutOfRange(OutOfRange),
     /// Fewer than two sections.
     TooFew,
-    /// A section that is not forward of the one before it, by its index.
+    /// A section is not forward of the section before it.
     NotForward {
-        /// Its index.
+        /// Index of the section.
         section: usize,
     },
 }
@@ -55,7 +57,7 @@ impl fmt::Display for SectionsError {
             SectionsError::OutOfRange(error) => error.fmt(f),
             SectionsError::TooFew => f.write_str("a ship needs two sections or more"),
             SectionsError::NotForward { section } => {
-                write!(f, "section {section} is not forward of the one before it")
+                write!(f, "section {section} is not forward of the section before it")
             }
         }
     }
@@ -79,7 +81,7 @@ impl Sections {
         within("midship section area [m²]", midship_area_m2, 0.01, 1e5)?;
         let half_m = 0.5 * length_m;
         let share = |x_m: f64| 1.0 - (x_m / half_m) * (x_m / half_m);
-        // ∫(1 − x²/h²) from the middle to x.
+        // The integral ∫(1 − x²/h²) dx from the middle to x.
         let volume_m = |x_m: f64| x_m - x_m * x_m * x_m / (3.0 * half_m * half_m);
         Ok(Sections::of(
             (-half_m, half_m),
@@ -88,11 +90,12 @@ impl Sections {
         ))
     }
 
-    /// A ship with these areas: place forward of the origin (m) and area (m²), from aft to forward; linear in between.
+    /// A ship with these areas: places forward of the origin (m) and areas (m²), from aft to forward, and linear
+    /// between.
     ///
     /// # Errors
-    /// Fewer than two sections, one that is not forward of the one before it, a place beyond ±1000 m, an area not between 0 and
-    /// 10⁵ m².
+    /// Fewer than two sections, a section that is not forward of the section before it, a place beyond ±1000 m, or an
+    /// area not between 0 and 10⁵ m².
     pub fn new(sections: &[(f64, f64)]) -> Result<Sections, SectionsError> {
         if sections.len() < 2 {
             return Err(SectionsError::TooFew);
@@ -112,7 +115,7 @@ impl Sections {
             let share = (x_m - aft_m) / (forward_m - aft_m);
             aft_m2 + share * (forward_m2 - aft_m2)
         };
-        // By trapezia between the ends and the sections within.
+        // The volume is the sum of trapezia between the ends and the sections within.
         let volume_m3 = |from_m: f64, to_m: f64| {
             let within = sections.iter().map(|section| section.0);
             let within = within.filter(|x_m| *x_m > from_m && *x_m < to_m);
@@ -173,7 +176,7 @@ mod tests {
             let sum: f64 = ship.changes.iter().map(|change| change.area_m2).sum();
             assert!(sum.abs() < 1e-9, "{sum}");
         }
-        // The blunt bow is a source of its own.
+        // The blunt bow is a separate source.
         let last = barge.changes.last().copied();
         assert_eq!(last, Some(Change { x_m: 50.0, area_m2: -60.0 }));
     }

@@ -7,15 +7,16 @@ use super::restricted::{Berth, factors};
 use super::sections::{Sections, SectionsError};
 use crate::track::Track;
 
-/// Length over beam below which a passing ship is named as hardly slender; our choice.
+/// Length over beam below which messages call a passing ship hardly slender; our choice.
 pub const HARDLY_SLENDER: f64 = 4.0;
-/// Speed of a passing ship over that of long waves in the depth from which her forces are named as too small; our choice.
+/// Speed of a passing ship, over the speed of long waves in the depth, from which on messages call the forces too
+/// small; our choice.
 pub const NEARLY_CRITICAL: f64 = 0.6;
 
-/// A hull as the flow about it sees it.
+/// The data of a hull that the flow around it needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowHull {
-    /// Her sections, about midship.
+    /// Sections of the hull, about midship.
     pub sections: Sections,
     /// Length (m).
     pub length_m: f64,
@@ -25,27 +26,27 @@ pub struct FlowHull {
     pub draught_m: f64,
 }
 
-/// A ship that passes on a track, whatever acts on her. She pushes the vessels, and they do not push her.
+/// A ship that passes on a track, whatever forces act. The ship pushes the vessels; they do not push her.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassingSetup {
-    /// Her name.
+    /// Name of the ship.
     pub name: String,
-    /// Her hull.
+    /// Hull of the ship.
     pub hull: FlowHull,
-    /// Her outline, forward and to starboard of midship (m).
+    /// Outline of the ship, forward and to starboard of midship (m).
     pub outline_m: Vec<Vec2>,
-    /// Where she is when.
+    /// Position of the ship at each time.
     pub track: Track,
     /// Correction for the depth.
     pub depth: DepthFactors,
-    /// What the vessels lie at.
+    /// The berth at which the vessels lie.
     pub berth: Berth,
 }
 
 /// How forces of a passing ship are corrected for the depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DepthFactors {
-    /// None: those of deep water.
+    /// No correction: the forces are those of deep water.
     DeepWater,
     /// By [`super::factors`].
     Kriebel,
@@ -70,10 +71,11 @@ impl PassingSetup {
     }
 }
 
-/// Flow between ships in a set-up.
+/// Passing ships and flow between ships in a set-up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlowSetup {
-    /// The hulls of the vessels, in their order; empty if nothing passes, vessels do not act on each other, and no bank acts by an image.
+    /// The hulls of the vessels, in the order of the vessels. Empty if no ship passes, vessels do not act on each
+    /// other, and no bank acts by an image.
     pub hulls: Vec<FlowHull>,
     /// Ships that pass.
     pub passing: Vec<PassingSetup>,
@@ -82,8 +84,8 @@ pub struct FlowSetup {
 }
 
 impl FlowHull {
-    /// A hull with parabolic sections, or with the beam of an outline about midship at each section (m); the midship coefficient is
-    /// the area of a section over its beam and the draught.
+    /// A hull with parabolic sections; or, if an outline about midship is given (m), with sections from the beam of the
+    /// outline. The midship coefficient is the area of a section over its beam and the draught.
     ///
     /// # Errors
     /// See [`Sections::parabola`] and [`Sections::new`].
@@ -100,15 +102,15 @@ impl FlowHull {
         Ok(FlowHull { sections, length_m, beam_m, draught_m })
     }
 
-    /// Whether the flow of slender ships is taken between her and other vessels: a length of 3.5 beams or more; our choice. Tugs are
-    /// shorter.
+    /// Whether the flow of slender ships between this ship and other vessels is used. The ship must be at least 3.5
+    /// beams long (our choice). Tugs are shorter.
     #[must_use]
     pub fn is_slender(&self) -> bool {
         self.length_m >= 3.5 * self.beam_m
     }
 }
 
-/// Sections at even places along an outline: the areas of its beam there.
+/// Areas of sections at even places along an outline, from the beam of the outline there.
 fn areas_of(outline_m: &[Vec2], area_per_beam_m: f64) -> Vec<(f64, f64)> {
     const SECTIONS: u32 = 96;
     let ends = outline_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
@@ -124,7 +126,7 @@ fn areas_of(outline_m: &[Vec2], area_per_beam_m: f64) -> Vec<(f64, f64)> {
     sections.map(|x_m| (x_m, area_per_beam_m * beam_at_m(outline_m, x_m))).collect()
 }
 
-/// How much of a line across an outline is within it (m).
+/// Length of the part of a line across an outline that lies within the outline (m).
 fn beam_at_m(outline_m: &[Vec2], x_m: f64) -> f64 {
     let edges = outline_m.iter().zip(outline_m.iter().cycle().skip(1));
     let mut sides: Vec<f64> = edges

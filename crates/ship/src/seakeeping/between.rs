@@ -1,17 +1,21 @@
-//! Forces of waves between the headings and frequencies of the data.
+//! Interpolates forces of waves between the headings and frequencies of the data.
 //!
-//! **Headings.** A force in a wave is a sum over places x of the hull of e^{−ik·x} with weights that do not depend on the heading
-//! (Haskind's relation, recalled). So it has few harmonics in the heading: about kL/2 of them. It is interpolated among functions of that kind: with
-//! the kernel K(μ − μ′) = 2J₁(z)/z, z = 2b sin(½(μ − μ′)), of sources that are spread evenly over a disc, whose radius times k is b. At equal
-//! steps that is the trigonometric polynomial through the data, nearly. b is the most that the widest step of the headings resolves. The data themselves
-//! are kept.
+//! **Headings.** The force in a wave is a sum over places x of the hull of e^{−ik·x}, with weights that do not depend
+//! on the heading (Haskind's relation, recalled). So the force has few harmonics in the heading: about kL/2. The force
+//! is interpolated with functions of the same kind, which belong to sources spread evenly over a disc: the kernel is
+//! K(μ − μ′) = 2J₁(z)/z with z = 2b sin(½(μ − μ′)), and b is k times the radius of the disc. At equal steps this is
+//! nearly the trigonometric polynomial through the data. b is the largest value that the widest step of the headings
+//! resolves. At the headings of the data the result is the data.
 //!
-//! **Frequencies.** At one heading the phases of bow and stern turn by ±½L Δk cos μ from one frequency to the next, fast for a long ship.
-//! A heading at which the wave is as long along the ship as before has the phases of before. So frequencies are joined along the headings μᵢ with
-//! tan μᵢ = tan μ kᵢ/k: abeam kᵢ cos μᵢ = k cos μ, and a wave from ahead stays there. Along them the force is a cubic with the slopes of
-//! parabolas through three neighbours. Mean drift, in which the phases cancel for the most part, is such a cubic at the same heading.
+//! **Frequencies.** At one heading the phases of bow and stern turn by ±½L Δk cos μ from one frequency to the next. For
+//! a long ship this is fast. The phases stay the same at a heading at which the wave is as long along the ship as
+//! before. So frequencies are joined along the headings μᵢ with tan μᵢ = tan μ kᵢ/k: near the beam kᵢ cos μᵢ = k cos μ,
+//! and a wave from ahead stays a wave from ahead. Along these headings the force is a cubic with the slopes of
+//! parabolas through three neighbours. In mean drift the phases cancel for the most part; it is such a cubic at a
+//! constant heading.
 //!
-//! Phases are to the crest at the centre of gravity: the phase of the incident wave at a reference point elsewhere is taken out first.
+//! Phases are relative to the crest at the centre of gravity. If the reference point lies elsewhere, the phase of the
+//! incident wave at this point is taken out first.
 
 use core::f64::consts::{PI, TAU};
 
@@ -22,19 +26,22 @@ use super::matrix::Six;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::{Complex, wave_number};
 
-/// The motions that change their sign in a mirror.
+/// Signs of the six motions when port and starboard are mirrored.
 pub(super) const MIRROR: Six = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
-/// The same for surge, sway and yaw.
+/// Signs of surge, sway and yaw when port and starboard are mirrored.
 pub(super) const MIRROR_DRIFT: [f64; 3] = [1.0, -1.0, -1.0];
-/// Steps of the fine headings in a half turn. Cubics between them are within 0.1 % for 17 harmonics in the heading, 0.4 % for 25.
+/// Number of steps of the fine headings in a half turn. Cubics between the fine headings are within 0.1 % for 17
+/// harmonics in the heading, and within 0.4 % for 25.
 const FINE: usize = 120;
-/// The bandwidth of the kernel over that which the widest step of the headings resolves, half a wave a step.
+/// The bandwidth of the kernel, over the bandwidth that the widest step of the headings resolves (half a wave per
+/// step).
 const BAND: f64 = 0.9;
-/// What is added to the kernel's diagonal: headings very near each other would make its matrix singular to rounding.
+/// This value is added to the diagonal of the kernel's matrix. Without this value, headings very near each other would
+/// make the matrix singular to rounding.
 const RIDGE: f64 = 1e-10;
 
-/// Fine headings: equal steps from 0 to π for data that are alike to both sides, else all round from −π. A row before the first and two after
-/// the last let cubics pass the ends.
+/// Fine headings: equal steps from 0 to π for data that are alike to both sides, otherwise from −π all round. One extra
+/// row before the first and two after the last let cubics pass the ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct FineHeadings {
     pub(super) is_mirrored: bool,
@@ -46,12 +53,12 @@ pub(super) struct FinePlace {
     /// The first of four rows.
     row: usize,
     weights: [f64; 4],
-    /// −1 where the mirror image is meant.
+    /// −1 if the mirror image is used, else 1.
     side: f64,
 }
 
 impl FineHeadings {
-    /// How many rows there are.
+    /// Number of rows.
     fn rows(self) -> usize {
         if self.is_mirrored { FINE + 4 } else { 2 * FINE + 3 }
     }
@@ -77,7 +84,7 @@ impl FineHeadings {
 }
 
 impl FinePlace {
-    /// A number at the place, by its rows. `sign` is that of the number in a mirror.
+    /// Interpolates a number at the place from its rows. `sign` is the sign of the number in the mirror image.
     pub(super) fn of<T>(&self, rows: &[T], sign: f64, of: impl Fn(&T) -> f64) -> f64 {
         let four = &rows[self.row..self.row + 4];
         let [a, b, c, d] = self.weights;
@@ -101,12 +108,12 @@ fn cubic(t: f64) -> [f64; 4] {
 #[derive(Clone, Debug)]
 pub(super) struct Between<'d> {
     data: &'d Hydrodynamics,
-    /// k at the frequencies of the data, in the water of the data (rad/m).
+    /// Wave number k at each frequency of the data, in the depth of the data (rad/m).
     numbers_radpm: Vec<f64>,
     pub(super) headings: FineHeadings,
     /// For each frequency, the exciting force at each fine heading.
     excitation: Vec<Vec<[Complex; 6]>>,
-    /// The mean drift likewise; empty without such data.
+    /// For each frequency, the mean drift at each fine heading; empty without such data.
     drift: Vec<Vec<[f64; 3]>>,
 }
 
@@ -186,8 +193,9 @@ impl<'d> Between<'d> {
 }
 
 impl Hydrodynamics {
-    /// The exciting force in a wave of amplitude 1 m with its crest at the centre of gravity at time 0, for any frequency (rad/s) and
-    /// heading (rad; towards which it runs, clockwise from the bow). Beyond the frequencies of the data it is that of the last.
+    /// The exciting force in a wave of amplitude 1 m with its crest at the centre of gravity at time 0, for any
+    /// frequency (rad/s) and heading (rad; the direction towards which the wave runs, clockwise from the bow). Beyond
+    /// the frequencies of the data the force at the nearest frequency of the data is used.
     #[must_use]
     pub fn excitation_towards(&self, frequency_radps: f64, towards_rad: f64) -> [Complex; 6] {
         let between = Between::new(self);
@@ -212,7 +220,7 @@ impl Hydrodynamics {
         Some(std::array::from_fn(|k| place.of(&rows, MIRROR_DRIFT[k], |drift| drift[k])))
     }
 
-    /// k in the water of the data (rad/m).
+    /// Wave number k in the depth of the data (rad/m).
     pub(super) fn wave_number(&self, frequency_radps: f64) -> f64 {
         match self.depth_m {
             Some(depth_m) => wave_number(frequency_radps, depth_m),
@@ -220,7 +228,8 @@ impl Hydrodynamics {
         }
     }
 
-    /// The forces at the headings of the data with the crest at the centre of gravity, not at the reference point.
+    /// The forces at the headings of the data. Phases are relative to the crest at the centre of gravity, not at the
+    /// reference point.
     fn about_gravity(&self, given: &[[Complex; 6]], number_radpm: f64) -> Vec<[Complex; 6]> {
         let turned = |(force, towards_rad): (&[Complex; 6], &f64)| {
             let along_m = self.origin_m.x * libm::cos(*towards_rad)
@@ -233,9 +242,9 @@ impl Hydrodynamics {
     }
 }
 
-/// A force or a drift at a heading, as numbers.
+/// A force or a drift at a heading, as a list of numbers.
 trait Parts: Copy + Default {
-    /// Adds `weight` times another.
+    /// Adds `weight` times another force or drift.
     fn add(&mut self, weight: f64, other: &Self);
 }
 
@@ -252,10 +261,11 @@ impl Parts for f64 {
     }
 }
 
-/// What each heading of the data counts for each fine heading.
+/// The weight of each heading of the data for each fine heading.
 struct HeadingWeights {
     is_mirrored: bool,
-    /// For each row, the weights of the headings all round: the data's, then their mirror images without 0 and π, backwards.
+    /// For each row, the weights of the headings all round: first the headings of the data, then their mirror images
+    /// (without 0 and π) in reverse order.
     rows: Vec<Vec<f64>>,
 }
 
@@ -266,7 +276,7 @@ impl HeadingWeights {
             let inner = &given_rad[1..given_rad.len() - 1];
             round_rad.extend(inner.iter().rev().map(|heading| TAU - heading));
         } else if given_rad[given_rad.len() - 1] - given_rad[0] > TAU - 1e-6 {
-            // The same heading at both ends.
+            // Both ends are the same heading.
             round_rad.pop();
         }
         let band = BAND * PI / widest_step(given_rad, fine.is_mirrored);
@@ -294,7 +304,7 @@ impl HeadingWeights {
         HeadingWeights { is_mirrored: fine.is_mirrored, rows }
     }
 
-    /// Forces at the headings of the data, taken to the fine headings.
+    /// Interpolates forces at the headings of the data to the fine headings.
     fn spread<P: Parts, const N: usize>(&self, given: &[[P; N]], mirror: [f64; N]) -> Vec<[P; N]> {
         let images = if self.is_mirrored { &given[1..given.len() - 1] } else { &[] };
         let sum_of = |weights: &Vec<f64>| {
@@ -323,7 +333,7 @@ pub(super) fn widest_step(headings_rad: &[f64], is_mirrored: bool) -> f64 {
     if is_mirrored { inner } else { greater(inner, first + TAU - last) }
 }
 
-/// 2J₁(z)/z with z = 2b sin(½δ).
+/// The kernel 2J₁(z)/z with z = 2b sin(½δ).
 fn kernel(off_rad: f64, band: f64) -> f64 {
     let z = 2.0 * band * libm::sin(0.5 * off_rad).abs();
     if z < 1e-4 { 1.0 - z * z / 8.0 } else { 2.0 * libm::j1(z) / z }
@@ -355,8 +365,8 @@ fn inverse(mut matrix: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     matrix.into_iter().map(|line| line[count..].to_vec()).collect()
 }
 
-/// Rows of an axis and their weights at a place of it: a cubic with the slopes of parabolas through three neighbours; the first or the last row
-/// beyond the ends.
+/// Rows of an axis and their weights at a place on the axis, for a cubic with the slopes of parabolas through three
+/// neighbours. Beyond the ends, the first or the last row has all the weight.
 fn weights_of(axis: &[f64], at: f64) -> Vec<(usize, f64)> {
     let last = axis.len() - 1;
     if at <= axis[0] || last == 0 {
@@ -382,7 +392,8 @@ fn weights_of(axis: &[f64], at: f64) -> Vec<(usize, f64)> {
     parts
 }
 
-/// The slope at a row as weights of rows: that of the parabola through it and its neighbours, or its next two at an end.
+/// The slope at a row, as weights of rows. The result is the slope of the parabola through the row and its two
+/// neighbours; at an end, through the row and the next two.
 fn slope_of(axis: &[f64], row: usize) -> [(usize, f64); 3] {
     if axis.len() == 2 {
         let inverse = 1.0 / (axis[1] - axis[0]);

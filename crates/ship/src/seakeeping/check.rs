@@ -4,26 +4,26 @@ use core::f64::consts::{PI, TAU};
 
 use fenderline_contact::number::greater;
 
-use super::data::{RawHydrodynamics, UPRIGHT};
 use super::error::{Part, Reason, SeakeepingError, error};
-use super::matrix::{Matrix6, Six, smallest_eigenvalue};
+use super::matrix::{Matrix6, Six, UPRIGHT, smallest_eigenvalue};
 use super::passive::{negative_together, scaled_to_one};
+use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::Complex;
 
-/// The most that the damping may change between two frequencies, over its maximum.
+/// Largest change of the damping between two frequencies, over the largest damping.
 const COARSEST: f64 = 0.6;
-/// The most that the damping may be at the first or the last frequency, over its maximum.
+/// Largest damping at the first and at the last frequency, over the largest damping of all.
 const AT_THE_ENDS: [f64; 2] = [0.6, 0.5];
-/// What a damping force may be over the restoring force without being felt.
+/// A damping force below this share of the restoring force has no noticeable effect.
 const UNFELT: f64 = 0.3;
 /// The widest step of headings (rad).
 const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
-/// Numerical noise of panel codes: what a damping may be below zero over its maximum, and how far a matrix may be from symmetric
-/// over the root of the product of its two diagonal entries.
+/// Numerical noise of panel codes. The first value: how far below zero a damping may be, over the largest damping. The
+/// second: how far a matrix may be from symmetric, over the root of the product of the two diagonal entries.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
-/// Numbers of rows, and finite numbers.
+/// Checks the numbers of rows, and that all numbers are finite.
 pub(super) fn check_shape(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     let count = raw.frequencies_radps.len();
     let grid = raw.wave_frequencies_radps.len() * raw.headings_rad.len();
@@ -67,7 +67,7 @@ pub(super) fn check_shape(raw: &RawHydrodynamics) -> Result<(), SeakeepingError>
     Ok(())
 }
 
-/// Mass and restoring.
+/// Checks mass and restoring.
 pub(super) fn check_head(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     let head = |reason| Err(error(Part::Head, None, reason));
     let mass_kg = raw.mass[0][0];
@@ -93,8 +93,8 @@ pub(super) fn check_head(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     if let Some(motions) = negative_together(&restoring) {
         return head(Reason::CouplesTooMuch { what: "restoring", motions });
     }
-    // Heave restoring is ρg times the waterplane area: the displaced volume over draughts of 2 % to three times the cube root of
-    // the volume.
+    // Heave restoring is ρg times the waterplane area. The range of areas is the displaced volume over a draught of 2 %
+    // to three times the cube root of the volume.
     let volume_m3 = mass_kg / raw.water_kgpm3;
     let specific_npm3 = raw.water_kgpm3 * STANDARD_GRAVITY_MPS2;
     let cube_m = libm::cbrt(volume_m3);
@@ -106,7 +106,7 @@ pub(super) fn check_head(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     Ok(())
 }
 
-/// Symmetry, signs and sizes of added mass and damping.
+/// Checks symmetry, signs and sizes of added mass and damping.
 pub(super) fn check_matrices(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     let mass_kg = raw.mass[0][0];
     let length_m = 10.0 * libm::cbrt(mass_kg / raw.water_kgpm3);
@@ -121,7 +121,7 @@ pub(super) fn check_matrices(raw: &RawHydrodynamics) -> Result<(), SeakeepingErr
             return Err(error(Part::Infinite, Some(0), Reason::Implausible { what, value, range }));
         }
     }
-    // In sway and heave a ship carries at least some of her mass with her.
+    // In sway and heave a ship carries water with at least a part of her own mass.
     let heave = at_infinity(2);
     let range = [0.02 * mass_kg, 50.0 * mass_kg];
     if heave < range[0] {
@@ -179,7 +179,7 @@ pub(super) fn check_matrices(raw: &RawHydrodynamics) -> Result<(), SeakeepingErr
     check(Part::Infinite, 0, "added mass", &raw.infinite, &added)
 }
 
-/// Frequencies: rising, fine enough, from long waves to where the damping has faded.
+/// Checks the frequencies: they must rise, be fine enough, and reach from long waves to where the damping has faded.
 pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     for (part, axis) in
         [(Part::Radiation, &raw.frequencies_radps), (Part::Excitation, &raw.wave_frequencies_radps)]
@@ -196,7 +196,7 @@ pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     for motion in 0..6 {
         let of = |row: usize| raw.damping[row][motion][motion];
         let most = (0..=last).map(of).fold(0.0, greater);
-        // Damping that no motion notices may end where it likes.
+        // Damping without a noticeable effect on the motion may end at any frequency.
         let total = raw.mass[motion][motion] + raw.infinite[motion][motion].abs();
         if most < 0.06 * total {
             continue;
@@ -213,7 +213,7 @@ pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
                 Reason::TooShort { motion, share: of(last) / most, last_radps: axis[last] };
             return Err(error(Part::Radiation, Some(last), reason));
         }
-        // In shallow water heave radiates long waves, which its restoring does not notice.
+        // In shallow water heave radiates long waves. Their damping is small beside the restoring force.
         let restoring =
             UPRIGHT.iter().position(|k| *k == motion).map_or(0.0, |k| raw.restoring[k][k]);
         let is_felt = axis[0] * of(0) > UNFELT * restoring;

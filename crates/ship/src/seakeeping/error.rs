@@ -1,10 +1,10 @@
-//! Hydrodynamic data with which no ship can be moved.
+//! Errors in hydrodynamic data.
 
 use std::fmt;
 
 use super::MOTIONS;
 
-/// The table of a database in which an error is.
+/// The table of a database in which an error lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Added mass and damping by frequency.
@@ -19,12 +19,12 @@ pub enum Part {
     Head,
 }
 
-/// What is wrong with hydrodynamic data.
+/// An error in hydrodynamic data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeakeepingError {
-    /// The table in which it is.
+    /// The table in which the error lies.
     pub part: Part,
-    /// Its row there, from 0, where it belongs to one.
+    /// The row in the table, from 0, if the error belongs to a row.
     pub row: Option<usize>,
     /// The reason.
     pub reason: Reason,
@@ -42,9 +42,9 @@ pub enum Reason {
     Length {
         /// What is counted.
         what: &'static str,
-        /// How many there must be.
+        /// How many items there must be.
         expected: usize,
-        /// How many there are.
+        /// How many items there are.
         found: usize,
     },
     /// An axis does not rise.
@@ -55,7 +55,7 @@ pub enum Reason {
     NegativeDamping {
         /// The motion.
         motion: usize,
-        /// Its damping (N·s/m, N·m·s).
+        /// Damping of the motion (N·s/m, N·m·s).
         damping: f64,
     },
     /// A matrix is not symmetric.
@@ -72,18 +72,18 @@ pub enum Reason {
         /// The motion.
         motion: usize,
     },
-    /// A combination of motions has a negative damping, though each motion alone has not.
+    /// A combination of motions has a negative damping, though no motion alone has one.
     NegativeTogether {
-        /// The two motions with the largest part in it.
+        /// The two motions with the largest part in the combination.
         motions: [usize; 2],
         /// The damping over the largest of these motions, each motion measured by the root of its largest damping.
         share: f64,
     },
-    /// A combination of motions has a negative mass or restoring, though each motion alone has not.
+    /// A combination of motions has a negative mass or restoring, though no motion alone has one.
     CouplesTooMuch {
         /// Mass or restoring, in words.
         what: &'static str,
-        /// The two motions with the largest part in it.
+        /// The two motions with the largest part in the combination.
         motions: [usize; 2],
     },
     /// Exciting forces and damping contradict each other (Haskind's relation).
@@ -92,14 +92,14 @@ pub enum Reason {
         motion: usize,
         /// The frequency (rad/s).
         at_radps: f64,
-        /// The damping by the exciting forces over that of the table.
+        /// The damping that follows from the exciting forces, over the damping of the table.
         ratio: f64,
     },
-    /// A value that does not fit the ship, as with wrong units.
+    /// A value that does not fit the ship, for example because of wrong units.
     Implausible {
-        /// What, with its unit.
+        /// The quantity, with its unit.
         what: &'static str,
-        /// Its value.
+        /// Value of the quantity.
         value: f64,
         /// The range of any ship of this displacement.
         range: [f64; 2],

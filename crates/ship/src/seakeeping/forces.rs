@@ -2,40 +2,41 @@
 //! approximation.
 //!
 //! Newman (1974) replaces the quadratic transfer function of two waves by the mean of their mean drifts. With waves
-//! a·cos θ, the drift is then Σᵢ Σⱼ aᵢaⱼ ½(Tᵢ + Tⱼ) cos(θᵢ − θⱼ) = Re{(Σ aⱼTⱼe^{iθⱼ}) (Σ aⱼe^{iθⱼ})*}: exactly, and with a cost that
-//! grows with the number of waves and not with its square.
+//! a·cos θ, the drift is then Σᵢ Σⱼ aᵢaⱼ ½(Tᵢ + Tⱼ) cos(θᵢ − θⱼ) = Re{(Σ aⱼTⱼe^{iθⱼ}) (Σ aⱼe^{iθⱼ})*}. The product form
+//! is exact, and its cost grows with the number of waves and not with its square.
 
 use fenderline_contact::Vec2;
 
 use super::between::{Between, FineHeadings, FinePlace, MIRROR, MIRROR_DRIFT};
-use super::data::{Hydrodynamics, PLANE};
+use super::data::Hydrodynamics;
+use super::matrix::PLANE;
 use super::matrix::Six;
 use super::sub_steps::SubSteps;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::{Complex, DriftHull, Sea};
 
-/// Where the mean drift comes from.
+/// The source of the mean drift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriftSource<'d> {
-    /// The database.
+    /// The hydrodynamic data.
     Data,
-    /// The estimate of [`DriftHull`] about midship, which is so far forward of the centre of gravity (m), in water of a
-    /// density (kg/m³).
+    /// The estimate of [`DriftHull`] about midship. The numbers are how far midship is forward of the centre of gravity
+    /// (m), and the density of the water (kg/m³).
     Estimate(&'d DriftHull, f64, f64),
-    /// None.
+    /// There is no mean drift.
     Absent,
 }
 
-/// A sea as a ship with hydrodynamic data feels it.
+/// The forces of a sea on a ship with hydrodynamic data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WaveForces {
     waves: Vec<Wave>,
-    /// Directions of the sea towards which its waves run (rad).
+    /// Directions towards which the waves of the sea run (rad).
     directions_rad: Vec<f64>,
     headings: FineHeadings,
 }
 
-/// A wave of the sea and its forces by heading.
+/// A wave of the sea, and the forces of this wave by heading.
 #[derive(Clone, Debug, PartialEq)]
 struct Wave {
     frequency_radps: f64,
@@ -43,11 +44,12 @@ struct Wave {
     phase_rad: f64,
     number_radpm: Vec2,
     direction: usize,
-    /// sin²(ωh/2).
+    /// The square sin²(ωh/2).
     squared_sine: f64,
-    /// Exciting force at the fine headings: its mean over a step, weighted as the step weights accelerations.
+    /// Exciting force at the fine headings: the mean over a step, with the weights that the step gives to
+    /// accelerations.
     excitation: Vec<[Complex; 6]>,
-    /// Mean drift over the amplitude (N/m, N/m, N), likewise.
+    /// Mean drift over the amplitude at the fine headings (N/m, N/m, N).
     drift: Vec<[f64; 3]>,
 }
 
@@ -76,7 +78,7 @@ impl WaveForces {
                     |[x, y, n]: [f64; 3]| [x, y, n + ahead_m * y].map(|of| scale * of);
                 estimate(number_radpm).into_iter().map(about_gravity).collect()
             }
-            // Without drift in the data it is zero.
+            // If the data have no drift, this is zero.
             _ => between.drift(frequency_radps),
         };
         let waves = sea.components().iter().map(|wave| {
@@ -147,7 +149,7 @@ impl WaveForces {
 mod tests {
     use super::*;
 
-    /// Newman's double sum over all pairs of waves, term by term.
+    /// The reference is Newman's double sum over all pairs of waves, term by term.
     #[test]
     fn slow_drift_is_the_double_sum_over_pairs_of_waves() {
         let headings = FineHeadings { is_mirrored: true };

@@ -1,32 +1,37 @@
 //! Matrices of six by six: surge, sway, heave, roll, pitch, yaw.
 
-/// A motion, a force: surge, sway, heave (down), roll to starboard, pitch bow up, yaw to starboard.
+/// A motion or a force: surge, sway, heave (down), roll to starboard, pitch bow up, yaw to starboard.
 pub type Six = [f64; 6];
 /// A matrix over the six motions.
 pub type Matrix6 = [[f64; 6]; 6];
 
+/// The motions in the plane, among the six.
+pub(super) const PLANE: [usize; 3] = [0, 1, 5];
+/// Heave, roll and pitch, among the six.
+pub(super) const UPRIGHT: [usize; 3] = [2, 3, 4];
+
 /// The zero matrix.
 pub const ZERO: Matrix6 = [[0.0; 6]; 6];
 
-/// A · v.
+/// The product A · v.
 #[must_use]
 pub fn times(matrix: &Matrix6, vector: &Six) -> Six {
     std::array::from_fn(|row| dot(&matrix[row], vector))
 }
 
-/// Σ aᵢ bᵢ.
+/// The scalar product Σ aᵢ bᵢ.
 #[must_use]
 pub fn dot(one: &Six, other: &Six) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
 }
 
-/// A + s · B.
+/// The sum A + s · B.
 #[must_use]
 pub fn plus(one: &Matrix6, factor: f64, other: &Matrix6) -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| one[i][j] + factor * other[i][j]))
 }
 
-/// Tᵀ A T.
+/// The product Tᵀ A T.
 #[must_use]
 pub fn congruent(matrix: &Matrix6, by: &Matrix6) -> Matrix6 {
     let product = |a: &Matrix6, b: &Matrix6| -> Matrix6 {
@@ -35,7 +40,7 @@ pub fn congruent(matrix: &Matrix6, by: &Matrix6) -> Matrix6 {
     product(&transposed(by), &product(matrix, by))
 }
 
-/// Aᵀ.
+/// The transposed matrix Aᵀ.
 #[must_use]
 pub fn transposed(matrix: &Matrix6) -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]))

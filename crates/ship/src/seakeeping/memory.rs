@@ -1,14 +1,16 @@
-//! The memory of the water: ∫K(t − τ) ξ̇(τ) dτ as a bank of resonators with a state of fixed size.
+//! The memory of the water: ∫K(t − τ) ξ̇(τ) dτ computed by a bank of resonators, with a state of fixed size.
 //!
-//! Each resonator is driven by one velocity u: x₁′ = −2σx₁ − ω₀x₂ + u, x₂′ = ω₀x₁. Its two outputs are s/(s² + 2σs + ω₀²) and
-//! ω₀/(s² + 2σs + ω₀²). The force is Σ P x₁ + Q x₂ over the resonators, with symmetric matrices P and Q. Frequencies and widths
-//! of the resonators are fixed; P and Q are fitted to the damping and to the added mass that follows from it by Ogilvie's relation, so
-//! that one function satisfies both of his relations.
+//! One velocity u drives each resonator: x₁′ = −2σx₁ − ω₀x₂ + u, x₂′ = ω₀x₁. The two outputs of a resonator have the
+//! transfer functions s/(s² + 2σs + ω₀²) and ω₀/(s² + 2σs + ω₀²). The force is Σ P x₁ + Q x₂ over the resonators, with
+//! symmetric matrices P and Q. Frequencies and widths of the resonators are fixed. P and Q are fitted to the damping,
+//! and to the added mass that follows from the damping by Ogilvie's relation. So one function satisfies both of
+//! Ogilvie's relations.
 //!
-//! The bank steps by the bilinear rule, and its matrices are fitted for the time step of the run: its transfer function
-//! at a step h is that of the data, times tan(θ)/θ with θ = ωh/2, which makes the whole step of [`super::Motion`] exact to the
-//! fourth order. The bilinear rule keeps what only takes energy that way: the least eigenvalue of the damping is kept at or above zero over
-//! all frequencies (`make_passive`), so radiation takes energy at every step of every size.
+//! The bank steps by the bilinear rule, and its matrices are fitted for the time step of the run. At a step h the
+//! bank's transfer function is that of the data times tan(θ)/θ with θ = ωh/2. With this factor the whole step of
+//! [`super::Motion`] is exact to the fourth order. The bilinear rule keeps passivity: a system that only takes energy
+//! still does so after discretisation. `make_passive` keeps the least eigenvalue of the damping at or above zero over
+//! all frequencies. So radiation takes energy at every step of every size.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -20,24 +22,24 @@ use super::matrix::{Matrix6, Six, ZERO, plus, smallest_eigenvalue, times};
 use super::retardation::{TAIL, damping_at, tangent_ratio};
 use crate::environment::waves::Complex;
 
-/// Resonators from zero to where the damping has faded.
+/// Number of resonators, from frequency zero to where the damping has faded.
 const RESONATORS: usize = 48;
-/// Frequency and half-width of a wide resonator over the last frequency of the data. It has no part in the fit, and adds damping
-/// beyond the data where the fit lacks it.
+/// Frequency and half-width of a wide resonator, over the last frequency of the data. This resonator takes no part in
+/// the fit. The resonator adds damping beyond the data where the fit lacks damping.
 const WIDE: [f64; 2] = [2.5, 2.5];
-/// Points of the fit, and how far they go over the last frequency of the data.
+/// Number of points of the fit, and the frequency of the last point over the last frequency of the data.
 const POINTS: (usize, f64) = (200, 2.0);
 /// Weight of the row at zero frequency, where the force must vanish.
 const AT_REST: f64 = 300.0;
-/// Of slow motions the acceleration matters, of which the water's force is 1/ω times its share by velocity: rows weigh 1/ω below this share of
-/// the last frequency, down to the second one. At a quay damping at the resonance of the gap is hundreds of times that of long waves, and with equal weights
-/// the fit's error there was 2.4 % of the barge's mass in sway at 0.2 rad/s; with these it is 0.3 %.
+/// In slow motions the acceleration matters. There the water's force by acceleration is the force by velocity over ω. So rows weigh 1/ω below the
+/// first of these shares of the last frequency, down to the second share. At a quay the damping at the resonance of the gap is hundreds of times the damping
+/// in long waves: with equal weights the error of the fit was 2.4 % of the barge's mass in sway at 0.2 rad/s, with these weights 0.3 %.
 const SLOW: [f64; 2] = [0.4, 0.05];
-/// Ridge of the fit over the size of its columns.
+/// Ridge of the fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
-/// What a resonator takes at a frequency near its own, over the most that it takes.
+/// A resonator counts as near a frequency if it takes at least this share of its largest energy there.
 const NEAR: f64 = 0.3;
-/// What is left to a damping at all frequencies, over the mass (1/s).
+/// Lack of damping that is left to a small damping at all frequencies, over the mass (1/s).
 const LEFT: f64 = 3e-5;
 /// Frequencies at which the damping of the bank is checked, and rounds of correction.
 const CHECKED: (usize, usize) = (400, 60);
@@ -47,7 +49,7 @@ const CHECKED: (usize, usize) = (400, 60);
 struct Resonator {
     frequency_radps: f64,
     half_width_radps: f64,
-    /// The step of its two states: x⁺ = A x + b (u + u⁺).
+    /// Matrix A of the step of the two states: x⁺ = A x + b (u + u⁺).
     step: [[f64; 2]; 2],
     input: [f64; 2],
 }
@@ -56,18 +58,19 @@ struct Resonator {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Bank {
     resonators: Vec<Resonator>,
-    /// P and Q of each.
+    /// P and Q of each resonator.
     outputs: Vec<[Matrix6; 2]>,
-    /// What of the answer acts as mass at this step, beside the effective added mass at infinite frequency.
+    /// The part of the water's reaction that acts as mass with this step, in addition to the effective added mass at
+    /// infinite frequency.
     pub(super) mass: Matrix6,
-    /// A small damping that makes good what the fit lacks (N·s/m and so on).
+    /// A small damping that replaces what the fit lacks (N·s/m and so on).
     pub(super) rest: Matrix6,
-    /// The force at the end of a step by the velocity at its end.
+    /// Matrix that gives the force at the end of a step from the velocity at the end of the step.
     pub(super) at_once: Matrix6,
     step_s: f64,
 }
 
-/// What the bank remembers: plain numbers.
+/// The state of the bank: plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Memory {
     /// Both states of each resonator for each motion.
@@ -110,7 +113,7 @@ impl Bank {
         bank
     }
 
-    /// The resonators of the fit.
+    /// The resonators that take part in the fit.
     fn narrow(&self) -> &[Resonator] {
         &self.resonators[..RESONATORS]
     }
@@ -120,8 +123,8 @@ impl Bank {
         2.0 / self.step_s
     }
 
-    /// Fits P, Q and the mass to the damping, and to the added mass that follows from it. What the data's own added mass differs by is
-    /// checked when they are read ([`Hydrodynamics::new`]).
+    /// Fits P, Q and the mass to the damping, and to the added mass that follows from the damping. The difference from
+    /// the data's own added mass is checked when the data are read ([`Hydrodynamics::new`]).
     fn fit(&mut self, data: &Hydrodynamics, last_radps: f64) {
         let end_radps = lesser(POINTS.1 * last_radps, self.resolved_radps());
         let coupled = |&[i, j]: &[usize; 2]| data.is_coupled(i, j);
@@ -161,8 +164,8 @@ impl Bank {
         }
     }
 
-    /// Damping, and added mass less that at infinite frequency, of two motions at a frequency (rad/s), as a ship feels them in
-    /// steps.
+    /// Damping of two motions at a frequency (rad/s), and their added mass less the added mass at infinite frequency,
+    /// as they act on a ship that moves in steps.
     pub(super) fn answer(&self, entry: [usize; 2], w: f64) -> [f64; 2] {
         let ratio = tangent_ratio(0.5 * w * self.step_s);
         let [i, j] = entry;
@@ -170,7 +173,7 @@ impl Bank {
         [self.response(w, |c| c.re)[i][j] / ratio, added]
     }
 
-    /// The damping of the bank at a frequency, as it steps.
+    /// The damping of the bank at a frequency, when it moves in steps.
     fn damping(&self, w: f64) -> Matrix6 {
         plus(&self.response(w, |c| c.re), 1.0, &self.rest)
     }
@@ -185,14 +188,16 @@ impl Bank {
         sum
     }
 
-    /// Adds damping where the fit has it below zero in some direction: first by the nearest resonator, whose first output takes
-    /// energy at every frequency, or by the wide one, then, for what is left, at all frequencies. Directions are compared by the mass that moves in them.
+    /// Adds damping where the fit gives a damping below zero in some direction. First the nearest resonator adds
+    /// damping, because its first output takes energy at every frequency; or the wide resonator does. Damping that is
+    /// still lacking after this step is added at all frequencies. Directions are compared by the mass that moves in
+    /// them.
     fn make_passive(&mut self, mass: &Matrix6) {
         let scale: Six = std::array::from_fn(|k| 1.0 / mass[k][k].sqrt());
         let least = |bank: &Bank| {
             let (mut worst, mut at, mut direction) = (0.0, 0.0, [0.0; 6]);
             for point in 0..CHECKED.0 {
-                // All frequencies that a step of this length has.
+                // All frequencies that a step of this length can represent.
                 let w = 0.98 * PI / bank.step_s * square(point as f64 / CHECKED.0 as f64);
                 let damping = bank.damping(w);
                 let scaled: Matrix6 = std::array::from_fn(|i| {
@@ -211,7 +216,8 @@ impl Bank {
                 break;
             }
             let share = |one: &Resonator| one.outputs_at(at, self.step_s)[0].re;
-            // The nearest, if it is near: elsewhere it would have to be so strong that its mass counts.
+            // The nearest resonator is used if it is near. Elsewhere it would have to be so strong that its mass
+            // counts.
             let near = |&k: &usize| {
                 let one = &self.resonators[k];
                 share(one) * 2.0 * one.half_width_radps > NEAR
@@ -238,9 +244,9 @@ impl Bank {
         }
     }
 
-    /// What the bank remembers of a ship that has moved with a steady velocity for long.
+    /// The state of the bank for a ship that has moved with a steady velocity for long.
     pub(super) fn steady(&self, velocity: Six) -> Memory {
-        // x₁ = 0 and x₂ = u/ω₀.
+        // In steady motion x₁ = 0 and x₂ = u/ω₀.
         let states = self
             .resonators
             .iter()
@@ -259,7 +265,7 @@ impl Bank {
         sum
     }
 
-    /// The force at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at its end.
+    /// The force at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at the end of the step.
     pub(super) fn force_ahead(&self, memory: &Memory) -> Six {
         let mut sum = [0.0; 6];
         let banks = self.resonators.iter().zip(&self.outputs).zip(&memory.states);
@@ -271,7 +277,7 @@ impl Bank {
         sum
     }
 
-    /// One step, at whose end the ship has a velocity.
+    /// Does one step, at the end of which the ship has this velocity.
     pub(super) fn advance(&self, memory: &mut Memory, velocity: &Six) {
         let both: Six = std::array::from_fn(|k| memory.velocity[k] + velocity[k]);
         for (resonator, state) in self.resonators.iter().zip(&mut memory.states) {
@@ -299,7 +305,7 @@ impl Resonator {
         Resonator { frequency_radps, half_width_radps, step, input }
     }
 
-    /// The states after a step with the sum of the velocities before and after it.
+    /// The states after a step. `velocities` is the sum of the velocities before and after the step.
     fn stepped(&self, one: &Six, two: &Six, velocities: &Six) -> [Six; 2] {
         let [[a, b], [c, d]] = self.step;
         let [e, f] = self.input;
@@ -309,7 +315,7 @@ impl Resonator {
         ]
     }
 
-    /// Both outputs at a frequency as the bilinear rule steps them: s = (2i/h) tan(ωh/2).
+    /// Both outputs at a frequency, when the bilinear rule steps the resonator: s = (2i/h) tan(ωh/2).
     fn outputs_at(&self, w: f64, step_s: f64) -> [Complex; 2] {
         let theta = lesser(0.5 * w * step_s, 0.999 * FRAC_PI_2);
         let s = 2.0 / step_s * libm::tan(theta);

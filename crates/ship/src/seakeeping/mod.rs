@@ -21,6 +21,7 @@
 
 mod between;
 mod check;
+mod checked;
 mod data;
 mod error;
 mod forces;
@@ -30,6 +31,7 @@ mod memory;
 mod motion;
 mod passive;
 mod place;
+mod raw;
 mod resolution;
 mod retardation;
 mod sub_steps;
@@ -37,12 +39,13 @@ mod waves_check;
 
 use std::sync::Arc;
 
-pub use data::{Hydrodynamics, RawHydrodynamics};
+pub use data::Hydrodynamics;
 pub use error::{Part, Reason, SeakeepingError};
 pub use forces::{DriftSource, WaveForces, WaveLoad};
 pub use memory::Memory;
 pub use motion::{Motion, MotionState, StepLoad};
 pub use place::SlowPlace;
+pub use raw::RawHydrodynamics;
 pub use resolution::Unresolved;
 pub use retardation::Retardation;
 pub use sub_steps::SubSteps;
@@ -55,13 +58,15 @@ pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"
 pub struct Seakeeping {
     /// The data.
     pub data: Arc<Hydrodynamics>,
-    /// Viscous damping of roll, as a share of the critical one: bilge keels and the hull's edges, which no panel code has.
+    /// Viscous damping of roll, as a share of the critical damping. Bilge keels and the edges of the hull cause it; no
+    /// panel code includes it.
     pub roll_damping: f64,
 }
 
 impl Seakeeping {
-    /// Whether the data are for a depth of water (m; `None`: deep), for a ship of a draught (m): within a tenth, or both deep. Water of more than
-    /// ten draughts counts as deep. Both bounds are our choice.
+    /// Whether the data are for a depth of water (m; `None`: deep), for a ship with this draught (m). The depths must
+    /// agree within a tenth, or both count as deep. Water of more than ten draughts counts as deep. The bounds of a
+    /// tenth and of ten draughts are our choice.
     #[must_use]
     pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
         let [of_data_m, of_run_m] =
@@ -71,7 +76,7 @@ impl Seakeeping {
     }
 }
 
-/// How far the depth of the data may be from that of the run, as a share of it.
+/// Largest difference between the depth of the data and the depth of the run, as a share of the latter.
 const DEPTH: f64 = 0.1;
-/// From which depth water counts as deep, in draughts.
+/// Depth from which water counts as deep, in draughts.
 const DEEP: f64 = 10.0;

@@ -1,26 +1,28 @@
 //! One time step of Cummins' equation in six degrees of freedom, around the contact engine's step in the plane.
 //!
-//! (M + A∞)ξ̈ + ∫K(t − τ) ξ̇ dτ + D ξ̇ + Cξ = F. The step is a leapfrog like the engine's: velocities v in the middle between positions
-//! x. The memory and the damping D act with the mean of the velocities before and after, and C with Numerov's weights, which needs
-//! the sum over v and v⁺ on the left side:
+//! (M + A∞)ξ̈ + ∫K(t − τ) ξ̇ dτ + D ξ̇ + Cξ = F. The step is a leapfrog like the engine's: velocities v belong to the
+//! middle between positions x. The memory and the damping D act with the mean of the velocities before and after. C
+//! acts with Numerov's weights, which put a part of C on the left side:
 //!
 //! (M + A∞ + h²C/12 + ½h(G + D)) v⁺ = (M + A∞ + h²C/12 − ½hD) v + h(F − Cx − ½(w + w′)),
 //!
-//! with w the memory's force in the middle of the last step and w′ + G v⁺ that of this one. It is stable for h² < 6M/C, and of
-//! the fourth order for what is linear, with the memory of `Bank` and excitation that is weighted likewise.
+//! Here w is the memory's force in the middle of the last step, and w′ + G v⁺ the memory's force in the middle of this
+//! step. The step is stable for h² < 6M/C. For linear forces the step is of the fourth order, with the memory of `Bank`
+//! and with excitation that has the same weights.
 //!
-//! The step has two parts. [`Motion::predict`], before contact, finds v⁺ under everything but contact, and gives the engine the load in the
-//! plane that takes its mass matrix there. [`Motion::settle`], after contact, finds heave, roll and pitch with what contact
-//! did: the change of the velocities in the plane, and moments by the heights of the fenders. What heave, roll and pitch then
-//! do to the plane acts in the next step.
+//! The step has two parts. [`Motion::predict`], before contact, finds v⁺ under all forces except contact, and gives the
+//! engine the load in the plane that brings the engine's mass matrix to v⁺. [`Motion::settle`], after contact, finds
+//! heave, roll and pitch with the effects of contact: the change of the velocities in the plane, and moments by the
+//! heights of the fenders. The effect of this heave, roll and pitch on the plane acts in the next step.
 
 use super::Seakeeping;
-use super::data::{PLANE, UPRIGHT};
 use super::matrix::{Matrix6, Six, plus, solve, times};
+use super::matrix::{PLANE, UPRIGHT};
 use super::memory::{Bank, Memory};
 use crate::attitude::{Attitude, AttitudeLoad};
 
-/// The largest part of a contact's impulse that is guessed a step ahead. At a third it would ring under a rigid contact.
+/// The largest part of a contact's impulse that is guessed one step ahead. With a third, the motion would ring under a
+/// rigid contact.
 const SMALL_PART: f64 = 0.25;
 
 /// The equation of a ship for one time step.
@@ -34,16 +36,16 @@ pub struct Motion {
     step_s: f64,
 }
 
-/// What one step leaves for the next: plain numbers.
+/// State that one step leaves for the next: plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MotionState {
     memory: Memory,
     /// Velocities before the step, and after it without contact.
     before: Six,
     without_contact: Six,
-    /// Impulses in the plane that the last step left (N·s, N·m·s).
+    /// Impulses in the plane that the last step left for this step (N·s, N·m·s).
     left: [f64; 3],
-    /// The part of them that is ahead of what contact has done.
+    /// The part of the impulses `left` that was guessed before contact was computed.
     ahead: [f64; 3],
 }
 
@@ -57,12 +59,12 @@ impl MotionState {
     }
 }
 
-/// What acts in a step besides the water's answer to the motion.
+/// The load in a step, without the water's reaction to the motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepLoad {
-    /// Force and moments in her own axes about the centre of gravity.
+    /// Force and moments in the ship's axes about the centre of gravity.
     pub force: Six,
-    /// The time for which forces change the velocities: the step, in the first step half of it (s).
+    /// The time for which forces change the velocities (s): the step, but half of it in the first step.
     pub acts_s: f64,
 }
 
@@ -83,14 +85,16 @@ impl Motion {
         motion
     }
 
-    /// The matrix with which the engine moves her, over surge, sway and yaw: what a push in the plane meets of a ship who is free
-    /// to heave, roll and pitch, with what the water answers within the step (kg, kg·m, kg·m²).
+    /// The mass matrix over surge, sway and yaw with which the engine moves the ship (kg, kg·m, kg·m²). The matrix is
+    /// the resistance to a push in the plane of a ship that is free to heave, roll and pitch. The matrix includes the
+    /// water's reaction within the step.
     #[must_use]
     pub fn plane_mass(&self) -> &[[f64; 3]; 3] {
         &self.plane_mass
     }
 
-    /// The state of a ship that has moved with a steady velocity for long: surge, sway and yaw through the water.
+    /// The state of a ship that has moved with a steady velocity for long: `velocity` is surge, sway and yaw through
+    /// the water.
     #[must_use]
     pub fn start(&self, velocity: [f64; 3]) -> MotionState {
         let [surge, sway, yaw] = velocity;
@@ -98,15 +102,15 @@ impl Motion {
         MotionState { memory, ..MotionState::default() }
     }
 
-    /// The damping, and the added mass less that at infinite frequency, with which two motions answer a frequency (rad/s) in steps
+    /// The damping, and the added mass less that at infinite frequency, for two motions at a frequency (rad/s) in steps
     /// of this length.
     #[must_use]
     pub fn answer(&self, entry: [usize; 2], frequency_radps: f64) -> [f64; 2] {
         self.bank.answer(entry, frequency_radps)
     }
 
-    /// The force of the water against a motion with velocities in the middles of steps, from rest: at the end of each step, less what
-    /// acts as mass, which is [`Motion::mass`].
+    /// The force of the water against a motion from rest, at the end of each step. The velocities belong to the middles
+    /// of steps. The part of the forces that acts as mass is subtracted: it is in [`Motion::mass`].
     #[must_use]
     pub fn memory_force(&self, velocities: &[Six]) -> Vec<Six> {
         let mut memory = self.bank.steady([0.0; 6]);
@@ -119,20 +123,20 @@ impl Motion {
         velocities.iter().map(force).collect()
     }
 
-    /// Mass with what of the water's answer acts as mass at this step.
+    /// Mass, with the part of the water's reaction that acts as mass with this step.
     #[must_use]
     pub fn mass(&self) -> &Matrix6 {
         &self.mass
     }
 
-    /// The damping that makes good what the memory's fit lacks.
+    /// The damping that replaces what the fit of the memory lacks.
     #[must_use]
     pub fn rest(&self) -> &Matrix6 {
         &self.bank.rest
     }
 
-    /// The load in the plane that takes the engine's body to where the ship is without contact. `velocity` is that through the
-    /// water in her own axes: surge, sway, yaw.
+    /// The load in the plane that takes the engine's body to where the ship is without contact. `velocity` is the
+    /// velocity through the water in the ship's axes: surge, sway, yaw.
     pub fn predict(
         &self,
         state: &mut MotionState,
@@ -160,8 +164,8 @@ impl Motion {
         })
     }
 
-    /// Moves heave, roll and pitch over the step. `velocity` is that after the step through the water, in her axes before it;
-    /// `contact` is the load of contact on heave, roll and pitch.
+    /// Moves heave, roll and pitch over the step. `velocity` is the velocity through the water after the step, in the
+    /// ship's axes before the step. `contact` is the load of contact on heave, roll and pitch.
     pub fn settle(
         &self,
         state: &mut MotionState,
@@ -182,7 +186,7 @@ impl Motion {
             acts_s * loads[i] - coupled
         });
         let upright = solve(&own, &right).unwrap_or_else(|| unreachable!("mass is positive"));
-        // What the engine's matrix has not seen of both changes.
+        // The part of both changes that the engine's matrix does not include.
         let left: [f64; 3] = std::array::from_fn(|i| {
             let row = &left_side[PLANE[i]];
             (0..3)
@@ -206,11 +210,11 @@ impl Motion {
         }
     }
 
-    /// Leaves an impulse in the plane to the next step, where contact changed the velocities.
+    /// Leaves an impulse in the plane to the next step, if contact changed the velocities.
     ///
-    /// There it is late by a step, which would feed energy: moments of fenders are mostly of restoring forces. So where it is a
-    /// small part of what contact did, the next step's is guessed to change as much again, and what was too much is taken
-    /// back in the step after. A large part would ring.
+    /// The impulse is late by one step there. This would add energy, because the moments of fenders are mostly
+    /// restoring. So if the impulse is a small part of the contact's effect, the next step is assumed to need the same
+    /// change again, and any excess is taken back in the step after. A large part would ring.
     fn leave(&self, state: &mut MotionState, left: [f64; 3], by_contact: [f64; 3]) {
         let size = |impulse: [f64; 3]| -> f64 {
             (0..3).map(|k| impulse[k] * impulse[k] / self.plane_mass[k][k]).sum()
@@ -224,7 +228,7 @@ impl Motion {
         state.ahead = ahead;
     }
 
-    /// The matrices of the velocities after and before the step.
+    /// The matrices that multiply the velocities after and before the step.
     fn sides(&self, acts_s: f64) -> (Matrix6, Matrix6) {
         let stiff = acts_s * self.step_s / 12.0;
         let inert = plus(&self.mass, stiff, &self.restoring);
@@ -243,8 +247,8 @@ impl Motion {
     }
 }
 
-/// The matrix of the plane of a ship who is free in heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp), without the coupling of surge
-/// with sway and yaw, which the engine has not.
+/// The mass matrix in the plane of a ship that is free in heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp). The coupling
+/// of surge with sway and yaw is left out, because the engine has none.
 fn free_plane_mass(total: &Matrix6) -> [[f64; 3]; 3] {
     let block = |rows: [usize; 3], columns: [usize; 3]| -> [[f64; 3]; 3] {
         rows.map(|row| columns.map(|column| total[row][column]))

@@ -1,26 +1,29 @@
-//! Checks that no combination of motions gains energy from the data: entries on the diagonals may be right and couplings wrong.
+//! Checks that no combination of motions gains energy from the data. The entries on the diagonals may be right while
+//! the couplings are wrong.
 
 use fenderline_contact::number::greater;
 
 use super::error::{Part, Reason, SeakeepingError, error};
 use super::matrix::{Matrix6, Six, smallest_eigenvalue};
 
-/// What the damping of a combination of motions may be below zero, over the maxima of the single motions: below the first it is numerical
-/// noise, of which the data of this repository have up to 0.4 %; below the second it is refused.
+/// How far below zero the damping of a combination of motions may be, over the maxima of the single motions. Less than
+/// the first value is numerical noise; the data of this repository have up to 0.4 %. More than the second value is
+/// refused.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
-/// The identity, over which a part of a matrix with ones on its diagonal may be written.
+/// The identity matrix. A part of a matrix that is scaled to ones on its diagonal may be written over it.
 pub(super) fn scaled_to_one() -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)))
 }
 
-/// The two motions with the largest part in the smallest eigenvalue of a matrix with ones on its diagonal, if it is not positive.
+/// The two motions with the largest part in the eigenvector of the smallest eigenvalue, if this eigenvalue is not
+/// positive. The matrix has ones on its diagonal.
 pub(super) fn negative_together(matrix: &Matrix6) -> Option<[usize; 2]> {
     let (value, vector) = smallest_eigenvalue(matrix);
     (value <= 0.0).then(|| largest_two(&vector))
 }
 
-/// Mass with the added mass at infinite frequency, of all motions together.
+/// Checks mass plus added mass at infinite frequency, for all motions together.
 ///
 /// # Errors
 /// [`Reason::NoMass`], [`Reason::CouplesTooMuch`].
@@ -38,8 +41,8 @@ pub(super) fn check_total_mass(total: &Matrix6) -> Result<(), SeakeepingError> {
     }
 }
 
-/// The damping of all motions together at each frequency. What is a little more than noise is a doubt: the memory of the water is
-/// made passive.
+/// Checks the damping of all motions together at each frequency. A violation a little above noise is reported as a
+/// doubt: the memory of the water is made passive.
 ///
 /// # Errors
 /// [`Reason::NegativeTogether`].

@@ -1,15 +1,16 @@
-//! The place and heading at which a ship feels the waves.
+//! The place and heading of a ship at which the forces of waves are computed.
 //!
-//! Forces of first order belong to the mean place of a ship. At her place of the moment, excitation times her own wave motion would
-//! add a second-order force, which the drift has already. So the place follows her slowly, without lag where she moves steadily:
-//! p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
+//! Forces of first order belong to the mean place of a ship. At her present place, excitation times her own wave motion
+//! would add a second-order force, which the drift already contains. So a slow place p̂ follows the ship. The slow
+//! place has no lag if she moves steadily: p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
 
 use fenderline_contact::{BodyState, Vec2};
 
-/// c (rad/s). A wave motion of 0.6 rad/s moves the place by a fifteenth of itself, and a slow drift of 0.01 rad/s wholly.
+/// c (rad/s). A wave motion at 0.6 rad/s moves the slow place by a fifteenth of the motion; a slow drift at 0.01 rad/s
+/// moves it by the whole drift.
 const RATE_RADPS: f64 = 0.02;
 
-/// A place and a heading that follow those of a ship.
+/// A place and a heading that slowly follow those of a ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlowPlace {
     /// The place (m).
@@ -21,7 +22,7 @@ pub struct SlowPlace {
 }
 
 impl SlowPlace {
-    /// The place and heading of a ship at the start of a run.
+    /// The slow place of a ship at the start of a run.
     #[must_use]
     pub fn new(state: &BodyState) -> SlowPlace {
         SlowPlace {
@@ -32,7 +33,7 @@ impl SlowPlace {
         }
     }
 
-    /// One step.
+    /// Moves the slow place by one step.
     pub fn follow(&mut self, state: &BodyState, step_s: f64) {
         let ahead_m = self.position_m + self.velocity_mps * step_s;
         let ahead_rad = self.heading_rad + self.yaw_radps * step_s;

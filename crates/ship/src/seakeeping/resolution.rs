@@ -1,9 +1,11 @@
-//! The waves of a sea that hydrodynamic data do not resolve: their headings or frequencies are too far apart for them, or end before them.
+//! The waves of a sea that hydrodynamic data do not resolve: the headings or the frequencies of the data are too far
+//! apart, or the frequencies end too early.
 //!
-//! The force in a wave has phases of ±½kL at bow and stern. From one heading to the next they turn by up to ½kLΔμ, from one frequency to the
-//! next by ½LΔk. `super::between` follows them up to kLΔμ = 4 and LΔk = 2.5; data with headings all round may be those at a wall, whose image makes
-//! the hull wider, and are followed up to kLΔμ = 3. Free motions of the ship in 20 m of water, and of the barge at a quay, begin to differ from panel runs at
-//! the very heading by more than 2 % at kLΔμ of 4.1 and 3.1, with headings thinned to every 12 degrees.
+//! The force in a wave has phases of ±½kL at bow and stern. From one heading to the next the phases turn by up to
+//! ½kLΔμ, from one frequency to the next by ½LΔk. `super::between` can follow the phases up to kLΔμ = 4 and LΔk = 2.5.
+//! Data with headings all round may be for a wall, whose image makes the hull wider; they are followed up to kLΔμ = 3.
+//! In tests with headings thinned to every 12 degrees, free motions began to differ by more than 2 % from panel runs at
+//! the exact heading: at kLΔμ of 4.1 for the ship in 20 m of water, and at 3.1 for the barge at a quay.
 
 use fenderline_contact::number::greater;
 
@@ -11,7 +13,7 @@ use super::between::widest_step;
 use super::data::Hydrodynamics;
 use crate::environment::waves::Sea;
 
-/// The largest kLΔμ that is resolved: with headings from 0 to 180 degrees, and all round.
+/// The largest kLΔμ that is resolved, for headings from 0 to 180 degrees, and for headings all round.
 const HEADINGS: [f64; 2] = [4.0, 3.0];
 /// The largest LΔk that is resolved.
 const FREQUENCIES: f64 = 2.5;
@@ -19,16 +21,16 @@ const FREQUENCIES: f64 = 2.5;
 /// Shares of a sea's energy, from 0 to 1, in waves that data do not resolve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Unresolved {
-    /// In waves within the frequencies, for which the headings are too far apart.
+    /// Share in waves within the frequencies of the data, for which the headings are too far apart.
     pub by_headings: f64,
-    /// In waves for which the headings are fine enough and the frequencies are too far apart.
+    /// Share in waves for which the headings are fine enough, but the frequencies too far apart.
     pub by_frequencies: f64,
-    /// In waves longer than that of the first frequency or shorter than that of the last.
+    /// Share in waves with frequencies below the first or above the last frequency of the data.
     pub beyond: f64,
 }
 
 impl Unresolved {
-    /// The share in all of them.
+    /// The sum of the three shares.
     #[must_use]
     pub fn sum(&self) -> f64 {
         self.by_headings + self.by_frequencies + self.beyond
@@ -36,7 +38,7 @@ impl Unresolved {
 }
 
 impl Hydrodynamics {
-    /// The shares of a sea's energy that the data do not resolve for a ship of a length (m).
+    /// The shares of a sea's energy that the data do not resolve for a ship of this length (m).
     #[must_use]
     pub fn unresolved(&self, sea: &Sea, length_m: f64) -> Unresolved {
         let most_radpm = self.resolved_number_radpm(length_m);
@@ -80,7 +82,8 @@ impl Hydrodynamics {
         most / (length_m * self.widest_heading_step_rad())
     }
 
-    /// The shortest wave whose headings are fine enough for a ship of a length (m): its frequency (rad/s), at most the last of the data.
+    /// The frequency of the shortest wave for which the headings are fine enough (rad/s), for a ship of this length
+    /// (m). At most the last frequency of the data.
     #[must_use]
     pub fn resolved_to_radps(&self, length_m: f64) -> f64 {
         let most = self.resolved_number_radpm(length_m);

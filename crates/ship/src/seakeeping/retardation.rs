@@ -7,13 +7,13 @@ use fenderline_contact::number::lesser;
 use super::data::Hydrodynamics;
 use super::matrix::{Matrix6, ZERO};
 
-/// Points of the fine grid up to the last frequency, and beyond it.
+/// Number of points of the fine grid up to the last frequency of the data, and beyond it.
 const FINE: [usize; 2] = [400, 200];
-/// How far beyond the last frequency the tail goes, over that frequency.
+/// End of the tail, over the last frequency of the data.
 pub(super) const TAIL: f64 = 1.5;
 
-/// Damping on a fine grid of frequencies: cubic between the data, zero at zero frequency. Beyond the last frequency of the data it
-/// fades to zero over half of that frequency: what the water answers faster than that acts as mass
+/// Damping on a fine grid of frequencies: cubic between the data, zero at zero frequency. Beyond the last frequency of
+/// the data it fades to zero over half of this frequency. A reaction of the water that is faster acts as mass
 /// (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
@@ -32,7 +32,7 @@ impl Retardation {
         Retardation { frequencies_radps, damping }
     }
 
-    /// K of two motions at a time (N/m, N, N·m).
+    /// The value of K for two motions at a time (N/m, N, N·m).
     #[must_use]
     pub fn at(&self, row: usize, column: usize, t_s: f64) -> f64 {
         FRAC_2_PI
@@ -51,8 +51,8 @@ impl Retardation {
         of(place - 1) + lesser(share, 1.0) * (of(place) - of(place - 1))
     }
 
-    /// The added mass of two motions less that at infinite frequency, by the damping: A(ω) − A∞ = (2/π)∫(B(w) − B(ω))/(w² − ω²)dw,
-    /// which is −(1/ω)∫K sin ωt dt (Ogilvie 1964), without the singularity.
+    /// The added mass of two motions, less the added mass at infinite frequency, computed from the damping: A(ω) − A∞ =
+    /// (2/π)∫(B(w) − B(ω))/(w² − ω²)dw. This is −(1/ω)∫K sin ωt dt (Ogilvie 1964), but without the singularity.
     #[must_use]
     pub fn added_mass_change(&self, row: usize, column: usize, frequency_radps: f64) -> f64 {
         let of = |k: usize| self.damping[k][row][column];
@@ -66,7 +66,7 @@ impl Retardation {
             let square = axis[k] * axis[k] - w0 * w0;
             if square.abs() < 1e-9 * w0 * w0 { 0.5 * slope / w0 } else { (of(k) - own) / square }
         });
-        // ∫ dw/(w² − ω²) beyond the grid, where the damping itself has faded: ln((W + ω)/(W − ω))/2ω.
+        // Beyond the grid, where the damping has faded, ∫ dw/(w² − ω²) is ln((W + ω)/(W − ω))/2ω.
         let end = axis[axis.len() - 1];
         let beyond = match own == 0.0 {
             true => 0.0,
@@ -75,7 +75,7 @@ impl Retardation {
         FRAC_2_PI * (inner + beyond)
     }
 
-    /// ∫ over the grid by the trapezoidal rule.
+    /// The integral over the grid by the trapezoidal rule.
     fn integral(&self, of: impl Fn(usize) -> f64) -> f64 {
         let axis = &self.frequencies_radps;
         let (mut sum, mut before) = (0.0, of(0));
@@ -88,8 +88,9 @@ impl Retardation {
     }
 }
 
-/// The effective added mass at infinite frequency: the median over the frequencies of the data of A(ω) less what follows from the
-/// damping by Ogilvie's relation, up to where the damping has faded. It differs from A∞ by what the water answers faster.
+/// The effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that follows
+/// from the damping by Ogilvie's relation gives a value; the result is the median of these values, up to where the
+/// damping has faded. The median differs from A∞ by the part of the water's reaction that is faster than the data.
 pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation) -> Matrix6 {
     let of = |i: usize, j: usize| {
         let mut values: Vec<f64> = data
@@ -114,18 +115,19 @@ pub(super) fn damping_at(data: &Hydrodynamics, w: f64) -> Matrix6 {
         let share = 0.5 * (1.0 + libm::cos(PI * t));
         return data.damping[last].map(|row| row.map(|b| b * share));
     }
-    // Zero at zero frequency, with zero slope: waves that long carry nothing away.
+    // Zero at zero frequency, with zero slope: such long waves carry no energy away.
     interpolated(axis, |k| &data.damping[k], &ZERO, w)
 }
 
-/// A matrix between those of an axis, by cubics with the slopes of parabolas through three neighbours; `zero` at zero.
+/// A matrix interpolated on an axis, by cubics with the slopes of parabolas through three neighbours. At zero the
+/// matrix is `zero`.
 fn interpolated<'m>(
     axis: &[f64],
     matrix: impl Fn(usize) -> &'m Matrix6,
     zero: &'m Matrix6,
     w: f64,
 ) -> Matrix6 {
-    // Index 0 is zero frequency.
+    // Index 0 stands for zero frequency.
     let at = |k: usize| if k == 0 { 0.0 } else { axis[k - 1] };
     let of = |k: usize| if k == 0 { zero } else { matrix(k - 1) };
     let last = axis.len();
@@ -161,7 +163,7 @@ fn interpolated<'m>(
     })
 }
 
-/// tan θ/θ, 1 at 0.
+/// The ratio tan θ/θ, which is 1 at 0.
 pub(super) fn tangent_ratio(theta: f64) -> f64 {
     debug_assert!(theta < FRAC_PI_2);
     if theta < 1e-4 { 1.0 + theta * theta / 3.0 } else { libm::tan(theta) / theta }

@@ -1,20 +1,22 @@
-//! Checks of exciting and drift forces: their sizes against the damping and the ship.
+//! Checks the sizes of exciting and drift forces, against the damping and the size of the ship.
 
 use core::f64::consts::{PI, TAU};
 
-use super::data::RawHydrodynamics;
 use super::error::{Part, Reason, SeakeepingError, error};
+use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
-/// What the damping by Haskind's relation may be over that of the data, at its maximum in heave. The data of this repository have 0.83 to
-/// 2.1, at a quay twice what they have without; newtons for kilonewtons are a million off, tonnes-force a hundred, feet eleven.
+/// Range of the damping by Haskind's relation over the damping of the data, at its maximum in heave. The data of this
+/// repository have 0.83 to 2.1; at a quay the ratio is twice the ratio without the quay. Newtons in place of
+/// kilonewtons would be wrong by a factor of a million, tonnes-force by a hundred, feet by eleven.
 const HASKIND: [f64; 2] = [0.1, 10.0];
-/// The most that a mean drift may be over ρgL/2, the total reflection of a wave over the length, with resonance.
+/// Largest mean drift over ρgL/2, which is the total reflection of a wave over the length. The limit allows for
+/// resonance.
 const DRIFT: f64 = 10.0;
 
-/// Haskind's relation in heave: the damping is k/(8πρg c) ∫|X|² dμ, with X the exciting force in a wave of amplitude 1 m by heading, k
-/// the wave number and c the group velocity (Newman 1962 in deep water, recalled).
+/// Haskind's relation in heave: the damping is k/(8πρg c) ∫|X|² dμ, where X is the exciting force in a wave of
+/// amplitude 1 m, by heading, k the wave number and c the group velocity (Newman 1962 in deep water, recalled).
 ///
 /// # Errors
 /// [`Reason::ForcesOfOtherUnits`], [`Reason::Implausible`].
@@ -60,7 +62,7 @@ pub(super) fn check_forces(
     Ok(())
 }
 
-/// The damping in heave by the exciting forces at a frequency of theirs (N·s/m).
+/// The damping in heave that follows from the exciting forces at one of their frequencies (N·s/m).
 fn by_forces(raw: &RawHydrodynamics, at: usize, is_mirrored: bool) -> f64 {
     let headings = &raw.headings_rad;
     let squared = |k: usize| {
@@ -81,7 +83,7 @@ fn by_forces(raw: &RawHydrodynamics, at: usize, is_mirrored: bool) -> f64 {
         Some(depth_m) => {
             let number = wave_number(w, depth_m);
             let twice = 2.0 * number * depth_m;
-            // 2kh/sinh 2kh is nothing in deep water, where sinh would overflow.
+            // In deep water 2kh/sinh 2kh is zero, and sinh would overflow.
             let shallow = if twice < 700.0 { twice / libm::sinh(twice) } else { 0.0 };
             (number, 0.5 * w / number * (1.0 + shallow))
         }

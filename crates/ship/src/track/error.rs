@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::range::OutOfRange;
 
-/// A track that no ship can follow.
+/// Reasons why no ship can follow a track.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TrackError {
@@ -12,21 +12,21 @@ pub enum TrackError {
     OutOfRange(OutOfRange),
     /// Fewer than two waypoints.
     TooFew,
-    /// A waypoint is less than a metre from the one before it, by its index.
+    /// A waypoint is less than a metre from the waypoint before it.
     Near {
-        /// Its index.
+        /// Index of the waypoint.
         waypoint: usize,
     },
-    /// The legs at a waypoint are too short for a bend of this radius, or she would turn round on the spot.
+    /// The legs at a waypoint are too short for a bend of this radius, or the ship would turn round on the spot.
     Bend {
-        /// Its index.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// The largest radius that fits (m); 0 where she turns back.
+        /// The largest radius that fits (m); 0 if the track turns back.
         most_m: f64,
     },
     /// The times of speeds do not increase.
     NotLater {
-        /// Index of the first that is not later than the one before it.
+        /// Index of the first time that is not later than the time before it.
         entry: usize,
     },
 }
@@ -37,7 +37,7 @@ impl fmt::Display for TrackError {
             TrackError::OutOfRange(error) => error.fmt(f),
             TrackError::TooFew => f.write_str("a track needs two waypoints or more"),
             TrackError::Near { waypoint } => {
-                write!(f, "waypoint {waypoint} is less than a metre from the one before it")
+                write!(f, "waypoint {waypoint} is less than a metre from the waypoint before it")
             }
             TrackError::Bend { waypoint, most_m } if *most_m < 1.0 => {
                 write!(f, "the track turns back at waypoint {waypoint}")
@@ -50,7 +50,7 @@ impl fmt::Display for TrackError {
                 )
             }
             TrackError::NotLater { entry } => {
-                write!(f, "speed {entry} is not later than the one before it")
+                write!(f, "speed {entry} is not later than the speed before it")
             }
         }
     }

@@ -1,7 +1,8 @@
-//! Tracks: where a ship is that follows waypoints at given speeds, whatever acts on her.
+//! Tracks: the positions of a ship that follows waypoints at given speeds, whatever forces act on her.
 //!
-//! Everything here is a pure function of time, without state, so a run can be copied, restored and replayed bit for bit. A
-//! track has no end: before its first waypoint and after its last one the ship is on the straight line through the leg there.
+//! Everything here is a pure function of time, without state, so a run can be copied, restored and replayed bit for
+//! bit. A track has no end: before its first waypoint and after its last waypoint the ship is on the straight line
+//! through the first or last leg.
 
 mod error;
 mod pace;
@@ -13,32 +14,32 @@ pub use error::TrackError;
 pub use pace::Pace;
 pub use path::Path;
 
-/// Where a ship is at each time.
+/// The position of a ship at each time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Where she goes.
+    /// The path of the ship.
     pub path: Path,
-    /// When she is where.
+    /// The progress of the ship along the path.
     pub pace: Pace,
 }
 
 /// A ship on her track at some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnTrack {
-    /// Her midship, and her heading: that of the path.
+    /// Pose of the ship's midship; the heading is that of the path.
     pub pose: Pose,
-    /// Her heading, clockwise from north (rad), from −π to π.
+    /// Heading of the ship, clockwise from north, from −π to π (rad).
     pub heading_rad: f64,
     /// Speed over the ground along the path (m/s).
     pub speed_mps: f64,
     /// Velocity over the ground, north and east (m/s).
     pub velocity_mps: Vec2,
-    /// How fast she turns (rad/s), clockwise.
+    /// Rate of turn, clockwise (rad/s).
     pub yaw_rate_radps: f64,
 }
 
 impl Track {
-    /// Where she is at a time (s).
+    /// Position and motion of the ship at a time (s).
     #[must_use]
     pub fn at(&self, t_s: f64) -> OnTrack {
         let place = self.path.at(self.pace.distance_m(t_s));
@@ -60,7 +61,7 @@ mod tests {
 
     use super::*;
 
-    /// Velocity and turning are the derivatives of position and heading, on legs, in bends and beyond both ends.
+    /// Velocity and rate of turn are the derivatives of position and heading, on legs, in bends and beyond both ends.
     #[test]
     fn velocity_and_turning_are_those_of_the_position() {
         let path = Path::through(&[vec2(0.0, 0.0), vec2(500.0, 0.0), vec2(500.0, -800.0)], 200.0);
@@ -76,7 +77,7 @@ mod tests {
             assert!((turned - now.yaw_rate_radps).abs() < 1e-6, "{t_s}: {turned}");
             assert!((now.velocity_mps.length() - now.speed_mps).abs() < 1e-12);
         }
-        // Port turn of a quarter, at the end of which she heads west.
+        // A quarter turn to port; at its end the ship heads west.
         assert!((track.at(500.0).heading_rad + std::f64::consts::FRAC_PI_2).abs() < 1e-12);
         assert!(track.at(50.0).pose.position_m.length() < 1e-9);
     }

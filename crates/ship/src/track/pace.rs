@@ -3,14 +3,14 @@
 use super::error::TrackError;
 use crate::range::within;
 
-/// Speed along a track by time: straight lines between times, held before the first and after the last one.
+/// Speed along a track by time: straight lines between times, constant before the first and after the last time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pace {
-    /// From the first time on.
+    /// Times and speeds, from the first time on.
     knots: Vec<Knot>,
     /// Distance from the first knot at which the track begins (m).
     begins_m: f64,
-    /// When she is at the first waypoint (s).
+    /// When the ship is at the first waypoint (s).
     at_first_s: f64,
 }
 
@@ -24,7 +24,7 @@ struct Knot {
 }
 
 impl Pace {
-    /// A constant speed (m/s); she is at the first waypoint at a time (s).
+    /// A constant speed (m/s). The ship is at the first waypoint at the time `at_s` (s).
     ///
     /// # Errors
     /// A speed that is not between 0 and 50 m/s, a time beyond ±10⁸ s.
@@ -32,10 +32,11 @@ impl Pace {
         Pace::by_time(&[(0.0, speed_mps)], at_s)
     }
 
-    /// Times (s) and speeds (m/s); she is at the first waypoint at a time (s).
+    /// A speed that changes with time: times (s) and speeds (m/s). The ship is at the first waypoint at the time `at_s`
+    /// (s).
     ///
     /// # Errors
-    /// No speed, one that is not between 0 and 50 m/s, a time beyond ±10⁸ s or that is not later than the one before it.
+    /// No speed; a speed that is not between 0 and 50 m/s; a time beyond ±10⁸ s, or not later than the time before it.
     pub fn by_time(speeds: &[(f64, f64)], at_s: f64) -> Result<Pace, TrackError> {
         within("number of speeds of a track", speeds.len() as f64, 1.0, 1e6)?;
         within("time at the first waypoint [s]", at_s, -1e8, 1e8)?;
@@ -57,13 +58,13 @@ impl Pace {
         Ok(pace)
     }
 
-    /// When she is at the first waypoint (s).
+    /// When the ship is at the first waypoint (s).
     #[must_use]
     pub fn at_first_s(&self) -> f64 {
         self.at_first_s
     }
 
-    /// The times (s) with the speeds (m/s) that were given; one for a steady speed.
+    /// The given times (s) and speeds (m/s); a steady speed has one pair.
     pub fn speeds(&self) -> impl ExactSizeIterator<Item = (f64, f64)> {
         self.knots.iter().map(|knot| (knot.t_s, knot.speed_mps))
     }
@@ -88,7 +89,7 @@ impl Pace {
         speeds.fold(0.0, fenderline_contact::number::greater)
     }
 
-    /// Distance along the track from its first waypoint at a time (m), negative before it.
+    /// Distance along the track from its first waypoint at a time (m), negative before the first waypoint.
     #[must_use]
     pub fn distance_m(&self, t_s: f64) -> f64 {
         self.covered_m(t_s) - self.begins_m
@@ -99,7 +100,8 @@ impl Pace {
         last.covered_m + 0.5 * (t_s - last.t_s) * (last.speed_mps + self.speed_mps(t_s))
     }
 
-    /// The knot at or before a time, or the first one; and the one after it, but none before the first.
+    /// The knot at or before a time, or the first knot; and the knot after it. There is no second knot before the
+    /// first.
     fn around(&self, t_s: f64) -> (Knot, Option<Knot>) {
         let later = self.knots.partition_point(|knot| knot.t_s <= t_s);
         if later == 0 {

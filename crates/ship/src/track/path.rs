@@ -16,11 +16,11 @@ pub struct Path {
 /// A leg or an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Piece {
-    /// Distance along the path at which it begins (m).
+    /// Distance along the path at which the piece begins (m).
     from_m: f64,
-    /// Where it begins, north and east (m).
+    /// Place at which the piece begins, north and east (m).
     start_m: Vec2,
-    /// Heading there (rad).
+    /// Heading at the start of the piece (rad).
     heading_rad: f64,
     /// One over the radius (1/m), positive for a turn to starboard; 0 for a leg.
     curvature_pm: f64,
@@ -55,8 +55,8 @@ impl Path {
     /// Legs between waypoints, north and east (m), with bends of a radius (m) that touch both legs.
     ///
     /// # Errors
-    /// Fewer than two waypoints, one less than a metre from the one before it, a radius not between 1 m and 100 km or with no
-    /// room between the waypoints.
+    /// Fewer than two waypoints; a waypoint less than a metre from the waypoint before it; a radius that is not between
+    /// 1 m and 100 km, or that does not fit between the waypoints.
     pub fn through(waypoints_m: &[Vec2], radius_m: f64) -> Result<Path, TrackError> {
         if waypoints_m.len() < 2 {
             return Err(TrackError::TooFew);
@@ -103,7 +103,7 @@ impl Path {
         let along_m = distance_m - piece.from_m;
         let turned_rad = along_m * piece.curvature_pm;
         let start = Rotation::from_angle(piece.heading_rad);
-        // On an arc the chord is turned by half as much as the heading.
+        // On an arc the chord turns by half the turn of the heading.
         let moved_m = match piece.curvature_pm == 0.0 {
             true => vec2(along_m, 0.0),
             false => {
@@ -120,8 +120,8 @@ impl Path {
         }
     }
 
-    /// Places for drawing: the ends of legs, and points on bends at most a twelfth of a turn apart, from `from_m` to `to_m`
-    /// along the path (m), north and east (m).
+    /// Points for drawing, from `from_m` to `to_m` along the path (m), given north and east (m). The points are the
+    /// ends of legs, and points on bends at most a twelfth of a turn apart.
     #[must_use]
     pub fn points_m(&self, from_m: f64, to_m: f64) -> Vec<Vec2> {
         let mut points = vec![self.at(from_m).position_m];
@@ -140,7 +140,7 @@ impl Path {
     }
 }
 
-/// Checks that the bends at both ends of each leg have room on it.
+/// Checks that each leg has room for the bends at both of its ends.
 fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), TrackError> {
     // Length of a leg that a bend of radius 1 takes.
     let cut = |index: usize| libm::tan(0.5 * turns_rad[index].abs());
@@ -155,7 +155,7 @@ fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), Tr
     Ok(())
 }
 
-/// The same angle between −π and π (rad).
+/// The angle in the range from −π to π (rad).
 fn within_half_turn(angle_rad: f64) -> f64 {
     angle_rad - 2.0 * PI * libm::round(angle_rad / (2.0 * PI))
 }

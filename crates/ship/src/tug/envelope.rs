@@ -15,7 +15,7 @@ pub struct TugEnvelope {
     pub beam_m: f64,
     /// Draught of hull and skeg (m).
     pub draught_m: f64,
-    /// Drag coefficient of the hull across the flow; our value for a tug beam-on is 0.73.
+    /// Drag coefficient of the hull across the flow; our value for a tug with her side to the flow is 0.73.
     pub drag_coefficient: f64,
 }
 
@@ -36,11 +36,12 @@ impl TugEnvelope {
     /// The greatest force (N) of the tug at an angle (rad) from the direction of motion of tug and ship through the water, at a
     /// speed (m/s).
     ///
-    /// Our derivation, unvalidated, as no published envelope was found. The tug lies along the force.
-    /// Her thrust gives the force F and overcomes her own drag D against the motion, |F·e + D·x| = BP, so
-    /// that F = √(BP² − D² sin²θ) − D cos θ; beam-on it is √(BP² − D²), and 0 where BP < D. D = ½ρ Cd T V² (L sin²θ + B cos²θ):
-    /// her side is in the flow when she pushes across, her end when along (with the same Cd: ours). Drag that assists
-    /// (cos θ < 0) is neglected, so that the force never exceeds the bollard pull.
+    /// We derived this; it is not validated, because no published envelope was found. The tug lies along the force. The
+    /// tug's thrust gives the force F and overcomes her drag D against the motion: |F·e + D·x| = BP. So F = √(BP² − D²
+    /// sin²θ) − D cos θ. With her side to the motion F is √(BP² − D²), and 0 if BP < D. The drag is D = ½ρ Cd T V² (L
+    /// sin²θ + B cos²θ): the flow meets her side when she pushes across the motion, and her end when she pushes along
+    /// it (with the same Cd; our choice). Drag that assists (cos θ < 0) is neglected, so that the force never exceeds
+    /// the bollard pull.
     #[must_use]
     pub fn available_n(&self, angle_rad: f64, speed_mps: f64, water_density_kgpm3: f64) -> f64 {
         let (sin, cos) = (libm::sin(angle_rad), libm::cos(angle_rad));
@@ -49,7 +50,7 @@ impl TugEnvelope {
         let drag_n = 0.5 * water_density_kgpm3 * area_m2 * speed_mps * speed_mps;
         let across_n = drag_n * sin;
         let along_squared = self.bollard_pull_n * self.bollard_pull_n - across_n * across_n;
-        // Below 0 she cannot keep up with the ship: no force.
+        // If this is below 0 the tug cannot keep up with the ship, and gives no force.
         let force_n = greater(along_squared, 0.0).sqrt() - drag_n * greater(cos, 0.0);
         greater(force_n, 0.0)
     }

@@ -1,8 +1,8 @@
-//! Vector tugs: a force on a ship, within a tug's envelope and with her delay and lag.
+//! Vector tugs. A vector tug is a force on a ship, within the tug's envelope and with the tug's delay and lag.
 //!
-//! A [`VectorTug`] is the constant part, checked once; a [`TugState`] is plain data. [`VectorTug::order`] gives an order, and
-//! [`VectorTug::step`] computes the force. A tug that pushes with a bow fender, or moves on her line, is a vessel with a body of
-//! her own.
+//! A [`VectorTug`] is the constant part, checked once. A [`TugState`] is plain data. [`VectorTug::order`] gives an
+//! order, and [`VectorTug::step`] computes the force. A tug that pushes with a bow fender, or that moves on her line,
+//! is a vessel with her own body instead.
 //!
 //! ```
 //! use fenderline_contact::vec2;

@@ -8,7 +8,7 @@ use fenderline_contact::{Vec2, vec2};
 use super::envelope::TugEnvelope;
 use crate::range::{OutOfRange, within};
 
-/// Below this share of her bollard pull a tug changes between pushing and pulling.
+/// A tug changes between pushing and pulling when her force is below this share of her bollard pull.
 const SLACK_SHARE: f64 = 0.01;
 
 /// A tug that acts as a force at a point of a ship; the constant part.
@@ -16,17 +16,17 @@ const SLACK_SHARE: f64 = 0.01;
 pub struct VectorTug {
     /// Name, for messages.
     pub name: String,
-    /// The forces that she can give.
+    /// The forces that the tug can give.
     pub envelope: TugEnvelope,
-    /// Point where she pushes, forward and to starboard of midship (m).
+    /// Point where the tug pushes, forward and to starboard of the ship's midship (m).
     pub push_at_m: Vec2,
-    /// Fairlead of her line, likewise (m).
+    /// Fairlead of the tug's line, forward and to starboard of the ship's midship (m).
     pub pull_at_m: Vec2,
     /// Delay of an order (s).
     pub delay_s: f64,
     /// Time constant of the force (s).
     pub force_lag_s: f64,
-    /// Time constant of its direction (s).
+    /// Time constant of the direction of the force (s).
     pub direction_lag_s: f64,
 }
 
@@ -40,14 +40,14 @@ pub enum TugOrder {
     Push {
         /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship from her bow, positive to starboard (rad).
+        /// Direction of the force on the ship, from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
     },
     /// Pull on the line.
     Pull {
         /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship from her bow, positive to starboard (rad).
+        /// Direction of the force on the ship, from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
     },
 }
@@ -55,7 +55,7 @@ pub enum TugOrder {
 /// The variable state of a tug: plain data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TugState {
-    /// The order that she carries out.
+    /// The order that the tug carries out.
     pub order: TugOrder,
     /// Delayed orders, oldest first, with the time (s) at which they begin.
     pub waiting: Vec<(f64, TugOrder)>,
@@ -63,7 +63,7 @@ pub struct TugState {
     pub force_n: f64,
     /// Direction of the force from the ship's bow, positive to starboard (rad).
     pub direction_rad: f64,
-    /// She pulls on her line instead of pushing at the hull.
+    /// Whether the tug pulls on her line instead of pushing at the hull.
     pub on_line: bool,
 }
 
@@ -74,9 +74,9 @@ pub struct TugForce {
     pub force: [f64; 3],
     /// Point of action, from midship (m).
     pub at_m: Vec2,
-    /// The ordered force was limited to what she can give at this speed and angle.
+    /// Whether the ordered force was limited to the force that the tug can give at this speed and angle.
     pub limited: bool,
-    /// An order began in this step.
+    /// Whether an order began in this step.
     pub began: bool,
 }
 
@@ -84,7 +84,7 @@ impl VectorTug {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no tug has, by its name.
+    /// The first number out of range, with its name.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.envelope.check()?;
         for place_m in [self.push_at_m, self.pull_at_m] {
@@ -97,11 +97,11 @@ impl VectorTug {
         Ok(())
     }
 
-    /// Gives an order at a time; it begins after the delay. Orders are carried out in sequence.
+    /// Gives an order at a time. The order begins after the delay. Orders are carried out in sequence.
     ///
     /// # Errors
-    /// A force below 0 or above 10⁸ N, or a direction out of range; the state is unchanged then. A force above the bollard pull is
-    /// accepted, but limited in each step.
+    /// A force below 0 or above 10⁸ N, or a direction out of range; the state is then unchanged. A force above the
+    /// bollard pull is accepted, but limited in each step.
     pub fn order(&self, state: &mut TugState, t_s: f64, order: TugOrder) -> Result<(), OutOfRange> {
         if let TugOrder::Push { force_n, direction_rad }
         | TugOrder::Pull { force_n, direction_rad } = order
@@ -114,9 +114,10 @@ impl VectorTug {
         Ok(())
     }
 
-    /// The force at the end of a step from `t_s`. `water_mps` is the velocity of the ship through the water in her axes (forward,
-    /// to starboard) (m/s). Force and direction follow the order as exact exponentials for any step. Between push and pull
-    /// the force first falls to zero. An order takes effect in the first step that begins at its time or later.
+    /// The force at the end of a step from `t_s`. `water_mps` is the velocity of the ship through the water in the
+    /// ship's axes, forward and to starboard (m/s). Force and direction follow the order as exact exponentials, for a
+    /// step of any length. Between push and pull the force first falls to zero. An order takes effect in the first step
+    /// that begins at its time or later.
     pub fn step(
         &self,
         state: &mut TugState,
@@ -130,7 +131,7 @@ impl VectorTug {
         if at_hand && target.wanted_n > 0.0 {
             let off_rad = libm::remainder(target.direction_rad - state.direction_rad, TAU);
             if state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
-                // Without force she first takes her position.
+                // While the tug has no force, she first takes her position.
                 state.direction_rad = target.direction_rad;
             } else {
                 state.direction_rad += off_rad * share(step_s, self.direction_lag_s);
@@ -153,7 +154,8 @@ impl VectorTug {
         }
     }
 
-    /// True if she is at the hull or on her line as the order needs. Changes between both once the force is small.
+    /// True if the tug is at the hull or on her line, as the order needs. The tug changes between the two once the
+    /// force is small.
     fn change_over(&self, state: &mut TugState, target: &Target) -> bool {
         let Some(on_line) = target.on_line else { return true };
         if state.on_line != on_line && state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
@@ -169,7 +171,7 @@ impl VectorTug {
     }
 }
 
-/// Begins the orders that are due. Returns true if there was one.
+/// Begins the orders that are due. Returns true if any order was due.
 fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     let due = state.waiting.iter().take_while(|(begins_s, _)| *begins_s <= t_s).count();
     for (_, order) in state.waiting.drain(..due) {

@@ -5,7 +5,7 @@ pub(crate) struct Draw(u64);
 
 impl Draw {
     pub(crate) fn new(seed: u64) -> Draw {
-        // Neighbouring seeds are neighbouring states: one output separates them.
+        // Neighbouring seeds are neighbouring states: one output moves them apart.
         let mut draw = Draw(seed);
         draw.0 = draw.word();
         draw
@@ -24,7 +24,7 @@ impl Draw {
         low + (high - low) * ((self.word() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// One of `all`.
+    /// A random element of `all`.
     pub(crate) fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[(self.word() % all.len() as u64) as usize]
     }

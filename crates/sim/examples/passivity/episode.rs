@@ -15,9 +15,9 @@ use crate::support::{floating, rectangle, spring};
 /// The random parameters of an episode.
 #[derive(Clone, Debug)]
 pub(crate) struct Episode {
-    /// Mass of the pontoon that carries the fenders; `None`: a quay.
+    /// Mass of the pontoon that carries the fenders; `None`: a quay carries them.
     host_kg: Option<f64>,
-    /// Added masses in sway over the displacement, of tug and pontoon.
+    /// Added mass in sway over displacement, of the tug and of the pontoon.
     added: [f64; 2],
     boxy: bool,
     heading_rad: f64,
@@ -33,7 +33,7 @@ pub(crate) struct Episode {
     pub(crate) step_s: f64,
     /// Unloading law of the fenders.
     unloading: Option<UnloadsBy>,
-    /// Panels on two cones at these places, with a tension chain of this break load.
+    /// Panel of each fender: the places of its two cones, and the break load of its tension chain.
     pub(crate) panel: Option<([f64; 2], f64)>,
 }
 
@@ -46,37 +46,37 @@ enum Law {
 
 #[derive(Clone, Copy, Debug)]
 enum UnloadsBy {
-    /// Returned share of the energy.
+    /// The fenders return this share of the energy.
     Returned(f64),
-    /// An unloading curve at this share of the loading curve; for an area law the returned share of the energy.
+    /// An unloading curve at this share of the loading curve. For an area law: the returned share of the energy.
     Curve(f64),
 }
 
-/// The energy balance of an episode, over the kinetic energy before.
+/// The energy balance of an episode, as shares of the kinetic energy before the impact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome {
     /// Energy lost in contact.
     lost: f64,
-    /// Residual of the ledger: the error of the Coriolis terms within a step.
+    /// Residual of the energy ledger: the error of the Coriolis terms within a step.
     pub(crate) turning: f64,
     pub(crate) touched: bool,
-    /// The hull also touched the structure.
+    /// Whether the hull also touched the structure behind the fenders.
     pub(crate) touched_structure: bool,
 }
 
 impl Outcome {
-    /// Gain by contact.
+    /// Energy gained by contact.
     pub(crate) fn gain(&self) -> f64 {
         -self.lost
     }
 
-    /// Gain with the residual.
+    /// Energy gained by contact, with the residual added.
     pub(crate) fn gain_with_turning(&self) -> f64 {
         self.turning - self.lost
     }
 }
 
-/// The episode of a seed. With `unloads` it is the same impact on fenders with unloading laws.
+/// The episode of a seed. With `unloads` the fenders have unloading laws; the impact is the same.
 pub(crate) fn random(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     let mut draw = Draw::new(seed);
     let added = [draw.between(0.0, 0.9), draw.between(0.0, 0.9)];
@@ -181,7 +181,7 @@ fn unloading(unloads_by: UnloadsBy, law: &FenderLaw) -> Unloading {
         (UnloadsBy::Returned(share), _) | (UnloadsBy::Curve(share), FenderLaw::Area) => {
             Unloading::ReturnedEnergy(share)
         }
-        // Zero at first, and equal to the loading curve at its end.
+        // The unloading curve is zero at first, and meets the loading curve at its end.
         (UnloadsBy::Curve(share), FenderLaw::Curve(points)) => {
             let [end_m, _] = points[points.len() - 1];
             let lower = |&[at_m, reaction_n]: &[f64; 2]| {

@@ -1,8 +1,8 @@
-//! Work of a closed, frictionless loop: the corner of a hull moves round the corner of a quay and back, into the quay on one
+//! Work of a closed, frictionless loop. The corner of a hull moves round the corner of a quay: into the quay on one
 //! side and out on the other.
 //!
-//! Along the chord's normal the force kS is not the gradient of an energy (docs/contact_model.md, section 2), so that a loop
-//! gains or loses energy. Along a face it is, and a loop does no work.
+//! Along the chord's normal the force kS is not the gradient of an energy (docs/contact_model.md, section 2), so a loop
+//! gains or loses energy. Along a face the force is such a gradient, and a loop does no work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,10 +19,10 @@ const STIFFNESS_NPM2: f64 = 500e3;
 const RADIUS_M: f64 = 2.0;
 const WITHIN_M: f64 = 0.5;
 const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
-/// Steps round the circle. The error decreases with the square of their number.
+/// Steps round the circle. The error decreases with the square of the number of steps.
 const STEPS: u32 = 20_000;
 
-/// Measures both. Returns false if the loop along the face did work.
+/// Measures the loop by chord and by face. Returns false if the loop along the face did work.
 pub(crate) fn report() -> bool {
     println!(
         "frictionless closed loops of {RADIUS_M} m round a corner, k = {:.0} kN/m²:",
@@ -56,7 +56,7 @@ pub(crate) fn report() -> bool {
     closed
 }
 
-/// Work on the ship round the loop, and the greatest energy taken from her on the way (J).
+/// Work on the ship in one loop, and the greatest energy taken from her on the way (J).
 fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     let turned = Rotation::from_angle(heading_rad);
     let middle_m = vec2(WITHIN_M, WITHIN_M) - turned.apply(SHIP_CORNER_M);

@@ -1,8 +1,9 @@
 //! Checks that contact does not generate energy: `cargo xtask passivity [EPISODES]`.
 //!
-//! Random impacts on fender faces with γ ≤ 0.9, half of them on panels with two cones and a tension chain, and the same impacts on
-//! fenders with unloading laws: no body may leave with more kinetic energy than before. Then two measurements: the gain with γ = 1 at each time step, which must decrease with the step;
-//! and the work of a closed loop round a corner, by the chord's normal and by a fender's face.
+//! Random impacts on fender faces with γ ≤ 0.9, half of them on panels with two cones and a tension chain, and the same
+//! impacts on fenders with unloading laws. No body may leave with more kinetic energy than it had before. Then there
+//! are two measurements: the gain with γ = 1 for each time step, which must decrease with the step; and the work of a
+//! closed loop round a corner, by the chord's normal and by a fender's face.
 //!
 //! The exit code is 1 if a check fails.
 
@@ -45,7 +46,7 @@ fn main() -> ExitCode {
     if passive && decreases && closed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Runs episodes with γ up to 0.9, or with unloading laws. Returns false if one gained energy.
+/// Runs episodes with γ up to 0.9, or with unloading laws. Returns false if an episode gained energy.
 fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool {
     let of_seed = |seed| episode::random(seed, anisotropic, unloads);
     let all = in_two_threads(episodes, |seed| play(&of_seed(seed)));
@@ -70,8 +71,8 @@ fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool 
     passive
 }
 
-/// γ = 1: the gain by the integrator for each time step, of impacts on faces alone, because impacts on the structure behind have
-/// the chord's normal. Returns false if the gain does not decrease with the step.
+/// γ = 1: the gain that the integrator makes, for each time step. Only impacts on faces count, because the force of the
+/// structure behind acts along the chord's normal. Returns false if the gain does not decrease with the step.
 fn elastic() -> bool {
     println!("γ = 1, {ELASTIC_EPISODES} impacts at each time step, those on faces alone:");
     let mut largest_gains = vec![];

@@ -1,4 +1,4 @@
-//! The part of a goal that is about anchors: how many of them hold.
+//! The part of a goal that is about anchors: how many anchors hold.
 
 use fenderline_contact::Vec2;
 
@@ -7,24 +7,25 @@ use fenderline_ship::anchor::{AnchorPosition, SHACKLE_M, WindlassOrder};
 use fenderline_world::setup::Setup;
 use fenderline_world::world::AnchorAtWork;
 
-/// Chain by which an anchor may miss what is asked for (m): an order in shackles and a condition in metres differ by rounding.
+/// By this much the chain may be shorter than asked for (m): an order in shackles and a condition in metres differ by
+/// rounding.
 const CHAIN_SLACK_M: f64 = 1e-3;
 
-/// Where an anchor must lie.
+/// The place where an anchor must lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorPlace {
     /// North and east (m).
     pub at_m: Vec2,
-    /// The anchor is at most this far from it (m).
+    /// The anchor is at most this far from the place (m).
     pub within_m: f64,
 }
 
-/// What an anchor must do to count.
+/// The condition that an anchor must meet to count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Holding<'a> {
     /// Least chain out (m).
     pub chain_m: f64,
-    /// Where it must lie.
+    /// The place where the anchor must lie.
     pub place: &'a Option<AnchorPlace>,
 }
 
@@ -38,7 +39,7 @@ impl Holding<'_> {
             && self.place.is_none_or(|place| (at_m - place.at_m).length() <= place.within_m)
     }
 
-    /// What is asked for, in words that follow "holds".
+    /// The condition, in words that follow "holds".
     pub(super) fn words(&self) -> String {
         let chain = match self.chain_m > 0.0 {
             true => format!(", at least {} out", shackles(self.chain_m)),
@@ -51,7 +52,7 @@ impl Holding<'_> {
         format!("{chain}{place}")
     }
 
-    /// How the anchors are that are not home, in a few words each.
+    /// The state of each anchor that is not home, in a few words.
     pub(super) fn now(&self, anchors: &[usize], all: &[AnchorAtWork], setup: &Setup) -> String {
         let out = anchors.iter().filter(|&&anchor| {
             let state = &all[anchor].state;

@@ -13,10 +13,10 @@ use crate::berth::Lie;
 use crate::simulation::Simulation;
 use fenderline_world::setup::Setup;
 
-/// Where an exercise stands.
+/// The state of an exercise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum State {
-    /// It goes on.
+    /// The exercise goes on.
     Running,
     /// The goal was reached at this time (s). What happens later does not count.
     Reached(f64),
@@ -25,7 +25,7 @@ pub enum State {
 }
 
 impl State {
-    /// The word of results and messages.
+    /// The word for the state in results and messages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -35,7 +35,7 @@ impl State {
         }
     }
 
-    /// When it ended (s); `None` while it goes on.
+    /// When the exercise ended (s); `None` while it goes on.
     #[must_use]
     pub fn ended_s(self) -> Option<f64> {
         match self {
@@ -45,14 +45,14 @@ impl State {
     }
 }
 
-/// What an exercise knows of one of its limits.
+/// The record of an exercise for one of its limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark {
-    /// The worst value so far, what it belonged to and when it was (s); `None` before the limit counted.
+    /// The worst value so far, the subject to which it belonged, and its time (s). `None` before the limit counted.
     pub worst: Option<(f64, Subject, f64)>,
     /// When the limit was exceeded first (s).
     pub first_s: Option<f64>,
-    /// For how long it was exceeded, all times together (s); 0 for peaks that stay.
+    /// For how long the limit was exceeded in total (s); 0 for limits on peak values.
     pub lasting_s: f64,
 }
 
@@ -61,31 +61,31 @@ pub struct Mark {
 pub struct Deduction<'a> {
     /// The limit that was exceeded.
     pub limit: &'a Limit,
-    /// What is known of it.
+    /// The record for this limit.
     pub mark: &'a Mark,
     /// The worst value.
     pub value: f64,
-    /// What it belonged to.
+    /// The subject to which the worst value belonged.
     pub subject: Subject,
-    /// When it was (s).
+    /// Time of the worst value (s).
     pub at_s: f64,
-    /// The points that it took.
+    /// The points deducted.
     pub points: f64,
 }
 
-/// An exercise that is going on, or has ended. Plain data: it is copied with the state of a session.
+/// An exercise that goes on or has ended. An exercise is plain data, and is copied with the state of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     setup: Arc<ExerciseSetup>,
     state: State,
-    /// Since when all conditions hold (s).
+    /// Time since which all conditions hold (s).
     held_since_s: Option<f64>,
     conditions: Vec<Fulfilled>,
     marks: Vec<Mark>,
 }
 
 impl Assessment {
-    /// Before the first step.
+    /// An assessment before the first step.
     #[must_use]
     pub fn new(setup: ExerciseSetup, simulation: &Simulation) -> Assessment {
         let marks = vec![Mark::default(); setup.limits.len()];
@@ -118,7 +118,7 @@ impl Assessment {
         }
         let is_met = self.conditions.iter().all(|condition| condition.is_met);
         self.held_since_s = is_met.then(|| self.held_since_s.unwrap_or(t_s));
-        // Half a step: times are sums of steps, with rounding.
+        // Half a step is the tolerance: times are sums of steps, with rounding.
         let holds = self
             .held_since_s
             .is_some_and(|since_s| t_s - since_s >= self.setup.hold_s - 0.5 * step_s);
@@ -129,7 +129,7 @@ impl Assessment {
         }
     }
 
-    /// How the ship lies to the berth of the exercise.
+    /// Position and speed of the ship relative to the berth of the exercise.
     fn lie(&self, simulation: &Simulation) -> Option<Lie> {
         let berth = self.setup.berth.as_ref()?;
         let setup = simulation.setup();
@@ -149,13 +149,13 @@ impl Assessment {
         &self.setup
     }
 
-    /// Where it stands.
+    /// The state of the exercise.
     #[must_use]
     pub fn state(&self) -> State {
         self.state
     }
 
-    /// The conditions of the goal, each as it is now or was at the end of the exercise.
+    /// The conditions of the goal, each as it is now, or as it was at the end of the exercise.
     #[must_use]
     pub fn conditions(&self) -> &[Fulfilled] {
         &self.conditions
@@ -167,7 +167,7 @@ impl Assessment {
         self.held_since_s.map_or(0.0, |since_s| greater(t_s - since_s, 0.0))
     }
 
-    /// What is known of each limit, in their order.
+    /// The record of each limit, in the order of the limits.
     #[must_use]
     pub fn marks(&self) -> &[Mark] {
         &self.marks
@@ -183,15 +183,15 @@ impl Assessment {
         })
     }
 
-    /// 100 less all deductions, at least 0.
+    /// The score: 100 less all deductions, at least 0.
     #[must_use]
     pub fn score(&self) -> f64 {
         let points: f64 = self.deductions().map(|deduction| deduction.points).sum();
         greater(FULL_SCORE - points, 0.0)
     }
 
-    /// Whether the exercise is passed; `None` while that is open. It is failed without its goal, below the pass mark, and where a
-    /// limit was exceeded that decides it, which is so at once.
+    /// Whether the exercise is passed; `None` while that is open. The exercise is failed if the goal is not reached, or
+    /// if the score is below the pass mark. If a limit is exceeded that fails the exercise, it is failed at once.
     #[must_use]
     pub fn is_passed(&self) -> Option<bool> {
         if self.deductions().any(|deduction| deduction.limit.fails) {
@@ -241,7 +241,7 @@ impl Mark {
 }
 
 impl Deduction<'_> {
-    /// What exceeded the limit, by how much and when, in a sentence.
+    /// A sentence on what exceeded the limit, by how much and when.
     #[must_use]
     pub fn sentence(&self, setup: &Setup) -> String {
         let measure = self.limit.measure;

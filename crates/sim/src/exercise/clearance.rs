@@ -1,11 +1,11 @@
-//! The distance between two outlines in their places.
+//! The distance between two outlines at their positions.
 
 use fenderline_contact::{Outline, Pose, Vec2};
 
 use fenderline_ship::distance::of_outlines_m;
 
-/// The least distance between two outlines in their places (m); 0 where they overlap. `nearer_m` is a distance that is known
-/// already: what is farther need not be found exactly.
+/// The least distance between two outlines at their positions (m); 0 if they overlap. `nearer_m` is a distance already
+/// known: larger distances need not be found exactly.
 pub(super) fn distance_m(
     (one, one_at): (&Outline, Pose),
     (other, other_at): (&Outline, Pose),

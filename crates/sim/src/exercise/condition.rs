@@ -12,11 +12,11 @@ use fenderline_world::world::Mooring;
 /// A condition of a goal.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
-    /// So many of these lines are fast with a tension between two bounds.
+    /// At least a number of these lines are fast, with a tension between two bounds.
     LinesFast {
         /// Indices into [`crate::WorldSetup::lines`].
         lines: Vec<usize>,
-        /// How many of them at least.
+        /// The least number of such lines.
         at_least: usize,
         /// Least and greatest tension (N).
         tension_n: [f64; 2],
@@ -26,30 +26,32 @@ pub enum Condition {
         /// The lines of the ship: indices into [`crate::WorldSetup::lines`].
         lines: Vec<usize>,
     },
-    /// Both ends of the flat of her side are within a distance of the line of the fenders, abreast of it.
+    /// Both ends of the flat of the ship's side are abreast of the berth, and within a distance of the line of the
+    /// fenders.
     Alongside {
-        /// That distance (m).
+        /// The greatest distance from the line of the fenders (m).
         within_m: f64,
     },
-    /// No end of the flat of her side moves faster than this, relative to the berth; without a berth, her origin over ground.
+    /// No end of the flat of the ship's side moves faster than this speed relative to the berth. Without a berth, the
+    /// ship's origin moves no faster over the ground.
     AtRest {
         /// Greatest speed (m/s).
         at_most_mps: f64,
     },
-    /// Both ends of the flat of her side are at least this far off the line of the fenders.
+    /// Both ends of the flat of the ship's side are at least a distance off the line of the fenders.
     Clear {
-        /// That distance (m).
+        /// The least distance off the line of the fenders (m).
         by_m: f64,
     },
-    /// So many of these anchors hold: on the bottom, the brake on, not dragging.
+    /// At least a number of these anchors hold: they are on the bottom with the brake on, and do not drag.
     AnchorsHold {
         /// Indices into [`crate::WorldSetup::anchors`].
         anchors: Vec<usize>,
-        /// How many of them at least.
+        /// The least number of such anchors.
         at_least: usize,
         /// Least chain out of each (m).
         chain_m: f64,
-        /// Where each must lie; `None`: anywhere.
+        /// The place where each anchor must lie; `None` if it may lie anywhere.
         place: Option<AnchorPlace>,
     },
 }
@@ -57,14 +59,14 @@ pub enum Condition {
 /// Whether a condition is fulfilled now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fulfilled {
-    /// True if it is.
+    /// True if the condition is fulfilled.
     pub is_met: bool,
-    /// How things are, in a few words.
+    /// The present state, in a few words.
     pub now: String,
 }
 
 impl Condition {
-    /// Whether the condition is fulfilled. `lie` is that of the ship at her berth.
+    /// Whether the condition is fulfilled. `lie` is the position of the ship relative to her berth.
     pub(super) fn look(
         &self,
         exercise: &ExerciseSetup,
@@ -164,7 +166,8 @@ impl Condition {
     }
 }
 
-/// The scenario's reader refuses such an exercise; one made by calls is never fulfilled.
+/// The reader of scenarios refuses an exercise whose condition needs a berth that is not there. An exercise made by
+/// calls is never fulfilled.
 fn no_berth() -> Fulfilled {
     Fulfilled { is_met: false, now: "there is no berth".to_owned() }
 }

@@ -4,7 +4,7 @@ use fenderline_contact::number::bounded;
 
 use super::words::{angle, force_share, metres, seconds, speed};
 
-/// What a limit is about.
+/// The quantity that a limit bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Measure {
     /// Speed of bow and stern towards the berth (m/s).
@@ -13,21 +13,21 @@ pub enum Measure {
     AheadSpeed,
     /// Angle between ship and berth (rad).
     Angle,
-    /// Revolutions of the engine over the full ones.
+    /// Revolutions of the engine over full revolutions.
     Engine,
-    /// Peak energy or reaction of a fender of the berth over the rated one; the larger share.
+    /// Peak energy or reaction of a fender of the berth over the rated value; the larger of the two shares.
     Fender,
     /// Tension over break load of a line that is fast to the ship.
     Line,
-    /// Tension over break load of a chain of her anchors.
+    /// Tension over break load of an anchor chain of the ship.
     Chain,
-    /// How far an anchor of hers has dragged since it came to the bottom (m).
+    /// How far an anchor of the ship has dragged since it came to the bottom (m).
     Dragged,
     /// Distance of the hull from fixed structures other than the berth (m).
     Clearance,
     /// Water under the keel (m).
     UnderKeel,
-    /// The hull touched a structure or another hull without a fender: 1, else 0.
+    /// 1 if the hull touched a structure or another hull without a fender between them, else 0.
     Touch,
     /// Time until the goal is reached (s).
     Time,
@@ -50,7 +50,7 @@ impl Measure {
         Measure::Time,
     ];
 
-    /// The key in scenarios and results.
+    /// The key of the measure in scenarios and results.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -69,7 +69,7 @@ impl Measure {
         }
     }
 
-    /// What it is, in words.
+    /// The measure in words.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -118,13 +118,13 @@ impl Measure {
         }
     }
 
-    /// True if values below the bound exceed the limit.
+    /// True if a value below the bound exceeds the limit, as for a clearance.
     #[must_use]
     pub fn is_least(self) -> bool {
         matches!(self, Measure::Clearance | Measure::UnderKeel)
     }
 
-    /// True if it counts only near the berth, so that the limit has a distance.
+    /// True if the measure counts only near the berth. A limit on such a measure has a distance.
     #[must_use]
     pub fn is_near_berth(self) -> bool {
         matches!(
@@ -133,13 +133,14 @@ impl Measure {
         )
     }
 
-    /// True if it needs a berth.
+    /// True if the measure needs a berth.
     #[must_use]
     pub fn needs_berth(self) -> bool {
         self.is_near_berth() || self == Measure::Fender
     }
 
-    /// True if the excess has a length: the value is that of the moment. The others are peaks that stay.
+    /// True if the measure is a value of the moment, so that an excess has a duration. The other measures are peaks
+    /// that stay.
     #[must_use]
     pub fn is_momentary(self) -> bool {
         !matches!(self, Measure::Fender | Measure::Dragged | Measure::Time)
@@ -149,17 +150,18 @@ impl Measure {
 /// A limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// What it is about.
+    /// The quantity that the limit bounds.
     pub measure: Measure,
-    /// The value up to which nothing is deducted; for a least value, down to which. In the unit of the measure.
+    /// The bound, in the unit of the measure. Nothing is deducted up to this value; for a least value, down to it.
     pub bound: f64,
     /// The value at which all points are deducted.
     pub worst: f64,
-    /// The points.
+    /// The points that the limit can take.
     pub points: f64,
-    /// The exercise is failed if the limit is exceeded.
+    /// Whether the exercise is failed if the limit is exceeded.
     pub fails: bool,
-    /// The limit counts while the ship is abreast of the berth and an end of hers is this near to it (m); infinite: everywhere.
+    /// The limit counts while the ship is abreast of the berth and one of her ends is this near to it (m); infinite:
+    /// everywhere.
     pub within_m: f64,
 }
 
@@ -170,7 +172,8 @@ impl Limit {
         if self.measure.is_least() { value < self.bound } else { value > self.bound }
     }
 
-    /// Points for a value: none at the bound, all at the worst value and beyond it, in proportion between them.
+    /// Points deducted for a value: none at the bound, all at the worst value and beyond, and in proportion between the
+    /// two.
     #[must_use]
     pub fn points_at(&self, value: f64) -> f64 {
         if !self.is_exceeded_by(value) {

@@ -10,14 +10,14 @@ use crate::simulation::Simulation;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::{AnchorAtWork, LineEnd};
 
-/// What a value belongs to.
+/// The subject of a value: the part to which the value belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The ship as a whole.
     Ship,
-    /// Her bow.
+    /// The ship's bow.
     Bow,
-    /// Her stern.
+    /// The ship's stern.
     Stern,
     /// A fender: an index into [`Setup::fenders`].
     Fender(usize),
@@ -30,7 +30,7 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// Its name.
+    /// Name of the subject.
     #[must_use]
     pub fn name(self, setup: &Setup) -> String {
         match self {
@@ -45,7 +45,7 @@ impl Subject {
     }
 }
 
-/// The worst present value that a limit is about, and what it belongs to; `None` while there is none, as far from the berth.
+/// The worst present value for a limit, and its subject. `None` if there is no value, for example far from the berth.
 pub(super) fn worst_now(
     limit: &Limit,
     exercise: &ExerciseSetup,
@@ -95,11 +95,11 @@ pub(super) fn worst_now(
 }
 
 fn largest(of: impl Iterator<Item = (f64, Subject)>) -> Option<(f64, Subject)> {
-    // The first of equal values.
+    // Of equal values the first is taken.
     of.reduce(|best, next| if next.0 > best.0 { next } else { best })
 }
 
-/// True if the ship is abreast of the berth and an end of hers is within a distance of it.
+/// True if the ship is abreast of the berth and one of her ends is within a distance of the berth.
 fn is_near(within_m: f64, exercise: &ExerciseSetup, simulation: &Simulation, lie: &Lie) -> bool {
     let Some(berth) = &exercise.berth else { return false };
     let setup = simulation.setup();
@@ -110,7 +110,7 @@ fn is_near(within_m: f64, exercise: &ExerciseSetup, simulation: &Simulation, lie
         && berth.is_near(on, outline, &states[body], f64::INFINITY)
 }
 
-/// The largest share so far of the fenders on the body of the berth.
+/// The largest share so far of a fender on the body of the berth.
 fn fender(exercise: &ExerciseSetup, simulation: &Simulation) -> Option<(f64, Subject)> {
     let on = exercise.berth?.body;
     let fenders = &simulation.setup().fenders;
@@ -170,7 +170,8 @@ fn clearance(
     best
 }
 
-/// 1 and the body that the hull touches without a fender in this step; 0 without such a touch.
+/// The value 1 and the body that the hull touches in this step without a fender between them; the value 0 without such
+/// a touch.
 fn touch(body: usize, simulation: &Simulation) -> (f64, Subject) {
     for contact in simulation.contacts().iter().filter(|contact| contact.fender.is_none()) {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];

@@ -1,8 +1,8 @@
 //! An exercise: a goal to reach and limits to keep, and the score that follows from both.
 //!
-//! It looks at a simulation after each step and changes nothing in it, so that a run gives the same bits with and without an
-//! exercise. The score begins at 100. Each limit that is exceeded takes points in proportion to the excess, up to all its points at
-//! a given worst value; a limit may also decide that the exercise is failed.
+//! An exercise looks at a simulation after each step and changes nothing in it: a run gives the same bits with and
+//! without an exercise. The score begins at 100. Each exceeded limit takes points in proportion to the excess, up to
+//! all its points at a given worst value. A limit may also decide that the exercise is failed.
 //!
 //! | file | content |
 //! |---|---|
@@ -36,19 +36,19 @@ pub const FULL_SCORE: f64 = 100.0;
 /// An exercise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExerciseSetup {
-    /// What the pilot is asked to do, in words; may be empty.
+    /// The task of the pilot in words; may be empty.
     pub task: String,
     /// The ship: an index into [`crate::WorldSetup::vessels`].
     pub vessel: usize,
-    /// Her berth; `None` if neither goal nor limits need one.
+    /// The ship's berth; `None` if neither goal nor limits need one.
     pub berth: Option<Berth>,
-    /// The goal: all conditions together.
+    /// The conditions of the goal. The goal is reached when all hold.
     pub goal: Vec<Condition>,
     /// How long all conditions must hold without a break (s).
     pub hold_s: f64,
-    /// After this time the exercise ends without its goal (s); infinite without a limit.
+    /// After this time the exercise ends even if the goal is not reached (s); infinite if there is no time limit.
     pub time_limit_s: f64,
-    /// The least score with which it is passed.
+    /// The least score with which the exercise is passed.
     pub pass_mark: f64,
     /// The limits, in the order of the scenario.
     pub limits: Vec<Limit>,

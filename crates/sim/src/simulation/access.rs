@@ -47,7 +47,7 @@ impl Simulation {
         self.index
     }
 
-    /// Number of steps from the start of the run up to and including the one that contains a time (s).
+    /// Number of steps from the start of the run up to and including the step that contains a time (s).
     #[must_use]
     pub fn steps_until(&self, t_s: f64) -> u64 {
         whole_steps(t_s / self.setup.step_s)
@@ -65,9 +65,9 @@ impl Simulation {
         self.index as f64 * self.setup.step_s
     }
 
-    /// The time of the velocities in [`Simulation::states`] (s). With the coupled method and the semi-implicit
-    /// integrator the motion is a leapfrog: velocities are those at the middle of the last step, or of its last
-    /// sub-step where contacts needed several. Otherwise this is [`Simulation::time_s`].
+    /// The time to which the velocities in [`Simulation::states`] belong (s). In the coupled method with the
+    /// semi-implicit integrator the motion is a leapfrog: velocities belong to the middle of the last step, or to the
+    /// middle of its last sub-step if contacts needed several. Otherwise this is [`Simulation::time_s`].
     #[must_use]
     pub fn velocity_time_s(&self) -> f64 {
         let is_leapfrog = self.setup.integrator == Integrator::SemiImplicit
@@ -79,7 +79,7 @@ impl Simulation {
         }
     }
 
-    /// Current states, one per body, in the order of the set-up. Their velocities are those at
+    /// Current states, one per body, in the order of the set-up. The velocities belong to
     /// [`Simulation::velocity_time_s`].
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
@@ -99,9 +99,9 @@ impl Simulation {
         self.ledger.energy(Bodies { order, inertias, states: &self.states })
     }
 
-    /// The energy that contacts created, if it is large enough to be reported. The paper's method creates
-    /// energy: its forces are explicit, and a stiff spring acts for too long in a long step.
-    /// [`Method::Coupled`] bounds the energy that each contact returns, and is held to that here.
+    /// The energy that contacts created, if it is large enough to be reported. The paper's method creates energy,
+    /// because its forces are explicit, and a stiff spring acts for too long in a long step. [`Method::Coupled`] bounds
+    /// the energy that each contact returns; this function checks that too.
     #[must_use]
     pub fn energy_gain(&self) -> Option<EnergyGain> {
         let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
@@ -126,7 +126,7 @@ impl Simulation {
         &self.dolphins.summaries
     }
 
-    /// What was found in the run so far, the worst first. [`Verdict::of`] gives the verdict.
+    /// The findings in the run so far, the worst first. [`Verdict::of`] gives the verdict.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let until_now = (self.time_s(), self.energy_gain().is_some());
@@ -141,7 +141,8 @@ impl Simulation {
         all
     }
 
-    /// Notes that a program that gives forces has not replied for the coming step: the run is then in doubt, which the verdict says.
+    /// Notes that a program that gives forces has not replied for the coming step. The run is then in doubt, and the
+    /// verdict says so.
     ///
     /// # Panics
     /// If there is no such provider in the set-up.
@@ -157,7 +158,7 @@ impl Simulation {
         self.statistics.as_ref()
     }
 
-    /// The value that each limit of the set-up is compared with, in its order; empty without limits.
+    /// The values with which the limits of the set-up are compared, in the order of the limits; empty without limits.
     #[must_use]
     pub fn limit_values(&self) -> Vec<f64> {
         let Some(statistics) =
@@ -169,7 +170,8 @@ impl Simulation {
         statistics.values(&self.setup, &tensions, self.fender_summaries())
     }
 
-    /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.
+    /// Findings on bodies that start inside each other; empty in a sound scenario. These findings are known before the
+    /// first step.
     #[must_use]
     pub fn start_findings(&self) -> &[Finding] {
         self.watch.starts()
@@ -217,18 +219,18 @@ impl Simulation {
         self.work.contacts()
     }
 
-    /// The berthing as simulated, beside the berthing formulas. `None` if the set-up has no berthing, or no fender
-    /// was touched yet. An error if ship or speed are outside the range of the formulas.
+    /// The simulated berthing, compared with the berthing formulas. `None` if the set-up has no berthing, or if no
+    /// fender was touched yet. An error if ship or speed are outside the range of the formulas.
     #[must_use]
     pub fn berthing(&self) -> Option<Result<&BerthingOutcome, &BerthingError>> {
         self.study.as_ref()?.outcome.as_ref().map(Result::as_ref)
     }
 
-    /// Sets an external wrench on each body: forces of another program, a controller or a model of the caller.
-    /// It acts from the next step until it is set again.
+    /// Sets an external wrench on each body: forces of another program, a controller or a model of the caller. The
+    /// wrenches act from the next step on, until they are set again.
     ///
     /// # Panics
-    /// If there is not one wrench per body, or one is not finite.
+    /// If the number of wrenches is not the number of bodies, or if a wrench is not finite.
     pub fn set_external(&mut self, wrenches: &[Wrench]) {
         assert_eq!(wrenches.len(), self.states.len(), "one wrench per body");
         for wrench in wrenches {
@@ -237,25 +239,26 @@ impl Simulation {
         self.buffers.external.copy_from_slice(wrenches);
     }
 
-    /// Gives an order during the run, as from manual control. It is executed in the step that contains its time,
-    /// or in the next step if that time has passed. Of several orders for the same time, those of the set-up come
-    /// first, then the others as they were given.
+    /// Gives an order during the run, as manual control does. The order is carried out in the step that contains its
+    /// time, or in the next step if the time has passed. Of several orders for the same time, the orders of the set-up
+    /// come first, then the others in the order in which they were given.
     ///
     /// # Errors
-    /// [`SetupError`] if the order names something that does not exist, a number is out of its limits, or the gear for
-    /// it is missing; no order is then changed.
+    /// [`SetupError`] if the order names something that does not exist, if a number is out of its limits, or if the
+    /// gear is missing. No order is then changed.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
         self.world.order(order);
         Ok(())
     }
 
-    /// Checks that an order can be carried out in the present state: not if its line is on board or has parted, if the bollard is
-    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. Orders to lines and
-    /// anchors that wait for the next step count as carried out. This check does not apply to orders for a later time.
+    /// Checks that an order can be carried out in the present state. The order cannot be carried out if its line is on
+    /// board or has parted, if the bollard is taken or out of reach, if the anchor is home, down or lost, or if a
+    /// station pilot uses the tug. Orders to lines and anchors that wait for the next step count as carried out. This
+    /// check does not apply to orders for a later time.
     ///
     /// # Errors
-    /// Why the order cannot be carried out.
+    /// The reason why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
         let times_s = (self.time_s(), self.setup.step_s);
         let lines = self.world.lines_after_orders(&self.setup.world, times_s);
@@ -302,27 +305,27 @@ impl Simulation {
         }
     }
 
-    /// Keeps only those pending orders, including the set-up's, for which `keep` returns true. Use it when a user
-    /// takes manual control, so that planned orders do not interfere.
+    /// Keeps only the pending orders, including those of the set-up, for which `keep` returns true. Use this method
+    /// when a user takes manual control, so that planned orders do not interfere.
     pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.world.retain_orders(keep);
     }
 
-    /// The pending orders, the set-up's among them, by time.
+    /// The pending orders in order of time, including those of the set-up.
     #[must_use]
     pub fn pending_orders(&self) -> &[Order] {
         self.world.pending_orders()
     }
 
-    /// Sets the wind from the next step on; `None` for no wind. The change is a jump, and ends a change over a time.
+    /// Sets the wind from the next step on; `None` for no wind. The wind jumps, and a change over a time ends.
     pub fn set_wind(&mut self, wind: Option<Wind>) {
         self.changes.ramps.wind = None;
         self.setup.world.environment.wind = wind;
         self.world.renew_gusts(&self.setup.world);
     }
 
-    /// Sets the current from the next step on; `None` for no current. The change is a jump, but causes no
-    /// acceleration force of its own: ships are taken along by their drag.
+    /// Sets the current from the next step on; `None` for no current. The current jumps, but the jump itself causes no
+    /// acceleration force: drag takes ships along.
     pub fn set_current(&mut self, current: Option<Current>) {
         self.changes.ramps.current = None;
         self.setup.world.environment.current = current;
@@ -339,8 +342,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// Lets a vector tug drop out, or come back, from the next step on. While she is out she carries out no orders; when she comes
-    /// back she stands by.
+    /// Lets a vector tug drop out, or come back, from the next step on. While the tug is out she carries out no orders.
+    /// When she comes back she stands by.
     ///
     /// # Errors
     /// [`SetupError::BadBody`] if there is no such tug.

@@ -1,4 +1,4 @@
-//! Works and energies of a step: what contacts and loads did to the bodies.
+//! Works and energies of a step: the work of contacts and loads on the bodies.
 
 use super::Simulation;
 use crate::load_work::{LoadedStep, plain_work_j};
@@ -46,12 +46,12 @@ impl Simulation {
         step.works()
     }
 
-    /// The contact engine moves the bodies itself.
+    /// Whether the contact engine moves the bodies itself.
     pub(super) fn engine_moves(&self) -> bool {
         self.setup.method == Method::Coupled && self.setup.integrator == Integrator::SemiImplicit
     }
 
-    /// Mean velocity of each body over the step, with which the works of all forces are computed.
+    /// Mean velocity of each body over the step, from which the works of all forces are computed.
     fn find_mean_velocities(&mut self) {
         let step_s = self.setup.step_s;
         if self.engine_moves() {
@@ -61,7 +61,8 @@ impl Simulation {
             return;
         }
         if self.setup.method == Method::Coupled && self.setup.integrator == Integrator::Rk4 {
-            // `runge_kutta` has set them: with forces held over the step, work is force times displacement.
+            // `runge_kutta` has set the mean velocities. With forces held over the step, work is force times
+            // displacement.
             return;
         }
         let states = self.buffers.before.iter().zip(&self.states);

@@ -6,14 +6,14 @@ use crate::integrate::Rate;
 use fenderline_world::mean_velocity::MeanVelocity;
 use fenderline_world::world::WorldBackup;
 
-/// One entry per body, but for the last fields.
+/// Most lists have one entry per body.
 #[derive(Clone, Debug)]
 pub(super) struct Buffers {
-    /// Everything but contact.
+    /// All loads except contact.
     pub(super) loads: Vec<Wrench>,
     /// The part of `loads` that does not come from the world: loads of the set-up and of the host.
     pub(super) plain_loads: Vec<Wrench>,
-    /// The wrench that turns the body's momentum with it over the step, where the engine does not.
+    /// The wrench that turns a body's momentum with the body over the step, if the engine does not do so.
     pub(super) turning: Vec<Wrench>,
     /// Wrenches given by [`super::Simulation::set_external`].
     pub(super) external: Vec<Wrench>,
@@ -25,7 +25,7 @@ pub(super) struct Buffers {
     pub(super) trial: Vec<BodyState>,
     /// States before the step.
     pub(super) before: Vec<BodyState>,
-    /// By how much velocities of the engine lag behind places (s).
+    /// How far velocities of the engine lag behind positions (s).
     pub(super) lags_s: Vec<f64>,
     /// Mean velocities of the step.
     pub(super) mean: Vec<MeanVelocity>,

@@ -1,4 +1,4 @@
-//! Changes of weather and faults during a run: planned ones, those from outside, and those that take a time.
+//! Changes of weather and faults during a run: planned changes, changes from outside, and changes that take a time.
 
 use fenderline_contact::{Vec2, vec2};
 
@@ -6,29 +6,13 @@ use super::Simulation;
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_world::change::{Change, ChangeError, Flow, Ramp, fog_m};
-use fenderline_world::error::SetupError;
-use fenderline_world::setup::Setup;
 use fenderline_world::world::{Faults, WorldEvent, WorldEventKind};
 
-/// Checks the planned changes of a set-up.
-pub(super) fn check_planned(setup: &Setup) -> Result<(), SetupError> {
-    for planned in &setup.world.planned {
-        if !planned.at_s.is_finite() {
-            return Err(SetupError::OutOfRange {
-                field: "the time of a planned change [s]",
-                value: planned.at_s,
-            });
-        }
-        planned.change.check(setup).map_err(SetupError::Change)?;
-    }
-    Ok(())
-}
-
 impl Simulation {
-    /// Changes weather, faults, lines or tugs from the next step on. A change over a time goes on by itself.
+    /// Changes weather, faults, lines or tugs from the next step on. A change over a time then continues by itself.
     ///
     /// # Errors
-    /// [`ChangeError`]; nothing is changed then.
+    /// [`ChangeError`]; then nothing has changed.
     pub fn change(&mut self, change: &Change) -> Result<(), ChangeError> {
         change.check(&self.setup)?;
         match *change {
@@ -112,8 +96,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// The changes of this simulation that are still to come or under way, by times after the present: what is left of changes over
-    /// a time, and planned changes.
+    /// The changes of this simulation that are still to come or under way, with their times from the present: what
+    /// remains of changes over a time, and planned changes.
     #[must_use]
     pub fn changes_to_come(&self) -> Vec<(f64, Change)> {
         let t_s = self.time_s();
@@ -147,7 +131,7 @@ impl Simulation {
             || planned.any(|(index, planned)| planned.at_s < end_s && !self.is_taken(index))
     }
 
-    /// Carries out what is planned for the next step, and what is under way.
+    /// Carries out the changes that are planned for the next step, and those under way.
     pub(super) fn run_changes(&mut self) {
         let end_s = self.time_s() + self.setup.step_s;
         let planned = self.setup.world.planned.len();
@@ -158,7 +142,7 @@ impl Simulation {
                 continue;
             }
             self.changes.taken[index] = true;
-            // All else was checked with the set-up.
+            // All other faults were checked with the set-up.
             if let (Err(_), Change::PartLine(line)) = (self.change(&of.change), of.change) {
                 self.changes.not_parted.push(line);
             }
@@ -171,7 +155,7 @@ impl Simulation {
         if let Some(ramp) = ramps.wind {
             let Flow { speed_mps, direction_rad } = ramp.at(end_s);
             let wind = self.setup.world.environment.wind.as_ref();
-            // Between two winds that were accepted each wind is.
+            // A wind between two accepted winds is acceptable too.
             if let Some(Ok(wind)) = wind.map(|wind| wind.changed_to(speed_mps, direction_rad)) {
                 self.set_wind(Some(wind));
             }
@@ -193,7 +177,7 @@ impl Simulation {
         }
     }
 
-    /// Reports lines that parted by a change, and those that should have parted, in the events of this step.
+    /// Reports lines that a change has parted, and lines that it should have parted, in the events of this step.
     pub(super) fn report_changes(&mut self) {
         let events = &mut self.world.events;
         let event = |kind| move |who| WorldEvent { who, kind };

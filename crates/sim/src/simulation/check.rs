@@ -6,8 +6,8 @@ use fenderline_world::error::SetupError;
 use fenderline_world::setup::{Load, Setup};
 use fenderline_world::world::LineEnd;
 
-/// A number of steps from a time over Δt: rounded up, except that a ratio within 1e-9 of a whole number is
-/// that number. So 20 s in steps of 0.1 s are 200 steps.
+/// A number of steps from a time over Δt, rounded up. A ratio within 1e-9 of a whole number counts as that number, so
+/// 20 s in steps of 0.1 s are 200 steps.
 pub(super) fn whole_steps(ratio: f64) -> u64 {
     let whole = libm::round(ratio);
     let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
@@ -51,7 +51,7 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// Checks that the flow between ships knows the hull of every vessel, or none if nothing needs them.
+/// Checks that the set-up gives the hull of every vessel for the flow between ships, or no hull if none is needed.
 pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     let hulls = setup.world.flow.hulls.len();
     let by_image = |bank: &Bank| bank.method() == BankMethod::Image;
@@ -62,7 +62,7 @@ pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     Err(SetupError::OutOfRange { field: "the number of hulls in the flow", value: hulls as f64 })
 }
 
-/// Checks that every line joins existing bodies, and that lines fast at the start fit between their ends.
+/// Checks that every line joins existing bodies, and that lines that are fast at the start fit between their ends.
 pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {
         let far = match line.end {
@@ -116,7 +116,7 @@ pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError>
     Ok(Some(Study::new(berthing, displacements_kg.collect(), shallow_factor(setup, berthing.ship))))
 }
 
-/// The factor of the water at the start on the added mass in sway of a vessel.
+/// The shallow-water factor on a vessel's added mass in sway, for the water at the start.
 fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
     let depth_m = setup.world.environment.depth_at_m(0.0)?;
     let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == ship)?;
@@ -125,4 +125,18 @@ fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
         factor: vessel.ship.added_mass.sway_m3 / deep_m3,
         depth_over_draught: depth_m / vessel.deep.particulars.draught_m,
     })
+}
+
+/// Checks the planned changes of a set-up.
+pub(super) fn check_planned(setup: &Setup) -> Result<(), SetupError> {
+    for planned in &setup.world.planned {
+        if !planned.at_s.is_finite() {
+            return Err(SetupError::OutOfRange {
+                field: "the time of a planned change [s]",
+                value: planned.at_s,
+            });
+        }
+        planned.change.check(setup).map_err(SetupError::Change)?;
+    }
+    Ok(())
 }

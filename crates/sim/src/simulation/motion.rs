@@ -12,11 +12,12 @@ use fenderline_world::setup::{Integrator, Method};
 use fenderline_world::turning::{TurningStep, YawRateAt, turning_wrench};
 
 impl Simulation {
-    /// The wrench that turns each body's momentum with it (Coriolis and centripetal terms): a mean over the
-    /// step for vessels, the value at its start for other bodies.
+    /// The wrench that turns each body's momentum with the body (Coriolis and centripetal terms). For vessels the
+    /// wrench is a mean over the step; for other bodies it is the value at the start of the step.
     ///
-    /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses those of
-    /// the last step. Without them, a vessel at rest on her fenders would be expected to move through them.
+    /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses the contact
+    /// forces of the last step. Without these forces, a vessel at rest on her fenders would be expected to move through
+    /// them.
     pub(super) fn turn_momentum(&mut self) {
         if self.engine_moves() && self.setup.world.vessels.is_empty() {
             return; // the engine turns that of plain bodies
@@ -30,14 +31,14 @@ impl Simulation {
             Integrator::Euler => {
                 Some(TurningStep { step_s, acts_s: step_s, turned_by: YawRateAt::Start })
             }
-            // The engine's leapfrog starts with a half step of the velocities.
+            // The engine's leapfrog starts with half a step for the velocities.
             Integrator::SemiImplicit if self.index == 0 => {
                 Some(TurningStep { step_s, acts_s: 0.5 * step_s, turned_by: YawRateAt::End })
             }
             Integrator::SemiImplicit => {
                 Some(TurningStep { step_s, acts_s: step_s, turned_by: YawRateAt::End })
             }
-            // Each Runge–Kutta stage computes its own.
+            // Each Runge–Kutta stage computes its own wrench.
             Integrator::Rk4 => None,
         };
         let contact = self.work.wrenches();
@@ -74,8 +75,8 @@ impl Simulation {
         }
     }
 
-    /// One step of classical Runge–Kutta. With the paper's method stages 2 to 4 compute their contact forces
-    /// on a copy of the contact memory; with the coupled method all stages use the mean contact wrench of the step.
+    /// One step of classical Runge–Kutta. In the paper's method stages 2 to 4 compute their contact forces on a copy of
+    /// the contact memory. In the coupled method all stages use the mean contact wrench of the step.
     pub(super) fn runge_kutta(&mut self) -> Result<(), contact::StepError> {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;

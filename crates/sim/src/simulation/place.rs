@@ -5,14 +5,15 @@ use fenderline_world::error::SetupError;
 use fenderline_world::start::BodyStart;
 
 impl Simulation {
-    /// Places floating bodies before the first step, each by its index. Orders, weather and faults that were given stay.
+    /// Places floating bodies before the first step, each by its index. Orders, weather and faults that were given
+    /// before stay.
     ///
     /// # Errors
-    /// [`SetupError`] as of a new simulation, as where a line is then too short; a body that does not exist, or is fixed. The
-    /// simulation is then unchanged.
+    /// [`SetupError`], as for a new simulation, for example if a line is then too short; or a body that does not exist
+    /// or is fixed. The simulation is then unchanged.
     ///
     /// # Panics
-    /// If a step was taken.
+    /// If a step has been taken.
     pub fn place(&mut self, places: &[(usize, BodyStart)]) -> Result<(), SetupError> {
         assert_eq!(self.index, 0, "before the first step");
         let mut setup = self.setup.clone();

@@ -1,4 +1,4 @@
-//! Starting a simulation again from its first step, in the memory that it has.
+//! Starting a simulation again from its first step, in its present memory.
 
 use fenderline_contact::{BodyState, Wrench};
 
@@ -12,18 +12,19 @@ use fenderline_world::rigid_body::initial_state;
 use fenderline_world::start::Start;
 
 impl Simulation {
-    /// Starts the simulation again, with another start of its bodies, another wind and current. It is then the same, to
-    /// the bit, as a new simulation of the set-up with this start, but is made in a fraction of the time: nothing is
-    /// allocated for plain bodies, as most of the simulation stays as it is.
+    /// Starts the simulation again, with another initial state of its bodies, another wind and another current. The
+    /// result is the same, to the bit, as a new simulation of the set-up with this start. A restart takes a fraction of
+    /// the time: most of the simulation stays as it is, and nothing is allocated for plain bodies.
     ///
-    /// Orders, wind and current given during the last run and wrenches of the host are forgotten, as in a new simulation.
+    /// Orders, wind and current given during the last run, and wrenches of the host, are forgotten, as in a new
+    /// simulation.
     ///
     /// # Errors
-    /// As [`Simulation::new`], where the set-up does not restart in place ([`crate::Setup::restarts_in_place`]); the simulation
-    /// is then unchanged.
+    /// As [`Simulation::new`], if the set-up does not restart in place ([`crate::Setup::restarts_in_place`]); the
+    /// simulation is then unchanged.
     ///
     /// # Panics
-    /// If there is not one start per body.
+    /// If the number of starts is not the number of bodies.
     pub fn restart(&mut self, start: &Start) -> Result<(), SetupError> {
         if !self.setup.restarts_in_place() {
             let mut setup = self.setup.clone();

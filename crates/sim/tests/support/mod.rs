@@ -1,4 +1,4 @@
-//! Bodies and set-ups that the tests of this crate share. Their numbers are those of the engine's tests.
+//! Bodies and set-ups that the tests of this crate share. The numbers are those of the engine's tests.
 
 #![allow(dead_code, unused_imports, reason = "each test binary uses its own part")]
 
@@ -11,7 +11,7 @@ use fenderline_sim::{BodySetup, Integrator, Method, NamedMaterial, PairSetup, Se
 
 pub(crate) use small_host::{outline, rectangle, spring};
 
-/// A floating body; the yaw inertia from a radius of gyration.
+/// A floating body. Its yaw inertia follows from a radius of gyration.
 pub(crate) fn floating(name: &str, outline: Outline, mass_kg: f64, gyradius_m: f64) -> BodySetup {
     scenes::body(small_host::floating(name, outline, mass_kg, gyradius_m))
 }
@@ -20,7 +20,7 @@ pub(crate) fn fixed(name: &str, outline: Outline) -> BodySetup {
     scenes::body(small_host::fixed(name, outline))
 }
 
-/// Two bodies of one material.
+/// Two bodies with one material.
 pub(crate) fn two(
     one: BodySetup,
     two: BodySetup,

@@ -18,12 +18,12 @@ pub(crate) fn quay() -> BodySetup {
     body(scenes::quay())
 }
 
-/// Concrete (0) and a fender's facing of friction 0.2 (1).
+/// Material 0 is concrete. Material 1 is a fender's facing with friction 0.2.
 pub(crate) fn berth_materials() -> Vec<NamedMaterial> {
     materials(scenes::berth_materials())
 }
 
-/// A cone fender on the west side of body 0, material 1.
+/// A cone fender on the west side of body 0, with material 1.
 pub(crate) fn cone_fender(
     name: &str,
     along_m: f64,
@@ -71,7 +71,7 @@ fn materials(all: Vec<Material>) -> Vec<NamedMaterial> {
     all.into_iter().enumerate().map(named).collect()
 }
 
-/// Adds what only the simulator knows of a fender: the height of its face, and the pressure on the hull.
+/// Adds the data of a fender that only the simulator uses: the height of its face, and the pressure on the hull.
 fn fender(of: Fender) -> FenderSetup {
     FenderSetup {
         name: of.name,

@@ -202,7 +202,7 @@ fn compared_json(swept: &Swept, compared: &Compared, sweeps: &Sweeps) -> Value {
     })
 }
 
-/// A ratio; `None` where no value of the reference is away from zero.
+/// A ratio; `None` if no value of the reference is away from zero.
 fn finite(ratio: f64) -> Option<f64> {
     ratio.is_finite().then_some(ratio)
 }

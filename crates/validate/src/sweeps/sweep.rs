@@ -67,7 +67,7 @@ impl Axis {
 
 /// One curve of a sweep, with what must be true of it.
 pub(super) struct Curve {
-    /// Its name in the legend; unique in the sweep.
+    /// Name of the curve in the legend; unique in the sweep.
     pub(super) name: String,
     pub(super) at: Function,
     /// The same values from another situation, such as the mirrored one with the signs turned back: what it is, and the values.

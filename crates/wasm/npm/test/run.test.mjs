@@ -79,7 +79,7 @@ test("a mistake has line, column, key and help", () => {
 test("a file that the scenario names is given with it, or is an error", () => {
   const { text } = scenario("berth/eight_cones_at_5_deg");
   const more = `fender_files = ["mine.toml"]\n${text}`;
-  assert.throws(() => check({ text: more }), /mine\.toml: its text was not given/);
+  assert.throws(() => check({ text: more }), /mine\.toml: the text of this file was not given/);
   assert.throws(
     () => check({ text: more, files: { "mine.toml": "nonsense = 1" } }),
     ({ problem }) => problem.file === "mine.toml" && problem.line === 1,

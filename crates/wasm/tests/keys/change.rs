@@ -166,7 +166,7 @@ fn values(spec: &Json, present: Option<&Json>, names: &[String]) -> Vec<Json> {
     known
 }
 
-/// A table of the examples of what it needs; `None` where something needed has no example.
+/// A table of the examples of what it needs; `None` if something needed has no example.
 fn of_needed(spec: &Json) -> Option<Json> {
     let properties = spec["properties"].as_object()?;
     let needed = spec["required"].as_array()?;
@@ -179,7 +179,7 @@ fn of_needed(spec: &Json) -> Option<Json> {
     Some(Json::Object(table))
 }
 
-/// All numbers of a value times a factor; `None` where that changes nothing.
+/// All numbers of a value times a factor; `None` if that changes nothing.
 fn scaled(value: &Json, factor: f64) -> Option<Json> {
     let changed = match value {
         Json::Number(number) => number_json(number.as_f64()? * factor),

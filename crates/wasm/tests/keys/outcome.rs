@@ -45,7 +45,7 @@ impl Case {
         read.err().map_or(String::new(), |error| error.details().text.clone())
     }
 
-    /// Runs a document; `None` where it cannot be run.
+    /// Runs a document; `None` if it cannot be run.
     #[must_use]
     pub(crate) fn results(&self, document: &Json) -> Option<Results> {
         let text = toml_of(document);

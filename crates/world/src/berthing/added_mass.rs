@@ -7,8 +7,8 @@ use core::f64::consts::PI;
 use super::check::{BEAM, BLOCK_COEFFICIENT, DRAUGHT, LENGTH, Range, UNDER_KEEL_CLEARANCE};
 use super::error::BerthingError;
 
-/// Cm by PIANC 2002: 1.8 where the under-keel clearance is at most 0.1 of the draught, 1.5 where it
-/// is at least 0.5 of it, and 1.875 − 0.75·KC/D between.
+/// Cm by PIANC 2002: 1.8 if the under-keel clearance KC is at most 0.1 of the draught D, 1.5 if it is at least 0.5 of
+/// the draught, and 1.875 − 0.75·KC/D between.
 ///
 /// Source: found (public fender design manuals that cite PIANC 2002).
 ///
@@ -22,7 +22,7 @@ pub fn pianc_2002_added_mass(
     Ok(bounded(1.875 - 0.75 * ratio, 1.5, 1.8))
 }
 
-/// Cm by Shigeru Ueda, 1 + πD/(2·Cb·B).
+/// Cm by Shigeru Ueda: 1 + πD/(2·Cb·B).
 ///
 /// Source: found (public fender design manuals).
 ///
@@ -38,8 +38,8 @@ pub fn ueda_added_mass(
     Ok(1.0 + PI * draught_m / (2.0 * block * beam_m))
 }
 
-/// Cm by Vasco Costa, 1 + 2D/B. Meant for an under-keel clearance of at least 0.1 of the
-/// draught and a speed of at least 0.08 m/s (recalled).
+/// Cm by Vasco Costa: 1 + 2D/B. Meant for an under-keel clearance of at least 0.1 of the draught and a speed of at
+/// least 0.08 m/s (recalled).
 ///
 /// Source: found (public fender design manuals).
 ///
@@ -49,13 +49,14 @@ pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, Berthi
     Ok(1.0 + 2.0 * DRAUGHT.check(draught_m)? / BEAM.check(beam_m)?)
 }
 
-/// Cm by UFC 4-152-01: Cm₀ + (Cm₁ − Cm₀)(D/d)^3.5 with the depth of water d, Cm₀ = 1.3 + 1.5 D/B and
-/// Cm₁ = F (12.4 (D/B)^0.3 − 50 D/L). F is 1.5 Cb below a block coefficient of 0.6 and 0.9 from there on. In little water
-/// under the keel it is far above the other formulas: 5.0 where they give 1.5 to 1.8.
+/// Cm by UFC 4-152-01: Cm₀ + (Cm₁ − Cm₀)(D/d)^3.5 with the depth of water d, Cm₀ = 1.3 + 1.5 D/B and Cm₁ = F (12.4
+/// (D/B)^0.3 − 50 D/L). F is 1.5 Cb below a block coefficient of 0.6 and 0.9 from there on. With little water under the
+/// keel it gives far more than the other formulas: 5.0 against 1.5 to 1.8.
 ///
-/// Source: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); the text of the UFC was not read. The calculator
-/// puts the product of the other berthing factors where this has the block coefficient, which is recalled: added mass depends
-/// on the hull and not on where she touches. Both give F = 0.9 for a full ship broadside.
+/// Source: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); the text of the UFC was not read.
+/// In F the calculator uses the product of the other berthing factors instead of the block coefficient. The block
+/// coefficient is recalled: added mass depends on the hull, not on the point of contact. Both readings give F = 0.9 for
+/// a full ship broadside.
 ///
 /// # Errors
 /// A particular out of range, or a ship for which the formula is below 1.
@@ -75,7 +76,7 @@ pub fn ufc_added_mass(
 
 static UFC: Range = Range::new("added mass factor Cm by UFC 4-152-01", 1.0, 10.0);
 
-/// F.
+/// The factor F.
 fn ufc_fullness(block_coefficient: f64) -> f64 {
     if block_coefficient < 0.6 { 1.5 * block_coefficient } else { 0.9 }
 }
@@ -97,8 +98,9 @@ fn ufc_by_fullness(
 mod tests {
     use super::*;
 
-    /// The supply ship T-AKE of that calculator's test, in feet: 689 by 106, draught 31.8, 33.49 of water. It takes 0.9 for F
-    /// broadside and 1.5 times the product of its other factors, 0.4803 · 0.95, at the quarter point: Cm 5.045 and 3.907.
+    /// The supply ship T-AKE in the test of the public calculator, in feet: 689 by 106, draught 31.8, 33.49 of water.
+    /// The calculator takes F = 0.9 broadside, and at the quarter point 1.5 times the product of its other factors,
+    /// 0.4803 · 0.95. The results are Cm 5.045 and 3.907.
     #[test]
     fn the_ufc_s_formula_gives_what_the_public_calculator_has() {
         let [length_m, beam_m, draught_m, depth_m] =
@@ -115,8 +117,8 @@ mod tests {
         assert!((deep - (1.3 + 1.5 * 31.8 / 106.0)).abs() < 1e-6, "{deep}");
     }
 
-    /// By hand from the three formulas: KC 6.28 m, D 13.72 m, B 51 m, Cb 0.831. They are given
-    /// to three decimals.
+    /// By hand from the three formulas: KC 6.28 m, D 13.72 m, B 51 m, Cb 0.831. The results are given to three
+    /// decimals.
     #[allow(clippy::approx_constant, reason = "6.28 m is a clearance, not 2π")]
     #[test]
     fn the_three_formulas_give_the_published_example() {
@@ -126,7 +128,7 @@ mod tests {
         close(vasco_costa_added_mass(13.72, 51.0).unwrap(), 1.538);
     }
 
-    /// The example of a public calculator's tests: KC 3 m, D 10.9 m, B 26.4 m, Cb 0.77, given to two
+    /// The example in a public calculator's tests: KC 3 m, D 10.9 m, B 26.4 m, Cb 0.77. The results are given to two
     /// decimals.
     #[test]
     fn and_a_second_one() {
@@ -136,7 +138,7 @@ mod tests {
         close(vasco_costa_added_mass(10.9, 26.4).unwrap(), 1.83);
     }
 
-    /// The printed branches meet: 1.875 − 0.75·0.1 = 1.8 and 1.875 − 0.75·0.5 = 1.5.
+    /// The branches as printed meet: 1.875 − 0.75·0.1 = 1.8 and 1.875 − 0.75·0.5 = 1.5.
     #[test]
     fn pianc_has_no_jump_at_its_ends() {
         assert_eq!(pianc_2002_added_mass(0.0, 10.0), Ok(1.8));

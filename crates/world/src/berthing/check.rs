@@ -3,7 +3,8 @@
 use super::error::BerthingError;
 use fenderline_ship::range::{OutOfRange, within};
 
-/// Name, unit and range of a particular. Ranges are wider than any real ship and exclude overflow and division by zero.
+/// Name, unit and range of a particular. Each range covers more than any real ship, and excludes overflow and division
+/// by zero.
 pub(super) struct Range {
     name: &'static str,
     low: f64,
@@ -15,7 +16,7 @@ impl Range {
         Range { name, low, high }
     }
 
-    /// Returns the value if it is within the range; NaN is not.
+    /// Returns the value if it is within the range; NaN is never within a range.
     pub(super) fn check(&self, value: f64) -> Result<f64, BerthingError> {
         let Range { name, low, high } = *self;
         within(name, value, low, high).map_err(|OutOfRange { quantity, .. }| {

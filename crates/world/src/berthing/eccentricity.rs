@@ -17,11 +17,11 @@ pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, Berth
     Ok((0.19 * block + 0.11) * LENGTH.check(length_bp_m)?)
 }
 
-/// Ce = (K² + R² cos²γ)/(K² + R²): K the radius of gyration (m), R the distance of the point of
-/// contact from the centre of mass (m), γ the angle between R and the velocity (rad).
+/// Ce = (K² + R² cos²γ)/(K² + R²), with the radius of gyration K (m), the distance R of the point of contact from the
+/// centre of mass (m), and the angle γ between R and the velocity (rad).
 ///
-/// Source: found. It is also what mechanics says of a ship without spin whose point of contact is
-/// stopped dead, neither sliding nor rebounding: `tests/identities.rs` holds the engine against it.
+/// Source: found. Mechanics gives the same for a ship without spin whose point of contact stops dead, without sliding
+/// and rebound: `tests/identities.rs` compares the engine with it.
 ///
 /// # Errors
 /// A radius or an angle out of range.
@@ -36,11 +36,11 @@ pub fn eccentricity_factor(
     Ok((k * k + r * r * cos * cos) / (k * k + r * r))
 }
 
-/// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without
-/// rebound takes, a the lever arm of the normal force about the centre of mass (m).
+/// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without rebound takes. a is the
+/// lever arm of the normal force about the centre of mass (m).
 ///
-/// Source: mechanics; `tests/identities.rs` holds the engine against it. PIANC's Ce is for a contact
-/// that does not slide; the truth of a fender with a low-friction facing lies between both.
+/// Source: mechanics; `tests/identities.rs` compares the engine with it. PIANC's Ce is for a contact that does not
+/// slide. A fender with a low-friction facing lies between the two.
 ///
 /// # Errors
 /// A radius or an arm out of range.
@@ -50,13 +50,13 @@ pub fn frictionless_factor(gyradius_m: f64, arm_m: f64) -> Result<f64, BerthingE
     Ok(k * k / (k * k + a * a))
 }
 
-/// Where a ship's parallel side touches.
+/// The point of contact on a ship's parallel side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactPoint {
-    /// Distance along the hull from the centre of mass, positive forward (m): L/4 for a quarter-point
-    /// berthing, L/6 for a third-point one.
+    /// Distance along the hull from the centre of mass, positive forward (m): L/4 for a quarter-point berthing, L/6 for
+    /// a third-point berthing.
     pub along_m: f64,
-    /// The ship's beam (m); the point lies half of it off the centre line.
+    /// The ship's beam (m); the point lies half the beam off the centre line.
     pub beam_m: f64,
 }
 
@@ -70,8 +70,8 @@ impl ContactPoint {
         Ok(libm::hypot(along_m, 0.5 * beam_m))
     }
 
-    /// γ = 90° − α − asin(B/2R) (rad) for a ship that moves square to the berth with her bow turned
-    /// in by α. The arc is taken by the quadrant of the point, so that γ holds aft of midships too.
+    /// γ = 90° − α − asin(B/2R) (rad), for a ship that moves square to the berth with her bow turned in by α. The arc
+    /// sine is taken in the quadrant of the point, so that γ is also right aft of midships.
     ///
     /// # Errors
     /// A point that no ship has, or an angle beyond 90°.
@@ -81,16 +81,16 @@ impl ContactPoint {
         Ok(FRAC_PI_2 - angle_rad - libm::atan2(0.5 * beam_m, along_m))
     }
 
-    /// Ce of a berthing at this point, [`eccentricity_factor`] with the two above.
+    /// Ce of a berthing at this point: [`eccentricity_factor`] with the radius and the angle above.
     ///
     /// # Errors
-    /// See these two.
+    /// As [`ContactPoint::radius_m`] and [`ContactPoint::velocity_angle_rad`].
     pub fn eccentricity(
         &self,
         gyradius_m: f64,
         berthing_angle_rad: f64,
     ) -> Result<f64, BerthingError> {
-        // Aft of midships γ may lie beyond −180°; Ce knows only its cosine squared.
+        // Aft of midships γ may lie beyond −180°; Ce depends only on its cosine squared.
         let gamma_rad =
             libm::remainder(self.velocity_angle_rad(berthing_angle_rad)?, core::f64::consts::PI);
         eccentricity_factor(gyradius_m, self.radius_m()?, gamma_rad)
@@ -110,7 +110,7 @@ mod tests {
         assert!((ce - 0.760).abs() < 5e-4, "{ce}");
     }
 
-    /// Closed forms: a hit in line with the centre of mass loses all, and Ce with γ = 90° is the
+    /// Closed forms: a hit in line with the centre of mass loses all energy, and Ce with γ = 90° equals the
     /// frictionless factor with a = R.
     #[test]
     fn the_limits_of_ce() {
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(frictionless_factor(50.0, 50.0), Ok(0.5));
     }
 
-    /// cos γ is the share of the velocity along the arm, wherever the point lies.
+    /// cos γ is the share of the velocity along the arm, wherever the point of contact lies.
     #[test]
     fn the_angle_is_that_between_arm_and_velocity() {
         for along_m in [-60.0, -10.0, 0.0, 25.0] {

@@ -3,12 +3,12 @@
 use super::check::{DISPLACEMENT, Range, SPEED};
 use super::error::BerthingError;
 
-/// Cs, softness factor: the share of the energy that is not absorbed by the hull.
+/// Cs, softness factor: the share of the energy that the hull does not absorb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Softness {
     /// Soft fender: the hull absorbs no energy.
     Soft,
-    /// Hard fender: the hull absorbs a tenth.
+    /// Hard fender: the hull absorbs a tenth of the energy.
     Hard,
 }
 
@@ -23,12 +23,12 @@ impl Softness {
     }
 }
 
-/// Cc, configuration factor, for the cushion of water between hull and berth.
+/// Cc, configuration factor, which accounts for the cushion of water between hull and berth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Configuration {
     /// A solid quay.
     SolidQuay,
-    /// Partly open.
+    /// A partly open structure.
     SemiOpen,
     /// A jetty on open piles: no water cushion.
     OpenPiles,
@@ -51,7 +51,7 @@ impl Configuration {
 pub struct BerthingEnergy {
     /// M, displacement without added mass (kg).
     pub displacement_kg: f64,
-    /// V, speed square to the berth at the moment of touch (m/s).
+    /// V, speed square to the berth at the moment of contact (m/s).
     pub speed_mps: f64,
     /// Cm, 1 or more.
     pub added_mass: f64,
@@ -87,8 +87,8 @@ impl BerthingEnergy {
     }
 }
 
-/// Energy of an abnormal berthing (J): the normal one times a factor of 1.25 to 2.0 by type and size
-/// of ship. Source: found; the table by type of ship is recalled and left to the user.
+/// Energy of an abnormal berthing (J): the energy of a normal berthing times a factor of 1.25 to 2.0 by type and size
+/// of ship. Source: found. The table by type of ship is recalled and left to the user.
 ///
 /// # Errors
 /// A factor or an energy out of range.
@@ -101,9 +101,9 @@ mod tests {
     use super::*;
     use crate::berthing::{ContactPoint, gyradius_m, ueda_added_mass};
 
-    /// The case study of PIANC WG 33 as a public calculator's tests print it: 39 000 t, L_BP 170 m,
-    /// B 26.4 m, D 10.9 m, 0.1 m/s, 5°, quarter-point, Cm by Ueda, abnormal factor 1.75: 351 kN·m
-    /// within 5, their tolerance. Cs and Cc are 1 there.
+    /// The case study of PIANC WG 33, as a public calculator's tests print it: 39 000 t, L_BP 170 m, B 26.4 m, D 10.9
+    /// m, 0.1 m/s, 5°, quarter-point, Cm by Ueda, abnormal factor 1.75. The result is 351 kN·m; the calculator's tests
+    /// allow a difference of 5. Cs and Cc are 1 there.
     #[test]
     fn the_whole_chain_gives_the_published_case_study() {
         let (length_bp_m, beam_m, draught_m) = (170.0, 26.4, 10.9);

@@ -12,18 +12,18 @@ pub enum BerthingError {
     OutOfRange {
         /// The quantity, with its unit.
         quantity: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
         /// Lower limit.
         low: f64,
         /// Upper limit.
         high: f64,
     },
-    /// With this bow the hull meets the quay between two fenders however close they stand.
+    /// With this bow the hull meets the quay between two fenders, however close the fenders stand.
     NoClearance {
         /// How far the compressed fender stands out (m).
         projection_m: f64,
-        /// The clearance that is wanted between hull and quay (m).
+        /// The required clearance between hull and quay (m).
         clearance_m: f64,
     },
 }

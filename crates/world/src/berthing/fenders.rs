@@ -13,9 +13,9 @@ static PANEL_AREA: Range = Range::new("panel area [m²]", 1e-4, 1e6);
 static DEFLECTION: Range = Range::new("rated deflection [m]", 1e-6, 100.0);
 static CLOSING_SPEED: Range = Range::new("berthing speed [m/s]", 1e-9, 50.0);
 
-/// The greatest spacing of fenders along a berth (m): 2√(R_b² − (R_b − p + c)²), so that a bow of
-/// radius R_b that compresses two fenders to a projection p keeps a clearance c from the quay, and
-/// at most 0.15 of the ship's length.
+/// The greatest spacing of fenders along a berth (m): 2√(R_b² − (R_b − p + c)²), and at most 0.15 of the ship's length.
+/// With this spacing, a bow of radius R_b that compresses two fenders to a projection p keeps a clearance c from the
+/// quay.
 ///
 /// Source: found (public fender design manuals).
 ///
@@ -35,14 +35,14 @@ pub fn largest_spacing_m(
     if sagitta_m <= 0.0 {
         return Err(BerthingError::NoClearance { projection_m, clearance_m });
     }
-    // R² − (R − s)² without its cancellation; beyond a half circle the chord does not grow.
+    // R² − (R − s)², written so that no digits cancel. Beyond a half circle the chord does not grow.
     let sagitta_m = lesser(sagitta_m, radius_m);
     let half_chord_m = libm::sqrt(sagitta_m * (2.0 * radius_m - sagitta_m));
     Ok(lesser(2.0 * half_chord_m, by_length_m))
 }
 
-/// Mean pressure on the hull (N/m²): the reaction over the flat area of the panel. The panel, not
-/// the rubber, sets it. Limits by type of ship are data, not code: `fenders/hull_pressure.toml`.
+/// Mean pressure on the hull (N/m²): the reaction over the flat area of the panel. The panel determines the pressure,
+/// not the rubber. Limits by type of ship are data, not code: `fenders/hull_pressure.toml`.
 ///
 /// # Errors
 /// A reaction or an area out of range.
@@ -50,10 +50,9 @@ pub fn hull_pressure_npm2(reaction_n: f64, panel_area_m2: f64) -> Result<f64, Be
     Ok(REACTION.check(reaction_n)? / PANEL_AREA.check(panel_area_m2)?)
 }
 
-/// Time to rated deflection, by which velocity factors are tabulated (s): t = δ_rated/(0.74·V).
+/// Time to rated deflection (s): t = δ_rated/(0.74·V). Velocity factors are tabulated by this time.
 ///
-/// Source: found (a public calculator for cone fenders); that 0.74 V is the mean speed of the
-/// compression is recalled.
+/// Source: found (a public calculator for cone fenders); that 0.74 V is the mean speed during compression is recalled.
 ///
 /// # Errors
 /// A deflection or a speed out of range.
@@ -65,8 +64,8 @@ pub fn compression_time_s(rated_deflection_m: f64, speed_mps: f64) -> Result<f64
 mod tests {
     use super::*;
 
-    /// Geometry: with the fenders at the ends of the chord, a circle of that radius through both
-    /// comes within exactly the clearance of the quay.
+    /// Geometry: the fenders stand at the ends of a chord. A circle with the bow's radius through both fenders comes
+    /// within exactly the clearance of the quay.
     #[test]
     fn the_bow_keeps_its_clearance_between_two_fenders() {
         for (radius_m, projection_m, clearance_m) in [(80.0, 1.2, 0.2), (30.0, 0.6, 0.05)] {

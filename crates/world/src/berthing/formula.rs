@@ -1,4 +1,4 @@
-//! Which formula gives Cm.
+//! The choice of the formula for Cm.
 
 /// The formulas for Cm, the added mass factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum AddedMassFormula {
 }
 
 impl AddedMassFormula {
-    /// All of them, in the order of `BerthingOutcome` of the crate `fenderline-assess`.
+    /// All formulas, in the order of the added masses of `BerthingOutcome` in the crate `fenderline-assess`.
     pub const ALL: [AddedMassFormula; 4] = [
         AddedMassFormula::Pianc2002,
         AddedMassFormula::Ueda,
@@ -22,13 +22,13 @@ impl AddedMassFormula {
         AddedMassFormula::Ufc,
     ];
 
-    /// Its place in [`AddedMassFormula::ALL`].
+    /// Index of the formula in [`AddedMassFormula::ALL`].
     #[must_use]
     pub fn index(self) -> usize {
         self as usize
     }
 
-    /// Its name for people.
+    /// Name of the formula in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl AddedMassFormula {
         }
     }
 
-    /// Its name in scenarios and in `summary.json`.
+    /// Name of the formula in scenarios and in `summary.json`.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -51,11 +51,11 @@ impl AddedMassFormula {
     }
 }
 
-/// Where the Cm of a berthing comes from.
+/// The source of the Cm of a berthing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AddedMass {
-    /// A formula.
+    /// A formula computes Cm.
     By(AddedMassFormula),
-    /// Given, 1 or more.
+    /// The scenario gives Cm, 1 or more.
     Given(f64),
 }

@@ -1,9 +1,9 @@
-//! Berthing energy by the kinetic method of PIANC 2002, E = ½ M V² Cm Ce Cs Cc: the
-//! design calculation, to be compared with the energy in a simulation.
+//! Berthing energy by the kinetic method of PIANC 2002, E = ½ M V² Cm Ce Cs Cc. This design calculation is compared
+//! with the energy in a simulation.
 //!
-//! Pure functions in SI units. Each names its source and how well it is known. *Found*: read in a public source.
-//! *Recalled*: from memory, to be checked. The text of PIANC's guidelines was not read, and no conformity with them is
-//! claimed.
+//! Pure functions in SI units. Each function names its source and how well the source is known. *Found*: read in a
+//! public source. *Recalled*: from memory, to be checked. The text of PIANC's guidelines was not read, and no
+//! conformity with them is claimed.
 //!
 //! ```
 //! use fenderline_world::berthing::*;

@@ -27,16 +27,16 @@ pub struct BerthingSetup {
     pub under_keel_clearance_m: f64,
     /// Block coefficient.
     pub block_coefficient: f64,
-    /// The Cm of the headline and of the abnormal energy.
+    /// The Cm for the main result and for the abnormal energy.
     pub added_mass: AddedMass,
     /// Cs.
     pub softness: Softness,
     /// Cc.
     pub configuration: Configuration,
-    /// Design speed square to the berth (m/s): that of the ship's approach, with the factor of an abnormal one. `None`: the formula
-    /// takes the speed of the run at the first touch.
+    /// Design speed square to the berth (m/s): the speed of the ship's approach, with the factor of an abnormal
+    /// berthing. `None`: the formula uses the speed of the run at the first touch.
     pub design_speed_mps: Option<f64>,
-    /// Abnormal berthing factor, if the abnormal energy is wanted.
+    /// Abnormal berthing factor; `None` if no abnormal energy is asked for.
     pub abnormal_factor: Option<f64>,
 }
 
@@ -58,10 +58,7 @@ impl BerthingSetup {
         Ok(())
     }
 
-    /// Cm by each formula, in the order of [`AddedMassFormula::ALL`]; `None` where it does not apply to the ship.
-    ///
-    /// # Errors
-    /// A particular outside the range of a formula.
+    /// Cm by each formula, in the order of [`AddedMassFormula::ALL`]; `None` if the formula does not apply to the ship.
     pub fn added_masses(&self) -> Result<[Option<f64>; 4], BerthingError> {
         let (draught_m, beam_m, block) = (self.draught_m, self.beam_m, self.block_coefficient);
         let clearance_m = self.under_keel_clearance_m;
@@ -71,7 +68,8 @@ impl BerthingSetup {
             Some(pianc_2002_added_mass(clearance_m, draught_m)?),
             Some(ueda_added_mass(draught_m, beam_m, block)?),
             Some(vasco_costa_added_mass(draught_m, beam_m)?),
-            // A barge can be outside the formula's ships: an error only to those who ask for it.
+            // A barge can be outside the range of the formula's ships. This is an error only if the user asked for the
+            // formula.
             if is_chosen { Some(ufc?) } else { ufc.ok() },
         ])
     }

@@ -1,20 +1,20 @@
-//! Why a change cannot be carried out.
+//! Reasons why a change cannot be carried out.
 
 use std::fmt;
 
 use fenderline_ship::environment::EnvironmentError;
 use fenderline_ship::range::OutOfRange;
 
-/// Why a change cannot be carried out.
+/// The reason why a change cannot be carried out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChangeError {
     /// A number is out of its limits.
     OutOfRange(OutOfRange),
-    /// Wind or current that there cannot be.
+    /// Wind or current is out of its limits.
     Environment(EnvironmentError),
     /// The set-up has no such vessel, thruster, line or tug.
     NotThere(&'static str),
-    /// The line is not fast, so that it cannot part.
+    /// The line is not fast, so it cannot part.
     NotFast {
         /// The line.
         line: String,

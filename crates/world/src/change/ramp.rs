@@ -7,18 +7,19 @@ use fenderline_contact::number::{bounded, lesser};
 pub struct Flow {
     /// Speed (m/s).
     pub speed_mps: f64,
-    /// Direction, clockwise from north (rad): from which the wind comes, to which the current sets.
+    /// Direction, clockwise from north (rad): the direction from which the wind comes, or to which the current sets.
     pub direction_rad: f64,
 }
 
-/// What changes over a time.
+/// A quantity that can change over a time.
 pub trait Between: Copy {
     /// The value after a share of the way, from 0 to 1.
     fn between(from: Self, to: Self, share: f64) -> Self;
 }
 
 impl Between for Flow {
-    /// The speed by a straight line, the direction by the shorter turn. From a calm it has the direction of the end throughout.
+    /// The speed changes along a straight line, the direction by the shorter turn. If the start is calm, the direction
+    /// is that of the end throughout.
     fn between(from: Flow, to: Flow, share: f64) -> Flow {
         let turn_rad =
             libm::remainder(to.direction_rad - from.direction_rad, core::f64::consts::TAU);
@@ -32,21 +33,22 @@ impl Between for Flow {
     }
 }
 
-/// A distance that people see (m).
+/// A visibility (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight(pub f64);
 
 impl Between for Sight {
-    /// By equal ratios in equal times: from 2000 m to 200 m it is 632 m half-way.
+    /// The value changes by equal ratios in equal times: from 2000 m to 200 m it is 632 m half-way.
     fn between(from: Sight, to: Sight, share: f64) -> Sight {
         Sight(from.0 * libm::pow(to.0 / from.0, share))
     }
 }
 
-/// Distance from which on a change over a time counts as clear (m): beyond the ships of an exercise.
+/// In a change over a time, a visibility from this distance on counts as clear (m): it is beyond the ships of an
+/// exercise.
 const CLEAR_M: f64 = 20_000.0;
 
-/// A visibility as a distance (m), for a change over a time that begins or ends at it.
+/// A visibility as a distance (m). Used for a change over a time that begins or ends with this visibility.
 pub fn fog_m(visibility_m: Option<f64>) -> Sight {
     Sight(visibility_m.unwrap_or(CLEAR_M))
 }
@@ -66,18 +68,18 @@ impl<T: Between> Ramp<T> {
         Ramp { from, to, begins_s, over_s }
     }
 
-    /// The value at a time (s); beyond the end the last one.
+    /// The value at a time (s); after the end, the last value.
     pub fn at(&self, t_s: f64) -> T {
         let share = bounded((t_s - self.begins_s) / self.over_s, 0.0, 1.0);
         if share < 1.0 { T::between(self.from, self.to, lesser(share, 1.0)) } else { self.to }
     }
 
-    /// True at its end and later.
+    /// True at the end of the ramp and later.
     pub fn is_over(&self, t_s: f64) -> bool {
         t_s >= self.begins_s + self.over_s
     }
 
-    /// Its last value, and the time that is left at a time (s).
+    /// The last value of the ramp, and the time that remains at the time `t_s` (s).
     pub fn rest(&self, t_s: f64) -> (T, f64) {
         (self.to, self.begins_s + self.over_s - t_s)
     }
@@ -90,7 +92,7 @@ pub struct Ramps {
     pub wind: Option<Ramp<Flow>>,
     /// Of the current.
     pub current: Option<Ramp<Flow>>,
-    /// With the visibility at its end (m); `None`: clear.
+    /// The ramp of the visibility, and the visibility at its end (m); `None`: clear.
     pub visibility: Option<(Ramp<Sight>, Option<f64>)>,
 }
 

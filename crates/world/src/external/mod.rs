@@ -1,8 +1,8 @@
 //! Forces from other programs: the trait [`ForceProvider`], and how a late, terminated or faulty provider is handled.
 //!
-//! A provider is queried once per step. A reply in time acts during the step. Without one, the last wrench is held for a
-//! set time and then dropped; each change is reported as an event. A wrench that is not finite or too large is treated
-//! as a missing reply.
+//! A provider is queried once per step. A reply that comes in time acts during the step. Without a reply, the last
+//! wrench is held for a set time and then dropped. Each change is reported as an event. A wrench that is not finite or
+//! too large is treated as a missing reply.
 
 use fenderline_contact::{BodyState, Wrench};
 
@@ -28,7 +28,7 @@ pub enum ForceReply {
     Dead(String),
 }
 
-/// A source of the force on a body, queried in each step.
+/// A source of the force on a body, which is queried in each step.
 ///
 /// ```
 /// use fenderline_contact::{Wrench, vec2};
@@ -49,7 +49,7 @@ pub enum ForceReply {
 /// assert_eq!(reply, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
 /// ```
 pub trait ForceProvider {
-    /// Returns the wrench for the coming step. It must return within the time that the host can wait.
+    /// Returns the wrench for the coming step. The call must return within the time that the host can wait.
     fn reply(&mut self, request: &ForceRequest) -> ForceReply;
 }
 
@@ -68,10 +68,10 @@ pub enum ProviderEvent {
     Died(String),
 }
 
-/// The largest force or moment that is accepted (N, N·m), which is the contact engine's limit for loads.
+/// The largest force or moment that is accepted (N, N·m). This limit is the contact engine's limit for loads.
 const LARGEST_LOAD: f64 = 1e15;
 
-/// The wrench of one provider, held between replies.
+/// The wrench of one provider, which is held between replies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldWrench {
     hold_s: f64,
@@ -89,7 +89,7 @@ enum Stage {
 }
 
 impl HeldWrench {
-    /// A zero wrench. Without replies, the last wrench is held for `hold_s` seconds.
+    /// Starts with a zero wrench. Without replies, the last wrench is held for `hold_s` seconds.
     #[must_use]
     pub fn new(hold_s: f64) -> HeldWrench {
         HeldWrench {
@@ -130,13 +130,13 @@ impl HeldWrench {
         self.last
     }
 
-    /// Whether the provider has not replied to the last request with a wrench that can be used.
+    /// Whether the last request got no usable wrench.
     #[must_use]
     pub fn is_silent(&self) -> bool {
         self.stage != Stage::Fresh
     }
 
-    /// A step without a usable wrench.
+    /// Handles a step without a usable wrench.
     fn no_reply(&mut self, step_s: f64, events: &mut Vec<ProviderEvent>) {
         self.silent_s += step_s;
         if self.stage == Stage::Fresh {
@@ -163,7 +163,7 @@ mod tests {
     use super::*;
     use fenderline_contact::vec2;
 
-    /// Gives prepared replies in turn.
+    /// A provider that gives prepared replies one after the other.
     struct Script(Vec<ForceReply>);
 
     impl ForceProvider for Script {

@@ -5,12 +5,13 @@ use fenderline_contact::{Slice, Vec2, vec2};
 
 use super::levels::HullByHeight;
 
-/// Heights are rounded to this (m), and angles to that (rad): 1e-5 rad are 1.5 mm at the bow of a ship of 300 m. So an outline
-/// is a function of the state alone, the same in a run and in its replay, and is not cut anew in each step.
+/// Heights are rounded to multiples of this (m), and angles to multiples of `ANGLE_RAD` (rad): 1e-5 rad are 1.5 mm at
+/// the bow of a ship of 300 m. So an outline is a function of the state alone, the same in a run and in its replay, and
+/// need not be cut anew in each step.
 pub(super) const HEIGHT_M: f64 = 1e-3;
 pub(super) const ANGLE_RAD: f64 = 1e-5;
 
-/// Where a fender is on a hull, in whole numbers of [`HEIGHT_M`] and [`ANGLE_RAD`].
+/// The place of a fender on a hull, in whole numbers of [`HEIGHT_M`] and [`ANGLE_RAD`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Posture {
     /// Height of the fender above the keel at the centre of gravity.
@@ -35,20 +36,20 @@ impl Posture {
         (value(self.height, HEIGHT_M), value(self.roll, ANGLE_RAD), value(self.pitch, ANGLE_RAD))
     }
 
-    /// Height of the fender above the keel at a place on the hull (m), for small angles: heel to starboard and trim by the
-    /// bow take that place down, and the fender up on her side.
+    /// Height of the fender above the keel at a place on the hull (m), for small angles. Heel to starboard and trim by
+    /// the bow take this place down, so the fender meets the ship's side higher up.
     pub(super) fn height_at_m(self, place_m: Vec2) -> f64 {
         let (height_m, roll_rad, pitch_rad) = self.values();
         height_m - place_m.x * pitch_rad + place_m.y * roll_rad
     }
 
-    /// How far heel and trim move a place of the hull for each metre above the centre of gravity (m/m).
+    /// Horizontal shift of a place of the hull by heel and trim, for each metre above the centre of gravity (m/m).
     fn lean(self) -> Vec2 {
         let (_, roll_rad, pitch_rad) = self.values();
         vec2(-pitch_rad, roll_rad)
     }
 
-    /// Where on the upright hull a place at the fender is (m), and its height above the keel (m), within `range_m`.
+    /// The place on the upright hull that is at the fender (m), and its height above the keel (m), within `range_m`.
     pub(super) fn upright(
         self,
         place_m: Vec2,
@@ -66,11 +67,12 @@ impl Posture {
 }
 
 impl HullByHeight {
-    /// The outline at a fender: each vertex at the height at which the heeled and trimmed hull has it in the fender's
-    /// plane, moved by the heel and trim about the centre of gravity, which is `gravity_m` above the keel. Where the hull
-    /// ends above or below, the end's outline.
+    /// The outline at a fender. Each vertex is taken at the height at which the heeled and trimmed hull cuts the
+    /// fender's plane, and moved by heel and trim about the centre of gravity, which is `gravity_m` above the keel.
+    /// Beyond the hull's highest or lowest outline, that outline is used.
     ///
-    /// Between two sound outlines heel may in theory fold the hull over itself. Then it is the nearest given outline.
+    /// Between two valid outlines, heel could in theory fold the hull over itself. The nearest given outline is used
+    /// then.
     pub(super) fn cut(&self, posture: Posture, gravity_m: f64) -> Slice {
         let (height_m, roll_rad, pitch_rad) = posture.values();
         let [low_m, high_m] = self.range_m();
@@ -80,14 +82,16 @@ impl HullByHeight {
             let mut own_m = height_m;
             let (mut at_m, mut rate) = self.vertex(index, own_m);
             if roll_rad != 0.0 || pitch_rad != 0.0 {
-                // Sides lean by less than 1/angle, so each round brings the height nearer by a factor of angle × slope.
+                // Sides lean by less than 1/angle, so each round reduces the error of the height by the factor angle ×
+                // slope.
                 for _ in 0..4 {
                     own_m = posture.height_at_m(at_m);
                     (at_m, rate) = self.vertex(index, own_m);
                 }
                 let is_side = (low_m..=high_m).contains(&own_m);
                 at_m += posture.lean() * (bounded(own_m, low_m, high_m) - gravity_m);
-                // By the height of the fender: dv/dh₀ = (v′ + lean) dh/dh₀, with h = h₀ − x θ + y φ.
+                // The rate with respect to the fender's height h₀: dv/dh₀ = (v′ + lean) dh/dh₀, with h = h₀ − x θ + y
+                // φ.
                 let by_fender = 1.0 / (1.0 + rate.x * pitch_rad - rate.y * roll_rad);
                 rate = if is_side { (rate + posture.lean()) * by_fender } else { Vec2::ZERO };
             }
@@ -97,7 +101,7 @@ impl HullByHeight {
         Slice::new(&vertices_m, &rates).unwrap_or_else(|_| self.given(height_m))
     }
 
-    /// The nearest given outline, as of a vertical side.
+    /// The nearest given outline, taken as a vertical side.
     pub(super) fn given(&self, height_m: f64) -> Slice {
         let off_m = |level: &super::Level| (level.height_m - height_m).abs();
         let levels = self.levels();

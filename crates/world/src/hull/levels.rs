@@ -5,24 +5,16 @@ use std::fmt;
 use fenderline_contact::number::greater;
 use fenderline_contact::{Outline, OutlineError, Vec2, vec2};
 
+use super::level::Level;
 use super::resample::{self, TurnsBack};
 
-/// Between two given outlines, interpolated ones are checked at this many heights.
+/// Between two given outlines, interpolated outlines are checked at this many heights.
 const CHECKED_BETWEEN: usize = 15;
 
-/// The most outlines of a hull, and the most vertices of each: more than any lines plan has, and few enough to be checked at
-/// once.
+/// The most outlines of a hull, and the most vertices of each. This is more than any lines plan has, and few enough to
+/// be checked at once.
 const MOST_LEVELS: usize = 50;
 const MOST_VERTICES: usize = 1000;
-
-/// An outline at a height.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// Height (m): above the keel of a floating body, above datum of a fixed one.
-    pub height_m: f64,
-    /// Vertices in the body's frame, forward and to starboard of the centre of gravity (m).
-    pub vertices_m: Vec<Vec2>,
-}
 
 /// The hull of a body by height: outlines at two heights or more, with straight lines between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,61 +23,61 @@ pub struct HullByHeight {
     draught_m: f64,
 }
 
-/// Outlines by height that are no hull.
+/// Errors in outlines by height.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HullError {
     /// Fewer than two outlines.
     TooFew {
-        /// How many there are.
+        /// Number of outlines.
         count: usize,
     },
     /// More outlines than a hull may have.
     TooMany {
-        /// How many there are.
+        /// Number of outlines.
         count: usize,
     },
-    /// An outline with more vertices than one of several may have.
+    /// An outline has more vertices than is allowed if there are several outlines.
     TooManyVertices {
         /// Number of the outline, from 0.
         level: usize,
-        /// How many it has.
+        /// Number of its vertices.
         count: usize,
     },
-    /// A height that is not above the one before it.
+    /// A height that is not greater than the height before it.
     NotAscending {
         /// Number of the outline, from 0.
         level: usize,
-        /// Its height (m).
+        /// Height of the outline (m).
         height_m: f64,
-        /// The height before it (m).
+        /// Height of the outline before (m).
         before_m: f64,
     },
     /// A given outline is not valid.
     BadOutline {
         /// Number of the outline, from 0.
         level: usize,
-        /// What is wrong with it.
+        /// The fault of the outline.
         error: OutlineError,
     },
-    /// Outlines with different numbers of vertices, one of which has a side that turns back.
+    /// The outlines have different numbers of vertices, and a side of one of them turns back.
     TurnsBack {
         /// Number of the outline, from 0.
         level: usize,
     },
-    /// Two outlines between which no hull can be interpolated.
+    /// Between two outlines no hull can be interpolated.
     Crossing {
         /// Number of the lower outline, from 0.
         level: usize,
         /// A height at which the interpolated outline is not valid (m).
         height_m: f64,
-        /// What is wrong with it.
+        /// The fault of the interpolated outline.
         error: OutlineError,
     },
-    /// The outlines do not reach over the waterline.
+    /// The waterline lies outside the heights of the outlines.
     WaterlineOutside {
         /// Height of the waterline (m).
         waterline_m: f64,
-        /// The lowest and the highest outline (m).
+        /// Heights of the lowest and the highest outline (m).
         range_m: [f64; 2],
     },
 }
@@ -105,7 +97,7 @@ impl fmt::Display for HullError {
             ),
             HullError::NotAscending { level, height_m, before_m } => write!(
                 f,
-                "heights must rise from outline to outline, but outline {level} at {height_m} m follows one at {before_m} m"
+                "heights must rise from outline to outline, but outline {level} at {height_m} m follows an outline at {before_m} m"
             ),
             HullError::BadOutline { level, error } => write!(f, "outline {level}: {error}"),
             HullError::TurnsBack { level } => write!(
@@ -129,9 +121,9 @@ impl fmt::Display for HullError {
 impl std::error::Error for HullError {}
 
 impl HullByHeight {
-    /// From outlines in ascending order of height. Vertex `i` of one outline belongs to vertex `i` of the next; outlines
-    /// with different numbers of vertices are resampled at common stations. `draught_m` is the height of the waterline: the
-    /// draught of a floating body, 0 (datum) for a fixed one.
+    /// A hull from outlines in ascending order of height. Vertex `i` of one outline belongs to vertex `i` of the next.
+    /// Outlines with different numbers of vertices are resampled at common stations. `draught_m` is the height of the
+    /// waterline: the draught of a floating body, 0 (datum) for a fixed body.
     ///
     /// # Errors
     /// [`HullError`], with the number of the outline.
@@ -184,10 +176,10 @@ impl HullByHeight {
         Ok(())
     }
 
-    /// The outline at the waterline, which other outlines than fenders meet.
+    /// The outline at the waterline. The outlines of other bodies meet it; fenders do not.
     ///
     /// # Errors
-    /// An interpolated outline that is not valid between the heights that were checked.
+    /// An interpolated outline that is not valid. This can happen between the heights that were checked.
     pub fn at_waterline(&self) -> Result<Outline, OutlineError> {
         Outline::new(&self.vertices_at_m(self.draught_m)).map(|(outline, _)| outline)
     }
@@ -204,7 +196,7 @@ impl HullByHeight {
         self.draught_m
     }
 
-    /// The lowest and the highest outline (m).
+    /// Heights of the lowest and the highest outline (m).
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         [self.levels[0].height_m, self.levels[self.levels.len() - 1].height_m]
@@ -223,12 +215,13 @@ impl HullByHeight {
         all.fold(Vec2::ZERO, |half, v| vec2(greater(half.x, v.x.abs()), greater(half.y, v.y.abs())))
     }
 
-    /// The vertices at a height (m), beyond the ends those of the end.
+    /// The vertices at a height (m). Beyond the lowest or highest outline, its vertices are returned.
     fn vertices_at_m(&self, height_m: f64) -> Vec<Vec2> {
         (0..self.levels[0].vertices_m.len()).map(|vertex| self.vertex(vertex, height_m).0).collect()
     }
 
-    /// A vertex at a height (m) and its rate of change with height (m/m); beyond the ends the end's, at rate 0.
+    /// A vertex at a height (m), and the rate at which it moves with height (m/m). Beyond the lowest or highest outline
+    /// it is that outline's vertex, with rate 0.
     pub(super) fn vertex(&self, vertex: usize, height_m: f64) -> (Vec2, Vec2) {
         let at = |level: &Level| level.vertices_m[vertex];
         let levels = &self.levels;
@@ -238,7 +231,7 @@ impl HullByHeight {
         }
         let low = &levels[above - 1];
         let Some(high) = levels.get(above) else {
-            // At the highest outline itself the slope below it counts.
+            // At the highest outline the slope below it is used.
             let slope = if height_m == low.height_m {
                 self.slope_below(above - 1, vertex)
             } else {

@@ -3,9 +3,9 @@
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 
-use super::levels::Level;
+use super::level::Level;
 
-/// Stations nearer to each other than this share of the length are one.
+/// Stations nearer to each other than this share of the length count as one.
 const SAME_STATION: f64 = 1e-9;
 
 /// A side of an outline turns back on its way from stern to bow.
@@ -17,8 +17,9 @@ pub(super) struct TurnsBack {
 /// A side from stern to bow: rows of station (0 at the stern, 1 at the bow) and offset to starboard (m), ascending.
 type Side = Vec<(f64, f64)>;
 
-/// Gives all outlines the same vertices: on each side, at the stations of all of them. A station is the share of the way
-/// from the outline's aftmost to its foremost point. Outlines are in the positive sense, from forward to starboard.
+/// Gives all outlines the same number of vertices: on each side, one vertex at each station of any outline. A station
+/// is the share of the way from the outline's aftmost to its foremost point. Outlines are in the positive sense, from
+/// forward to starboard.
 pub(super) fn at_common_stations(levels: &mut [Level]) -> Result<(), TurnsBack> {
     let mut sides = Vec::with_capacity(levels.len());
     for (level, of) in levels.iter().enumerate() {
@@ -32,7 +33,7 @@ pub(super) fn at_common_stations(levels: &mut [Level]) -> Result<(), TurnsBack> 
         let point = |side: &Side, &station: &f64| {
             vec2(stern_m + (bow_m - stern_m) * station, offset_m(side, station))
         };
-        // Forward along the port side, back along the starboard side.
+        // The outline runs forward along the port side and back along the starboard side.
         let forward = stations.iter().map(|station| point(port, station));
         let back = stations.iter().rev().map(|station| point(starboard, station));
         level.vertices_m = forward.chain(back).collect();

@@ -8,7 +8,7 @@ use crate::fender::FenderSetup;
 use crate::setup::Setup;
 use crate::world::{HullMotion, Shore, VesselState};
 
-/// Hulls whose box is farther than this from a fender are not cut (m). Heel moves a side by less.
+/// A hull whose box is farther than this from a fender is not cut (m). Heel moves a side by less.
 const NEAR_M: f64 = 5.0;
 
 /// How a fender meets a hull with outlines by height, in one step.
@@ -18,35 +18,35 @@ pub struct HullTouch {
     pub height_m: f64,
     /// Tangent of the angle by which the hull's side leans out over the fender; positive for flare.
     pub slope: f64,
-    /// Where it is on the upright hull, forward and to starboard of the centre of gravity (m).
+    /// Place of the contact on the upright hull, forward and to starboard of the centre of gravity (m).
     pub place_m: Vec2,
 }
 
-/// A fender that would have pressed on a hull, had she a side at its height.
+/// A fender that would have pressed on a hull if the hull had a side at the fender's height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideMissed {
     /// Index into [`crate::setup::Setup::fenders`].
     pub fender: usize,
     /// Index into [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Start of the first step of it (s).
+    /// Start of the first step in which this happened (s).
     pub first_s: f64,
-    /// How far the middle of the face was above the highest outline (m); negative: below the lowest.
+    /// How far the middle of the face was above the highest outline (m); negative: below the lowest outline.
     pub off_m: f64,
 }
 
-/// What a fender meets of a hull.
+/// The part of a hull that a fender meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Met {
     /// Nothing was cut yet.
     Unset,
-    /// The hull has no side at its height.
+    /// The hull has no side at the fender's height.
     NoSide,
-    /// The outline there.
+    /// The outline at the fender.
     Side(Posture),
 }
 
-/// A fender and a hull that it may meet.
+/// A fender, and a hull that it may meet.
 #[derive(Clone, Debug)]
 struct Pair {
     fender: usize,
@@ -55,7 +55,7 @@ struct Pair {
     vessel: Option<usize>,
     host_vessel: Option<usize>,
     met: Met,
-    /// Height of the hull's centre of gravity above her keel (m).
+    /// Height of the hull's centre of gravity above the keel (m).
     gravity_m: f64,
     /// Half of the hull's length and breadth (m).
     half_size_m: Vec2,
@@ -73,7 +73,7 @@ pub struct HeightWork {
     pub work_j: f64,
 }
 
-/// What a failed step puts back.
+/// A renewal that a failed step undoes.
 #[derive(Clone, Debug)]
 struct Undo {
     pair: usize,
@@ -94,7 +94,7 @@ pub struct Sides {
     undo: Vec<Undo>,
 }
 
-/// Where fenders and hulls are in height in a step.
+/// Heights of fenders and hulls in a step.
 #[derive(Clone, Copy)]
 pub struct Heights<'a> {
     /// What stands on the bottom and on other ships.
@@ -108,8 +108,9 @@ pub struct Heights<'a> {
 }
 
 impl Heights<'_> {
-    /// Heave, roll and pitch of a vessel in the middle of the step; still for other bodies. With hydrodynamic data they are those
-    /// at its start: of the leapfrog, in which contact acts there. Half a step ahead, a roll against a fender would feed energy.
+    /// Heave, roll and pitch of a vessel in the middle of the step; zero for other bodies. For a vessel with
+    /// hydrodynamic data they are the values at the start of the step: contact acts there in the leapfrog. With values
+    /// half a step later, a roll against a fender would gain energy.
     fn motion(&self, vessel: Option<usize>) -> HullMotion {
         vessel.map_or(HullMotion::default(), |index| {
             let vessel = &self.vessels[index];
@@ -117,7 +118,8 @@ impl Heights<'_> {
         })
     }
 
-    /// Height of a fender above the keel of a hull at her centre of gravity (m), above datum for a fixed body; and her motion.
+    /// Height of a fender above the keel of a hull, at the hull's centre of gravity (m); for a fixed body above datum.
+    /// Also returns the hull's motion.
     fn of(&self, pair: &Pair, fender: &FenderSetup, setup: &Setup) -> (f64, HullMotion) {
         let hull = self.motion(pair.vessel);
         let mut above_water_m = self.shore.fender_above_water_m(fender);
@@ -164,7 +166,7 @@ impl Sides {
         self.pairs.is_empty()
     }
 
-    /// The fenders that met no side.
+    /// The fenders that would have pressed on a hull but found no side at their height.
     pub fn missed(&self) -> impl Iterator<Item = &SideMissed> {
         self.pairs.iter().filter_map(|pair| pair.missed.as_ref())
     }
@@ -227,7 +229,7 @@ impl Sides {
         }
     }
 
-    /// Puts the outlines of before a failed step back.
+    /// Restores the outlines to those before a failed step.
     pub fn restore(&mut self, model: &mut Model) {
         for Undo { pair, met, before } in self.undo.drain(..) {
             let pair = &mut self.pairs[pair];
@@ -237,7 +239,7 @@ impl Sides {
         }
     }
 
-    /// Finds how each contact of a step meets a hull. `states` are those at the start of the step.
+    /// Finds how each contact of a step meets a hull. `states` are the states at the start of the step.
     pub fn find_touches(
         &mut self,
         setup: &Setup,
@@ -268,7 +270,8 @@ impl Sides {
     }
 }
 
-/// Height of a hull's centre of gravity above her keel (m). Without stability data: the waterline.
+/// Height of a hull's centre of gravity above the keel (m). Without stability data, the height of the waterline is
+/// used.
 fn gravity_m(draught_m: f64, vessel: Option<usize>, setup: &Setup) -> f64 {
     let float = vessel.and_then(|index| setup.world.vessels[index].float);
     float.map_or(draught_m, |float| float.gravity_above_water_m + draught_m)
@@ -280,7 +283,7 @@ pub fn place_m(contact: &Contact, body: usize, state: &BodyState) -> Vec2 {
     state.pose().rotation.apply_inverse(arm_m)
 }
 
-/// The largest of the peaks of the vertical force (N), up or down.
+/// The larger of two peaks of the vertical force (N), up or down.
 pub fn larger_force_n(one_n: f64, other_n: f64) -> f64 {
     if greater(other_n, -other_n) > greater(one_n, -one_n) { other_n } else { one_n }
 }

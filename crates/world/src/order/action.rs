@@ -1,21 +1,18 @@
-//! Orders with indices instead of names: their kinds, and the conversion from and to arguments. All matches are exhaustive,
-//! so that the program does not compile if an order of the table is missing.
+//! Orders with indices instead of names: the kinds of orders, and the conversion from and to arguments. All matches are
+//! exhaustive, so the program does not compile if an order of the table is missing.
 
 use fenderline_contact::Vec2;
 
-use super::arguments::{Arguments, Given, Value};
-use super::check::check;
-use super::error::OrderError;
+use super::arguments::{Arguments, Value};
 use super::table::{OrderName, TargetKind};
-use crate::setup::Setup;
-use crate::world::{Assist, Job, PushJob};
+use crate::world::{Assist, Job};
 use fenderline_ship::mooring::WinchOrder;
 use fenderline_ship::tug::TugOrder;
 
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// Time at which it is given (s).
+    /// Time at which the order is given (s).
     pub at_s: f64,
     /// The action.
     pub action: Action,
@@ -24,20 +21,20 @@ pub struct Order {
 /// An order without its time: target and content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// To a vessel, by her index in [`crate::world::WorldSetup::vessels`].
+    /// An order to a vessel, by her index in [`crate::world::WorldSetup::vessels`].
     Vessel(usize, VesselAction),
-    /// To a vector tug, by her index in [`crate::world::WorldSetup::tugs`].
+    /// An order to a vector tug, by her index in [`crate::world::WorldSetup::tugs`].
     Tug(usize, TugOrder),
-    /// To a line, by its index in [`crate::world::WorldSetup::lines`].
+    /// An order to a line, by its index in [`crate::world::WorldSetup::lines`].
     Line(usize, LineAction),
-    /// To an anchor, by its index in [`crate::world::WorldSetup::anchors`].
+    /// An order to an anchor, by its index in [`crate::world::WorldSetup::anchors`].
     Anchor(usize, AnchorAction),
 }
 
-/// An order to a vessel. A manual order to a control disengages the pilot that uses it.
+/// An order to a vessel. A manual order to a control switches off the pilot that uses this control.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VesselAction {
-    /// Rudder angle; positive turns to starboard going ahead (rad).
+    /// Rudder angle (rad). A positive angle turns a ship that goes ahead to starboard.
     Rudder(f64),
     /// Revolutions over full revolutions, −1 to 1.
     Engine(f64),
@@ -52,24 +49,24 @@ pub enum VesselAction {
         /// Direction of the thrust from the bow, positive to starboard (rad).
         direction_rad: Option<f64>,
     },
-    /// Keep a heading with the rudder; with the azimuth units where there is no rudder (rad).
+    /// Keep a heading (rad) with the rudder; or with the azimuth units if there is no rudder.
     Course(f64),
-    /// Keep a speed ahead through the water with the engine; with the azimuth units where there is no engine (m/s).
+    /// Keep a speed ahead through the water (m/s) with the engine; or with the azimuth units if there is no engine.
     Speed(f64),
     /// Go to a position and stay there with engine, thrusters and tugs.
     Station(Station),
     /// Assist a ship with the azimuth units.
     Assist(Assist),
-    /// Hand steering: disengage all pilots; controls keep their orders.
+    /// Hand steering: all pilots are switched off, and the controls keep their orders.
     Hands,
 }
 
 /// An order to a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAction {
-    /// An order to its winch.
+    /// An order to the winch of the line.
     Winch(WinchOrder),
-    /// Send it to a bollard.
+    /// Send the line to a bollard.
     Send {
         /// Index into [`crate::world::WorldSetup::bollards`].
         bollard: usize,
@@ -81,28 +78,28 @@ pub enum LineAction {
 /// An order to an anchor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnchorAction {
-    /// Let it go, and put the brake on when this much chain is out.
+    /// Let the anchor go, and put the brake on when this length of chain is out.
     LetGo {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Pay chain out under power until this much is out.
+    /// Pay chain out under power until this length is out.
     Veer {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Heave chain in until this much is out; 0: until the anchor is home.
+    /// Heave chain in until this length is out; 0: until the anchor is home.
     Heave {
         /// Chain out (m).
         chain_m: f64,
     },
     /// Brake on.
     Hold,
-    /// Slip the chain: it and the anchor are gone.
+    /// Slip the chain: chain and anchor are lost.
     Slip,
 }
 
-/// The position and heading that a ship shall keep, and her greatest speed.
+/// The position and heading that a ship must keep, and her greatest speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
     /// Position of the centre of gravity (m).
@@ -151,7 +148,7 @@ impl Action {
         }
     }
 
-    /// Its row in the table of orders.
+    /// Row of the action in the table of orders.
     #[must_use]
     pub fn name(&self) -> OrderName {
         match self {
@@ -187,104 +184,9 @@ impl Action {
     }
 }
 
-impl OrderName {
-    /// Builds the action from a target's index and arguments, and checks it with [`super::check()`].
-    ///
-    /// # Errors
-    /// [`OrderError`]: an argument that is missing, unknown or out of its limits; a target or gear that does not exist.
-    pub fn build(
-        self,
-        target: usize,
-        arguments: &Arguments,
-        setup: &Setup,
-    ) -> Result<Action, OrderError> {
-        let given = Given::new(self, arguments)?;
-        let vessel = |action| Action::Vessel(target, action);
-        let assist = |job| -> Result<Action, OrderError> {
-            let fastest_mps = given.number("speed")?;
-            Ok(vessel(VesselAction::Assist(Assist { job, fastest_mps })))
-        };
-        let winch = |order| Action::Line(target, LineAction::Winch(order));
-        let action = match self {
-            OrderName::Rudder => vessel(VesselAction::Rudder(given.number("angle")?)),
-            OrderName::Engine => vessel(VesselAction::Engine(given.number("share")?)),
-            OrderName::Thruster => {
-                vessel(VesselAction::Thruster(given.index("name")?, given.number("power")?))
-            }
-            OrderName::Azimuth => vessel(VesselAction::Azimuth {
-                unit: given.index("name")?,
-                power: given.optional_number("power"),
-                direction_rad: given.optional_number("direction"),
-            }),
-            OrderName::Course => vessel(VesselAction::Course(given.number("heading")?)),
-            OrderName::Speed => vessel(VesselAction::Speed(given.number("speed")?)),
-            OrderName::Station => vessel(VesselAction::Station(Station {
-                position_m: given.place("position")?,
-                heading_rad: given.number("heading")?,
-                fastest_mps: [given.number("surge")?, given.number("sway")?],
-            })),
-            OrderName::PushShip => {
-                let (ship, at_m) = (given.index("ship")?, given.place("at")?);
-                let force_n = given.number("force")?;
-                let tug = setup.world.vessels.get(target);
-                let tug =
-                    tug.ok_or(OrderError::NoTarget { kind: self.spec().target, index: target })?;
-                if ship >= setup.bodies.len() {
-                    return Err(OrderError::NoBody(ship));
-                }
-                if ship == tug.body {
-                    return Err(OrderError::TugHerself { tug: setup.bodies[ship].name.clone() });
-                }
-                let at = (ship, at_m);
-                let push = PushJob::new(&setup.bodies, &setup.fenders, tug.body, at, force_n);
-                assist(Job::Push(push.map_err(OrderError::NotAtTheSide)?))?
-            }
-            OrderName::PullShip => assist(Job::Pull {
-                line: given.index("line")?,
-                direction_rad: given.number("direction")?,
-                force_n: given.number("force")?,
-            })?,
-            OrderName::FollowShip => assist(Job::Follow {
-                ship: given.index("ship")?,
-                at_m: given.place("at")?,
-                heading_rad: given.number("heading")?,
-            })?,
-            OrderName::Hands => vessel(VesselAction::Hands),
-            OrderName::Push => {
-                let (force_n, direction_rad) = given.tug_force(target, setup)?;
-                Action::Tug(target, TugOrder::Push { force_n, direction_rad })
-            }
-            OrderName::Pull => {
-                let (force_n, direction_rad) = given.tug_force(target, setup)?;
-                Action::Tug(target, TugOrder::Pull { force_n, direction_rad })
-            }
-            OrderName::StandBy => Action::Tug(target, TugOrder::StandBy),
-            OrderName::Heave => winch(WinchOrder::Heave(given.number("rate")?)),
-            OrderName::PayOut => winch(WinchOrder::PayOut(given.number("rate")?)),
-            OrderName::Hold => winch(WinchOrder::Hold),
-            OrderName::Send => {
-                Action::Line(target, LineAction::Send { bollard: given.index("bollard")? })
-            }
-            OrderName::LetGo => Action::Line(target, LineAction::LetGo),
-            OrderName::LetGoAnchor => {
-                Action::Anchor(target, AnchorAction::LetGo { chain_m: given.number("chain")? })
-            }
-            OrderName::Veer => {
-                Action::Anchor(target, AnchorAction::Veer { chain_m: given.number("chain")? })
-            }
-            OrderName::HeaveIn => {
-                Action::Anchor(target, AnchorAction::Heave { chain_m: given.number("chain")? })
-            }
-            OrderName::HoldChain => Action::Anchor(target, AnchorAction::Hold),
-            OrderName::Slip => Action::Anchor(target, AnchorAction::Slip),
-        };
-        check(&action, setup)?;
-        Ok(action)
-    }
-}
-
 impl Action {
-    /// Its arguments, by their names in the table of orders. [`OrderName::build`] builds the same action from them.
+    /// Arguments of the action, by their names in the table of orders. [`OrderName::build`] builds the same action from
+    /// them.
     #[must_use]
     pub fn arguments(&self) -> Arguments {
         let all = Arguments::new();

@@ -1,4 +1,4 @@
-//! Checks that an order can be carried out in a set-up: one check for scenarios, sessions, Python and FMUs.
+//! Checks whether an order can be carried out in a set-up. The same check serves scenarios, sessions, Python and FMUs.
 
 use super::action::{Action, AnchorAction, LineAction, Order, Target, VesselAction};
 use super::arguments::Value;
@@ -11,7 +11,7 @@ use crate::world::{AnchorSetup, Assist, Environment, Job, LineEnd};
 /// Checks target, limits, names and gear of an order.
 ///
 /// # Errors
-/// The first that is wrong.
+/// The first fault.
 pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     let world = &setup.world;
     let (index, count) = match action.target() {
@@ -57,7 +57,7 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     }
 }
 
-/// Like [`check()`], with the time of the order.
+/// Does as [`check()`], and also checks the time of the order.
 pub fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
     if !order.at_s.is_finite() {
         return Err(SetupError::OutOfRange { field: "the time of an order", value: order.at_s });
@@ -110,7 +110,8 @@ fn check_value(
     }
 }
 
-/// An order to an anchor needs as much chain as it asks for, and an anchor that is let go needs a bottom that the chain reaches.
+/// Checks an order to an anchor. The chain must be as long as the order asks for. An anchor that is let go needs a
+/// bottom that its chain reaches.
 fn check_anchor(
     of: &AnchorSetup,
     action: AnchorAction,
@@ -138,7 +139,8 @@ fn check_anchor(
     Ok(())
 }
 
-/// A tug may assist only another body that she may touch or has a line to, with at most her bollard pull.
+/// Checks an order to assist. A tug may assist only another body that she may touch or has a line to, with at most her
+/// bollard pull.
 fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), OrderError> {
     let tug = &setup.world.vessels[vessel];
     let name = |body: usize| setup.bodies[body].name.clone();

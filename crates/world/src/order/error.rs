@@ -1,4 +1,4 @@
-//! Why an order cannot be carried out.
+//! Reasons why an order cannot be carried out.
 
 use core::fmt;
 
@@ -15,7 +15,7 @@ use crate::world::NotAtTheSide;
 pub enum OrderError {
     /// There is no vessel, tug, line or anchor of this index.
     NoTarget {
-        /// Which of them.
+        /// The kind of target.
         kind: TargetKind,
         /// The index.
         index: usize,
@@ -27,7 +27,7 @@ pub enum OrderError {
         /// The argument's name.
         argument: &'static str,
     },
-    /// The order has no such argument, or not of this kind.
+    /// The order has no such argument, or has it with another kind.
     Unknown {
         /// The order.
         order: OrderName,
@@ -45,9 +45,9 @@ pub enum OrderError {
         argument: &'static Argument,
         /// The number.
         value: f64,
-        /// The least.
+        /// The least value allowed.
         low: f64,
-        /// The greatest.
+        /// The greatest value allowed.
         high: f64,
     },
     /// The index does not exist.
@@ -63,12 +63,12 @@ pub enum OrderError {
     NoGear {
         /// The target.
         who: String,
-        /// What it lacks.
+        /// The gear that the target lacks.
         gear: Gear,
     },
     /// An azimuth unit is given neither a power nor a direction.
     Nothing,
-    /// The place to push at is not at the ship's side.
+    /// The place to push is not at the ship's side.
     NotAtTheSide(NotAtTheSide),
     /// A tug is ordered to assist herself.
     TugHerself {
@@ -89,7 +89,7 @@ pub enum OrderError {
     BeyondBollardPull {
         /// The force (N).
         force_n: f64,
-        /// Her bollard pull (N).
+        /// The tug's bollard pull (N).
         pull_n: f64,
     },
     /// The ship has no side at the place that the words name.
@@ -117,7 +117,7 @@ pub enum OrderError {
         /// The line.
         line: String,
     },
-    /// The line is fast already, or will be made fast by itself.
+    /// The line is already fast, or will be made fast without an order.
     LineInUse {
         /// The line.
         line: String,
@@ -133,10 +133,11 @@ pub enum OrderError {
     BollardTaken {
         /// The bollard.
         bollard: String,
-        /// How many lines it takes.
+        /// How many lines the bollard takes.
         most_lines: usize,
     },
-    /// The bollard is farther away than the rope reaches, or than a heaving line reaches where there is no boat.
+    /// The bollard is too far away: farther than the rope reaches or, if there is no boat, farther than a heaving line
+    /// reaches.
     OutOfReach {
         /// The line.
         line: String,
@@ -146,16 +147,16 @@ pub enum OrderError {
         distance_m: f64,
         /// The reach (m).
         reach_m: f64,
-        /// What reaches no farther.
+        /// The rope or heaving line that reaches no farther.
         by: &'static str,
     },
-    /// More chain than the anchor has.
+    /// The order asks for more chain than the anchor has.
     ChainTooShort {
         /// The anchor.
         anchor: String,
         /// The chain that the order asks for (m).
         chain_m: f64,
-        /// Length of its chain (m).
+        /// Length of the anchor's chain (m).
         length_m: f64,
     },
     /// An anchor is let go in deep water: the scenario gives no depth.
@@ -169,14 +170,14 @@ pub enum OrderError {
         anchor: String,
         /// Height of the hawse pipe above the bottom (m).
         reach_m: f64,
-        /// Length of its chain (m).
+        /// Length of the anchor's chain (m).
         length_m: f64,
     },
-    /// The anchor is gone.
+    /// The anchor is lost.
     AnchorLost {
         /// The anchor.
         anchor: String,
-        /// How it was lost.
+        /// How the anchor was lost.
         by: LostBy,
     },
     /// The anchor is home: there is nothing to heave, to hold or to slip.
@@ -189,13 +190,14 @@ pub enum OrderError {
         /// The anchor.
         anchor: String,
     },
-    /// There is no chain to move: as much is out as the order asks for, or more, or less.
+    /// There is no chain to move. An order to veer asks for no more chain than is already out, or an order to heave for
+    /// no less.
     NoChainToMove {
         /// The anchor.
         anchor: String,
         /// Chain out (m).
         out_m: f64,
-        /// The order asks for more chain out than there is.
+        /// Whether more chain than is out must be asked for; false: less.
         more: bool,
     },
     /// The windlass has no power.
@@ -211,7 +213,7 @@ pub enum OrderError {
 }
 
 impl OrderError {
-    /// The argument that is wrong, if the error is about one.
+    /// The wrong argument, if the error is about an argument.
     #[must_use]
     pub fn argument(&self) -> Option<&str> {
         match self {

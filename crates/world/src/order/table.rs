@@ -6,7 +6,7 @@ use crate::setup::Setup;
 use fenderline_ship::constants::KNOT_MPS;
 use fenderline_ship::mooring::InboardEnd;
 
-/// Who an order is for.
+/// The kind of target of an order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetKind {
     /// A vessel.
@@ -19,18 +19,18 @@ pub enum TargetKind {
     Anchor,
 }
 
-/// What the target of an order must have to carry it out.
+/// The equipment that the target of an order must have to carry the order out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gear {
     /// No special gear.
     None,
     /// Propeller and rudder.
     PropellerAndRudder,
-    /// Propeller and rudder, or azimuth units that do their work.
+    /// Propeller and rudder, or azimuth units instead.
     Steering,
-    /// At least one tunnel thruster.
+    /// The target must have at least one tunnel thruster.
     Thrusters,
-    /// At least one azimuth unit.
+    /// The target must have at least one azimuth unit.
     AzimuthUnits,
     /// A winch.
     Winch,
@@ -39,7 +39,7 @@ pub enum Gear {
 /// The unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// None: a share of the greatest.
+    /// No unit: a share of the greatest value.
     Share,
     /// Radians.
     Radian,
@@ -56,18 +56,18 @@ pub enum Unit {
 pub enum ArgumentKind {
     /// A number within limits, both included.
     Number {
-        /// Its unit.
+        /// Unit of the number.
         unit: Unit,
-        /// The least.
+        /// The least value.
         low: f64,
-        /// The greatest.
+        /// The greatest value.
         high: f64,
     },
-    /// Two coordinates, each at most this far from 0 (m).
+    /// Two coordinates (m), each of limited size.
     Place {
         /// The greatest magnitude of a coordinate (m).
         most_m: f64,
-        /// Whose axes.
+        /// The axes of the coordinates.
         frame: Frame,
     },
     /// The name of something.
@@ -112,13 +112,13 @@ pub enum Absent {
 /// One argument of an order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Argument {
-    /// Its name without its unit.
+    /// Name of the argument, without the unit.
     pub name: &'static str,
-    /// Its kind.
+    /// Kind of the argument.
     pub kind: ArgumentKind,
-    /// Its default.
+    /// Default of the argument.
     pub absent: Absent,
-    /// Its meaning, for messages.
+    /// Meaning of the argument, for messages.
     pub meaning: &'static str,
 }
 
@@ -127,13 +127,13 @@ pub struct Argument {
 pub struct OrderSpec {
     /// The word that scenario files and pages use.
     pub word: &'static str,
-    /// Its kind of target.
+    /// Kind of target of the order.
     pub target: TargetKind,
     /// The gear that the target must have.
     pub gear: Gear,
-    /// Its arguments.
+    /// Arguments of the order.
     pub arguments: &'static [Argument],
-    /// Its meaning, for messages.
+    /// Meaning of the order, for messages.
     pub meaning: &'static str,
 }
 
@@ -142,7 +142,7 @@ macro_rules! orders {
         #[doc = $meaning:literal]
         $name:ident = $word:literal to $target:ident with $gear:ident: $arguments:expr;
     )*) => {
-        /// All orders. [`OrderName::spec`] gives the row of one.
+        /// All orders. [`OrderName::spec`] gives the row of an order.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum OrderName {
             $(#[doc = $meaning] $name,)*
@@ -164,17 +164,17 @@ macro_rules! orders {
 }
 
 orders! {
-    /// Rudder to an angle; positive turns to starboard going ahead.
+    /// Put the rudder to an angle. A positive angle turns a ship that goes ahead to starboard.
     Rudder = "rudder" to Vessel with PropellerAndRudder:
         &[number("angle", Unit::Radian, -FRAC_PI_2, FRAC_PI_2, "rudder angle")];
-    /// Engine to revolutions over full revolutions; positive ahead.
+    /// Set the engine to a share of full revolutions, positive ahead.
     Engine = "engine" to Vessel with PropellerAndRudder: &[share("share", "revolutions over full revolutions")];
-    /// A tunnel thruster to a thrust over its greatest; positive to starboard.
+    /// Set a tunnel thruster to a share of its greatest thrust, positive to starboard.
     Thruster = "thruster" to Vessel with Thrusters: &[
         name("name", Named::Thruster, "thruster"),
         share("power", "thrust over the greatest"),
     ];
-    /// An azimuth unit to a power, a direction or both.
+    /// Set an azimuth unit to a power, a direction or both.
     Azimuth = "azimuth" to Vessel with AzimuthUnits: &[
         name("name", Named::AzimuthUnit, "azimuth unit"),
         Argument { absent: UNCHANGED, ..number("power", Unit::Share, 0.0, 1.0, "thrust over the thrust at rest and full power") },
@@ -212,7 +212,7 @@ orders! {
         Argument { absent: Absent::Is(0.0, "the ship's"), ..angle("heading", "heading from the ship's") },
         Argument { absent: Absent::Is(4.0 * KNOT_MPS, "4 kn"), ..fastest("speed", "greatest speed beside the ship") },
     ];
-    /// Hand steering: pilots off, controls stay where they are.
+    /// Hand steering: all pilots are switched off, and the controls stay where they are.
     Hands = "hands" to Vessel with None: &[];
     /// Push at the hull.
     Push = "push" to Tug with None: TUG_FORCE;
@@ -228,13 +228,13 @@ orders! {
     Hold = "hold" to Line with Winch: &[];
     /// Send the line to a bollard. Line handlers make it fast there.
     Send = "send" to Line with None: &[name("bollard", Named::Bollard, "bollard")];
-    /// Let the line go. It is then hauled in.
+    /// Let the line go. The line is then hauled in.
     LetGo = "let_go" to Line with None: &[];
-    /// Let the anchor go, and hold on the brake when so much chain is out.
+    /// Let the anchor go, and hold on the brake when this length of chain is out.
     LetGoAnchor = "let_go_anchor" to Anchor with None: CHAIN_OUT;
-    /// Veer: pay chain out under power until so much is out.
+    /// Veer: pay chain out under power until this length is out.
     Veer = "veer" to Anchor with None: CHAIN_OUT;
-    /// Heave chain in until so much is out; 0 brings the anchor home.
+    /// Heave chain in until this length is out; 0 brings the anchor home.
     HeaveIn = "heave_in" to Anchor with None: CHAIN_OUT;
     /// Hold the chain on the windlass's brake.
     HoldChain = "hold_chain" to Anchor with None: &[];
@@ -277,7 +277,7 @@ const fn share(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Share, -1.0, 1.0, meaning)
 }
 
-/// Any angle, also more than a full turn.
+/// An argument for an angle. Any angle is allowed, also more than a full turn.
 const fn angle(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Radian, -100.0, 100.0, meaning)
 }
@@ -299,13 +299,13 @@ const fn name(name: &'static str, named: Named, meaning: &'static str) -> Argume
 }
 
 impl OrderName {
-    /// Its row in the table.
+    /// Row of the order in the table.
     #[must_use]
     pub const fn spec(self) -> &'static OrderSpec {
         &TABLE[self as usize]
     }
 
-    /// The order of a word, for this kind of target.
+    /// The order with this word.
     #[must_use]
     pub fn of_word(word: &str) -> Option<OrderName> {
         OrderName::ALL.iter().copied().find(|name| name.spec().word == word)
@@ -350,7 +350,7 @@ const fn is_same(one: &str, other: &str) -> bool {
 }
 
 impl OrderSpec {
-    /// The argument of a name.
+    /// The argument with this name.
     #[must_use]
     pub fn argument(&self, name: &str) -> Option<&'static Argument> {
         self.arguments.iter().find(|argument| argument.name == name)
@@ -358,7 +358,7 @@ impl OrderSpec {
 }
 
 impl Argument {
-    /// Its name with its unit, as messages to and from pages have it: `angle_rad`.
+    /// Name of the argument with its unit, as used in messages to and from pages: `angle_rad`.
     #[must_use]
     pub fn field(&self) -> String {
         let suffix = match self.kind {
@@ -371,7 +371,7 @@ impl Argument {
 }
 
 impl TargetKind {
-    /// The word for it.
+    /// The word for the kind of target.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -384,7 +384,7 @@ impl TargetKind {
 }
 
 impl Unit {
-    /// What names of this unit end in.
+    /// The ending of names with this unit.
     #[must_use]
     pub const fn suffix(self) -> &'static str {
         match self {
@@ -396,7 +396,7 @@ impl Unit {
         }
     }
 
-    /// Its symbol; empty for a share.
+    /// Symbol of the unit; empty for a share.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -410,7 +410,7 @@ impl Unit {
 }
 
 impl Gear {
-    /// What is missing, for a sentence that begins with "has no".
+    /// The missing gear, for a sentence that begins with "has no".
     #[must_use]
     pub const fn missing(self) -> &'static str {
         match self {
@@ -423,7 +423,7 @@ impl Gear {
         }
     }
 
-    /// True if a target has the gear. The index is that of a line for a winch, else of a vessel.
+    /// True if a target has the gear. The index is that of a line if the gear is a winch, else that of a vessel.
     #[must_use]
     pub fn is_on(self, target: usize, setup: &Setup) -> bool {
         let vessel = || setup.world.vessels.get(target);

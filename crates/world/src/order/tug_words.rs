@@ -1,4 +1,4 @@
-//! Orders to a tug in words, resolved to an order with force, direction and position.
+//! Orders to a tug in words, and their conversion to an order with force, direction and position.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -11,7 +11,7 @@ use super::table::OrderName;
 use crate::setup::Setup;
 use crate::world::LineEnd;
 
-/// A type whose values have words.
+/// A type for whose values there are words.
 pub trait Word: Copy + PartialEq + 'static {
     /// All values.
     const ALL: &'static [Self];
@@ -55,9 +55,9 @@ pub enum TugWord {
     Push,
     /// Pull on the line.
     Pull,
-    /// No force: a vector tug stands by, a tug that is a vessel stays at the side.
+    /// No force: a vector tug stands by; a tug that is a vessel stays at the ship's side.
     Stop,
-    /// Keep clear of the side. A vector tug stands by.
+    /// Keep clear of the ship's side. A vector tug stands by.
     StandOff,
 }
 
@@ -67,16 +67,16 @@ pub enum Lead {
     /// Perpendicular to the side.
     #[default]
     Square,
-    /// 45° towards the ship's bow; on the centre line to starboard.
+    /// 45° towards the ship's bow. For a tug on the centre line: 45° to starboard.
     Forward,
-    /// 45° towards the ship's stern; on the centre line to port.
+    /// 45° towards the ship's stern. For a tug on the centre line: 45° to port.
     Aft,
 }
 
 /// A position at a ship's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SidePlace {
-    /// The nearest of the other positions.
+    /// The position, of those below, that is nearest to the tug.
     #[default]
     Nearest,
     /// 0.3 of the length forward of midship, to port.
@@ -98,17 +98,17 @@ pub enum SidePlace {
 pub struct TugWords {
     /// The order.
     pub word: TugWord,
-    /// Force over her bollard pull, 0 to 1.
+    /// Force over the tug's bollard pull, 0 to 1.
     pub power: f64,
-    /// Her direction, for a pull and for the push of a vector tug.
+    /// Direction of the tug, for a pull and for the push of a vector tug.
     pub lead: Lead,
     /// The position of a tug that is a vessel.
     pub place: SidePlace,
 }
 
-/// A vector tug within this share of the half beam from the centre line acts along it, at bow or stern.
+/// A vector tug within this share of the half beam from the centre line acts along the centre line, at bow or stern.
 const CENTRE_SHARE: f64 = 0.3;
-/// A tug that stands off lies parallel to the ship, at this distance between their sides (m).
+/// A tug that stands off lies parallel to the ship, with this distance between the sides of the two (m).
 const STAND_OFF_M: f64 = 25.0;
 
 impl SidePlace {
@@ -125,7 +125,7 @@ impl SidePlace {
         })
     }
 
-    /// The point on a ship's outline, in her frame; `None` if she has no side there.
+    /// The point on a ship's outline, in the ship's frame; `None` if the ship has no side there.
     #[must_use]
     pub fn on(self, outline: &Outline, length_m: f64) -> Option<Vec2> {
         let (share, side) = self.share_and_side()?;
@@ -148,7 +148,7 @@ impl SidePlace {
     }
 }
 
-/// The ordinate of a hull's outline on a side (1 starboard, −1 port) at a distance forward of her origin (m).
+/// The ordinate of a hull's outline on a side (1 starboard, −1 port) at a distance forward of the ship's origin (m).
 fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -162,9 +162,9 @@ fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     })
 }
 
-/// Direction of the force of a tug that pushes or pulls at a point of a ship: from her bow, positive to starboard (rad). At a
-/// side a push acts inwards and a pull outwards. On the centre line a tug at the stern pushes ahead and pulls astern; one at
-/// the bow pushes astern and pulls ahead.
+/// Direction of the force of a tug that pushes or pulls at a point of a ship, measured from the ship's bow, positive to
+/// starboard (rad). At a side a push acts inwards and a pull outwards. On the centre line, a tug at the stern pushes
+/// ahead and pulls astern; a tug at the bow pushes astern and pulls ahead.
 fn direction_rad(at_m: Vec2, pulls: bool, lead: Lead, beam_m: f64) -> f64 {
     let lead = match lead {
         Lead::Square => 0.0,
@@ -203,10 +203,11 @@ impl TugWords {
         name.build(tug, &arguments, setup)
     }
 
-    /// The order to a tug that is a vessel, at work on another vessel; both by their index among the vessels.
+    /// The order to a tug that is a vessel and works at another vessel. Both vessels are given by their index among the
+    /// vessels.
     ///
     /// # Errors
-    /// As [`OrderName::build`]; a ship without a side at the place; a pull without a line to the ship.
+    /// The errors of [`OrderName::build`]. The ship has no side at the place, or a pull has no line to the ship.
     pub fn for_vessel(
         &self,
         tug: usize,
@@ -247,7 +248,7 @@ impl TugWords {
                 let arguments = at_ship.with("at", Value::Place(beside_m));
                 OrderName::FollowShip.build(tug, &arguments, setup)
             }
-            // A tug that stops pushing stays at the side.
+            // A tug that stops pushing stays at the ship's side.
             TugWord::Stop | TugWord::Push | TugWord::Pull => {
                 let force_n = if self.word == TugWord::Stop { 0.0 } else { force_n };
                 let arguments = at_ship.with("at", Value::Place(at_m)).number("force", force_n);
@@ -257,7 +258,7 @@ impl TugWords {
     }
 }
 
-/// The line between the bodies of a tug and a ship, and its point on the ship.
+/// The line between a tug and a ship, given by their bodies, and the point of the line on the ship.
 #[must_use]
 pub fn towline(setup: &Setup, tug: usize, ship: usize) -> Option<(usize, Vec2)> {
     setup.world.lines.iter().enumerate().find_map(|(index, line)| {

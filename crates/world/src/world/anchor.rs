@@ -1,14 +1,13 @@
-//! Anchors of a simulation: where they are on their ships, and their orders.
+//! Anchors of a simulation: their places on the ships, and their orders.
 
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
+use super::afloat::Lever;
 use super::environment::Environment;
 use super::event::{WorldEvent, WorldEventKind};
-use super::seaway::Lever;
-use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::order::{AnchorAction, OrderError};
-use crate::setup::BodySetup;
+use crate::setup::body::BodySetup;
 use fenderline_ship::anchor::{
     AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
 };
@@ -17,22 +16,22 @@ use fenderline_ship::range::within;
 /// An anchor of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnchorSetup {
-    /// The anchor with chain and windlass.
+    /// The anchor, with its chain and windlass.
     pub gear: AnchorGear,
-    /// Index of the vessel that carries it, into [`crate::world::WorldSetup::vessels`].
+    /// Index of the vessel that carries the anchor, into [`crate::world::WorldSetup::vessels`].
     pub vessel: usize,
-    /// Hawse pipe in the frame of her body (m).
+    /// Place of the hawse pipe in the frame of the vessel's body (m).
     pub hawse_m: Vec2,
     /// Height of the hawse pipe above the still water (m).
     pub hawse_above_water_m: f64,
-    /// Where it is at the start; `None`: home in the hawse pipe.
+    /// Place of the anchor at the start; `None`: home in the hawse pipe.
     pub start: Option<AnchorStart>,
 }
 
 /// An anchor that is on the bottom at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorStart {
-    /// North and east (m).
+    /// Place of the anchor, north and east (m).
     pub at_m: Vec2,
     /// Chain out (m).
     pub chain_m: f64,
@@ -41,26 +40,27 @@ pub struct AnchorStart {
 /// An anchor in a run: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorAtWork {
-    /// Its state.
+    /// State of the anchor.
     pub state: AnchorState,
-    /// Its forces in the last step.
+    /// Forces of the anchor and its chain in the last step.
     pub load: AnchorLoad,
-    /// Where its chain pulled at the ship in the last step.
+    /// Place where the chain pulled at the ship in the last step.
     pub lever: Lever,
 }
 
 impl AnchorSetup {
-    /// Height of the hawse pipe above the bottom (m), with the ship upright, by the deepest water of the run; `None` in deep water.
+    /// Height of the hawse pipe above the bottom (m), with the ship upright and the deepest water of the run; `None` in
+    /// deep water.
     #[must_use]
     pub fn most_above_bottom_m(&self, environment: &Environment) -> Option<f64> {
         let [_, deepest_m] = environment.depth_range_m()?;
         Some(deepest_m + self.hawse_above_water_m)
     }
 
-    /// Checks its numbers, and that the chain reaches it where it is on the bottom at the start of a run.
+    /// Checks the numbers. If the anchor is on the bottom at the start of a run, also checks that the chain reaches it.
     ///
     /// # Errors
-    /// What is wrong, with the name of the anchor.
+    /// The fault, with the name of the anchor.
     pub fn check(&self, body: &BodySetup, environment: &Environment) -> Result<(), AnchorError> {
         self.gear.check()?;
         let name = || self.gear.name.clone();
@@ -88,7 +88,7 @@ impl AnchorSetup {
 }
 
 impl AnchorAtWork {
-    /// An anchor in a state, with its forces; its chain has not pulled yet.
+    /// An anchor with this state and these forces, whose chain has not pulled yet.
     #[must_use]
     pub fn with(state: AnchorState, load: AnchorLoad) -> AnchorAtWork {
         AnchorAtWork { state, load, lever: Lever::default() }
@@ -103,7 +103,7 @@ impl AnchorAtWork {
         AnchorAtWork { state, load: AnchorLoad::default(), lever: Lever::default() }
     }
 
-    /// Checks that an order can be carried out now.
+    /// Checks whether an order can be carried out now.
     pub fn may(&self, setup: &AnchorSetup, action: AnchorAction) -> Result<(), OrderError> {
         let anchor = || setup.gear.name.clone();
         let AnchorState { position, chain_m: out_m, faults, .. } = self.state;
@@ -117,7 +117,7 @@ impl AnchorAtWork {
             }
             AnchorPosition::Housed => match action {
                 AnchorAction::LetGo { .. } | AnchorAction::Veer { .. } => {}
-                // Let go or to be veered, but no chain is out yet.
+                // The anchor is being let go or veered, but no chain is out yet.
                 AnchorAction::Hold if self.state.order != WindlassOrder::Hold => {}
                 AnchorAction::Hold | AnchorAction::Heave { .. } | AnchorAction::Slip => {
                     return Err(OrderError::AnchorHome { anchor: anchor() });
@@ -145,7 +145,7 @@ impl AnchorAtWork {
         }
     }
 
-    /// Takes an order that can be carried out.
+    /// Takes an order. The order must be one that can be carried out.
     pub fn take(&mut self, action: AnchorAction) {
         self.state.order = match action {
             AnchorAction::LetGo { chain_m } => WindlassOrder::LetGo(chain_m),
@@ -159,17 +159,16 @@ impl AnchorAtWork {
         };
     }
 
-    /// One step: moves windlass and anchor, and adds the pull of the chain to the load of the ship.
+    /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship.
     pub fn step(
         &mut self,
         index: usize,
-        (of, setup): (&AnchorSetup, &WorldSetup),
+        (of, body): (&AnchorSetup, usize),
         (states, shore): (&[BodyState], Shore<'_>),
         (environment, t_s, step_s): (&Environment, f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {
-        let body = setup.vessels[of.vessel].body;
         let (at_m, above_water_m) = shore.place(body, of.hawse_m, of.hawse_above_water_m);
         let hawse = Hawse {
             at_m: states[body].pose().apply(at_m),

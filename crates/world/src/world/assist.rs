@@ -1,21 +1,19 @@
-//! Tugs that are vessels and assist a ship: their orders, and the task for their pilot in each step.
+//! Tugs that are vessels and assist a ship: their orders, and the task of their pilot in each step.
 
 use core::fmt;
 
 use fenderline_contact::number::{bounded, greater};
-use fenderline_contact::{BodyState, Contact, Outline, Vec2, vec2};
+use fenderline_contact::{Contact, Outline, Vec2};
 
-use super::line::{LineEnd, Mooring, MooringSetup};
 use crate::fender::FenderSetup;
-use crate::setup::BodySetup;
-use fenderline_ship::control::Task;
+use crate::setup::body::BodySetup;
 
 /// An order to a vessel to assist a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assist {
     /// The job.
     pub job: Job,
-    /// Her greatest speed relative to the ship (m/s).
+    /// The tug's greatest speed relative to the ship (m/s).
     pub fastest_mps: f64,
 }
 
@@ -26,9 +24,9 @@ pub enum Job {
     Follow {
         /// Index of the ship's body.
         ship: usize,
-        /// Position of her centre of gravity in the ship's frame (m).
+        /// Position of the tug's centre of gravity in the ship's frame (m).
         at_m: Vec2,
-        /// Her heading relative to the ship's (rad).
+        /// The tug's heading relative to the ship's heading (rad).
         heading_rad: f64,
     },
     /// Push with the bow.
@@ -49,11 +47,11 @@ pub enum Job {
 pub struct PushJob {
     /// Index of the ship's body.
     pub ship: usize,
-    /// Point of the ship's side in her frame (m).
+    /// Point of the ship's side, in the ship's frame (m).
     pub at_m: Vec2,
-    /// Unit normal into the ship at that point, in her frame.
+    /// Unit normal into the ship at the point of the push, in the ship's frame.
     pub inward: Vec2,
-    /// Distance from the tug's centre of gravity to the tip of her bow with its fender (m).
+    /// Distance from the tug's centre of gravity to the tip of her bow, bow fender included (m).
     pub bow_m: f64,
     /// Force (N).
     pub force_n: f64,
@@ -65,7 +63,7 @@ const FARTHEST_OFF_M: f64 = 2.0;
 /// The point of an order to push is not at the ship's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotAtTheSide {
-    /// Its distance from the outline (m).
+    /// Distance of the point from the outline (m).
     pub off_m: f64,
 }
 
@@ -85,7 +83,7 @@ impl PushJob {
     /// A push by a tug at the point of the ship's side nearest to `at_m`; both are indices of bodies.
     ///
     /// # Errors
-    /// [`NotAtTheSide`] if that point is farther than 2 m.
+    /// [`NotAtTheSide`] if the nearest point of the side is farther away than 2 m.
     pub fn new(
         bodies: &[BodySetup],
         fenders: &[FenderSetup],
@@ -103,8 +101,8 @@ impl PushJob {
     }
 }
 
-/// The nearest point of an outline and the unit normal into the body there. The body is to the left of the direction from vertex
-/// to vertex, as in all outlines of the engine.
+/// The nearest point of an outline, and the unit normal into the body at this point. The body is to the left of the
+/// direction from vertex to vertex, as in all outlines of the engine.
 fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -121,7 +119,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     (best.1, best.2)
 }
 
-/// Distance from a body's origin to its foremost point, with fenders that face ahead (m).
+/// Distance from a body's origin to its foremost point, fenders that face ahead included (m).
 fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
     let (_, most) = outline.bounds();
     fenders
@@ -135,7 +133,7 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
 pub struct AssistPilot {
     /// The order.
     pub order: Assist,
-    /// Normal contact force between her and the ship that she pushes, in the last step (N).
+    /// Normal contact force between the tug and the ship that she pushes, in the last step (N).
     pub contact_n: f64,
     /// Integral of the yaw control against the moment of the contact at her bow (N·m).
     pub steady_nm: f64,
@@ -147,7 +145,7 @@ impl AssistPilot {
         AssistPilot { order, contact_n: 0.0, steady_nm: 0.0 }
     }
 
-    /// Stores the contact force between her and the ship after a step.
+    /// Stores the contact force between tug and ship after a step.
     pub fn store_contact(&mut self, own: usize, contacts: &[Contact]) {
         let Job::Push(push) = self.order.job else { return };
         let both = |contact: &&Contact| {
@@ -155,61 +153,5 @@ impl AssistPilot {
             pair == [own, push.ship] || pair == [push.ship, own]
         };
         self.contact_n = contacts.iter().filter(both).map(|contact| contact.normal_force_n).sum();
-    }
-
-    /// Her task in a step.
-    pub fn task(
-        &self,
-        own: usize,
-        states: &[BodyState],
-        lines: (&[MooringSetup], &[Mooring]),
-    ) -> Task {
-        let velocity_at = |body: usize, at_m: Vec2| {
-            let state = &states[body];
-            let arm_m = state.pose().rotation.apply(at_m);
-            state.velocity_mps + arm_m.spun_by(state.yaw_rate_radps)
-        };
-        match self.order.job {
-            Job::Follow { ship, at_m, heading_rad } => Task::Follow {
-                place_m: states[ship].pose().apply(at_m),
-                velocity_mps: velocity_at(ship, at_m),
-                heading_rad: states[ship].heading_rad + heading_rad,
-            },
-            Job::Push(PushJob { ship, at_m, inward, bow_m, force_n }) => Task::Push {
-                place_m: states[ship].pose().apply(at_m),
-                velocity_mps: velocity_at(ship, at_m),
-                inward: states[ship].pose().rotation.apply(inward),
-                bow_m,
-                force_n,
-                contact_n: self.contact_n,
-            },
-            Job::Pull { line, direction_rad, force_n } => {
-                let setup = &lines.0[line];
-                let [(ship, at_m), (_, own_at_m)] = ends_for(setup, own);
-                let direction = vec2(libm::cos(direction_rad), libm::sin(direction_rad));
-                let place_m = states[ship].pose().apply(at_m);
-                let span_m = (states[own].pose().apply(own_at_m) - place_m).length();
-                let length_m = lines.1[line].line.as_ref().map_or(0.0, |(_, state)| state.length_m);
-                Task::Pull {
-                    place_m,
-                    velocity_mps: velocity_at(ship, at_m),
-                    outward: states[ship].pose().rotation.apply(direction),
-                    over_bow: own_at_m.x >= 0.0,
-                    slack_m: greater(length_m - span_m, 0.0),
-                    force_n,
-                    tension_n: lines.1[line].load.tension_n,
-                }
-            }
-        }
-    }
-}
-
-/// The two ends of a line, body and position in its frame: first the other body's, then a body's own.
-fn ends_for(line: &MooringSetup, own: usize) -> [(usize, Vec2); 2] {
-    let near = (line.ship, line.fairlead_m);
-    match line.end {
-        Some(LineEnd::OnBody { body, at_m, .. }) if body == own => [near, (body, at_m)],
-        Some(LineEnd::OnBody { body, at_m, .. }) => [(body, at_m), near],
-        Some(LineEnd::Fixed(_)) | None => unreachable!("a set-up with such an order is refused"),
     }
 }

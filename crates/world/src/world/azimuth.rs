@@ -47,14 +47,14 @@ pub struct AzimuthOrder {
 pub struct AzimuthState {
     /// Thrust over the thrust at rest and full power. At speed the same power gives less thrust.
     pub power: Lag,
-    /// Direction of its thrust.
+    /// Direction of the thrust.
     pub direction: Slewing,
-    /// Its force on the vessel in the last step, about midship.
+    /// Force of the unit on the vessel in the last step, about midship.
     pub force: Force,
 }
 
 impl AzimuthState {
-    /// Stopped, pointing ahead.
+    /// A unit that is stopped and points ahead.
     pub fn new(setup: &AzimuthSetup) -> AzimuthState {
         AzimuthState {
             power: Lag { value: 0.0, time_constant_s: setup.lag_s },

@@ -3,9 +3,9 @@
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 
+use super::abilities::Abilities;
 use super::azimuth::{AzimuthOrder, AzimuthSetup};
 use super::line::{Mooring, MooringSetup};
-use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use fenderline_ship::control::{
     AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
@@ -15,7 +15,7 @@ use fenderline_ship::hydro::{Force, Velocity, Water};
 
 /// Time constant of the integral against the moment of the contact at a tug's bow (s).
 const INTEGRAL_S: f64 = 15.0;
-/// Below this share of its thrust a unit keeps its direction.
+/// A unit with less than this share of its thrust keeps its direction.
 const IDLE: f64 = 0.01;
 
 /// The velocity of a vessel through the water, and the water.
@@ -42,7 +42,7 @@ fn disturbance(setup: &VesselSetup, forces: &VesselForces) -> Demand {
     Demand { surge_n, sway_n, yaw_nm: yaw_nm - ahead_m * sway_n }
 }
 
-/// Keeps course and speed of a vessel that azimuth units alone propel and steer. `shares` is memory.
+/// Keeps course and speed of a vessel that azimuth units alone propel and steer. `shares` is a buffer that is reused.
 pub(super) fn under_way(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -75,7 +75,7 @@ pub(super) fn under_way(
     order_azimuths(vessel, setup, &shares.forces_n, stream);
 }
 
-/// Sets the orders to the azimuth units of a tug that assists. `shares` is memory.
+/// Sets the orders to the azimuth units of a tug that assists. `shares` is a buffer that is reused.
 pub(super) fn assist(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -93,7 +93,7 @@ pub(super) fn assist(
     let task = pilot.task(setup.body, states, lines);
     let AssistDemand { demand, sway } =
         work(&task, &handling, state, &disturbance, pilot.order.fastest_mps, pilot.steady_nm);
-    // The integral grows while her bow is held at the ship's side, and decays otherwise.
+    // The integral grows while the tug's bow is held at the ship's side, and decays otherwise.
     let is_held = matches!(task, Task::Push { .. }) && sway == Sway::Free;
     let most_nm: f64 =
         setup.azimuths.iter().map(|a| a.bollard_n * azimuth_place(setup, a).length()).sum();
@@ -119,7 +119,8 @@ pub(super) fn assist(
     }
 }
 
-/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N). `shares` is memory.
+/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N). `shares`
+/// is a buffer that is reused.
 pub(super) fn share_with_azimuths(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -163,8 +164,8 @@ fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
     vec2(azimuth.unit.along_m - ahead_m, azimuth.unit.across_m)
 }
 
-/// Orders a force of each unit, with the power that it needs at this velocity through the water. While a unit still turns, its
-/// power is that for the component of the force in its present direction.
+/// Orders a force of each unit, and the power that it needs at this velocity through the water. While a unit still
+/// turns, it gets the power for the component of the force in its present direction.
 fn order_azimuths(
     vessel: &mut VesselState,
     setup: &VesselSetup,

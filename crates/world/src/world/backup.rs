@@ -1,10 +1,13 @@
-//! What a step changes of a world, to be put back if the step fails.
+//! The parts of a world that a step changes. These parts are restored if the step fails.
 
-use super::{
-    AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WaterInertia, World, WorldEvent,
-};
+use super::anchor::AnchorAtWork;
+use super::event::WorldEvent;
+use super::line::Mooring;
+use super::state::World;
+use super::tug::TugAtWork;
+use super::vessel::{VesselForces, VesselState, WaterInertia};
 
-/// The state of a world before a step. Its buffers are reused from step to step.
+/// The state of a world before a step. The buffers of the backup are reused from step to step.
 #[derive(Clone, Debug, Default)]
 pub struct WorldBackup {
     vessels: Vec<VesselState>,
@@ -19,7 +22,7 @@ pub struct WorldBackup {
 }
 
 impl World {
-    /// Copies what a step changes.
+    /// Copies the parts that a step changes.
     pub fn back_up(&self, into: &mut WorldBackup) {
         let WorldBackup {
             vessels,
@@ -43,7 +46,7 @@ impl World {
         clamped.clone_from(&self.clamped);
     }
 
-    /// Puts it back. The backup is left with what the step made.
+    /// Restores the copied parts. Afterwards the backup has what the step made.
     pub fn put_back(&mut self, backup: &mut WorldBackup) {
         let WorldBackup {
             vessels,

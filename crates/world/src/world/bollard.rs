@@ -2,21 +2,21 @@
 
 use fenderline_contact::Vec2;
 
-use super::line::LineEnd;
+use super::line_end::LineEnd;
 use fenderline_ship::range::{OutOfRange, within};
 
 /// A bollard on a body: a quay, a dolphin, another ship.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BollardSetup {
-    /// Its name.
+    /// Name of the bollard.
     pub name: String,
     /// Index into [`crate::setup::Setup::bodies`].
     pub body: usize,
     /// Position in the body's frame (m).
     pub at_m: Vec2,
-    /// Height above the still water (m); above datum where the body is fixed.
+    /// Height above the still water (m); above datum if the body is fixed.
     pub above_water_m: f64,
-    /// How many lines it takes at once.
+    /// How many lines the bollard takes at once.
     pub most_lines: usize,
 }
 
@@ -28,11 +28,11 @@ impl BollardSetup {
     }
 }
 
-/// How lines come to a bollard.
+/// How line handlers bring lines to a bollard.
 ///
-/// A gang of line handlers takes one line at a time; further lines wait in the order in which they were sent. Within the
-/// reach of a heaving line it takes [`LineHandling::heaving_line_s`]. Farther away a boat carries the line: the distance over
-/// the boat's speed comes on top.
+/// A gang of line handlers takes one line at a time. Further lines wait in the order in which they were sent. Within
+/// the reach of a heaving line a gang needs [`LineHandling::heaving_line_s`]. Farther away a boat carries the line, and
+/// the distance over the boat's speed is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineHandling {
     /// Number of gangs.
@@ -46,7 +46,8 @@ pub struct LineHandling {
 }
 
 impl Default for LineHandling {
-    /// Two gangs, a heaving line of 30 m and 60 s, a boat of 1 m/s. These are our assumptions: no source was read.
+    /// Two gangs, a heaving line of 30 m and 60 s, and a boat of 1 m/s. These values are our assumptions: no source was
+    /// read.
     fn default() -> LineHandling {
         LineHandling { gangs: 2, heaving_line_m: 30.0, heaving_line_s: 60.0, boat_mps: Some(1.0) }
     }
@@ -65,7 +66,7 @@ impl LineHandling {
     /// Checks the numbers.
     ///
     /// # Errors
-    /// The first that is out of range.
+    /// The first number out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("reach of a heaving line [m]", self.heaving_line_m, 0.0, 1e4)?;
         within("time of a heaving line [s]", self.heaving_line_s, 0.0, 1e5)?;

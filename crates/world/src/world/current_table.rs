@@ -1,4 +1,4 @@
-//! Current coefficients of the user's own on a vessel's hull, at low speed.
+//! The user's own current coefficients for a vessel's hull at low speed.
 
 use std::sync::Arc;
 
@@ -8,11 +8,12 @@ use fenderline_ship::environment::{EnvironmentError, LoadTable};
 use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity, Water};
 use fenderline_ship::range::within;
 
-/// A table of current forces on a hull, and the speeds through the water between which it hands over to the manoeuvring model.
+/// A table of current forces on a hull, and the two speeds through the water between which the manoeuvring model takes
+/// over from the table.
 ///
-/// Such tables are of a ship that does not turn. Up to `alone_until_mps` the hull's force is the table's, and what her rate of turn adds is
-/// that of the manoeuvring model: H = C + (M(u, v, r) − M(u, v, 0)). From `gone_from_mps` on it is M alone. Between them M and H are mixed
-/// by a smooth step of the speed, so that force and slope are continuous.
+/// Such tables are for a ship that does not turn. Up to `alone_until_mps` the hull's force is H = C + (M(u, v, r) −
+/// M(u, v, 0)): the table C, plus what the rate of turn adds in the manoeuvring model M. From `gone_from_mps` on it is
+/// M alone. Between the two speeds M and H are mixed by a smooth step, so that the force and its slope are continuous.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentTable {
     loads: Arc<LoadTable>,
@@ -25,7 +26,7 @@ impl CurrentTable {
     /// A table with its source, in the user's words.
     ///
     /// # Errors
-    /// A speed out of range, or a handing over that ends before it begins.
+    /// A speed out of range, or a second speed below the first.
     pub fn new(
         loads: LoadTable,
         [alone_until_mps, gone_from_mps]: [f64; 2],
@@ -48,13 +49,13 @@ impl CurrentTable {
         &self.loads
     }
 
-    /// Speed through the water up to which the table acts alone, and from which it is gone (m/s).
+    /// Speed through the water up to which the table acts alone, and speed from which on the table is not used (m/s).
     #[must_use]
     pub fn speeds_mps(&self) -> [f64; 2] {
         [self.alone_until_mps, self.gone_from_mps]
     }
 
-    /// Where the table comes from, in the user's words.
+    /// The source of the table, in the user's words.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
@@ -68,18 +69,20 @@ impl CurrentTable {
         1.0 - t * t * (3.0 - 2.0 * t)
     }
 
-    /// The table's force on a hull that goes through the water without turning, in water of a depth over the draught; `None`: deep.
+    /// The table's force on a hull that goes through the water without turning, at this ratio of depth to draught;
+    /// `None`: deep water.
     #[must_use]
     pub fn force(&self, velocity: &Velocity, water: Water, depth_ratio: Option<f64>) -> Force {
         let speed_mps = velocity.speed_mps();
         let pressure_npm2 = 0.5 * water.density_kgpm3 * speed_mps * speed_mps;
-        // The water comes from where she goes to: γ is the drift angle, positive if she slides to port.
+        // The water comes from the direction of the ship's motion: γ is the drift angle, positive if the ship slides to
+        // port.
         let [surge, sway, yaw] =
             self.loads.at(velocity.drift_rad(), depth_ratio).map(|value| value * pressure_npm2);
         Force { surge_n: surge, sway_n: sway, yaw_nm: yaw }
     }
 
-    /// The hull's force, given that of the manoeuvring model.
+    /// The hull's force, given the force by the manoeuvring model.
     pub fn hull(
         &self,
         (model, hull): (&Mmg, Force),
@@ -119,7 +122,7 @@ mod tests {
         };
         assert!((push(2.0, 0.0).surge_n + 100e3).abs() < 1e-6, "she goes ahead");
         assert!((push(-2.0, 0.0).surge_n - 140e3).abs() < 1e-6, "she goes astern");
-        // She slides to port: the water comes from port.
+        // The ship slides to port, so the water comes from port.
         assert!((push(0.0, -1.0).sway_n - 2e6).abs() < 1e-6);
         assert!((push(0.0, 1.0).sway_n + 2e6).abs() < 1e-6);
         assert_eq!(push(0.0, 0.0), Force::default());

@@ -26,7 +26,7 @@ pub struct Environment {
     pub water_density_kgpm3: f64,
     /// Density of the air (kg/m³).
     pub air_density_kgpm3: f64,
-    /// Depth of the water below datum (m), negative where the bottom dries; `None`: deep.
+    /// Depth of the water below datum (m), negative if the bottom falls dry; `None`: deep.
     pub depth_m: Option<f64>,
     /// Level of the water above datum.
     pub tide: Tide,
@@ -34,12 +34,12 @@ pub struct Environment {
     pub squat: Option<Squat>,
     /// Banks, which attract ships: unvalidated.
     pub banks: Vec<Bank>,
-    /// How far people see (m), which is for the pages of live sessions; `None`: clear. It exerts no force.
+    /// Visibility (m), for the pages of live sessions; `None`: clear. It exerts no force.
     pub visibility_m: Option<f64>,
 }
 
 impl Default for Environment {
-    /// Deep sea water, no wind, no current, no banks; squat by [`Squat::default`] once there is a depth.
+    /// Deep sea water, with no wind, current or banks. If a depth is set, squat is by [`Squat::default`].
     fn default() -> Environment {
         Environment {
             wind: None,
@@ -65,8 +65,8 @@ impl Environment {
         self.long_waves.as_ref().map_or(tide_m, |waves| tide_m + waves.level_m(t_s))
     }
 
-    /// Bounds of the level of the water from the start of the run (m): those of the tide ([`Tide::range_m`]) and of the long waves
-    /// ([`LongWaves::range_m`]).
+    /// Bounds of the level of the water from the start of the run (m): the bounds of the tide ([`Tide::range_m`]) plus
+    /// those of the long waves ([`LongWaves::range_m`]).
     #[must_use]
     pub fn level_range_m(&self) -> [f64; 2] {
         let [low_m, high_m] = self.tide.range_m();
@@ -74,7 +74,7 @@ impl Environment {
         [low_m + waves_m[0], high_m + waves_m[1]]
     }
 
-    /// Depth of the water at a time (m) with tide and long waves, 0 where the bottom is dry; `None`: deep.
+    /// Depth of the water at a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
     #[must_use]
     pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
         self.depth_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0))
@@ -93,7 +93,7 @@ impl Environment {
             .map(|depth_m| self.level_range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
     }
 
-    /// Checks depth and tide; wind, current, sea and long waves were checked when they were made.
+    /// Checks depth and tide; wind, current, sea and long waves are checked when they are made.
     ///
     /// # Errors
     /// A number out of range, with its name.
@@ -117,7 +117,7 @@ impl Environment {
         self.long_waves.as_ref().map_or(stream, |waves| stream + waves.velocity(t_s))
     }
 
-    /// DU/Dt: mean acceleration of the water around a hull, following the water during a step (m/s²).
+    /// DU/Dt: mean acceleration during a step of the water around a hull, for an observer who follows the water (m/s²).
     pub fn water_acceleration(
         &self,
         position_m: Vec2,

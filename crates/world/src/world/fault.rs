@@ -1,4 +1,4 @@
-//! Faults of a vessel's machinery and instruments: orders are accepted but not carried out, and displays stay as they are.
+//! Faults of a vessel's machinery and instruments: orders are accepted but not carried out, or displays stay frozen.
 
 use crate::order::Word;
 
@@ -7,21 +7,22 @@ use crate::order::Word;
 pub struct Faults {
     /// The rudder stays where it is; azimuth units do not turn.
     pub rudder_stuck: bool,
-    /// The rudder does not follow: it runs to its stop on the side of the order, and stays where it is with the order amidships.
+    /// The rudder does not follow the helm: it runs to its stop on the side of the order. With the order amidships it
+    /// stays where it is.
     pub follow_up_lost: bool,
     /// The shaft runs down to a stop; azimuth units give no thrust.
     pub engine_lost: bool,
     /// Tunnel thrusters give no thrust.
     pub thrusters_lost: bool,
-    /// All of these at once: no power.
+    /// All the faults above at once: the vessel has no power.
     pub blackout: bool,
     /// Single thrusters and azimuth units that have tripped: they give no thrust.
     pub tripped: Tripped,
-    /// The heading that is shown on board stays as it is. The simulation goes on with the true one.
+    /// The heading that is shown on board stays frozen. The simulation goes on with the true heading.
     pub heading_frozen: bool,
-    /// The same of the speeds.
+    /// The speeds that are shown on board stay frozen.
     pub speed_frozen: bool,
-    /// The same of the position.
+    /// The position that is shown on board stays frozen.
     pub position_frozen: bool,
 }
 
@@ -73,7 +74,7 @@ impl Word for Fault {
 }
 
 impl Fault {
-    /// True for an instrument: nobody on board is told.
+    /// True for a fault of an instrument. Nobody on board is told of such a fault.
     #[must_use]
     pub fn is_of_instrument(self) -> bool {
         matches!(self, Fault::HeadingFrozen | Fault::SpeedFrozen | Fault::PositionFrozen)
@@ -94,7 +95,7 @@ impl Tripped {
         unit < Tripped::MOST && self.0 >> unit & 1 == 1
     }
 
-    /// The same with a unit tripped, or in order. Beyond [`Tripped::MOST`] nothing is changed.
+    /// These units, with one unit changed to tripped or to in order. A unit beyond [`Tripped::MOST`] changes nothing.
     #[must_use]
     pub fn with(self, unit: usize, tripped: bool) -> Tripped {
         let bit = if unit < Tripped::MOST { 1 << unit } else { 0 };
@@ -103,7 +104,7 @@ impl Tripped {
 }
 
 impl Faults {
-    /// Whether a fault is on.
+    /// Whether a fault is present.
     #[must_use]
     pub fn has(&self, fault: Fault) -> bool {
         let mut copy = *self;

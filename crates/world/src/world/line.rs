@@ -3,15 +3,18 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
+use super::afloat::Lever;
 use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
-use super::seaway::Lever;
+use super::line_end::LineEnd;
 use super::shore::Shore;
+use crate::rigid_body::initial_state;
+use crate::setup::body::BodySetup;
 use fenderline_ship::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
 
-/// Slack with which a line on a winch is made fast at a bollard, over the distance, and beside that (m).
+/// Slack with which a line on a winch is made fast at a bollard: a share of the distance, plus a length (m).
 const SLACK: (f64, f64) = (0.02, 1.0);
 /// Rate at which a line on bitts is hauled in by hand (m/s); our assumption.
 const BY_HAND_MPS: f64 = 0.5;
@@ -19,72 +22,58 @@ const BY_HAND_MPS: f64 = 0.5;
 /// A mooring line of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MooringSetup {
-    /// The line itself.
+    /// The line.
     pub line: LineSetup,
     /// Index of the body that has the winch or the bitts.
     pub ship: usize,
-    /// Fairlead in that body's frame (m).
+    /// Fairlead in the frame of the body `ship` (m).
     pub fairlead_m: Vec2,
-    /// Height of the fairlead above the still water (m); above datum where that body is fixed.
+    /// Height of the fairlead above the still water (m); above datum if the body is fixed.
     pub fairlead_above_water_m: f64,
-    /// Where it is made fast by itself; `None` if it is on board until an order sends it to a bollard.
+    /// The end at which the line is made fast without an order; `None` if the line is on board until an order sends it
+    /// to a bollard.
     pub end: Option<LineEnd>,
-    /// When it is made fast by itself (s).
+    /// When the line is made fast without an order (s).
     pub from_s: f64,
     /// Length of the rope, for a line that an order sends to a bollard (m).
     pub rope_m: f64,
 }
 
-/// The far end of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LineEnd {
-    /// A bollard or an anchor: north, east and above datum (m).
-    Fixed([f64; 3]),
-    /// A point on another body, which may be a quay.
-    OnBody {
-        /// Index into [`crate::setup::Setup::bodies`].
-        body: usize,
-        /// Position in the body's frame (m).
-        at_m: Vec2,
-        /// Height above the still water (m); above datum where the body is fixed.
-        above_water_m: f64,
-    },
-}
-
 /// The state of a line: plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mooring {
-    /// The line, once it is made fast.
+    /// The line and its state, once the line is made fast.
     pub line: Option<(Line, LineState)>,
-    /// The order to its winch.
+    /// The order to the winch of the line.
     pub order: WinchOrder,
-    /// Its forces in the last step.
+    /// Forces of the line in the last step.
     pub load: LineLoad,
-    /// It is on board: not sent yet, let go, or it could not be made fast.
+    /// Whether the line is on board: it was not sent yet, was let go, or could not be made fast.
     pub aboard: bool,
-    /// The bollard at which it is fast or to which it was sent, as an index into [`crate::world::WorldSetup::bollards`]. `None`: the
-    /// end of its set-up.
+    /// The bollard at which the line is fast or to which it was sent, as an index into [`crate::world::WorldSetup::bollards`].
+    /// `None`: the end that the set-up gives.
     pub bollard: Option<usize>,
-    /// Its way to the bollard, while it is under way.
+    /// The passage of the line to the bollard, while the line is under way.
     pub sent: Option<Sent>,
-    /// When it is hauled in after it was let go (s).
+    /// When the line is hauled in after it was let go (s).
     hauled_in_s: f64,
     rendering: bool,
-    /// Where it pulled at the bodies at its two ends in the last step.
+    /// Places where the line pulled at the bodies at its two ends in the last step.
     levers: [Lever; 2],
 }
 
 /// A line on its way to a bollard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sent {
-    /// When it was sent (s).
+    /// When the line was sent (s).
     pub since_s: f64,
-    /// When it will be fast (s); `None` while it waits for line handlers.
+    /// When the line will be fast (s); `None` while the line waits for line handlers.
     pub fast_at_s: Option<f64>,
 }
 
 impl Mooring {
-    /// Becomes a copy of another, without allocation where both are of one line that was made fast once.
+    /// Becomes a copy of another state. Does not allocate if both are states of the same line and it has been made fast
+    /// before.
     pub fn copy_from(&mut self, other: &Mooring) {
         let mut line = self.line.take();
         match (&mut line, &other.line) {
@@ -109,13 +98,13 @@ impl Mooring {
         }
     }
 
-    /// True if it has parted.
+    /// True if the line has parted.
     #[must_use]
     pub fn has_parted(&self) -> bool {
         self.line.as_ref().is_some_and(|(_, state)| state.parted)
     }
 
-    /// Where its far end is or will be; `None` while it is on board.
+    /// The place of the line's far end, now or when it is made fast; `None` while the line is on board.
     #[must_use]
     pub fn end(&self, setup: &MooringSetup, bollards: &[BollardSetup]) -> Option<LineEnd> {
         match self.bollard {
@@ -125,7 +114,7 @@ impl Mooring {
         }
     }
 
-    /// Lets the line go at time `t_s`. It is then hauled in.
+    /// Lets the line go at time `t_s`. The line is then hauled in.
     pub fn let_go(&mut self, setup: &MooringSetup, t_s: f64) {
         let outboard_m = self.line.as_ref().map_or(0.0, |(_, state)| state.length_m);
         let rate_mps = match setup.line.inboard_end {
@@ -147,13 +136,13 @@ impl Mooring {
         self.sent = Some(Sent { since_s: t_s, fast_at_s: None });
     }
 
-    /// True if line handlers can take it: it was sent, and what was outboard before is hauled in.
+    /// True if line handlers can take the line: it was sent, and what was outboard before has been hauled in.
     pub fn waits_for_handlers(&self, t_s: f64) -> bool {
         self.sent.is_some_and(|sent| sent.fast_at_s.is_none()) && t_s >= self.hauled_in_s
     }
 
-    /// Makes the line fast at its time, moves the winch, and adds its forces to the bodies at both ends. It pulls between the
-    /// places of the bodies in `met`, which may be ahead of their states.
+    /// Makes the line fast at its time, moves the winch, and adds the line's forces to the bodies at both ends. The
+    /// line pulls between the places of the bodies in `met`, which may be ahead of their states.
     pub fn step(
         &mut self,
         index: usize,
@@ -226,7 +215,7 @@ impl MooringSetup {
         core::iter::once((self.ship, near, on_ship_n)).chain(far)
     }
 
-    /// The levers of both ends, as the bodies lie. That of a fixed end has no use.
+    /// The levers of both ends, for the present attitude of the bodies. The lever of a fixed end is not used.
     fn levers(&self, end: LineEnd, shore: Shore<'_>) -> [Lever; 2] {
         let near = shore.lever(self.ship, self.fairlead_m, self.fairlead_above_water_m);
         let far = match end {
@@ -236,7 +225,8 @@ impl MooringSetup {
         [near, far]
     }
 
-    /// Positions of both ends. Heave, roll and pitch are those of vessels with hydrodynamic data; others are taken as upright.
+    /// Positions of both ends. Heave, roll and pitch of vessels with hydrodynamic data are included; other bodies are
+    /// taken as upright.
     pub fn ends(&self, end: LineEnd, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
             let (at_m, above_m) = shore.place(body, at_m, above_m);
@@ -252,8 +242,8 @@ impl MooringSetup {
         }
     }
 
-    /// The line as it is made fast at a bollard: with a little slack on a winch, hand-tight on bitts. `None` if the rope is too
-    /// short.
+    /// The line when it is made fast at a bollard: with a little slack on a winch, hand-tight on bitts. `None` if the
+    /// rope is too short.
     fn at_bollard(&self, ends: &LineEnds) -> Option<LineSetup> {
         let span_m = ends.distance_m();
         let mut line = self.line.clone();
@@ -269,7 +259,7 @@ impl MooringSetup {
         (length_m <= self.rope_m).then_some(line)
     }
 
-    /// The farthest bollard that the rope reaches (m).
+    /// The distance of the farthest bollard that the rope reaches (m).
     #[must_use]
     pub fn reach_m(&self) -> f64 {
         match self.line.inboard_end {
@@ -278,20 +268,20 @@ impl MooringSetup {
         }
     }
 
-    /// Checks that the line can be made fast at the start of a run; a line on board can.
+    /// Checks that the line can be made fast at the start of a run. A line on board passes.
     ///
     /// # Errors
-    /// Why it cannot, with the name of the line.
+    /// The reason why the line cannot be made fast, with the name of the line.
     ///
     /// # Panics
-    /// If it refers to bodies that do not exist.
+    /// If the line refers to bodies that do not exist.
     pub fn check_at_start(
         &self,
-        bodies: &[crate::setup::BodySetup],
+        bodies: &[BodySetup],
         level_m: f64,
     ) -> Result<(), fenderline_ship::mooring::MooringError> {
-        let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
-        let fixed: Vec<bool> = bodies.iter().map(crate::setup::BodySetup::is_fixed).collect();
+        let states: Vec<BodyState> = bodies.iter().map(initial_state).collect();
+        let fixed: Vec<bool> = bodies.iter().map(BodySetup::is_fixed).collect();
         let shore = Shore { fixed: &fixed, level_m, afloat: &[] };
         let Some(end) = self.end else { return self.line.check_alone() };
         Line::new(self.line.clone(), &self.ends(end, &states, shore)).map(|_| ())

@@ -1,4 +1,4 @@
-//! The work of the line handlers: which lines may be sent to which bollard, and which line they take next.
+//! The work of the line handlers: which lines may be sent to which bollard, and which line the handlers take next.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,8 @@ use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::order::{Action, LineAction, Order, OrderError};
 
-/// The lines as they will be when orders are carried out; the present ones if there is no order to a line.
+/// The lines as they will be when the orders are carried out. If there is no order to a line, these are the present
+/// lines.
 pub(super) fn after_orders<'l, 'o>(
     lines: &'l [Mooring],
     setup: &WorldSetup,
@@ -22,7 +23,7 @@ pub(super) fn after_orders<'l, 'o>(
             Action::Line(line, LineAction::LetGo) => {
                 after.to_mut()[line].let_go(&setup.lines[line], t_s);
             }
-            // One that is not on board then is not sent.
+            // A line that is not on board at that time is not sent.
             Action::Line(line, LineAction::Send { bollard }) if after[line].aboard => {
                 after.to_mut()[line].send(bollard, t_s);
             }
@@ -35,7 +36,7 @@ pub(super) fn after_orders<'l, 'o>(
 /// Checks that a line can be sent to a bollard now.
 ///
 /// # Errors
-/// Why it cannot: the line is not on board, or the bollard is taken or out of reach.
+/// The reason why the line cannot be sent: the line is not on board, or the bollard is taken or out of reach.
 pub(super) fn may_send(
     lines: &[Mooring],
     setup: &WorldSetup,
@@ -74,8 +75,8 @@ pub(super) fn may_send(
     Ok(())
 }
 
-/// Line handlers that are free take the lines that wait, in the order in which they were sent. A bollard that is out of reach
-/// by then is found when the line should be made fast.
+/// Lets free line handlers take the waiting lines, in the order in which the lines were sent. If a bollard is out of
+/// reach by then, this is found when the line should be made fast.
 pub(super) fn take_lines(
     lines: &mut [Mooring],
     setup: &WorldSetup,
@@ -91,7 +92,7 @@ pub(super) fn take_lines(
     while free > 0 {
         let waiting = lines.iter().enumerate().filter(|(_, line)| line.waits_for_handlers(t_s));
         let since_s = |line: &Mooring| line.sent.map_or(f64::INFINITY, |sent| sent.since_s);
-        // Of lines that were sent at the same time, the first of the scenario.
+        // Of lines sent at the same time, the first in the scenario is taken.
         let next = waiting.min_by(|one, other| since_s(one.1).total_cmp(&since_s(other.1)));
         let Some((index, own)) = next else { return };
         let (Some(mut sent), Some(to)) = (own.sent, own.bollard) else { return };

@@ -4,88 +4,17 @@
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Rotation};
 
+use super::abilities::Abilities;
 use super::assist::AssistPilot;
-use super::azimuth::AzimuthSetup;
 use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
-use super::vessel::{VesselSetup, VesselState, mass_matrix};
+use super::pilots::Pilots;
+use super::vessel::{VesselSetup, VesselState};
 use crate::order::{Station, VesselAction};
 use fenderline_ship::control::{
     CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, ThrustShares, allocate,
 };
-use fenderline_ship::hydro::{Controls, Velocity, Water};
 
-/// The active pilots of a vessel: plain data.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pilots {
-    /// Keeps a course with the rudder.
-    pub course: Option<CoursePilot>,
-    /// Keeps a speed with the engine.
-    pub speed: Option<SpeedPilot>,
-    /// Keeps a station with all devices.
-    pub station: Option<StationPilot>,
-    /// Assists a ship with the azimuth units.
-    pub assist: Option<AssistPilot>,
-    /// Thrust ahead that azimuth units keep for a course without an ordered speed (N).
-    pub ahead_n: f64,
-}
-
-/// Constants of a ship for her pilots.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Abilities {
-    /// Force at rest at full revolutions astern (negative) and ahead (N).
-    pub(super) bollard_n: [f64; 2],
-    /// Speed at full revolutions ahead (m/s).
-    full_speed_mps: f64,
-    /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
-    pub(super) inertia: [f64; 3],
-}
-
-impl Abilities {
-    pub(super) fn of(setup: &VesselSetup, water: Water) -> Abilities {
-        let surge_n = |surge_mps: f64, shaft_rps: f64| {
-            let velocity = Velocity { surge_mps, ..Velocity::default() };
-            let controls = Controls { shaft_rps, rudder_rad: 0.0 };
-            setup.ship.forces(&velocity, &controls, water).surge_n
-        };
-        let azimuths_n = |surge_mps: f64| -> f64 {
-            let velocity = Velocity { surge_mps, ..Velocity::default() };
-            let full = |a: &AzimuthSetup| {
-                let full_rps = a.unit.revolutions_for(a.bollard_n, water);
-                a.unit.force(full_rps, 0.0, &velocity, water).surge_n
-            };
-            setup.azimuths.iter().map(full).sum()
-        };
-        let full_rps = setup.shaft.stop;
-        // The balance of thrust and resistance, by bisection.
-        let (mut low, mut high) = (0.0, 30.0);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            if surge_n(middle, full_rps) + azimuths_n(middle) > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let matrix = mass_matrix(&setup.ship, water.density_kgpm3);
-        Abilities {
-            bollard_n: [surge_n(0.0, -full_rps), surge_n(0.0, full_rps)],
-            full_speed_mps: high,
-            inertia: [matrix[0][0], matrix[1][1], matrix[2][2]],
-        }
-    }
-
-    /// Revolutions over full revolutions for a force at rest: thrust is proportional to their square.
-    fn revolutions(&self, surge_n: f64) -> f64 {
-        let [astern_n, ahead_n] = self.bollard_n;
-        if surge_n >= 0.0 {
-            lesser(libm::sqrt(surge_n / greater(ahead_n, 1.0)), 1.0)
-        } else {
-            -lesser(libm::sqrt(surge_n / lesser(astern_n, -1.0)), 1.0)
-        }
-    }
-}
-
-/// Carries out an order to a vessel: sets her controls or engages a pilot.
+/// Carries out an order to a vessel: sets the vessel's controls or switches on a pilot.
 pub(super) fn take(
     action: &VesselAction,
     vessel: &mut VesselState,
@@ -163,7 +92,7 @@ fn station_pilot(
             period_s: 240.0,
             damping: 0.9,
             integral_s: 300.0,
-            // Turning moves her ends no faster than sway does.
+            // The limit on turning: it moves the ship's ends no faster than sway does.
             fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
         },
         steady,
@@ -175,16 +104,17 @@ fn station_pilot(
 pub(super) struct PilotWork {
     /// Other lateral devices that serve the vessel: tugs.
     pub(super) helpers: Vec<LateralDevice>,
-    /// Their forces, if a pilot uses them (N).
+    /// Forces of these devices, if a pilot uses them (N).
     pub(super) helpers_n: Vec<f64>,
-    /// Thrusters and helpers, and their forces (N).
+    /// Thrusters and helpers together, and their forces (N).
     across: Vec<LateralDevice>,
     across_n: Vec<f64>,
-    /// Azimuth units with all others.
+    /// Azimuth units together with all other devices.
     pub(super) shares: ThrustShares,
 }
 
-/// Sets the orders of this step. `helpers` of `work` are other lateral devices; their forces are written to its `helpers_n`.
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices. The forces of these devices are written
+/// to `helpers_n` of `work`.
 pub(super) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,

@@ -4,43 +4,25 @@ use std::sync::Arc;
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
+use super::afloat::{Afloat, Lever};
 use super::environment::Environment;
-use super::vessel::{HullMotion, VesselForces, VesselSetup, VesselState};
-use fenderline_ship::attitude::{Attitude, AttitudeLoad};
+use super::seaway_state::SeawayState;
+use super::vessel::{VesselForces, VesselSetup, VesselState};
+use fenderline_ship::attitude::AttitudeLoad;
 use fenderline_ship::hydro::Force;
 use fenderline_ship::seakeeping::{
-    DriftSource, Motion, MotionState, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
+    DriftSource, Motion, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 
-/// What is constant in a run for a vessel with hydrodynamic data.
+/// Data of a vessel with hydrodynamic data that are constant in a run.
 #[derive(Clone, Debug)]
 pub(super) struct Seaway {
     motion: Arc<Motion>,
     waves: Option<Arc<WaveForces>>,
 }
 
-/// What one step leaves for the next: plain numbers.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SeawayState {
-    motion: MotionState,
-    place: SlowPlace,
-    /// Heading at the start of the step (rad), the stream there (m/s), and how long forces act in it (s).
-    heading_rad: f64,
-    stream_mps: Vec2,
-    acts_s: f64,
-}
-
-impl SeawayState {
-    pub(super) fn copy_from(&mut self, other: &SeawayState) {
-        self.motion.copy_from(&other.motion);
-        let SeawayState { place, heading_rad, stream_mps, acts_s, .. } = *other;
-        (self.place, self.heading_rad, self.stream_mps, self.acts_s) =
-            (place, heading_rad, stream_mps, acts_s);
-    }
-}
-
 impl Seaway {
-    /// `None` for a vessel without hydrodynamic data.
+    /// The constant data of a vessel; `None` for a vessel without hydrodynamic data.
     pub(super) fn new(
         vessel: &VesselSetup,
         motion: &Arc<Motion>,
@@ -83,8 +65,8 @@ impl Seaway {
             .map_or(WaveLoad::default(), |waves| waves.at(position_m, heading_rad, t_s, sub_steps))
     }
 
-    /// The load on her body in a step, under a given load of everything else but contact. Writes the forces of the waves and
-    /// of the water's answer.
+    /// The load on the vessel's body in a step, from a given load of everything except waves, radiation and contact.
+    /// Writes the forces of the waves and of the water's reaction.
     pub(super) fn load(
         &self,
         own: (&VesselSetup, &mut VesselState, &mut VesselForces),
@@ -140,7 +122,7 @@ impl Seaway {
         Wrench { force_n: axes.apply(vec2(surge_n, sway_n)), moment_nm: yaw_nm }
     }
 
-    /// Moves her in heave, roll and pitch after the step, by what contact did.
+    /// Moves the vessel in heave, roll and pitch after the step, with the effects of contact.
     pub(super) fn settle(
         &self,
         vessel: &mut VesselState,
@@ -156,76 +138,14 @@ impl Seaway {
     }
 }
 
-/// Velocity through the water in axes with a heading: surge, sway, yaw.
+/// Velocity through the water in axes with this heading: surge, sway, yaw.
 fn own_velocity(body: &BodyState, heading_rad: f64, stream_mps: Vec2) -> [f64; 3] {
     let axes = Rotation::from_angle(heading_rad);
     let own = axes.apply_inverse(body.velocity_mps - stream_mps);
     [own.x, own.y, body.yaw_rate_radps]
 }
 
-/// How a body with hydrodynamic data is afloat: her motion, and the height of her centre of gravity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Afloat {
-    motion: HullMotion,
-    gravity_above_water_m: f64,
-}
-
-impl Afloat {
-    /// That of a vessel with hydrodynamic data; `None` for others, whose lines do not feel heave, roll and pitch.
-    pub(super) fn of(vessel: &VesselSetup, state: &VesselState) -> Option<Afloat> {
-        vessel.seakeeping.as_ref()?;
-        let Attitude { heave, roll, pitch } = state.attitude;
-        Some(Afloat {
-            motion: HullMotion {
-                heave_m: heave.value,
-                roll_rad: roll.value,
-                pitch_rad: pitch.value,
-            },
-            gravity_above_water_m: vessel.float?.gravity_above_water_m,
-        })
-    }
-
-    /// Where a point of the ship is: in her axes (m), and its height above the water (m).
-    pub fn place(&self, at_m: Vec2, above_water_m: f64) -> (Vec2, f64) {
-        (self.lever(at_m, above_water_m).at_m, above_water_m - self.motion.sinkage_m(at_m))
-    }
-
-    /// The lever about her centre of gravity of a point of the ship, which heel and trim have turned with her.
-    pub fn lever(&self, at_m: Vec2, above_water_m: f64) -> Lever {
-        let HullMotion { roll_rad, pitch_rad, .. } = self.motion;
-        let upright_m = above_water_m - self.gravity_above_water_m;
-        Lever {
-            at_m: at_m + self.lean() * upright_m,
-            above_gravity_m: upright_m + at_m.x * pitch_rad - at_m.y * roll_rad,
-        }
-    }
-
-    /// How far heel and trim move a point of the ship for each metre above the centre of gravity (m/m).
-    fn lean(&self) -> Vec2 {
-        vec2(-self.motion.pitch_rad, self.motion.roll_rad)
-    }
-
-    /// How far below its place at rest a point of the ship is (m).
-    pub(super) fn sinkage_m(&self, at_m: Vec2) -> f64 {
-        self.motion.sinkage_m(at_m)
-    }
-
-    /// How far below its place at rest the centre of gravity is (m).
-    pub(super) fn heave_m(&self) -> f64 {
-        self.motion.heave_m
-    }
-}
-
-/// Where a force acts on a ship as she lies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lever {
-    /// Forward and to starboard of the centre of gravity (m).
-    pub at_m: Vec2,
-    /// Above the centre of gravity (m).
-    pub above_gravity_m: f64,
-}
-
-/// The load of everything but waves, radiation and contact on a ship with hydrodynamic data, in six degrees of freedom.
+/// The load on a ship with hydrodynamic data in six degrees of freedom, without waves, radiation and contact.
 pub(super) struct Given<'l> {
     /// The load in the plane.
     pub(super) load: &'l Wrench,
@@ -236,8 +156,8 @@ pub(super) struct Given<'l> {
 }
 
 impl Given<'_> {
-    /// Adds the forces of a ship that act above or below her centre of gravity, at points that turn with her. Their moments at
-    /// rest are in the load in the plane.
+    /// Adds forces of the ship that act above or below her centre of gravity, at points that turn with her. The moments
+    /// of these forces in the upright position are already in the load in the plane.
     pub(super) fn add_own(&mut self, afloat: &Afloat, forces: impl Iterator<Item = (Force, f64)>) {
         for (Force { surge_n, sway_n, .. }, above_gravity_m) in forces {
             self.upright.add(surge_n, sway_n, above_gravity_m);
@@ -245,7 +165,7 @@ impl Given<'_> {
         }
     }
 
-    /// Adds a force north, east and up (N), whose moment in the plane is in the load already.
+    /// Adds a force north, east and up (N). The moment of this force in the plane is already in the load.
     pub(super) fn add_force(&mut self, heading_rad: f64, lever: Lever, force_n: [f64; 3]) {
         let [north_n, east_n, up_n] = force_n;
         let own = Rotation::from_angle(heading_rad).apply_inverse(vec2(north_n, east_n));
@@ -253,8 +173,8 @@ impl Given<'_> {
         self.upright.add_upward(up_n, lever.at_m);
     }
 
-    /// Adds a force forward and to starboard (N) at a point of the ship that is `at_m` at rest, for which its moment is in the
-    /// load already.
+    /// Adds a force forward and to starboard (N) at a point of the ship that is at `at_m` when she is upright. The
+    /// moment for the upright position is already in the load.
     pub(super) fn add_at(&mut self, at_m: Vec2, lever: Lever, own_n: Vec2) {
         self.upright.add(own_n.x, own_n.y, lever.above_gravity_m);
         self.moved_nm += (lever.at_m - at_m).cross(own_n);
@@ -264,6 +184,7 @@ impl Given<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::world::HullMotion;
 
     const AFLOAT: Afloat = Afloat {
         motion: HullMotion { heave_m: 0.3, roll_rad: 2e-3, pitch_rad: -1e-3 },
@@ -284,8 +205,8 @@ mod tests {
         [y * fz - z * fy, z * fx - x * fz, x * fy - y * fx]
     }
 
-    /// Lines and anchors, tugs, and the ship's own forces: the moments about the centre of gravity are those of the point where each acts as she lies,
-    /// to the first order of the angles.
+    /// Lines and anchors, tugs, and the ship's own forces. Their moments about the centre of gravity are those at the
+    /// point where each acts in the ship's present attitude, to the first order of the angles.
     #[test]
     fn every_force_acts_where_its_point_is_as_she_lies() {
         let load = Wrench::default();
@@ -302,7 +223,8 @@ mod tests {
             }
         };
 
-        // A line or an anchor on a ship that heads east. Its moment in yaw is in the load in the plane, with the same lever.
+        // A line or an anchor on a ship that heads east. The moment in yaw is in the load in the plane, with the same
+        // lever.
         let mut line = fresh();
         line.add_force(core::f64::consts::FRAC_PI_2, lever, [4e5, 3e5, 1e5]);
         let mut found = of_yaw(&line);

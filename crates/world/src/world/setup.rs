@@ -32,22 +32,22 @@ pub struct WorldSetup {
     pub anchors: Vec<AnchorSetup>,
     /// Bollards to which orders send lines.
     pub bollards: Vec<BollardSetup>,
-    /// How lines come to a bollard.
+    /// How line handlers bring lines to a bollard.
     pub line_handling: LineHandling,
-    /// Ships that pass, and vessels that act on each other by the flow about them.
+    /// Passing ships, and vessels that act on each other through the flow about them.
     pub flow: FlowSetup,
     /// Statistics of motions, and limits.
     pub statistics: StatisticsSetup,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
-    /// What is drawn behind the bodies. It exerts no force.
+    /// The chart that is drawn behind the bodies. It exerts no force.
     pub chart: Chart,
-    /// Partial factors of the user's own.
+    /// The user's partial factors.
     pub factors: PartialFactors,
 }
 
 impl WorldSetup {
-    /// True if it has anything with a state.
+    /// True if the set-up has anything with a state.
     pub fn changes(&self) -> bool {
         !(self.vessels.is_empty() && self.lines.is_empty())
     }
@@ -60,8 +60,8 @@ pub struct ProviderSetup {
     pub body: usize,
     /// Program and arguments.
     pub command: Vec<String>,
-    /// How long a step waits for its reply (s).
+    /// How long a step waits for the program's reply (s).
     pub timeout_s: f64,
-    /// How long its last wrench is held when it does not reply (s).
+    /// How long the last wrench is held when the program does not reply (s).
     pub hold_s: f64,
 }

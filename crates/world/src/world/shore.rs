@@ -2,7 +2,7 @@
 
 use fenderline_contact::Vec2;
 
-use super::seaway::{Afloat, Lever};
+use super::afloat::{Afloat, Lever};
 use crate::fender::FenderSetup;
 
 /// The fixed bodies and the water level.
@@ -12,18 +12,19 @@ pub struct Shore<'a> {
     pub fixed: &'a [bool],
     /// Level of the water above datum (m).
     pub level_m: f64,
-    /// For each body, how it is afloat; empty, or `None` for a body whose lines do not feel heave, roll and pitch.
+    /// For each body, its attitude afloat. `None` for a body whose heave, roll and pitch do not move the ends of lines.
+    /// May be empty.
     pub afloat: &'a [Option<Afloat>],
 }
 
 impl Shore<'_> {
     /// Height above the water (m) of a point on a body. `height_m` is above datum on a fixed body, above the water on a
-    /// floating one.
+    /// floating body.
     pub fn above_water_m(&self, body: usize, height_m: f64) -> f64 {
         if self.fixed[body] { height_m - self.level_m } else { height_m }
     }
 
-    /// Where a point of a body is, in the body's frame (m), and its height above the water (m).
+    /// Place of a point of a body in the body's frame (m), and its height above the water (m).
     pub fn place(&self, body: usize, at_m: Vec2, height_m: f64) -> (Vec2, f64) {
         match self.afloat.get(body).copied().flatten() {
             Some(afloat) => afloat.place(at_m, height_m),
@@ -31,8 +32,8 @@ impl Shore<'_> {
         }
     }
 
-    /// The lever about the centre of gravity of a point of a body. On a body that does not feel heave, roll and pitch it is the place
-    /// alone.
+    /// The lever of a point of a body about the centre of gravity. On a body without heave, roll and pitch it is just
+    /// the place.
     pub fn lever(&self, body: usize, at_m: Vec2, height_m: f64) -> Lever {
         match self.afloat.get(body).copied().flatten() {
             Some(afloat) => afloat.lever(at_m, height_m),

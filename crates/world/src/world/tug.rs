@@ -14,12 +14,12 @@ use fenderline_ship::tug::{TugForce, TugOrder, TugState, VectorTug};
 /// A vector tug of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TugSetup {
-    /// Index of the vessel that she serves, in [`crate::world::WorldSetup::vessels`].
+    /// Index of the vessel that the tug serves, in [`crate::world::WorldSetup::vessels`].
     pub vessel: usize,
     /// The tug.
     pub tug: VectorTug,
-    /// Height above the still water at which she pushes, and of the fairlead of her line (m). It heels and trims a vessel with
-    /// hydrodynamic data.
+    /// Height above the still water at which the tug pushes, and of the fairlead of her line (m). Because of this
+    /// height, her force heels and trims a vessel with hydrodynamic data.
     pub above_water_m: f64,
 }
 
@@ -32,14 +32,14 @@ pub struct TugAtWork {
     pub force: Force,
     /// Point of action of the force, from midship (m).
     pub at_m: Vec2,
-    /// She could not give the ordered force in the last step.
+    /// Whether the tug could not give the ordered force in the last step.
     pub limited: bool,
-    /// She has dropped out: she carries out no orders, and her force ends.
+    /// Whether the tug has dropped out: she then carries out no orders, and her force ends.
     pub out: bool,
 }
 
 impl TugAtWork {
-    /// Becomes a copy of another, without allocation where the buffers are large enough.
+    /// Becomes a copy of another state. Allocates only if a buffer is too small.
     pub fn copy_from(&mut self, other: &TugAtWork) {
         let mut waiting = std::mem::take(&mut self.state.waiting);
         waiting.clone_from(&other.state.waiting);
@@ -74,7 +74,7 @@ impl TugAtWork {
         debug_assert!(taken.is_ok(), "a pilot stays within the limits of a tug");
     }
 
-    /// Takes a step of the tug. Returns her wrench on the vessel's body.
+    /// Takes a step of the tug. Returns the tug's wrench on the vessel's body.
     pub fn step(
         &mut self,
         index: usize,
@@ -109,14 +109,15 @@ impl TugAtWork {
 }
 
 impl TugSetup {
-    /// Direction of a push square to the ship, away from the tug's side, from the ship's bow (rad). A pull is in the
-    /// opposite direction.
+    /// Direction of a push square to the ship, away from the tug's side, measured from the ship's bow (rad). A pull has
+    /// the opposite direction.
     #[must_use]
     pub fn square_push_rad(&self) -> f64 {
         -FRAC_PI_2.copysign(self.tug.push_at_m.y)
     }
 
-    /// The tug as a device of a pilot. She pulls on her line with the same force as she pushes.
+    /// Describes the tug as a device for an automatic pilot of the ship. The tug can pull on her line with the same
+    /// force as she can push.
     pub fn device(&self, vessel: &VesselSetup) -> LateralDevice {
         let most_n = 0.95 * self.tug.envelope.bollard_pull_n;
         LateralDevice {

@@ -1,4 +1,4 @@
-//! A ship in her water and wind: from her state and controls to the wrench on her body.
+//! A ship in water and wind: computes the wrench on the ship's body from her state and controls.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
@@ -8,8 +8,8 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::current_table::CurrentTable;
 use super::environment::Environment;
 use super::fault::Faults;
-use super::pilot::Pilots;
-use super::seaway::SeawayState;
+use super::pilots::Pilots;
+use super::seaway_state::SeawayState;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use fenderline_ship::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
@@ -28,14 +28,14 @@ const REFLOATED_M: f64 = 0.02;
 /// A vessel of a set-up: a body with hull, propulsion and their forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselSetup {
-    /// Index of her body in [`crate::setup::Setup::bodies`].
+    /// Index of the vessel's body in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Her name and the sources of her data.
+    /// Name of the vessel, and the sources of her data.
     pub origin: Origin,
-    /// Hull, propeller and rudder, about midship, in the depth at the start of the run. The mass with which the engine moves her
-    /// stays that of the start.
+    /// Hull, propeller and rudder, about midship, in the depth at the start of the run. The engine moves the vessel
+    /// with the mass at the start, throughout the run.
     pub ship: Mmg,
-    /// Likewise in deep water: with a tide, her hull in any depth is computed from it.
+    /// Hull, propeller and rudder in deep water. With a tide, the hull in any depth is computed from this.
     pub deep: Mmg,
     /// Rudder: angle at the start, rate and stop (rad).
     pub rudder: RateLimited,
@@ -45,18 +45,19 @@ pub struct VesselSetup {
     pub thrusters: Vec<ThrusterSetup>,
     /// Azimuth units.
     pub azimuths: Vec<AzimuthSetup>,
-    /// Current coefficients of the user's own, which are the hull's force at low speed.
+    /// The user's own current coefficients, which give the hull's force at low speed.
     pub current_table: Option<CurrentTable>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
     pub float: Option<Float>,
-    /// First-order response to waves, superposed on all other motion.
+    /// First-order response to waves, which is added to all other motion.
     pub response: Option<MotionResponse>,
     /// Hull data for mean wave drift.
     pub drift: Option<DriftHull>,
-    /// Hydrodynamic data, by which she moves in six degrees of freedom. She then has no `response`, and her `float` has her centre
-    /// of gravity. By the coupled method and the semi-implicit integrator only.
+    /// Hydrodynamic data, with which the vessel moves in six degrees of freedom. A vessel with such data has no
+    /// `response`, and her `float` gives her centre of gravity. Only in the coupled method with the semi-implicit
+    /// integrator.
     pub seakeeping: Option<Seakeeping>,
 }
 
@@ -78,9 +79,9 @@ pub struct VesselOrders {
     pub rudder_rad: f64,
     /// Revolutions over full revolutions.
     pub shaft: f64,
-    /// Each thruster, −1 (to port) to 1.
+    /// Order to each thruster, −1 (to port) to 1 (to starboard).
     pub thrusters: Vec<f64>,
-    /// Each azimuth unit.
+    /// Order to each azimuth unit.
     pub azimuths: Vec<AzimuthOrder>,
 }
 
@@ -93,7 +94,7 @@ impl VesselOrders {
     }
 }
 
-/// The variable state of a vessel besides her state in the plane: plain data.
+/// The variable state of a vessel, besides the state of her body in the plane: plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselState {
     /// Present orders.
@@ -110,30 +111,31 @@ pub struct VesselState {
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
-    /// First-order wave motion, to be superposed.
+    /// First-order wave motion, to be added to the other motion.
     pub wave_motion: FirstOrderMotion,
-    /// What the water remembers of a vessel with hydrodynamic data.
+    /// The memory of the water for a vessel with hydrodynamic data.
     pub seaway: Option<SeawayState>,
     /// Squat (m): additional sinkage under way in shallow water.
     pub squat_m: f64,
-    /// Under-keel clearance with squat (m); `None` in deep water. Negative where she is aground.
+    /// Under-keel clearance with squat (m); `None` in deep water. Negative if the vessel is aground.
     pub under_keel_m: Option<f64>,
-    /// She is aground.
+    /// Whether the vessel is aground.
     pub aground: bool,
-    /// The water is shallower than the range of the shallow-water formulas, whose values at the end of the range are used.
+    /// Whether the water is shallower than the range of the shallow-water formulas. In such water, the values at the
+    /// end of the range are used.
     pub held: bool,
-    /// Faults.
+    /// Faults of the vessel.
     pub faults: Faults,
 }
 
 /// Heave, roll and pitch of a hull, squat and first-order wave motion included.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HullMotion {
-    /// Positive down (m).
+    /// Heave, positive down (m).
     pub heave_m: f64,
-    /// Positive to starboard (rad).
+    /// Roll, positive to starboard (rad).
     pub roll_rad: f64,
-    /// Positive bow up (rad).
+    /// Pitch, positive bow up (rad).
     pub pitch_rad: f64,
 }
 
@@ -144,7 +146,7 @@ impl HullMotion {
     }
 }
 
-/// The forces on a vessel by source, in her axes about midship.
+/// The forces on a vessel by source, in the vessel's axes about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VesselForces {
     /// Hull, with the effect of current.
@@ -153,39 +155,39 @@ pub struct VesselForces {
     pub propeller: Force,
     /// Rudder.
     pub rudder: Force,
-    /// Thrusters, azimuth units among them.
+    /// Thrusters, azimuth units included.
     pub thrusters: Force,
     /// Wind.
     pub wind: Force,
-    /// Mean wave drift; with hydrodynamic data also slow drift.
+    /// Mean wave drift; for a vessel with hydrodynamic data also slow drift.
     pub waves: Force,
     /// Exciting force of the waves on a vessel with hydrodynamic data.
     pub excitation: Force,
-    /// The water's answer to the motion of a vessel with hydrodynamic data, and what heave, roll and pitch do to her motion in the
-    /// plane: the difference to a body with the engine's constant mass.
+    /// Reaction of the water to the motion of a vessel with hydrodynamic data, and the effect of heave, roll and pitch
+    /// on the motion in the plane. This reaction is the difference to a body with the engine's constant mass.
     pub radiation: Force,
     /// Banks: unvalidated.
     pub banks: Force,
     /// The flow of ships that pass, and of other vessels.
     pub passing: Force,
-    /// The bottom, where she is aground.
+    /// The bottom, if the vessel is aground.
     pub bottom: Force,
 }
 
 /// Forces by the inertia of the water, besides those of [`VesselForces`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaterInertia {
-    /// Minus the Coriolis terms of the added mass in the hull's force: about midship, in her axes. The integrators apply these
-    /// terms themselves.
+    /// Minus the Coriolis terms of the added mass in the hull's force: about midship, in the vessel's axes. The
+    /// integrators apply these terms themselves.
     pub coriolis: Force,
-    /// Velocity of the current at her place (m/s).
+    /// Velocity of the current at the vessel (m/s).
     pub current_mps: Vec2,
-    /// Wrench by the acceleration of the water: about her centre of gravity, earth-fixed.
+    /// Wrench by the acceleration of the water, about the vessel's centre of gravity, earth-fixed.
     pub acceleration: Wrench,
 }
 
 impl VesselForces {
-    /// Disturbance that her pilots compensate: hull, wind and waves.
+    /// Disturbance that the pilots compensate: hull, wind and waves.
     pub fn disturbance(&self) -> Force {
         self.hull + self.wind + self.waves
     }
@@ -205,7 +207,7 @@ impl VesselForces {
 }
 
 impl VesselState {
-    /// Becomes a copy of another state, without allocation where both are of one vessel.
+    /// Becomes a copy of another state. Does not allocate if both are states of the same vessel.
     pub fn copy_from(&mut self, other: &VesselState) {
         let (mut orders, mut thrusters, mut azimuths, mut seaway) = (
             std::mem::take(&mut self.orders),
@@ -252,7 +254,7 @@ impl VesselState {
         }
     }
 
-    /// Her heave, roll and pitch some time after the state (s), by their present rates.
+    /// Heave, roll and pitch some time after this state (s), by their present rates.
     pub fn motion_after(&self, seconds: f64) -> HullMotion {
         let Attitude { heave, roll, pitch } = self.attitude;
         let FirstOrderMotion { motion, rate } = self.wave_motion;
@@ -312,20 +314,21 @@ impl VesselSetup {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
     }
 
-    /// The names of her thrusters, then of her azimuth units: the numbers of [`crate::world::Tripped`].
+    /// The names of the vessel's thrusters, then of her azimuth units. [`crate::world::Tripped`] numbers units in this order.
     pub fn unit_names(&self) -> impl Iterator<Item = &str> + Clone {
         let thrusters = self.thrusters.iter().map(|thruster| thruster.name.as_str());
         thrusters.chain(self.azimuths.iter().map(|azimuth| azimuth.name.as_str()))
     }
 
-    /// True if azimuth units alone propel and steer her: she has no propeller and rudder.
+    /// True if azimuth units alone propel and steer the vessel: she has no propeller and no rudder.
     #[must_use]
     pub fn steers_with_azimuths(&self) -> bool {
         self.ship.propulsion.is_none() && !self.azimuths.is_empty()
     }
 
-    /// The forces in a step from a state. `velocity` is that through the water; velocities belong to `velocity_t_s`, positions to
-    /// `t_s`; `gusts` are those of the environment over her. Stores the force of each azimuth unit in the unit.
+    /// The forces in a step, from the state at its start. `velocity` is the velocity through the water. Velocities
+    /// belong to `velocity_t_s`, positions to `t_s`. `gusts` are the gusts of the environment over this vessel. Stores
+    /// the force of each azimuth unit in the unit.
     pub fn forces(
         &self,
         vessel: &mut VesselState,
@@ -364,8 +367,8 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the depth at a time. Its added mass is that of this depth and gives the Coriolis terms in the
-    /// hull's force; the mass with which she moves stays that of the start.
+    /// Hull, propeller and rudder in the depth at a time. The added mass is that of this depth, and gives the Coriolis
+    /// terms in the hull's force. The mass with which the vessel moves stays that of the start.
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
         match (&environment.tide, environment.still_depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
@@ -438,7 +441,7 @@ impl VesselSetup {
         })
     }
 
-    /// Her squat (m); 0 in deep water.
+    /// The vessel's squat (m); 0 in deep water.
     pub fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
         let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
             return 0.0;
@@ -453,16 +456,16 @@ impl VesselSetup {
         environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
     }
 
-    /// True if she is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again, so that one whose
-    /// squat takes her to the bottom does not change between both in every step.
+    /// True if the vessel is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again.
+    /// Otherwise a ship whose squat takes her to the bottom would change between afloat and aground in every step.
     pub fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
-    /// The drag of the bottom on a ship aground. The bottom carries the weight that the water no longer carries, with Coulomb's
-    /// friction of 0.4 (recalled, for sand). The drag is against her motion and fades out below 0.01 m/s, so that it never
-    /// drives her.
+    /// The drag of the bottom on a ship aground. The bottom carries the weight that the water no longer carries, with
+    /// Coulomb's friction of 0.4 (recalled, for sand). The drag acts against the ship's motion and fades out below 0.01
+    /// m/s, so that it never drives her.
     fn bottom(
         &self,
         vessel: &VesselState,
@@ -482,7 +485,8 @@ impl VesselSetup {
         let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
         let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
         let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
-        // Implicit: the drag at the end of the step, from the mass that it decelerates. So a step cannot reverse her motion.
+        // The drag is implicit: its value at the end of the step, from the mass that it decelerates. So a step cannot
+        // reverse the ship's motion.
         let [[surge_kg, ..], [_, sway_kg, _], [.., yaw_kgm2]] =
             mass_matrix(&self.ship, environment.water_density_kgpm3);
         let braked = |drag: f64, inertia: f64| drag / (1.0 + drag * step_s / inertia);
@@ -513,7 +517,7 @@ impl VesselSetup {
         first_order_motion(sea, response, &place, t_s)
     }
 
-    /// The gusts of a wind over her; `None` where there are none, or no wind acts on her.
+    /// The gusts of the wind over the vessel; `None` if there are no gusts, or if no wind acts on her.
     pub fn gusts(&self, environment: &Environment) -> Option<ShipGusts> {
         let gusts = environment.wind.as_ref()?.gusts()?;
         self.windage.as_ref().map(|windage| ShipGusts::new(gusts, windage))
@@ -529,7 +533,7 @@ impl VesselSetup {
         let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
             return Force::default();
         };
-        // Gusts act as their mean over the front that she turns to the mean wind.
+        // Gusts act as their mean over the front that the vessel turns to the mean wind.
         let (_, from_rad) = wind.mean_at(t_s);
         let gust = |gusts: &ShipGusts| {
             gusts.speed_over_mps(&windage.front(from_rad - state.heading_rad), t_s)
@@ -544,13 +548,14 @@ impl VesselSetup {
     /// Forces by the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
     /// ([`crate::turning`]) they give the equations of motion of the MMG method.
     ///
-    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's moment
-    /// (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves, about the
-    /// centre of gravity, so these terms are subtracted here. Together they do no work.
+    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's
+    /// moment (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves,
+    /// about the centre of gravity, so these terms are subtracted here. Together these terms do no work.
     ///
-    /// Accelerating water accelerates her: M (v̇ − DU/Dt) = W, by the pressure gradient on the displaced water and the added
-    /// mass in the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is small compared with the
-    /// scale of the current). So M·DU/Dt is added, with the `mass` that the engine moves; it is zero in a steady uniform current.
+    /// Accelerating water accelerates the vessel: M (v̇ − DU/Dt) = W. The pressure gradient acts on the displaced
+    /// water, and the added mass acts with the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a
+    /// body that is small compared with the scale of the current). So M·DU/Dt is added, with the `mass` that the engine
+    /// moves. This force is zero in a steady uniform current.
     pub fn water_inertia(
         &self,
         (state, velocity): (&BodyState, &Velocity),
@@ -599,8 +604,8 @@ impl VesselSetup {
         }
     }
 
-    /// The load on heave, roll and pitch: forces of hull and appendages at half the draught, of the wind at the height of the
-    /// centroid of her lateral area.
+    /// The load on heave, roll and pitch. Forces of hull and appendages act at half the draught, the wind at the height
+    /// of the centroid of the vessel's lateral area.
     pub fn attitude_load(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
         let mut load = AttitudeLoad::default();
         for (part, above_gravity_m) in self.forces_by_height(forces, float) {
@@ -609,8 +614,9 @@ impl VesselSetup {
         load
     }
 
-    /// Her own forces, each with its height above the centre of gravity (m): those of hull and appendages at half the draught, that of
-    /// the bottom at the keel, that of the wind at the height of the centroid of her lateral area.
+    /// The vessel's own forces, each with its height above the centre of gravity (m). Forces of hull and appendages act
+    /// at half the draught, the force of the bottom at the keel, and the wind at the height of the centroid of the
+    /// lateral area.
     pub fn forces_by_height(
         &self,
         forces: &VesselForces,

@@ -59,7 +59,7 @@ pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(
             of.energies_j.map(|energy_j| energy_j.map(kilo)),
         ),
         row(
-            "The same with the speed at the first touch",
+            "Energy by formula with the speed at the first touch",
             "kJ (kN·m)",
             Some(kilo(of.energy_at_touch_j)),
             None,
@@ -79,11 +79,13 @@ pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(
     let AddedSway { deep, shallow } = of.added_sway;
     rows.push(run("Added mass in sway over displacement, in deep water", "–", deep));
     if let Some(ShallowFactor { factor, depth_over_draught }) = shallow {
-        rows.push(run("Factor on it in shallow water", "–", factor));
+        rows.push(run("Factor on the added mass in shallow water", "–", factor));
         rows.push(run("Depth of the water over the draught", "–", depth_over_draught));
     }
     rows.push(vec![of.mass_of_run().into()]);
-    rows.push(vec![format!("It differs from the formula's: {}", of.why_masses_differ()).into()]);
+    rows.push(vec![
+        format!("It differs from the Cm of the formula: {}", of.why_masses_differ()).into(),
+    ]);
     sheet_of(sheet, "Berthing", &heads, rows, 1)
 }
 

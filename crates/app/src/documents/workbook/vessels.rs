@@ -75,7 +75,7 @@ pub(super) fn tugs(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), X
         Head("Peak force", "t", 11.0),
         Head("At", "s", 10.0),
         Head("Time at work", "s", 10.0),
-        Head("Time with its force limited", "s", 13.0),
+        Head("Time with limited force", "s", 13.0),
     ];
     let setup = outcome.setup;
     let rows = setup.world.tugs.iter().zip(&outcome.world.tugs).map(|(tug, totals)| {

@@ -1,7 +1,6 @@
 //! Keys of correlations, outputs, limits, stop rule and design.
 
-use super::super::Statistic;
-use super::MOST_RUNS;
+use super::super::kinds::{MOST_RUNS, Statistic};
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
@@ -11,8 +10,9 @@ const PROBABILITY: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0,
 
 pub(super) static CORRELATION: TableSpec = TableSpec {
     what: "a correlation",
-    doc: "Of two variables with a distribution, by a Gaussian copula: the coefficient is that of their normal scores, which for normal \
-          variables is the correlation itself.",
+    doc: "A correlation of two variables with a distribution, by a Gaussian copula. The \
+        coefficient is the correlation of the normal scores; for normal variables it is the \
+        correlation of the variables.",
     keys: &[
         key("variables", Kind::Texts, Refused, "The two variables.", &["[\"speed\", \"angle\"]"]),
         key(
@@ -34,25 +34,33 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
             "expression",
             Kind::Text,
             Refused,
-            "A formula of the run's numbers by the names of their columns, in the units of the columns, and of the variables; names with \
-             points stand in braces. Functions as in a variable's `expression`.",
+            "A formula of the numbers of a run. Use the names of the columns, in the units of the \
+             columns, and the names of the variables; write names with points in braces. Functions \
+             as in a variable's `expression`.",
             &["\"reaction / 930\"", "\"{fender.fender_3.reaction} - {fender.fender_4.reaction}\""],
         ),
-        key("unit", Kind::Text, Means("it has none"), "Its unit, for the table.", &["\"kN\""]),
+        key(
+            "unit",
+            Kind::Text,
+            Means("it has none"),
+            "Unit of the output, for the table.",
+            &["\"kN\""],
+        ),
     ],
     rules: None,
 };
 
 pub(super) static LIMIT: TableSpec = TableSpec {
     what: "a limit",
-    doc: "A value of an output that should seldom be exceeded. The report draws it, and says how often the runs exceed it.",
+    doc: "A value of an output that should seldom be exceeded. The report draws this value, and \
+        says how often the runs exceed it.",
     keys: &[
         key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
         key(
             "value",
             Kind::AnyNumber,
             Refused,
-            "The limit, with a unit where the output has one.",
+            "The limit, with a unit if the output has a unit.",
             &["\"930 kN\"", "\"95 t\""],
         ),
     ],
@@ -91,7 +99,7 @@ pub(super) static STOP: TableSpec = TableSpec {
             "half_width",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-12, high: 1e12 }),
             Refused,
-            "Half the width of the confidence interval, as a part of the estimate.",
+            "Half the width of the confidence interval, as a share of the estimate.",
             &["0.02"],
         ),
         key(
@@ -105,7 +113,8 @@ pub(super) static STOP: TableSpec = TableSpec {
             "every",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 10.0, high: MOST_RUNS }),
             Is("100"),
-            "Number of runs between two looks. The result does not depend on the number of threads.",
+            "Number of runs between two tests of the stop. The result does not depend on the \
+             number of threads.",
             &["1000"],
         ),
     ],
@@ -114,7 +123,8 @@ pub(super) static STOP: TableSpec = TableSpec {
 
 pub(super) static DESIGN: TableSpec = TableSpec {
     what: "a design",
-    doc: "How often the runs' event happens, and how rare a design value is. Both are yours to choose: guidelines differ.",
+    doc: "How often the event of a run happens in a year, and how rare a design value is. Choose \
+        both yourself: guidelines differ.",
     keys: &[
         key(
             "berthings_per_year",
@@ -134,7 +144,8 @@ pub(super) static DESIGN: TableSpec = TableSpec {
             "life",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1e6 }),
             Is("50"),
-            "Life of the structure (years), for the law of the largest value in it.",
+            "Life of the structure (years), for the distribution of the largest value in this \
+             life.",
             &["50"],
         ),
     ],

@@ -9,33 +9,37 @@ const MOST: f64 = 1e6;
 
 pub(super) static DOWNTIME: TableSpec = TableSpec {
     what: "a downtime",
-    doc: "Hours that a berth loses to the weather: the hours of a series of waves, wind and current are put together to states, each state \
-          is a run of the scenario, and an hour is lost where its state exceeds a limit. The limits are those of the scenario, \
-          [limit.NAME]; a fender over its rating, a line over its working load and what breaks count too.",
+    doc: "Hours that a berth loses to the weather: the hours of a series of waves, wind and \
+        current are grouped into states, each state is a run of the scenario, and an hour is lost \
+        if its state exceeds a limit. The limits are the limits of the scenario, [limit.NAME]. A \
+        fender over its rating, a line over its working load, and any failure count too.",
     keys: &[
         key(
             "file",
             Kind::Text,
             Refused,
-            "The weather, CSV or Parquet, relative to this file. Columns: hs_m, tp_s and wave_from_deg; wind_speed_mps and wind_from_deg; \
-             current_speed_mps and current_towards_deg; level_m of the water above datum; waves, wind or current at least. A series has \
-             `time` too, as 2025-01-31T23:00, or t_s, at even steps without gaps. A scatter diagram has `hours` in a year or `share` \
-             of it instead.",
+            "The file of the weather, CSV or Parquet, relative to the campaign file. Columns: \
+             hs_m, tp_s and wave_from_deg; wind_speed_mps and wind_from_deg; current_speed_mps and \
+             current_towards_deg; level_m of the water above datum; at least one of waves, wind \
+             and current. A series has `time` too, as 2025-01-31T23:00, or t_s, at equal steps \
+             without gaps. A scatter diagram has `hours` in a year, or `share` of a year, instead.",
             &["\"hindcast.csv\""],
         ),
         key(
             "states",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST }),
             Is("300"),
-            "Most states that the hours of a series are put together to. Each row of a scatter diagram is a state.",
+            "Largest number of states into which the hours of a series are grouped. Each row of a \
+             scatter diagram is a state.",
             &["150"],
         ),
         key(
             "sample",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: MOST }),
             Is("60"),
-            "Number of hours of a series that are run as they are too, drawn at random by `seed`: they show the error of the states. \
-             A scatter diagram has none.",
+            "Number of single hours of a series, drawn at random by `seed`, that are also run with \
+             their own weather. They show the error of the states. A scatter diagram has no such \
+             hours.",
             &["200"],
         ),
     ],

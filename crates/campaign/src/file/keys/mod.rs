@@ -7,16 +7,14 @@ mod variable;
 use self::design::{CORRELATION, DESIGN, LIMIT, OUTPUT, STOP};
 use self::downtime::DOWNTIME;
 use self::variable::VARIABLE;
-use super::PlanKind;
+use super::kinds::{MOST_RUNS, PlanKind};
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
 use serde_json::{Value as Json, json};
 
-/// Most runs of a campaign. Their table is below the largest file that a report reads, and a column of it takes 0.8 GB.
-pub(super) const MOST_RUNS: f64 = 1e8;
-/// Most time steps of one run that a file can allow.
+/// Largest number of time steps that a file can allow for one run.
 const MOST_STEPS: f64 = 1e15;
 
 pub(crate) static PLANS: Choices<PlanKind> = Choices(&[
@@ -39,14 +37,14 @@ pub(crate) static PLANS: Choices<PlanKind> = Choices(&[
     Choice {
         word: "table",
         value: PlanKind::Table,
-        doc: "a row of the file `table` is a run; its columns are the variables",
+        doc: "each row of the file `table` is a run; the columns are the variables",
     },
 ]);
 
 /// The whole file.
 pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
     what: "a campaign",
-    doc: "Many runs of one scenario. `plan` says how the values of the variables are chosen.",
+    doc: "Many runs of one scenario. `plan` determines how the values of the variables are chosen.",
     keys: &[
         key(
             "title",
@@ -59,7 +57,7 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             "scenario",
             Kind::Text,
             Refused,
-            "File of the scenario, relative to this one.",
+            "File of the scenario, relative to the campaign file.",
             &["\"quay.toml\""],
         ),
         key(
@@ -73,7 +71,7 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             "plan",
             Kind::Choice(&PLANS),
             Means("\"Monte Carlo\" if a variable has a `distribution`, else \"full factorial\""),
-            "How the values are chosen.",
+            "Plan by which the values of the variables are chosen.",
             &["\"Latin hypercube\""],
         ),
         key(
@@ -87,15 +85,16 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             "seed",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 9e15 }),
             Is("1"),
-            "Seed of the random numbers. A run's draw depends on the seed and the number of the run alone; of a \
-             \"Latin hypercube\" also on the number of runs.",
+            "Seed of the random numbers. The values of a run depend only on the seed and the \
+             number of the run; in a \"Latin hypercube\" also on the number of runs.",
             &["7"],
         ),
         key(
             "table",
             Kind::Text,
-            Unless("the plan is another than \"table\""),
-            "File of the plan \"table\", CSV or Parquet, relative to this one: a column for each variable, a row for each run.",
+            Unless("the plan is not \"table\""),
+            "File of the plan \"table\", CSV or Parquet, relative to the campaign file: a column \
+             for each variable, a row for each run.",
             &["\"runs.csv\""],
         ),
         key(
@@ -131,8 +130,8 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
         key(
             "success",
             Kind::Text,
-            Means("a run succeeds where its verdict is \"all well\" or a note"),
-            "Output that is 1 where a run succeeds and 0 where not, for the operability in the report.",
+            Means("a run succeeds if its verdict is \"all well\" or a note"),
+            "Output that is 1 if a run succeeds and 0 if not, for the operability in the report.",
             &["\"berthed\""],
         ),
         key(
@@ -153,14 +152,14 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             "design",
             Kind::Table(&DESIGN),
             Means("there are no return periods in the report"),
-            "What design values are for.",
+            "Number of events and return periods, for design values.",
             &[],
         ),
         key(
             "most_steps",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST_STEPS }),
             Is("100000000"),
-            "A run with more time steps is not made; its row says so.",
+            "A run with more time steps than this is not made; its row says so.",
             &["20000"],
         ),
     ],

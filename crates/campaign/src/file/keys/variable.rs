@@ -1,6 +1,6 @@
 //! Keys of a variable and its choices.
 
-use super::super::FamilyKind;
+use super::super::kinds::FamilyKind;
 use super::super::law::LawFamily;
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
@@ -80,7 +80,7 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
             "values",
             Kind::Values,
             Means("the variable has a `choice`, a `distribution` or an `expression`"),
-            "Its values: numbers in SI units, or texts with their units.",
+            "Values of the variable: numbers in SI units, or texts with units.",
             &["[\"0.08 m/s\", \"0.12 m/s\", \"0.15 m/s\"]"],
         ),
         key(
@@ -101,7 +101,7 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
             "distribution",
             Kind::Choice(&FAMILIES),
             Means("the variable has `values`, a `choice` or an `expression`"),
-            "The law that its values are drawn from.",
+            "Distribution from which the values are drawn.",
             &["\"lognormal\""],
         ),
         key(
@@ -140,21 +140,22 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
             "at_least",
             Kind::AnyNumber,
             Means("the law is not cut below"),
-            "Least value: the law is cut there, and what is left has the whole probability.",
+            "Least value: the law is cut at this value, and the rest of the law has the whole \
+             probability.",
             &["\"1 cm/s\""],
         ),
         key(
             "at_most",
             Kind::AnyNumber,
             Means("the law is not cut above"),
-            "Greatest value, as `at_least`.",
+            "Greatest value: the law is cut at this value, as with `at_least`.",
             &["\"40 cm/s\""],
         ),
         key(
             "file",
             Kind::Text,
             Means("the distribution is not \"empirical\""),
-            "File of measured values, CSV or Parquet, relative to this one.",
+            "File of measured values, CSV or Parquet, relative to the campaign file.",
             &["\"speeds.csv\""],
         ),
         key(
@@ -168,16 +169,17 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
             "expression",
             Kind::Text,
             Means("the variable has `values`, a `choice` or a `distribution`"),
-            "A formula of the numbers of other variables, each in its unit, with the result in `unit`. It may use + - * / ^, \
-             < <= > >= (1 where it holds, else 0), sqrt, abs, floor, exp, ln, log10, sin, cos, tan, atan (of radians), min(a, b), max(a, b) and PI. A \
-             sign counts before ^: -2^2 is 4.",
+            "A formula of the numbers of other variables, each in its unit, with the result in \
+             `unit`. It may use + - * / ^, < <= > >= (1 if true, else 0), sqrt, abs, floor, exp, \
+             ln, log10, sin, cos, tan, atan (of radians), min(a, b), max(a, b) and PI. A sign \
+             counts before ^: -2^2 is 4.",
             &["\"0.6 * speed + 0.02\""],
         ),
         key(
             "source",
             Kind::Text,
             Means("the report says that no source is given"),
-            "Where the values come from, for the report.",
+            "Source of the values, for the report.",
             &["\"measurements at berth 4, 2019 to 2024\""],
         ),
     ],
@@ -199,7 +201,8 @@ static CHOICE: TableSpec = TableSpec {
             "weight",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1e12 }),
             Is("1"),
-            "Its weight in a random plan: its probability is its share of the sum.",
+            "Weight of the choice in a random plan: its probability is its share of the sum of all \
+             weights.",
             &["0.3"],
         ),
     ],
@@ -208,7 +211,7 @@ static CHOICE: TableSpec = TableSpec {
 
 static QUANTILE: TableSpec = TableSpec {
     what: "a quantile",
-    doc: "A value that is not exceeded with a probability.",
+    doc: "A value, and the probability that it is not exceeded.",
     keys: &[
         key(
             "probability",

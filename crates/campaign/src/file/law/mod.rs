@@ -1,4 +1,4 @@
-//! Laws of probability that the values of a variable are drawn from.
+//! Laws of probability from which the values of a variable are drawn.
 
 mod normal;
 mod weibull;
@@ -120,7 +120,8 @@ impl Law {
     /// Weibull, by mean and standard deviation.
     ///
     /// # Errors
-    /// A number that is not positive, or a standard deviation so far from the mean that no shape between 0.1 and 100 has it.
+    /// A number that is not positive, or a standard deviation over mean that no shape between 0.1 and 100
+    /// has.
     pub fn weibull_by_moments(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("mean", mean)?;
         positive("standard_deviation", deviation)?;
@@ -196,7 +197,8 @@ impl Law {
         if (one.0 < other.0) != (one.1 < other.1) || one.0 == other.0 || one.1 == other.1 {
             return Err("the higher probability does not have the higher value".to_owned());
         }
-        // On its own scale each family is a straight line: value = a + b × reduced value of the probability.
+        // On a suitable scale each family is a straight line: value = a + b × reduced value of the
+        // probability.
         let is_logarithmic = matches!(family, LawFamily::Lognormal | LawFamily::Weibull);
         if is_logarithmic && !(one.1 > 0.0 && other.1 > 0.0) {
             return Err(format!("a {} law has positive values only", family.word()));
@@ -222,7 +224,7 @@ impl Law {
         }
     }
 
-    /// The law without what is below and above some bounds.
+    /// The law cut at bounds below and above.
     ///
     /// # Errors
     /// Bounds that are equal or crossed, or between which the law has less than 1e-9 of its probability.

@@ -6,8 +6,8 @@ pub(super) fn cdf(x: f64) -> f64 {
 }
 
 /// The quantile of a probability between 0 and 1, both excluded: a starting value by a rational approximation with an error below
-/// 4.5e-4 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.23), made exact by Halley's iteration on Φ. For the
-/// upper half the lower is mirrored, so that the tail keeps its digits.
+/// 4.5e-4 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.23), made exact by Halley's iteration on Φ.
+/// For the upper half, the lower half is mirrored, so the tail keeps its digits.
 pub(super) fn quantile(p: f64) -> f64 {
     if p > 0.5 { -lower(1.0 - p) } else { lower(p) }
 }
@@ -18,7 +18,8 @@ fn lower(p: f64) -> f64 {
     let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);
     let below = 1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308));
     let mut x = above / below - t;
-    // The error falls with its cube: two steps reach the last digits from 4.5e-4, the third is for the far tail.
+    // The error after a step is the cube of the error before: two steps reach the last digits from 4.5e-4, the third
+    // step is for the far tail.
     for _ in 0..3 {
         let density = libm::exp(-0.5 * x * x) / libm::sqrt(core::f64::consts::TAU);
         let newton = (cdf(x) - p) / density;

@@ -1,6 +1,6 @@
 //! The Weibull distribution by its moments.
 
-/// The shapes that are looked for.
+/// Range in which the shape is searched.
 const SHAPES: [f64; 2] = [0.1, 100.0];
 
 /// The mean of a Weibull law of scale 1.

@@ -58,12 +58,12 @@ pub enum Distribution {
     },
 }
 
-/// Shapes ξ nearer to 0 are those of the limit: Gumbel, exponential.
+/// For shapes ξ nearer to 0 the limit is used: Gumbel, exponential.
 const NO_SHAPE: f64 = 1e-7;
 
 impl Distribution {
-    /// Probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], which says nothing there, the probability to
-    /// exceed the threshold.
+    /// Probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], where the law has no
+    /// values, the probability to exceed the threshold.
     #[must_use]
     pub fn above(&self, x: f64) -> f64 {
         match *self {
@@ -89,7 +89,7 @@ impl Distribution {
         }
     }
 
-    /// Probability to be at most `x`; of those above the threshold for [`Distribution::Pareto`].
+    /// Probability to be at most `x`; for [`Distribution::Pareto`], among values above the threshold.
     pub(super) fn below_of_fitted(&self, x: f64) -> f64 {
         match *self {
             Distribution::Normal { mean, deviation } => normal::below((x - mean) / deviation),
@@ -111,7 +111,7 @@ impl Distribution {
         }
     }
 
-    /// Probability to exceed `x`; of those above the threshold for [`Distribution::Pareto`].
+    /// Probability to exceed `x`; for [`Distribution::Pareto`], among values above the threshold.
     pub(super) fn above_of_fitted(&self, x: f64) -> f64 {
         match self {
             Distribution::Pareto { share, .. } => self.above(x) / share,
@@ -119,7 +119,7 @@ impl Distribution {
         }
     }
 
-    /// The value that is exceeded with probability `p` between 0 and 1; `None` where it lies below the threshold.
+    /// The value that is exceeded with probability `p` between 0 and 1; `None` if it lies below the threshold.
     #[must_use]
     pub fn value_exceeded(&self, p: f64) -> Option<f64> {
         Some(match *self {
@@ -143,7 +143,7 @@ impl Distribution {
         })
     }
 
-    /// Threshold, and the probability to be above it.
+    /// Threshold, and the probability to be above the threshold.
     #[must_use]
     pub fn threshold(&self) -> Option<(f64, f64)> {
         match *self {
@@ -152,7 +152,7 @@ impl Distribution {
         }
     }
 
-    /// Shape ξ of the tail, where it is a parameter.
+    /// Shape ξ of the tail, if it is a parameter.
     pub(super) fn tail_shape(&self) -> Option<f64> {
         match *self {
             Distribution::Gev { shape, .. } | Distribution::Pareto { shape, .. } => Some(shape),
@@ -161,7 +161,7 @@ impl Distribution {
     }
 }
 
-/// (1 + ξz)^(−1/ξ), exp(−z) for ξ = 0; 0 beyond the upper end, infinite below the lower one.
+/// (1 + ξz)^(−1/ξ), exp(−z) for ξ = 0; 0 beyond the upper end, infinite below the lower end.
 fn tail(z: f64, shape: f64) -> f64 {
     if shape.abs() < NO_SHAPE {
         return libm::exp(-z);

@@ -5,7 +5,7 @@ use core::fmt;
 /// The reason why a fit failed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitFault {
-    /// There are fewer values than are needed, above the threshold where there is one.
+    /// There are fewer values than are needed (above the threshold, if there is a threshold).
     TooFew {
         /// How many there are.
         count: usize,
@@ -21,7 +21,7 @@ pub enum FitFault {
     },
     /// All values are equal.
     Constant,
-    /// A fit over a threshold needs one.
+    /// A fit over a threshold needs a threshold.
     NoThreshold,
     /// The values have weights.
     Weighted,
@@ -30,7 +30,7 @@ pub enum FitFault {
         /// Steps that were made.
         steps: usize,
     },
-    /// The likelihood is flat or has no maximum there, so that no standard error exists.
+    /// The likelihood is flat or has no maximum, so no standard error exists.
     Flat,
     /// The tail is so short that the likelihood has no regular maximum (Smith, Biometrika 72, 1985).
     Irregular {
@@ -43,10 +43,11 @@ impl fmt::Display for FitFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FitFault::TooFew { count, needed } => {
-                write!(f, "there are {count} of the {needed} values that are needed at least")
+                write!(f, "at least {needed} values are needed, but there are {count}")
             }
             FitFault::NotPositive { least, count } => {
-                write!(f, "it has positive values only; of these {count} are not, the smallest is {least}")
+                write!(f, "the law has positive values only; {count} of the values are not \
+                    positive, the smallest is {least}")
             }
             FitFault::Constant => f.write_str("all values are equal"),
             FitFault::NoThreshold => f.write_str("it needs a threshold"),

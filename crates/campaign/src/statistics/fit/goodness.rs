@@ -4,8 +4,8 @@ use fenderline_contact::number::greater;
 
 use super::Distribution;
 
-/// Kolmogorov and Smirnov's distance and Anderson and Darling's A² of sorted values, of which all are above the threshold of the
-/// distribution where it has one.
+/// Kolmogorov and Smirnov's distance and Anderson and Darling's A² of sorted values, all above the threshold of the
+/// distribution, if it has a threshold.
 pub(super) fn distances(values: &[f64], distribution: &Distribution) -> (f64, f64) {
     let n = values.len() as f64;
     let (mut largest, mut sum) = (0.0, 0.0);

@@ -24,11 +24,11 @@ use newton::Maximum;
 /// A parameter of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name, such as `shape`.
+    /// Name of the parameter, such as `shape`.
     pub name: &'static str,
-    /// The estimate, in the unit of the values where it has one.
+    /// The estimate, in the unit of the values if it has a unit.
     pub value: f64,
-    /// Its standard error.
+    /// Standard error of the parameter.
     pub error: f64,
 }
 
@@ -39,13 +39,14 @@ pub struct Fit {
     pub law: Law,
     /// The fitted distribution.
     pub distribution: Distribution,
-    /// Its parameters.
+    /// Parameters of the fit.
     pub parameters: Vec<Parameter>,
-    /// Number of values that it was fitted to: those above the threshold for [`Law::Pareto`].
+    /// Number of values to which the law was fitted; for [`Law::Pareto`], the values above the threshold.
     pub count: usize,
     /// Logarithm of the likelihood.
     pub log_likelihood: f64,
-    /// Akaike's criterion, 2k − 2 ln L. That of [`Law::Pareto`] is of the values above its threshold alone, and compares with no other.
+    /// Akaike's criterion, 2k − 2 ln L. The criterion of [`Law::Pareto`] is for the values above its threshold alone,
+    /// and cannot be compared with other laws.
     pub aic: f64,
     /// Kolmogorov and Smirnov's distance: the largest difference of the two distribution functions.
     pub kolmogorov: f64,
@@ -61,7 +62,7 @@ pub struct Fit {
     share_variance: f64,
 }
 
-/// Fits a law to a sample; `threshold` is that of [`Law::Pareto`], which takes the values above it.
+/// Fits a law to a sample; `threshold` is the threshold of [`Law::Pareto`], which takes the values above the threshold.
 ///
 /// # Errors
 /// Weights, too few values, values that the law does not have, a threshold that is missing, or a likelihood without a regular
@@ -81,7 +82,7 @@ pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, Fit
         None => sample.values(),
     };
     law.admit(values).map_err(fail)?;
-    // Above the threshold; the library of laws has it at 0.
+    // Values above the threshold; the library of laws has the threshold at 0.
     let shifted: Vec<f64> = values.iter().map(|x| x - threshold.unwrap_or(0.0)).collect();
     let share = values.len() as f64 / sample.count() as f64;
     let place = threshold.map(|threshold| (threshold, share));
@@ -116,7 +117,7 @@ pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, Fit
     })
 }
 
-/// Values at even places of a long sample, of which its fit begins.
+/// Number of values at even places of a long sample, with which its fit begins.
 const FEW: usize = 10_000;
 
 /// The maximum for a long sample, from the fit of few of its sorted values: most Newton steps are then made with few values. `None` for
@@ -130,7 +131,7 @@ fn maximum_from_few(
     if stride < 2 {
         return None;
     }
-    // The middle ones, which are near the means of their groups.
+    // The middle values, which are near the means of their groups.
     let few: Vec<f64> = values.iter().copied().skip(stride / 2).step_by(stride).collect();
     let start = start::of(law, &few).ok()?;
     let of_few = |free: &[f64]| law.log_likelihood(free, &few);
@@ -142,15 +143,16 @@ fn maximum_from_few(
 const KOLMOGOROV_1_PER_CENT: f64 = 1.628;
 
 impl Fit {
-    /// Whether the data speak against the law: Kolmogorov's test at 1 %, with the limit of a law that is known beforehand. The limit of
-    /// a fitted law is lower, so that a law that is rejected here is rejected by stricter tests too, and one that is not may still
-    /// be wrong (Stephens, EDF statistics for goodness of fit, J. Am. Stat. Assoc. 69, 1974; the limit recalled, not read there).
+    /// Whether the data contradict the law: Kolmogorov's test at 1 %, with the limit of a law that is known beforehand.
+    /// The limit of a fitted law is lower, so that a law that is rejected here is rejected by stricter tests too, and
+    /// one that is not may still be wrong (Stephens, EDF statistics for goodness of fit, J. Am. Stat. Assoc. 69, 1974;
+    /// the limit recalled, not read there).
     #[must_use]
     pub fn is_rejected(&self) -> bool {
         self.kolmogorov * libm::sqrt(self.count as f64) > KOLMOGOROV_1_PER_CENT
     }
 
-    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` where it lies below the
+    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` if it lies below the
     /// threshold of the fit, or is not finite.
     #[must_use]
     pub fn value_exceeded(&self, p: f64, confidence: Confidence) -> Option<Estimate> {

@@ -25,6 +25,14 @@ SYMMETRIES = ("sides", "fore and aft", "revolution")
 ALONG, ACROSS = (0, 2, 4), (1, 3, 5)
 #: How far the mass that is given may be from that of the files: as the simulation refuses.
 MASS = 0.03
+#: How far the added masses of two motions by each other may differ, over the root of the product of both: as noise of a matrix in the simulation.
+MUTUAL = 0.05
+#: Added inertia in yaw of a body of revolution, over the displacement and the square of the cube root of its volume, at most: 0.06 for a cube.
+CORNERS = 0.01
+#: Draughts over the cube root of the displaced volume, and added masses at infinite frequency in surge, sway and heave over the mass, that the
+#: simulation takes (crates/sim/src/seakeeping/check.rs).
+DRAUGHTS = (3.0, 0.02)
+ADDED = ((0.0, 5.0), (0.0, 20.0), (0.02, 50.0))
 
 
 def finish(
@@ -75,13 +83,14 @@ def finish(
     _alike(panel, symmetry, fold)
     before = copy.deepcopy(panel)
     without_noise(panel, np.diag(panel.mass))
+    _check_mutual(panel)
     repairs, problems = looked_through(panel, lowest_radps, highest_radps, repair_radps)
     if not problems:
         wrong = at_infinity(panel)
         problems += [wrong] if wrong else []
     elif panel.infinite is None and len(panel.omega):
         at_infinity(panel)
-    problems += _headings(panel) + _float(stiffness)
+    problems += _headings(panel) + _float(stiffness) + _likely(panel, stiffness, mass)
     for note in panel.notes:
         warnings.warn(note, HydrodynamicsWarning, stacklevel=3)
     if problems:
@@ -217,6 +226,14 @@ def _alike(panel: Panel, symmetry: str | None, fold: bool) -> None:
                         f"{100 * off / most:.0f} %",
                         panel.file,
                     )
+        # What turns about its own axis moves no water, unless it has corners.
+        turning = float(np.median(np.abs(panel.added[:, 5, 5])))
+        scale = panel.mass[0] * (panel.mass[0] / panel.water_kgpm3) ** (2.0 / 3.0)
+        if turning > CORNERS * scale:
+            raise HydrodynamicsError(
+                f"symmetry is given as revolution, but she moves water as she yaws (added inertia {turning:.3g} kg m²): a body with corners?",
+                panel.file,
+            )
         own = panel.headings_deg[0]
         headings = np.arange(0.0, 181.0, 15.0)
         force = np.stack([_turned(panel.force[:, 0], heading - own) for heading in headings], axis=1)
@@ -281,6 +298,41 @@ def _headings(panel: Panel) -> list[str]:
     if not half and at[0] + 360.0 - at[-1] > 45.5:
         return [f"the headings cover neither 0 to 180 degrees nor all round (there are {known} degrees){help_}"]
     return []
+
+
+def _check_mutual(panel: Panel) -> None:
+    """Two motions push each other alike: says where they do not, for the file has their mean."""
+    for i in range(6):
+        for j in range(i + 1, 6):
+            one, two = panel.added[:, i, j], panel.added[:, j, i]
+            scale = math.sqrt(float(np.abs(panel.added[:, i, i]).max() * np.abs(panel.added[:, j, j]).max()))
+            # The median, for at irregular frequencies they may differ.
+            off = float(np.median(np.abs(one - two)))
+            if off > MUTUAL * scale:
+                panel.notes.append(
+                    f"Doubt: added mass of {MOTIONS[i]} by {MOTIONS[j]} and of {MOTIONS[j]} by {MOTIONS[i]} must be the same, but differ by "
+                    f"{100 * off / scale:.0f} % of the root of the product of both motions: the mean is taken."
+                )
+
+
+def _likely(panel: Panel, stiffness: Array, mass_kg: float) -> list[str]:
+    """Restoring and added mass that no ship has, as the simulation refuses them."""
+    volume = mass_kg / panel.water_kgpm3
+    # The displaced volume over draughts of three cube roots of the volume, and of 2 % of one.
+    least, most = (panel.water_kgpm3 * 9.80665 * volume ** (2.0 / 3.0) / draught for draught in DRAUGHTS)
+    found = []
+    heave = float(stiffness[0, 0])
+    if heave > 0.0 and not least <= heave <= most:
+        found.append(
+            f"the restoring of heave is {heave:.4g} N/m, but of the hulls of this displacement that the simulation takes it is {least:.3g} to "
+            f"{most:.3g} (a spar deeper than three cube roots of her volume is not one)"
+        )
+    if panel.infinite is not None:
+        for k, (low, high) in enumerate(ADDED):
+            share = float(panel.infinite[k, k]) / mass_kg
+            if not low <= share <= high:
+                found.append(f"the added mass of {MOTIONS[k]} at infinite frequency is {share:.3g} of the mass, but must be {low:g} to {high:g}")
+    return found
 
 
 def _float(stiffness: Array) -> list[str]:

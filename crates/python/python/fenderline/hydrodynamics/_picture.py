@@ -25,6 +25,13 @@ _COLOURS = ("#0b4f6c", "#b5452c", "#2b7a4b", "#8a5a00", "#5b3f8c", "#1c8a8a", "#
 _CUT, _REPAIR = "#c9ccd1", "#e0a100"
 
 
+def _as_svg(figure: Any) -> str:
+    """The figure as the text of an SVG file."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg")
+    return text.getvalue()
+
+
 def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
     """A figure: a row for each motion with added mass, damping and exciting force over frequency, and drift below."""
     try:
@@ -39,16 +46,11 @@ def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
     with_drift = bool(data.drift)
     rows = 7 if with_drift else 6
 
-    class Picture(matplotlib.figure.Figure):
-        """A figure that belongs to no window: a notebook shows it once, as what the call gives back."""
-
-        def _repr_svg_(self) -> str:
-            text = io.StringIO()
-            self.savefig(text, format="svg")
-            return text.getvalue()
-
+    # A figure that belongs to no window: a notebook shows the figure once, as the result of the call. The class is made here,
+    # as only a call that draws may need Matplotlib.
+    picture: Any = type("Picture", (matplotlib.figure.Figure,), {"_repr_svg_": _as_svg})
     height = 1.75 * rows + 1.4
-    figure = Picture(figsize=(11.0, height))
+    figure = picture(figsize=(11.0, height))
     FigureCanvasAgg(figure)
     axes = figure.subplots(rows, 3, sharex=True)
     omegas = sorted(w for w in data.damping if math.isfinite(w))
@@ -95,7 +97,9 @@ def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
 def _title(data: Hydrodynamics) -> str:
     depth = "deep water" if not math.isfinite(data.depth_m) else f"{data.depth_m:g} m of water"
     first = data.source.splitlines()[0] if data.source else "hydrodynamic data"
-    text = f"{first}: {data.mass_kg / 1e3:,.0f} t, {depth}"
+    tonnes = data.mass_kg / 1e3
+    mass = f"{tonnes:,.0f} t" if tonnes >= 10.0 else f"{tonnes:.3g} t" if tonnes >= 1.0 else f"{data.mass_kg:.3g} kg"
+    text = f"{first}: {mass}, {depth}"
     parts = []
     if data.before is not None:
         parts.append("grey: cut")
@@ -166,8 +170,14 @@ def _limit(ax: Any, values: Any) -> None:
         ax.set_ylim(low - 0.15 * width, high + 0.12 * width)
 
 
+#: Thousands of kilogrammes by their own names.
+_TONNES = {"kkg": "t", "Mkg": "kt", "Gkg": "Mt"}
+
+
 def _named(ax: Any, title: str, prefix: str, unit: str) -> None:
-    ax.set_title(f"{title} [{prefix}{unit}]", fontsize=8, loc="left")
+    first, *rest = f"{prefix}{unit}".split(" ")
+    unit = " ".join([_TONNES.get(first, first), *rest])
+    ax.set_title(f"{title} [{unit}]", fontsize=8, loc="left")
 
 
 def _marks(ax: Any, data: Hydrodynamics, used: list[float], end: float) -> None:

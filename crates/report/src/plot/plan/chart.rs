@@ -55,7 +55,7 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
 pub fn chart_note() -> Markup {
     html! {
         p class="note" {
-            "The chart is only drawn: the depth of the run is that of the scenario. Depths in metres."
+            "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
         }
     }
 }

@@ -13,7 +13,7 @@ use super::{arrows, furniture};
 pub struct Plan {
     /// Printed above the view.
     pub title: String,
-    /// What part of the plane it shows.
+    /// The part of the plane that the view shows.
     pub frame: Frame,
     /// Outlines, drawn first to last.
     pub outlines: Vec<Outlined>,
@@ -31,7 +31,7 @@ pub struct Plan {
     pub note: String,
 }
 
-/// When an outline is shown, which sets how it is drawn.
+/// The time at which an outline is shown, which sets the style of drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// Does not move.
@@ -47,7 +47,7 @@ pub enum Stage {
 /// The outline of a body, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outlined {
-    /// Its corners (m).
+    /// Corners of the outline (m).
     pub vertices_m: Vec<Vec2>,
     /// When in the run.
     pub stage: Stage,
@@ -58,11 +58,11 @@ pub struct Outlined {
 /// The path of a body's centre of gravity, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Its points (m).
+    /// Points of the track (m).
     pub points_m: Vec<Vec2>,
     /// Number of the body's colour.
     pub style: usize,
-    /// Drawn thin and faint: where many lie, it is dark.
+    /// True for an outline that is drawn thin and faint, because many lie over each other.
     pub is_one_of_many: bool,
 }
 

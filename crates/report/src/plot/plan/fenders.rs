@@ -11,13 +11,13 @@ use super::map::Map;
 /// A fender seen from above, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FenderBox {
-    /// Middle of the line where it is mounted (m).
+    /// Middle of the line where the fender is mounted (m).
     pub mount_m: Vec2,
-    /// From there to the middle of its face, deflection taken off (m).
+    /// Vector from the mounting to the middle of the face, less the deflection (m).
     pub out_m: Vec2,
-    /// From the middle to one end of its width (m).
+    /// Vector from the middle to one end of the face (m).
     pub half_width_m: Vec2,
-    /// How it was used in the run.
+    /// How the fender was used in the run.
     pub used: Use,
 }
 
@@ -28,7 +28,7 @@ pub enum Use {
     Untouched,
     /// Touched; no rating given.
     NotRated,
-    /// Up to this share of its rating.
+    /// Used up to this share of the rating.
     Share(f64),
     /// Failed.
     Failed,

@@ -31,22 +31,22 @@ pub struct Harbour {
 /// A mooring line from fairlead to bollard, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineDrawn {
-    /// Its ends (m).
+    /// Ends of the mooring line (m).
     pub ends_m: [Vec2; 2],
     /// Peak tension over break load.
     pub share: f64,
-    /// Whether it parted.
+    /// Whether the mooring line parted.
     pub has_parted: bool,
 }
 
 /// A tug at a ship's side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TugDrawn {
-    /// Where her force acts (m).
+    /// Point where the tug's force acts (m).
     pub at_m: Vec2,
-    /// Direction of her force on the ship, of length 1; zero: she is standing by.
+    /// Direction of the tug's force on the ship, of length 1; zero: the tug is standing by.
     pub direction: Vec2,
-    /// Whether she pulls on a line; otherwise she pushes with her bow.
+    /// Whether the tug pulls on a line; otherwise she pushes with her bow.
     pub on_line: bool,
     /// Name and force.
     pub label: String,
@@ -55,15 +55,16 @@ pub struct TugDrawn {
 /// Wind, current or waves: an arrow in the corner, and words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weather {
-    /// The direction in which it flows, of length 1.
+    /// The direction in which wind or current flows, of length 1.
     pub towards: Vec2,
-    /// What it is, how strong, and its direction.
+    /// What the wind or current is, how strong, and its direction.
     pub text: String,
     /// Colour of the arrow.
     pub colour: &'static str,
 }
 
-/// Length and beam of a tug (m): that of a harbour tug, since only her force is in the run.
+/// Length and beam of a drawn tug (m): those of a usual harbour tug, because the run has only the force of the
+/// tug.
 const TUG: (f64, f64) = (28.0, 11.0);
 /// Least length that is drawn (px).
 const LEAST_TUG: f64 = 16.0;
@@ -121,7 +122,7 @@ struct TugPlace {
     /// Beside the middle of her hull on the preferred side: where her text begins, or ends if it is to the left.
     text: (f64, f64),
     is_left: bool,
-    /// From the middle of her hull to that text (px).
+    /// Distance from the middle of the hull to the text (px).
     aside: f64,
 }
 
@@ -134,7 +135,8 @@ fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
         direction => (direction.y, -direction.x),
     };
     let (x, y) = map.px(tug.at_m);
-    // She pushes from behind her force with her bow at the hull, and pulls ahead of it on a line.
+    // A tug that pushes lies behind her force with her bow at the hull; a tug that pulls lies ahead of her
+    // force, on a line.
     let gap = if tug.on_line { 1.4 * length } else { 0.0 };
     let (bow_x, bow_y, back) = if tug.on_line {
         (x + dx * (gap + length), y + dy * (gap + length), -1.0)
@@ -251,7 +253,7 @@ pub fn harbour_legend([has_lines, has_tugs, has_banks, has_passing]: [bool; 4]) 
                     svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
                         path d="M28,6L21,11H4V1H21Z" fill="#f6d34a" stroke="#222" {}
                     }
-                    "tug, her bow where she pushes (not to scale; white: standing by)"
+                    "tug, with the bow at the place of pushing (not to scale; white: standing by)"
                 }
             }
             @if has_banks {

@@ -10,9 +10,9 @@ use crate::plot::axis::{Axis, Fitted, nice_step};
 /// An arrow from a point, with a text at its head.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// Where it starts; a dot is drawn there (m).
+    /// Where the arrow starts; a dot is drawn there (m).
     pub from_m: Vec2,
-    /// Its direction, of length 1; zero: the dot alone.
+    /// Direction of the arrow, of length 1; zero: the dot alone.
     pub direction: Vec2,
     /// Printed at the head.
     pub label: String,
@@ -23,7 +23,7 @@ pub struct Arrow {
 pub struct Label {
     /// The text.
     pub text: String,
-    /// Its possible places.
+    /// Possible places of the name.
     pub place: Place,
 }
 

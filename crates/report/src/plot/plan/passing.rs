@@ -10,7 +10,7 @@ use super::map::Map;
 pub struct PassingDrawn {
     /// Her outline there, earth-fixed (m).
     pub outline_m: Vec<Vec2>,
-    /// Her track (m).
+    /// Track of the ship (m).
     pub track_m: Vec<Vec2>,
 }
 
@@ -36,7 +36,7 @@ pub(super) fn legend() -> Markup {
                 path d="M1,6H29" fill="none" stroke=(stroke) stroke-width="1.2" stroke-dasharray="8 3 2 3" {}
                 path d="M5,3H21L26,6L21,9H5Z" fill=(fill) stroke=(stroke) {}
             }
-            "passing ship where she is nearest, and her track"
+            "passing ship at the nearest point, and track"
         }
     }
 }

@@ -30,9 +30,9 @@ pub struct Face {
 /// A fender on a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceFender {
-    /// Its number in drawing and table, from 1.
+    /// Number of the fender in drawing and table, from 1.
     pub number: usize,
-    /// Its middle along the face (m).
+    /// Middle of the fender along the face (m).
     pub along_m: f64,
     /// Height of the middle of its face (m).
     pub height_m: f64,
@@ -44,7 +44,7 @@ pub struct FaceFender {
     pub projection_m: f64,
     /// From the line of the drawing's mountings to its own (m).
     pub mounted_m: f64,
-    /// How it was used in the run.
+    /// How the fender was used in the run.
     pub used: Use,
 }
 

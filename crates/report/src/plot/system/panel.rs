@@ -34,9 +34,9 @@ pub struct PanelPlan {
 /// A cone behind the panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeDrawn {
-    /// Its place to the right of the panel's middle (m).
+    /// Place of the cone to the right of the panel's middle (m).
     pub at_m: f64,
-    /// How it was used in the run.
+    /// How the cone was used in the run.
     pub used: Use,
 }
 

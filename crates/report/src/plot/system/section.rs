@@ -21,9 +21,9 @@ pub struct Section {
     pub face_m: [f64; 2],
     /// From its mounting to its face, uncompressed (m).
     pub projection_m: f64,
-    /// Its largest deflection in the run (m).
+    /// Largest deflection of the fender in the run (m).
     pub deflection_m: f64,
-    /// How it was used in the run.
+    /// How the fender was used in the run.
     pub used: Use,
     /// Levels.
     pub levels: Vec<Level>,
@@ -31,11 +31,11 @@ pub struct Section {
     pub hull: Option<Side>,
     /// What heights are measured from.
     pub heights_above: &'static str,
-    /// Its chains, each with its text.
+    /// Chains of the fender, each with its text.
     pub chains: Vec<(Chain, String)>,
     /// A round body without a panel, as a pneumatic fender has; `false`: a panel before a body.
     pub is_round: bool,
-    /// It floats: its height follows the water.
+    /// The fender floats: its height follows the water.
     pub is_floating: bool,
 }
 
@@ -213,7 +213,7 @@ impl Section {
             format!("Projection {} m", plain(self.projection_m, 3)),
         ];
         if self.is_floating {
-            all.push("It floats: its height follows the water".to_owned());
+            all.push("The fender floats: its height follows the water".to_owned());
         }
         if self.deflection_m > 0.0 {
             all.push(format!("Largest deflection {} m, as drawn", plain(self.deflection_m, 3)));

@@ -7,9 +7,8 @@ use maud::{Markup, html};
 
 use super::table::kind_of;
 use crate::plot::{Axis, Bars, Chart, Group, Point, STYLES, Series, significant};
-use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
-use crate::run_page::recorder::FenderTrace;
+use crate::run_page::recorder::{FenderTrace, Recorder};
 use fenderline_results::Outcome;
 use fenderline_results::worst_first;
 
@@ -88,7 +87,7 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
-/// Turns of the panels on several cones over time; nothing where none turned.
+/// Turns of the panels on several cones over time; nothing if none turned.
 pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let in_degrees = |p: &Point| Point { x: p.x, y: p.y.to_degrees() };
@@ -103,7 +102,7 @@ pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     charts.chart("Turns of the panels", axis, series).render()
 }
 
-/// Tensions of the chains of fenders over time; nothing where none was taut.
+/// Tensions of the chains of fenders over time; nothing if none was taut.
 pub(super) fn tensions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let series = recorder.held.chains.iter().map(|trace| {
@@ -200,14 +199,12 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
         ));
     }
     if fender.panel.is_some() {
-        note.push_str(
-            " The deflection is that of the most compressed cone, the reaction that of all.",
-        );
+        note.push_str(" The deflection is of the most compressed cone, the reaction of all cones.");
     }
     if fender.law == FenderLaw::Area {
         note.push_str(
-            " The deflection is that of the deepest point of the face. The reaction follows from the overlap of the whole face, \
-             and is less if the hull is at an angle.",
+            " The deflection is of the deepest point of the face. The reaction follows from the \
+             overlap of the whole face, and is less if the hull is at an angle.",
         );
     }
     if let Some(rated) = fender.rated {

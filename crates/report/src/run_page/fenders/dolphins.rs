@@ -32,7 +32,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         ul class="note" {
             li {
                 "Deflection, load and energy are peaks of the piles at the height of the fender, sub-steps included; "
-                "stiffness and period are those of the dolphin alone."
+                "stiffness and period are of the dolphin without ship and fender."
             }
         }
     }

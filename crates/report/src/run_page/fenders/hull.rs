@@ -8,7 +8,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// One row a fender that met such a hull; nothing where none did.
+/// One row a fender that met such a hull; nothing if none did.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let met = outcome.fenders.iter().filter_map(|summary| Some((summary, summary.hull?)));
     let all: Vec<_> = met.collect();
@@ -39,8 +39,10 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         (more(all.len()))
         p class="note" {
-            "Height: above the keel of a floating body, above datum of a fixed one, at the first touch. Flare: how far her side leans "
-            "out over the fender, negative where it leans in. Vertical force: positive up, a mean over a time step."
+            "Height: above the keel of a floating body, above datum of a fixed one, at the first \
+             touch. Flare: how far the ship's side leans "
+            "out over the fender, negative if it leans in. Vertical force: positive up, a mean \
+             over a time step."
         }
     }
 }

@@ -10,8 +10,8 @@ mod table;
 
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::charts::Charts;
+use super::recorder::Recorder;
 use crate::plot::fixed;
 use fenderline_results::Outcome;
 use fenderline_results::worst_first;

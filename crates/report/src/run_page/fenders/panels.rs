@@ -8,12 +8,12 @@ use fenderline_sim::{
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
-use crate::run_page::system::signed;
+use crate::run_page::signed::signed;
 use crate::run_page::tables::{ROWS, TONNE_N, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// The panels of touched fenders, and their cones; nothing where there are none.
+/// The panels of touched fenders, and their cones; nothing if there are none.
 pub(super) fn panels(outcome: &Outcome<'_>) -> Markup {
     let with = outcome.fenders.iter().filter_map(|summary| {
         Some((&outcome.setup.fenders[summary.fender], summary, summary.panel.as_ref()?))
@@ -84,12 +84,14 @@ pub(super) fn panels(outcome: &Outcome<'_>) -> Markup {
         (more(cones.len()))
         ul class="note" {
             li {
-                "The most compressed cone of each panel is marked: it governs, and the shares of its fender in the tables are those "
-                "of this cone. Its rating is its own part of the panel's."
+                "The most compressed cone of each panel is marked: this cone governs, and the \
+                 shares of the fender in the tables are those "
+                "of this cone. The rating of a cone is its part of the panel's rating."
             }
             li {
                 strong { "Turn" } " about the vertical axis and " strong { "moment" }
-                " of the cones' reactions about the panel's middle: positive where the right end, as seen from the water, is pressed "
+                " of the cones' reactions about the panel's middle: positive if the right end, as \
+                 seen from the water, is pressed "
                 "more."
             }
             li {
@@ -133,7 +135,7 @@ fn with_share(text: String, share: Option<f64>) -> String {
     }
 }
 
-/// The chains of touched fenders; nothing where there are none.
+/// The chains of touched fenders; nothing if there are none.
 pub(super) fn chains(outcome: &Outcome<'_>) -> Markup {
     let all: Vec<_> = outcome
         .fenders
@@ -175,8 +177,8 @@ pub(super) fn chains(outcome: &Outcome<'_>) -> Markup {
         }
         (more(all.len()))
         p class="note" {
-            "A chain is slack until the panel has moved by its slack in the direction that the chain holds. The break load is that of "
-            "the scenario; no safety factor is in it. Place of a tension chain: metres to the right of the panel's middle, as seen from "
+            "A chain is slack until the panel has moved by its slack in the direction that the chain holds. The break load is from "
+            "the scenario, without a safety factor. Place of a tension chain: metres to the right of the panel's middle, as seen from "
             "the water."
         }
     }

@@ -5,7 +5,7 @@ use fenderline_sim::{FenderSetup, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{plain, significant};
-use crate::run_page::system::signed;
+use crate::run_page::signed::signed;
 use crate::run_page::tables::{ROWS, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};

@@ -51,7 +51,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         ul class="note" {
             @if setups.len() > 1 && worst.is_some() { li { "The most used fender is marked." } }
-            li { strong { "Verdict" } ": below it the quantity that governs, and its share of the rated one." }
+            li { strong { "Verdict" } ": below the name, the quantity that governs, and its share \
+                of the rated value." }
             @if setups.len() > shown.len() {
                 li {
                     "The table has the " (shown.len()) " most used of " (setups.len())
@@ -59,16 +60,19 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                 }
             }
             li {
-                "Values are peaks, sub-steps included. The share below each is that of the rated deflection, of "
+                "Values are peaks, sub-steps included. The share below each value is the share of \
+                 the rated deflection, of "
                 "the rated reaction or energy times its factor, or of the permissible hull pressure. The share of the rating in the "
-                "catalogue, without the factors of this run, stands in brackets where it differs."
+                "catalogue, without the factors of this run, stands in brackets if it differs."
             }
             li {
                 strong { "Deflection" }
-                ": the mean over the width for a fender with a curve, the deepest point for one by area"
+                ": the mean over the width for a fender with a curve, the deepest point for a \
+                 fender by area"
                 @if setups.iter().any(|fender| fender.panel.is_some()) {
-                    ", and that of the most compressed cone of a panel on several. Its shares of rated deflection, "
-                    "energy and reaction are those of that cone too"
+                    ", and the deflection of the most compressed cone for a panel on several \
+                     cones. The shares of rated deflection, "
+                    "energy and reaction are also those of this cone"
                 }
                 "."
             }
@@ -77,7 +81,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
             li {
                 strong { "Factor" }
                 ": the product of the factors of temperature, tolerance, speed and angle, on the reaction and, "
-                "below it, on the energy. In some families the angle has another factor on the energy."
+                "below, on the energy. In some families the angle has another factor on the energy."
             }
         }
     }
@@ -281,9 +285,9 @@ fn returned(fender: &FenderSetup) -> String {
     match &fender.unloading {
         None => String::new(),
         Some(Unloading::ReturnedEnergy(share)) => {
-            format!("It returns {} % of the absorbed energy.", plain(100.0 * share, 3))
+            format!("The rubber returns {} % of the absorbed energy.", plain(100.0 * share, 3))
         }
-        Some(Unloading::Curve(_)) => "It returns energy by its unloading curve.".to_owned(),
+        Some(Unloading::Curve(_)) => "The rubber returns energy by the unloading curve.".to_owned(),
     }
 }
 

@@ -10,7 +10,7 @@ pub(in crate::run_page) struct FenderTrace {
     pub(in crate::run_page) fender: usize,
     /// Mean reaction of each step (N).
     pub(in crate::run_page) reaction_n: Decimator,
-    /// What it is made of.
+    /// What the fender is made of.
     pub(in crate::run_page) parts: PartsTrace,
     /// Deflection (m) and reaction (N).
     pub(in crate::run_page) path: Path,

@@ -32,7 +32,7 @@ pub(super) use wind::both;
 use world::tug_marks;
 pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
-/// Pairs, fenders and bodies that are followed; the tables of the report know all the others.
+/// The largest number of pairs, fenders and bodies whose course is recorded for charts. The tables of the report contain all of them.
 pub(super) const FOLLOWED: usize = 128;
 
 /// The whole scene in the step of the largest force.

@@ -15,7 +15,7 @@ const FINEST: f64 = 1e-3;
 #[derive(Clone, Debug, Default)]
 pub(in crate::run_page) struct Path {
     points: Vec<Point>,
-    /// The last point that was given, kept or not.
+    /// The last given point, whether it is kept or not.
     last: Option<Point>,
     extent: (f64, f64),
     doublings: u32,
@@ -69,7 +69,7 @@ mod tests {
     fn a_loop_keeps_its_shape_and_a_body_at_rest_adds_no_points() {
         let mut path = Path::default();
         for k in 0..1_000_000 {
-            // Up the diagonal and back below it, then at rest.
+            // The path goes up the diagonal and back below the diagonal, then rests.
             let (x, y) = match f64::from(k) * 1e-3 {
                 up if up <= 100.0 => (up, up),
                 down if down <= 200.0 => (200.0 - down, 0.5 * (200.0 - down)),

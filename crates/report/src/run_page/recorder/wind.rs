@@ -8,11 +8,12 @@ use crate::plot::{fixed, plain};
 use crate::run_page::session::clock;
 use crate::run_page::vessels::compass;
 
-/// Changes that are told with their times; of more, the range is told.
+/// Up to this number of changes, the report gives each with its time; for more changes it gives the
+/// range.
 const TOLD: usize = 3;
-/// A shorter change is told as one at once (s).
+/// A shorter change is reported as a sudden change (s).
 const AT_ONCE_S: f64 = 1.5;
-/// Winds that differ by less are one wind (m/s, rad).
+/// Winds that differ by less count as the same wind (m/s, rad).
 const SAME: f64 = 1e-9;
 
 /// Speed without gusts (m/s), and direction from which it comes, clockwise from north (rad).
@@ -90,7 +91,7 @@ impl WindTrace {
         !self.changes.is_empty()
     }
 
-    /// The direction from which it came first (rad). A calm has none.
+    /// The direction from which the wind first came (rad). A calm has no direction.
     pub(in crate::run_page) fn first_from_rad(&self) -> f64 {
         if self.start.speed_mps > 0.0 { self.start.from_rad } else { self.now.from_rad }
     }

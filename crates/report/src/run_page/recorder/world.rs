@@ -7,7 +7,7 @@ use fenderline_sim::{Setup, StepRecord, VesselState};
 use super::docking::{Berth, DockingTrace};
 use crate::plot::Decimator;
 
-/// Vessels, tugs and lines that are followed, of each; the tables of the report know all the others.
+/// Largest number of vessels, of tugs and of lines with time series; the tables of the report contain all.
 const FOLLOWED: usize = 16;
 
 /// Time series of the world's parts, in the order of the set-up.
@@ -27,7 +27,8 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) along_mps: Decimator,
     pub(in crate::run_page) across_mps: Decimator,
     pub(in crate::run_page) heading_rad: Decimator,
-    /// Where her centre of gravity is, ahead and to starboard of its first place along her first heading (m).
+    /// Place of the centre of gravity, ahead and to starboard of its place at the start, by the heading at the start
+    /// (m).
     pub(in crate::run_page) place_m: [Decimator; 2],
     first: Option<Pose>,
     pub(in crate::run_page) turn_radps: Decimator,
@@ -47,7 +48,7 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) under_keel_m: Decimator,
     /// Surge, sway and yaw of passing ships (N, N, N·m); nothing without them.
     pub(in crate::run_page) passing: [Decimator; 3],
-    /// Distance of her ends to a row of fenders, if there is one.
+    /// Distance of the vessel's ends to a row of fenders, if there is one.
     pub(in crate::run_page) docking: Option<DockingTrace>,
 }
 
@@ -67,7 +68,7 @@ pub(in crate::run_page) struct TugTrace {
     pub(in crate::run_page) force_n: Decimator,
 }
 
-/// Tension of a chain, and what anchor and chain hold (N).
+/// Tension of a chain, and holding force of anchor and chain (N).
 #[derive(Default)]
 pub(in crate::run_page) struct AnchorTrace {
     pub(in crate::run_page) tension_n: Decimator,
@@ -79,9 +80,9 @@ pub(in crate::run_page) struct AnchorTrace {
 pub(in crate::run_page) struct TugMark {
     /// Index into the set-up's tugs.
     pub(in crate::run_page) tug: usize,
-    /// Where her force acts (m).
+    /// Point where the tug's force acts (m).
     pub(in crate::run_page) at_m: Vec2,
-    /// Her force on the ship, earth-fixed (N).
+    /// Force of the tug on the ship, earth-fixed (N).
     pub(in crate::run_page) force_n: Vec2,
     pub(in crate::run_page) on_line: bool,
 }
@@ -200,7 +201,7 @@ impl VesselTrace {
             let ordered_rad = libm::remainder(order.direction_rad, core::f64::consts::TAU);
             push(&mut trace.direction_rad, ordered_rad, unit.direction.angle_rad);
         }
-        // Attitude is that of the end of the step.
+        // Attitude belongs to the end of the step.
         let end_s = t_s + step_s;
         let [_, _, heave_m, roll_rad, pitch_rad, _] = now.wave_motion.motion;
         self.squat_m.push(t_s, now.squat_m);

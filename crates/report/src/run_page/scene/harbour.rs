@@ -7,16 +7,21 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
 use maud::{Markup, html};
 
-use super::{NAME_LENGTH, body_label, middle, outlined, styles};
+use super::bodies::{NAME_LENGTH, body_label, joined, middle, outlined, styles};
 use crate::plot::{
     Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
     chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::fenders::boxes;
-use crate::run_page::recorder::{TugMark, both};
+use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
 use crate::run_page::vessels::compass;
-use crate::run_page::{Recorder, WindTrace};
 use fenderline_results::Outcome;
+
+/// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run without contact.
+pub(super) fn lines_at_peak(outcome: &Outcome<'_>, recorder: &Recorder) -> Vec<LineDrawn> {
+    let states = recorder.peak.as_ref().map_or(outcome.states, |peak| peak.states.as_slice());
+    lines(outcome, states)
+}
 
 /// The lines that were made fast, with bodies in these states.
 fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
@@ -85,7 +90,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
     Harbour {
         chart: charted_in(&setup.world.chart.features, frame),
-        lines: Vec::new(),
+        lines: lines_at_peak(outcome, recorder),
         anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
@@ -232,7 +237,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         let outline = outlined(body, &states[index], stage, styles[index]);
         if moored.contains(&index) {
             let around = Frame::around(outline.vertices_m.iter().copied());
-            frame = super::joined(frame, around);
+            frame = joined(frame, around);
         }
         outlines.push(outline);
     }
@@ -280,7 +285,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             .chain(line_names)
             .chain(chart_labels(&setup.world.chart.features, frame))
             .collect(),
-        note: "At each line its peak tension as a share of its break load.".to_owned(),
+        note: "Each line is marked with its peak tension as a share of its break load.".to_owned(),
     }
     .render()
 }

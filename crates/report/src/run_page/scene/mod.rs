@@ -1,5 +1,6 @@
 //! Plan views of the report: the whole scene, and the contact at its peak force.
 
+mod bodies;
 mod harbour;
 
 use std::collections::BTreeSet;
@@ -9,11 +10,13 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::{Markup, html};
 
+use self::bodies::{NAME_LENGTH, body_label, joined, outlined, styles};
 use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
+use super::strongest::strongest;
 use crate::plot::{
-    Arrow, Frame, Harbour, Label, Outlined, Place, Plan, STYLES, Scaled, Stage, Track,
-    chart_labels, plain, shortened, significant,
+    Arrow, Frame, Harbour, Label, Place, Plan, STYLES, Scaled, Stage, Track, chart_labels, plain,
+    shortened, significant,
 };
 use fenderline_results::Outcome;
 
@@ -23,30 +26,11 @@ pub(super) use harbour::{moored, weather_texts};
 const DRAWN: usize = 300;
 /// Names written at most: more would cover the view.
 const NAMED: usize = 16;
-/// Longest name in a view (characters).
-const NAME_LENGTH: usize = 26;
 /// The title page shows the berth if the whole scene is larger by this factor; and the room around it, over its size.
 const FAR: f64 = 1.8;
 const BERTH_ROOM: f64 = 0.12;
 /// Fixed bodies are shown whole if that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
-
-fn outlined(body: &BodySetup, state: &BodyState, stage: Stage, style: usize) -> Outlined {
-    let pose = state.pose();
-    let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
-    Outlined { vertices_m, stage, style }
-}
-
-/// Colour numbers: floating bodies take them in the order of the scenario.
-fn styles(setup: &Setup) -> Vec<usize> {
-    let mut next = 0;
-    let styles = setup.bodies.iter().map(|body| {
-        let style = next;
-        next += usize::from(body.mass.is_some());
-        style
-    });
-    styles.collect()
-}
 
 /// The picture of the title page: the berth if the ships come from far away, otherwise the whole scene. Nothing if there are no
 /// bodies.
@@ -62,7 +46,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     scene(outcome, recorder, None)
 }
 
-/// Around floating bodies and fenders at the largest force; `None` where the whole scene is not much larger.
+/// Around floating bodies and fenders at the largest force; `None` if the whole scene is not much larger.
 fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
     let peak = recorder.peak.as_ref()?;
     let setup = outcome.setup;
@@ -132,6 +116,10 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let frame = harbour::passing(outcome).iter().fold(frame, |frame, ship| {
         Frame::around(ship.outline_m.iter().copied()).map_or(frame, |ship| frame.with(ship))
     });
+    // Both ends of the mooring lines.
+    let frame = harbour::lines_at_peak(outcome, recorder).iter().fold(frame, |frame, line| {
+        Frame::around(line.ends_m).map_or(frame, |ends| frame.with(ends))
+    });
     // Anchors on the bottom at the end of the run.
     let frame = harbour::anchors(outcome).fold(frame, |frame, (chain_m, _)| {
         Frame::around(chain_m).map_or(frame, |chain| frame.with(chain))
@@ -139,7 +127,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else if berth.is_some() {
-        "The whole scene is among the plan views.".to_owned()
+        "One of the plan views shows the whole scene.".to_owned()
     } else {
         String::new()
     };
@@ -172,7 +160,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
 fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
     let peak = recorder.peak.iter().map(|peak| &peak.contact);
     let peak = peak.flat_map(|contact| [contact.body_1.0 as usize, contact.body_2.0 as usize]);
-    let strongest = super::strongest(recorder).into_iter().flat_map(|pair| pair.bodies);
+    let strongest = strongest(recorder).into_iter().flat_map(|pair| pair.bodies);
     let mut seen = BTreeSet::new();
     peak.chain(strongest)
         .chain(0..setup.bodies.len())
@@ -209,33 +197,6 @@ fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     Some(Frame { low: floating.low - room, high: floating.high + room })
 }
 
-fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(a.with(b)),
-        (a, b) => a.or(b),
-    }
-}
-
-/// The name of a body, on it.
-fn body_label(body: &BodySetup, state: &BodyState) -> Label {
-    let (low, high) = body.outline.bounds();
-    let half = (high - low) * 0.5;
-    let half_length = if half.x >= half.y { vec2(half.x, 0.0) } else { vec2(0.0, half.y) };
-    Label {
-        text: shortened(&body.name, NAME_LENGTH),
-        place: Place::On {
-            middle_m: middle(body, state),
-            half_length_m: state.pose().rotation.apply(half_length),
-        },
-    }
-}
-
-/// The middle of a body's outline, earth-fixed (m).
-fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
-    let (low, high) = body.outline.bounds();
-    state.pose().apply((low + high) * 0.5)
-}
-
 /// Points on a body for its name, off a contact at `centre`: along `off_m`, then to both sides of it.
 fn points_on(body: &BodySetup, state: &BodyState, centre: Vec2, off_m: Vec2) -> Vec<Vec2> {
     let across_m = off_m.quarter_turn();
@@ -266,7 +227,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let bodies = pair.bodies.map(|i| &setup.bodies[i]);
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
     let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
-    // Colours repeat after a few bodies; those of this pair must differ.
+    // Colours repeat after a few bodies; the colours of this pair must differ.
     let pair_styles =
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =
@@ -315,8 +276,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
-             The tables have the peaks within steps.",
+            "N is the force on {}{}: a mean over the time step. The {} is the value at the start \
+             of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.
             by.filter(|name| *name != bodies[1].name)

@@ -42,8 +42,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.anchors.len()))
         p class="note" {
-            "Tension of the chain at the hawse pipe. Holding power: the holding factor times the anchor's weight, less where the "
-            "chain lifts the shank, and friction of the chain on the bottom. " strong { "No anchor was compared with a test." }
+            "Tension of the chain at the hawse pipe. Holding power: the holding factor times the anchor's weight, which is less if the "
+            "chain lifts the shank, plus friction of the chain on the bottom. " strong { "No anchor was compared with a test." }
         }
     }
 }

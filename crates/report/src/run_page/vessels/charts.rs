@@ -6,8 +6,8 @@ use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
 use crate::plot::{Axis, Decimator, Reference, STYLES, Series, plain};
-use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
+use crate::run_page::recorder::Recorder;
 use crate::run_page::recorder::{DockingTrace, VesselTrace};
 
 /// Vessels with charts of their own.
@@ -113,8 +113,8 @@ pub(super) fn motions(page: &Charts<'_>, recorder: &Recorder) -> Markup {
             @let chart = |title: &str, axis: Axis, of: &Decimator, factor: f64| {
                 page.chart(&format!("{title}, {name}"), axis, vec![line("", of, factor)]).render()
             };
-            (chart("Surge, ahead of her first place", Axis::new("surge", "m").including(0.0), ahead, 1.0))
-            (chart("Sway, to starboard of her first place", Axis::new("sway", "m").including(0.0), starboard, 1.0))
+            (chart("Surge, ahead of the place at the start", Axis::new("surge", "m").including(0.0), ahead, 1.0))
+            (chart("Sway, to starboard of the place at the start", Axis::new("sway", "m").including(0.0), starboard, 1.0))
             (attitude(page, name, trace))
             (chart("Yaw, her heading", Axis::new("heading", "deg"), &trace.heading_rad, degrees))
         }
@@ -172,7 +172,8 @@ fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     let mut distance = page.chart(&title, distance, two(&docking.distance_m, 1.0));
     distance.note =
         "Nearest points of the forward and the after third of the hull to the line through the \
-                     fenders' faces. Below 0 the hull compresses them, or is on the other side."
+                     fenders' faces. Below 0 the hull compresses the fenders, or is on the other \
+                     side."
             .to_owned();
     let speed = Axis::new("speed", "cm/s").including(0.0);
     let title = format!("Speed towards the fenders, {name}");
@@ -270,7 +271,10 @@ pub(super) fn anchors(page: &Charts<'_>, recorder: &Recorder) -> Markup {
         Axis::new("tension", &unit).including(0.0),
         series,
     );
-    chart.note = "Tension at the hawse pipe; what anchor and chain hold is a horizontal force at the bottom.".to_owned();
+    chart.note =
+        "Tension at the hawse pipe; the holding force of anchor and chain is a horizontal \
+        force at the bottom."
+            .to_owned();
     chart.render()
 }
 

@@ -12,7 +12,7 @@ use fenderline_results::{LineVerdict, Who};
 /// Most events listed.
 const EVENTS: usize = 12;
 
-/// The lines in a sentence; nothing where there are none.
+/// The lines in a sentence; nothing if there are none.
 pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     let world = outcome.world;
     let share = world.lines.iter().filter_map(|line| line.share_of_break_load());

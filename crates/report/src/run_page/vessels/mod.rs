@@ -13,8 +13,8 @@ use std::fmt::Write;
 use fenderline_sim::Setup;
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::charts::Charts;
+use super::recorder::Recorder;
 use fenderline_results::Outcome;
 
 pub(super) use headline::{headline, remarks};
@@ -24,7 +24,7 @@ pub use orders::{addressee, order_text};
 /// Names of vessels in a sentence, at most.
 const NAMED: usize = 8;
 
-/// What of the vessels' data has to be checked: estimates, and what was recalled.
+/// Data of the vessels that must be checked: estimated and recalled data.
 pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
     let vessels = outcome.setup.world.vessels.iter();
     let mut all = Vec::new();
@@ -39,7 +39,7 @@ pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
     all
 }
 
-/// Which vessels move in six degrees of freedom, and what those without hydrodynamic data do.
+/// Which vessels move in six degrees of freedom, and how vessels without hydrodynamic data move.
 pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     let names = |has_data: bool| -> Vec<&str> {
         let vessels = setup.world.vessels.iter();
@@ -58,8 +58,9 @@ pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     if !without.is_empty() {
         let _ = write!(
             text,
-            "Without hydrodynamic data ({}): heave, roll and pitch are oscillators beside the motion in the plane; they do not move \
-             fairleads or contact points, and waves push by their mean drift alone.",
+            "Without hydrodynamic data ({}): heave, roll and pitch are oscillators that do not act \
+             on the motion in the plane; they do not move fairleads or contact points, and waves \
+             push only by their mean drift.",
             without.join(", ")
         );
     }

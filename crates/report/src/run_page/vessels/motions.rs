@@ -23,8 +23,10 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             } @else {
                 p {
                     span class="verdict over_rated" { "NO HYDRODYNAMIC DATA" } " "
-                    "Heave, roll and pitch of " (setup.bodies[vessel.body].name) " are oscillators beside the motion in the plane. "
-                    "Waves push her in surge, sway and yaw by their mean drift alone: these motions are not those of a moored ship in waves."
+                    "Heave, roll and pitch of " (setup.bodies[vessel.body].name) " are oscillators \
+                        that do not act on the motion in the plane. "
+                    "In surge, sway and yaw, waves push only by their mean drift: these motions \
+                     are not the motions of a moored ship in waves."
                 }
             }
         }
@@ -36,7 +38,7 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// What her hydrodynamic data have, and what they lack.
+/// Contents of a vessel's hydrodynamic data, and what they lack.
 fn data(name: &str, ship: &Seakeeping) -> Markup {
     html! {
         p class="note" {
@@ -48,11 +50,13 @@ fn data(name: &str, ship: &Seakeeping) -> Markup {
             }
             "). "
             @if ship.data.has_drift() {
-                "Slow drift is by Newman's approximation of their mean drift. "
+                "Slow drift is computed from the mean drift of the data by Newman's approximation. \
+                 "
             } @else {
-                "They have no mean drift: it is estimated. "
+                "The data have no mean drift: it is estimated. "
             }
-            "Waves that a quay reflects are in them only if the quay was part of the panel run. Viscous damping of roll is "
+            "The data include waves that a quay reflects only if the quay was part of the panel \
+             run. Viscous damping of roll is "
             (plain(100.0 * ship.roll_damping, 3)) " % of the critical one."
         }
     }
@@ -122,7 +126,7 @@ fn limits(outcome: &Outcome<'_>) -> Markup {
                     }
                 }
             }
-            p class="note" { "The limits are the scenario's own." }
+            p class="note" { "The limits come from the scenario." }
         }
     }
 }
@@ -163,7 +167,8 @@ pub(super) fn cycles(outcome: &Outcome<'_>) -> Markup {
             }
             p class="note" {
                 "Cycles by the range of the tension over the break load, by rainflow counting, from " (plain(statistics.from_s(), 6))
-                " s on; what is open at the end counts as half cycles. Fatigue laws of ropes are the reader's."
+                " s on; cycles that are open at the end count as half cycles. The report does not \
+                 contain a fatigue law of ropes."
             }
         }
     }

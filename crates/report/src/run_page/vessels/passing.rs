@@ -9,7 +9,7 @@ use crate::plot::{fixed, plain, significant};
 use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 
-/// What passed, how near and how fast, and what the vessels felt.
+/// The passing ships, their distances and speeds, and the forces on the vessels.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     let flow = &setup.world.flow;
@@ -72,7 +72,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
         }
         p class="note" {
             "Forces by the flow of slender ships (Wang 1975), about midship: surge positive forward, sway and yaw to starboard. "
-            "Sway of a ship that passes abreast is towards her. The flow has no waves and no lift."
+            "When a ship passes abreast, the sway force is towards the passing ship. The flow has \
+             no waves and no lift."
             @if flow.passing.iter().any(|ship| ship.depth == DepthFactors::Kriebel) {
                 " Factors for the depth (Kriebel 2005) are " strong { "recalled" } " and compared with one worked case."
             }

@@ -98,7 +98,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
             p {
                 span class="verdict over_rated" { "ESTIMATED" } " "
                 "Missing data of " (name) " are estimated by formulas that are not validated for this "
-                "ship. Do not use them as her own manoeuvring data."
+                "ship. Do not use them as manoeuvring data of this ship."
             }
             (estimates(origin))
             @let accuracy = accuracy(origin, outcome.estimate_errors);
@@ -116,7 +116,8 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
             p class="note" {
                 (name) ": hull force in a current by the scenario's table: " (table.source()) ". It acts alone up to "
                 (fixed(alone_mps / KNOT_MPS, 1)) " kn through the water, and hands over to the manoeuvring model until "
-                (fixed(gone_mps / KNOT_MPS, 1)) " kn. What her rate of turn adds is that of the model."
+                (fixed(gone_mps / KNOT_MPS, 1)) " kn. The effect of the rate of turn comes from \
+                    the model."
             }
         }
         @if environment.sea.is_some() {
@@ -166,22 +167,23 @@ fn banks(environment: &Environment) -> Markup {
         @if has(BankMethod::Norrbin) {
             p {
                 span class="verdict over_rated" { "UNVALIDATED" } " "
-                "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
-                "of them could be read, and no data were found to validate them."
+                "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: we could read no source "
+                "of them, and found no data to validate them."
             }
         }
         @if has(BankMethod::Image) {
             p {
                 span class="verdict over_rated" { "UNVALIDATED" } " "
-                "The suction of banks on vessels is that of the vessel's image behind the bank, for slender ships in potential flow "
+                "The suction of banks on vessels is computed from the vessel's image behind the \
+                 bank, for slender ships in potential flow "
                 "without waves and lift. It was compared with panels in the same flow, which give up to 2.7 times as much, and not with "
-                "measurements. The moment that turns the bow away is not in it."
+                "measurements. The moment that turns the bow away is left out."
             }
         }
     }
 }
 
-/// Every estimated quantity with its formula and how well that is known.
+/// Every estimated quantity with its formula and the standing of the formula.
 fn estimates(origin: &Origin) -> Markup {
     html! {
         div class="wide" {
@@ -271,9 +273,9 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.tugs.len()))
         p class="note" {
-            "Tugs are forces at the ship's side, not hulls. What a tug gives at speed is "
-            strong { "derived" } " from her bollard pull and drag; no published envelope was found. "
-            "Force limited: time in which her speed and angle allowed less than the ordered force."
+            "Tugs are forces at the ship's side, not hulls. The force of a tug at speed is "
+            strong { "derived" } " from bollard pull and drag; we found no published envelope. "
+            "Force limited: time in which speed and angle allowed less than the ordered force."
         }
     }
 }
@@ -319,7 +321,8 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.lines.len()))
         p class="note" {
-            "Tension at the ship's end; break load is the least of rope and tail. Working load: 55 % of "
+            "Tension at the ship's end; break load is the lesser of rope and tail. Working load: \
+             55 % of "
             "the rope's break load for wire, 50 % for others (MEG4, from public summaries), unless the scenario gives it."
         }
     }

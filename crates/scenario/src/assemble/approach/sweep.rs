@@ -1,8 +1,8 @@
-//! A hull that moves on a straight way: what it meets, and after how far.
+//! A hull that moves straight: what the hull meets, and after which distance.
 
 use fenderline_contact::{Pose, Vec2};
 
-/// The face of a fender and the line where it is mounted.
+/// The face of a fender and the line where the fender is mounted.
 pub(super) struct Face {
     pub(super) ends_m: [Vec2; 2],
     pub(super) mounting_m: [Vec2; 2],

@@ -1,17 +1,17 @@
-//! The angles of a table: which side they are over, whether they cover it, gaps, and second rows.
+//! The angles of a table: which side they cover, whether they cover it completely, gaps, and repeated rows.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::environment::Sides;
 
-use super::super::Checked;
-use super::Row;
+use super::row::Row;
+use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 
-/// How near two angles are one (deg), and how near an end is 0 or 180.
+/// Angles nearer than this count as equal (deg), and an end nearer than this to 0 or 180 counts as 0 or 180.
 const SAME_DEG: f64 = 0.01;
-/// The widest gap that is joined by a straight line (deg).
+/// The widest gap that is interpolated (deg).
 const WIDEST_DEG: f64 = 60.0;
-/// A gap is told from the other steps if it is this many times as wide as the middle one of them.
+/// A step counts as a gap if it is this many times as wide as the median step.
 const GAP: f64 = 1.6;
 
 /// The rows of a table at one depth and one draught.
@@ -20,9 +20,9 @@ pub(super) struct Angles {
     pub(super) sides: Sides,
     /// Angles (deg), rising.
     pub(super) degrees: Vec<f64>,
-    /// The row of each angle, with its values over port where the table has one side.
+    /// The row of each angle; if the table has one side, with the mirrored rows of the other side.
     pub(super) rows: Vec<Row>,
-    /// Rows before a gap, and what to say of it.
+    /// Rows before a gap, and the notice about the gap.
     pub(super) gaps: Vec<(usize, String)>,
 }
 
@@ -33,7 +33,7 @@ impl Angles {
     }
 }
 
-/// Puts rows in order. Rows over one side alone are turned over to port.
+/// Puts rows in order. Rows of only one side are mirrored to port.
 ///
 /// # Errors
 /// Two rows with different values at one angle, angles that do not cover a side or the whole turn, a gap that is too wide.
@@ -74,7 +74,7 @@ pub(super) fn angles(
     for row in rows {
         match kept.last() {
             Some(last) if row.angle_deg - last.angle_deg < SAME_DEG => {
-                // The row of 360 degrees beside that of 0, with the same values, closes a table and adds nothing.
+                // A row of 360 degrees with the same values as the row of 0 degrees closes a table and adds nothing.
                 if (0..3).any(|k| !is_near(row.value[k], last.value[k])) {
                     return Err(second(csv, column, (last, &row), at));
                 }
@@ -152,14 +152,16 @@ fn covered(
                 "the angles do not cover the turn{at}: there is no row between {from} and {to}, {width} degrees apart"
             );
             let error = csv.cell_error(one.row, column, message);
-            return Err(error
-                .with_help(format!("at most {WIDEST_DEG} degrees are joined by a straight line")));
+            return Err(
+                error.with_help(format!("gaps of at most {WIDEST_DEG} degrees are interpolated"))
+            );
         }
         if width > GAP * middle {
             gaps.push((
                 one.row,
                 format!(
-                    "a gap of {width} degrees{at}: between the rows of {from} and {to} the forces follow a straight line"
+                    "a gap of {width} degrees{at}: between the rows of {from} and {to} the forces \
+                     are interpolated"
                 ),
             ));
         }

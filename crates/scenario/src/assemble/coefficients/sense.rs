@@ -3,20 +3,20 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::environment::Sides;
 
-use super::super::Checked;
 use super::angles::Angles;
-use super::{Flow, Row};
+use super::row::{Flow, Row};
+use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::keys::coefficients::Convention;
 
-/// What a side force or moment may be in a flow from straight ahead or astern, over its maximum.
+/// Largest permitted side force or moment in a flow from straight ahead or astern, over the maximum of the table.
 const AT_THE_ENDS: f64 = 0.05;
-/// A difference of the two sides that is told, over the maximum.
+/// A larger difference between the two sides gets a notice; over the maximum.
 const ASYMMETRY: f64 = 0.3;
-/// A moment that is told where it is against what ships show, over the maximum.
+/// A larger moment of unusual sign gets a notice; over the maximum.
 const AGAINST: f64 = 0.1;
 
-/// Checks the signs of the rows at one depth and draught. Returns what is odd, each with its row.
+/// Checks the signs of the rows at one depth and draught. Returns the notices, each with its row.
 ///
 /// # Errors
 /// A force against the flow at 0, 90, 180 or −90 degrees; a mirrored table with a side force or moment straight ahead or astern.
@@ -35,7 +35,7 @@ pub(super) fn check(
     };
     let given =
         |row: &Row| fenderline_keys::printable::printable_number(csv.plain(row.row, column));
-    // Our axes: from ahead it pushes aft, from port to starboard.
+    // In our axes a flow from ahead pushes aft, and a flow from port pushes to starboard.
     for (degrees, part, pushes, from) in [
         (0.0, 0, -1.0, "ahead"),
         (180.0, 0, 1.0, "astern"),
@@ -56,7 +56,7 @@ pub(super) fn check(
         );
         let error = csv.cell_error(row.row, column, message);
         return Err(error.with_help(format!(
-            "the table has another convention: with `convention = \"own\"` say it by {keys}"
+            "the table has another convention: describe it with `convention = \"own\"` by {keys}"
         )));
     }
     let mut odd = Vec::new();
@@ -79,7 +79,8 @@ pub(super) fn check(
                     odd.push((
                         row.row,
                         format!(
-                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, as the other side is its mirror image",
+                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, \
+                             because the other side is the mirror image",
                             given(row),
                             100.0 * share
                         ),
@@ -121,14 +122,15 @@ fn asymmetry(
     Some((
         row.row,
         format!(
-            "at {}{at} the {name} differs from that of the other side by {:.0} % of its largest: is a sign wrong on one side?",
+            "at {}{at} the {name} differs from the other side by {:.0} % of its largest value: is \
+             a sign wrong on one side?",
             given(row),
             100.0 * share
         ),
     ))
 }
 
-/// A moment against what ships show: a current on the bow turns a hull broadside to it.
+/// Notes a moment of unusual sign: a current on the bow turns a hull broadside to the current.
 fn moment(
     angles: &Angles,
     (flow, convention): (Flow, &Convention),
@@ -150,7 +152,8 @@ fn moment(
         (
             row.row,
             format!(
-                "the moment at {}{at} turns the bow into the current, which hulls seldom do: is it positive with the bow to {words}?",
+                "the moment at {}{at} turns the bow into the current, which is rare for hulls: is \
+                 the moment positive with the bow to {words}?",
                 given(row)
             ),
         )

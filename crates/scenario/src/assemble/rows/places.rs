@@ -2,9 +2,9 @@
 
 use fenderline_contact::{Outline, Rotation, Vec2, vec2};
 
-use super::{one_of_two, rounded, shown};
+use super::written::{one_of_two, rounded, shown};
+use crate::assemble::assembly::{Assembly, Checked};
 use crate::assemble::edge::{Edge, edges_with};
-use crate::assemble::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::fender_row::MOST_IN_ROW;
 
@@ -17,7 +17,7 @@ pub(super) struct Line {
     pub(super) number: usize,
     /// The edge of the outline along which the row runs.
     pub(super) edge: Option<Edge>,
-    /// It stands in the middle of its wall, not from a first fender on.
+    /// The row of fenders stands in the middle of its wall, not from a first fender on.
     is_in_the_middle: bool,
 }
 
@@ -60,7 +60,8 @@ fn is_along(edge: &Edge, direction: Vec2) -> bool {
     edge.along.cross(direction).abs() < 1e-6
 }
 
-/// The direction or its opposite: the one that runs forward, or to starboard where it runs straight across.
+/// The given direction or its opposite: of the two, the direction that runs forward; if both run
+/// straight across, the direction to starboard.
 fn forward(direction: Vec2) -> Vec2 {
     let is_across = direction.x.abs() < 1e-9;
     let is_back = if is_across { direction.y < 0.0 } else { direction.x < 0.0 };
@@ -126,8 +127,8 @@ impl Assembly<'_, '_> {
                 let gaps = libm::round(length_m / spacing_m);
                 if (gaps * spacing_m - length_m).abs() > 0.01 || gaps + 1.0 > MOST_IN_ROW as f64 {
                     let message = format!(
-                        "`{path}`: the row is {} m long, which is not a multiple of the spacing of {} m, or has more \
-                         than {MOST_IN_ROW} fenders",
+                        "`{path}`: the row is {} m long, which is not a multiple of the spacing of \
+                         {} m, or would have more than {MOST_IN_ROW} fenders",
                         rounded(length_m),
                         rounded(spacing_m)
                     );
@@ -200,7 +201,7 @@ impl Assembly<'_, '_> {
                 shown(to_m)
             );
             let error = self.sources.error(&wall.span, &path, message);
-            return Err(error.with_help("give two corners of the body, in its own axes"));
+            return Err(error.with_help("give two corners of the body, in the axes of the body"));
         };
         let along = (to_m - from_m) * (1.0 / length_m);
         let spacing_m = *row.given("spacing").number();
@@ -223,7 +224,7 @@ impl Assembly<'_, '_> {
     fn whole_number(&self, row: &Table, item: &Item) -> Checked<usize> {
         let number = *item.number();
         if libm::trunc(number) == number {
-            // The key table bounds it.
+            // The key table bounds the number.
             return Ok(number as usize);
         }
         let path = row.path_of(item.name);

@@ -1,4 +1,4 @@
-//! Keys of the outline and of what is on deck: chocks, bitts and belting.
+//! Keys of the outline and of the deck gear: chocks, bitts and belting.
 
 use crate::vessels::shape::OutlineOrigin;
 use fenderline_keys::choices::{Choice, Choices};
@@ -21,7 +21,8 @@ pub(super) static OUTLINE: TableSpec = TableSpec {
             "points",
             Kind::Outline(PLACE),
             Refused,
-            "Vertices, forward and to starboard, in either direction round; need not be convex.",
+            "Vertices, forward and to starboard, in either direction round the hull. The outline \
+             need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
     ],
@@ -48,14 +49,14 @@ static ORIGINS: Choices<OutlineOrigin> = Choices(&[
 
 pub(super) static DECK_POINT: TableSpec = TableSpec {
     what: "a point on deck",
-    doc: "Where a line meets the vessel.",
+    doc: "A place where a line meets the vessel.",
     keys: &[
         key("at", Kind::Point(PLACE), Refused, "Forward and starboard of midship.", &["[140, 5]"]),
         key(
             "height",
             Kind::Quantity(PLACE),
             Refused,
-            "Above the still water at her draught.",
+            "Height above the still water at the vessel's draught.",
             &["\"12 m\""],
         ),
     ],
@@ -64,7 +65,7 @@ pub(super) static DECK_POINT: TableSpec = TableSpec {
 
 pub(super) static BELTING: TableSpec = TableSpec {
     what: "a belting",
-    doc: "A straight strip along her side or her bow, facing away from midship.",
+    doc: "A straight strip along the side or the bow, facing away from midship.",
     keys: &[
         key(
             "from",
@@ -84,10 +85,16 @@ pub(super) static BELTING: TableSpec = TableSpec {
             "height",
             Kind::Quantity(PLACE),
             Refused,
-            "Its middle above the still water at her draught.",
+            "Height of the strip's middle above the still water at the vessel's draught.",
             &["\"2 m\""],
         ),
-        key("extent", Kind::Quantity(LENGTH), Refused, "Its extent up and down.", &["\"1.5 m\""]),
+        key(
+            "extent",
+            Kind::Quantity(LENGTH),
+            Refused,
+            "Vertical extent of the strip.",
+            &["\"1.5 m\""],
+        ),
     ],
     rules: None,
 };

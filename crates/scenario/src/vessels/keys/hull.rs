@@ -2,8 +2,8 @@
 
 use serde_json::json;
 
-use super::{COEFFICIENT, POSITIVE, coefficients};
-use fenderline_keys::spec::Absent::{Refused, Unless};
+use super::shared::{COEFFICIENT, POSITIVE, coefficients};
+use fenderline_keys::spec::Absent::Unless;
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
 

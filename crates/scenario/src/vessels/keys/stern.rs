@@ -3,7 +3,7 @@
 use fenderline_sim::hydro::Series;
 use serde_json::json;
 
-use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
+use super::shared::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::keys::quantities::LENGTH;
 use fenderline_keys::spec::Absent::{Means, Refused, Unless};
@@ -18,7 +18,10 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
         key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
-            Means("by Froude's law from the vessel of `coefficients_of`; needed without it"),
+            Means(
+                "by Froude's law from the vessel of `coefficients_of`; required without \
+                `coefficients_of`",
+            ),
             "Full revolutions.",
             &["\"95 rpm\""],
         ),
@@ -40,7 +43,7 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
             "series",
             Kind::Choice(&SERIES),
             Means("B4-70 of pitch ratio 0.8; reports name it as an estimate"),
-            "The series propeller for what `thrust` does not cover, and for torque.",
+            "The series propeller for quadrants that `thrust` does not cover, and for torque.",
             &["\"B4-70 pitch 1.0\""],
         ),
         key(
@@ -54,7 +57,7 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
             "thrust_deduction_astern",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.99 }),
             Means(ESTIMATED),
-            "t_P, of thrust astern.",
+            "t_P, thrust deduction of thrust astern.",
             &["0.3"],
         ),
         key(
@@ -67,7 +70,7 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
         key(
             "wake_change",
             Kind::Table(&WAKE_CHANGE),
-            Means("estimated if `wake` is estimated, otherwise none; reports name it"),
+            Means("estimated if `wake` is estimated, otherwise none; reports name an estimate"),
             "How the wake changes in a turn.",
             &[],
         ),
@@ -170,7 +173,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "race_gain",
             Kind::Quantity(POSITIVE),
             Means(ESTIMATED),
-            "κ: share of the race's speed gain that reaches the rudder.",
+            "κ: share of the speed gain in the propeller race that reaches the rudder.",
             &["0.5"],
         ),
         key(
@@ -198,14 +201,14 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "hull_gain",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.99, high: 9.9 }),
             Means(ESTIMATED),
-            "a_H: lateral force that steering induces on the hull, over the rudder's own.",
+            "a_H: lateral force that steering induces on the hull, over the rudder force.",
             &["0.312"],
         ),
         key(
             "hull_place",
             Kind::Quantity(COEFFICIENT),
             Means(ESTIMATED),
-            "x'_H: place of that force over the length.",
+            "x'_H: place of the lateral force on the hull over the length.",
             &["-0.464"],
         ),
         key(
@@ -219,7 +222,8 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
             Means(
-                "by Froude's law from the vessel of `coefficients_of`; without it 2.32 deg/s, assumed",
+                "by Froude's law from the vessel of `coefficients_of`; without `coefficients_of` \
+                 2.32 deg/s, assumed",
             ),
             "Rate of the steering gear.",
             &["\"2.5 deg/s\""],
@@ -228,7 +232,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
             Means("35 deg, assumed"),
-            "Its stop to either side.",
+            "Largest rudder angle to either side.",
             &["\"35 deg\""],
         ),
     ],

@@ -5,7 +5,7 @@ use fenderline_sim::hydro::{
     SternCoefficients, SwayPolynomial,
 };
 
-use super::Reading;
+use super::reading::Reading;
 use crate::vessels::data::{AddedMassForm, Coefficients, VesselData};
 use crate::vessels::figures::digits;
 use fenderline_keys::checked::{Item, Table};

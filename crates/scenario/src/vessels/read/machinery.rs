@@ -7,7 +7,8 @@ use fenderline_sim::hydro::vessels::Figure;
 use fenderline_sim::hydro::{Particulars, SternCoefficients, SternGear, TunnelThruster};
 use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 
-use super::{Reading, figure};
+use super::figure;
+use super::reading::Reading;
 use crate::assemble;
 use crate::vessels::data::{Shaft, VesselData};
 use crate::vessels::figures::digits;
@@ -19,13 +20,13 @@ type Read<T> = Result<T, ScenarioError>;
 /// Acceleration of gravity (m/s²) in the Froude numbers of vessel files, rounded as in published trials.
 const FROUDE_GRAVITY_MPS2: f64 = 9.81;
 
-/// Rate of a steering gear where the file gives none (rad/s): 2.32 °/s, which is IMO's 65° in 28 s.
+/// Rate of a steering gear unless the file gives a rate (rad/s): 2.32 °/s, which is IMO's 65° in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
 
-/// Largest rudder angle where the file gives none (rad): 35°.
+/// Largest rudder angle unless the file gives an angle (rad): 35°.
 const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
 
-/// Time from full ahead to full astern where the file gives none (s).
+/// Time from full ahead to full astern unless the file gives a time (s).
 const USUAL_REVERSAL_S: f64 = 40.0;
 
 impl Reading<'_, '_> {

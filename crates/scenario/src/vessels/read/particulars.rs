@@ -4,7 +4,8 @@ use fenderline_sim::constants::SEA_WATER_KGPM3;
 use fenderline_sim::hydro::vessels::Figure;
 use fenderline_sim::hydro::{HydroError, Particulars};
 
-use super::{Reading, figure};
+use super::figure;
+use super::reading::Reading;
 use crate::vessels::figures::digits;
 use fenderline_keys::error::ScenarioError;
 

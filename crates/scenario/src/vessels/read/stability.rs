@@ -5,7 +5,7 @@ use fenderline_sim::constants::SEA_WATER_KGPM3;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Source;
 
-use super::Reading;
+use super::reading::Reading;
 use crate::vessels::data::Stability;
 use crate::vessels::figures::digits;
 use fenderline_keys::error::ScenarioError;
@@ -30,7 +30,8 @@ impl Reading<'_, '_> {
         let above_keel_m = stability.gm_m + stability.gravity_above_keel_m;
         if above_keel_m > most_m {
             let message = format!(
-                "the metacentre would be {} m above the keel, but a hull of this size has it at most {} m above",
+                "the metacentre would be {} m above the keel, but in a hull of this size it is at \
+                 most {} m above the keel",
                 digits(above_keel_m),
                 digits((10.0 * most_m).round() / 10.0)
             );

@@ -6,29 +6,29 @@ use super::check_velocity;
 use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, is_off, place};
 
-/// Velocities at the nodes of a grid, at one or more times. Interpolation is bilinear in space and linear in time; outside
-/// the grid and its times the value at the edge is used.
+/// Velocities at the nodes of a grid, at one or more times. Interpolation is bilinear in space and linear in time.
+/// Outside the grid and its times, the value at the edge is used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentGrid {
     times_s: Vec<f64>,
     north_m: Vec<f64>,
     east_m: Vec<f64>,
-    /// The index of east varies fastest, then north, then time.
+    /// Velocities at the nodes: the index of east varies fastest, then north, then time.
     velocities_mps: Vec<Vec2>,
 }
 
 impl CurrentGrid {
-    /// The velocity of the largest size (m/s).
+    /// The velocity with the largest magnitude (m/s).
     pub(super) fn fastest(&self) -> Vec2 {
         let all = self.velocities_mps.iter().copied();
         all.fold(Vec2::ZERO, |most, one| if one.length() > most.length() { one } else { most })
     }
 
-    /// A grid from its three axes and the velocities, with the index of east varying fastest, then north, then time.
+    /// A grid from three axes and the velocities. The index of east varies fastest, then north, then time.
     ///
     /// # Errors
-    /// An axis that is empty or does not increase, a number of velocities other than the product of the lengths of the axes,
-    /// or a current above 15 m/s.
+    /// An axis that is empty or does not increase, a number of velocities other than the product of the lengths of the
+    /// three axes, or a current above 15 m/s.
     pub fn new(
         times_s: Vec<f64>,
         north_m: Vec<f64>,
@@ -61,8 +61,8 @@ impl CurrentGrid {
         mix(on_plane(time.low), on_plane(time.high), time.share)
     }
 
-    /// Whether a position or a time (s) is off the grid, so that [`CurrentGrid::at`] holds the velocity at its edge. A grid with one time, one
-    /// northing or one easting is the same at all of them.
+    /// Whether a position or a time (s) is off the grid, so that [`CurrentGrid::at`] returns the velocity at the edge.
+    /// A grid with a single time, northing or easting counts as constant along that axis.
     #[must_use]
     pub fn is_held(&self, position_m: Vec2, t_s: f64) -> bool {
         is_off(self.times_s.len(), |i| self.times_s[i], t_s)

@@ -16,7 +16,7 @@ pub use profile::CurrentProfile;
 /// A current.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Current {
-    /// Uniform and steady (m/s).
+    /// Uniform and steady, with this velocity (m/s).
     Uniform(Vec2),
     /// Uniform in the horizontal, varying with depth.
     Layered(CurrentProfile),
@@ -29,7 +29,7 @@ impl Current {
     /// (Saltstraumen; recalled).
     pub const FASTEST_MPS: f64 = 15.0;
 
-    /// The fastest velocity in it at the surface, over all places and times, north and east (m/s).
+    /// The fastest velocity of this current at the surface, over all places and times, north and east (m/s).
     #[must_use]
     pub fn fastest(&self) -> Vec2 {
         match self {
@@ -47,8 +47,8 @@ impl Current {
         Ok(Current::Uniform(velocity_mps))
     }
 
-    /// Velocity of the current on a hull of a given draught, at a position and a time (m/s). A current by depth is averaged
-    /// over the draught.
+    /// Velocity of the current on a hull of a given draught, at a position and a time (m/s). A current that varies with
+    /// depth is averaged over the draught.
     #[must_use]
     pub fn velocity(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         match self {

@@ -7,7 +7,7 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Velocity by depth: linear between points, constant above the first and below the last.
+/// Velocity by depth: linear between points, constant above the first point and below the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentProfile {
     /// Depth below the surface (m) and velocity (m/s), by increasing depth.
@@ -15,7 +15,7 @@ pub struct CurrentProfile {
 }
 
 impl CurrentProfile {
-    /// From points (depth (m), velocity north and east (m/s)).
+    /// A profile from points: depth (m), velocity north and east (m/s).
     ///
     /// # Errors
     /// No point, a negative depth, depths that do not increase, or a current above 15 m/s.
@@ -36,8 +36,8 @@ impl CurrentProfile {
         low + (high - low) * at.share
     }
 
-    /// Mean velocity from the surface to a draught (m/s), the exact integral of the profile. For a draught of zero it is the
-    /// velocity at the surface.
+    /// Mean velocity from the surface to a draught (m/s), the exact integral of the profile. For a draught of zero this
+    /// is the velocity at the surface.
     #[must_use]
     pub fn mean_over(&self, draught_m: f64) -> Vec2 {
         if draught_m.is_nan() || draught_m <= 0.0 {

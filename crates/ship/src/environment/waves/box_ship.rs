@@ -6,16 +6,16 @@ use crate::range::{OutOfRange, within};
 
 /// Main particulars of a ship for an *estimate* of heave, pitch and roll in waves. Surge, sway and yaw are zero.
 ///
-/// Heave and pitch: Jensen, Mansour & Olsen, "Estimation of ship motions using closed-form expressions",
-/// Ocean Eng. 31 (2004), a box of the ship's displacement with the waterline's length. Source: found (a
-/// public package of the authors' university); the paper was not read.
+/// Heave and pitch: Jensen, Mansour & Olsen, "Estimation of ship motions using closed-form expressions", Ocean Eng. 31
+/// (2004), for a box with the ship's displacement and the waterline's length. Source: found (a public package of the
+/// authors' university); the paper was not read.
 ///
-/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. It is one degree of freedom
-/// with the given period and damping, driven by the wave slope averaged over length and beam of the box, and over the
-/// draught by e^(−kT/2). In long waves the ship follows the slope.
+/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. Roll has one degree of
+/// freedom, with the given period and damping. The wave slope drives it, averaged over length and beam of the box; the
+/// factor e^(−kT/2) averages it over the draught. In long waves the ship follows the slope.
 ///
-/// Phases of Jensen's amplitudes are those of his equations of motion: excitation in phase with the crest
-/// (heave) and with the slope (pitch) amidships. Deep water.
+/// The phases of Jensen's amplitudes are those of his equations of motion: the excitation is in phase with the crest
+/// (heave) and with the slope (pitch) amidships. The formulas are for deep water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShip {
     /// Length on the waterline (m).
@@ -28,7 +28,7 @@ pub struct BoxShip {
     pub block_coefficient: f64,
     /// Natural period of roll (s).
     pub roll_period_s: f64,
-    /// Damping ratio of roll; 0.15 unless it is known.
+    /// Damping ratio of roll; use 0.15 if it is not known.
     pub roll_damping: f64,
 }
 
@@ -42,7 +42,7 @@ impl BoxShip {
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
         within("draught [m]", self.draught_m, 0.01, 100.0)?;
         within("block coefficient", self.block_coefficient, 0.1, 1.0)?;
-        // At 4π the heave damping of the formula is zero at resonance.
+        // At a ratio of 4π the formula's heave damping is zero at resonance.
         let flat = self.beam_m * self.block_coefficient / self.draught_m;
         within("block coefficient times beam over draught", flat, 0.1, 10.0)?;
         within("roll period [s]", self.roll_period_s, 0.1, 200.0)?;
@@ -62,8 +62,8 @@ impl BoxShip {
         [zero, zero, heave_up * -1.0, self.roll(k, cos, sin, encounter_radps), pitch, zero]
     }
 
-    /// Jensen's F and G divided by the factor of the equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The damping term
-    /// has the sign of ω_e, which is negative in a following sea that the ship overtakes.
+    /// Jensen's F and G divided by the factor of the equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The
+    /// damping term has the sign of ω_e. This term is negative if the ship overtakes a following sea.
     fn heave_and_pitch(&self, k: f64, cos: f64, alpha: f64) -> (Complex, Complex) {
         let (l, t) = (self.length_m, self.draught_m);
         let b = self.beam_m * self.block_coefficient;
@@ -88,7 +88,8 @@ impl BoxShip {
         let motion = Complex::new(1.0 - ratio * ratio, 2.0 * self.roll_damping * ratio);
         let mean = sinc(0.5 * k * cos * self.length_m) * sinc(0.5 * k * sin * self.beam_m);
         let slope = k * sin * mean * libm::exp(-0.5 * k * self.draught_m);
-        // Roll to starboard is positive where the surface falls to starboard, so its sign is opposite to the slope's.
+        // Roll to starboard is positive if the surface falls to starboard, so the sign of roll is opposite to the sign
+        // of the slope.
         Complex::new(0.0, slope) * motion.inverse()
     }
 }

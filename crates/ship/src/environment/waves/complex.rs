@@ -7,18 +7,18 @@ use core::ops::{Add, Mul};
 pub struct Complex {
     /// Real part: in phase with the wave's crest.
     pub re: f64,
-    /// Imaginary part: a quarter of a period ahead of it.
+    /// Imaginary part: a quarter of a period ahead of the crest.
     pub im: f64,
 }
 
 impl Complex {
-    /// From real and imaginary part.
+    /// The number with this real and imaginary part.
     #[must_use]
     pub const fn new(re: f64, im: f64) -> Complex {
         Complex { re, im }
     }
 
-    /// From modulus and phase (rad).
+    /// The number with this modulus and phase (rad).
     #[must_use]
     pub fn polar(modulus: f64, phase_rad: f64) -> Complex {
         Complex::new(modulus * libm::cos(phase_rad), modulus * libm::sin(phase_rad))

@@ -13,7 +13,7 @@ pub struct Jonswap {
     pub height_m: f64,
     /// Tp, peak period (s).
     pub peak_period_s: f64,
-    /// γ, peak enhancement; 1 is Pierson–Moskowitz, 3.3 the mean of JONSWAP.
+    /// γ, peak enhancement; 1 gives the Pierson–Moskowitz spectrum, 3.3 is the mean of JONSWAP.
     pub peak_enhancement: f64,
 }
 

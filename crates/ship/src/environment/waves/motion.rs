@@ -12,7 +12,7 @@ use super::sea::Sea;
 pub enum MotionResponse {
     /// A table of response amplitude operators, computed or measured elsewhere.
     Table(RaoTable),
-    /// The built-in estimate, reported as an estimate.
+    /// The built-in estimate. Reports say that the response is an estimate.
     Estimate(BoxShip),
 }
 
@@ -27,13 +27,13 @@ pub struct ShipInWaves {
     pub heading_rad: f64,
 }
 
-/// Motion of a ship due to first-order wave forces, to be superposed on her manoeuvring motion: surge, sway, heave down (m), roll to starboard,
-/// pitch bow up, yaw (rad).
+/// Motion of a ship due to first-order wave forces, to be added to her manoeuvring motion: surge, sway, heave down (m),
+/// roll to starboard, pitch bow up, yaw (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FirstOrderMotion {
     /// The motion.
     pub motion: [f64; 6],
-    /// Its rate, the ship's speed included.
+    /// The rate of the motion; the ship's speed is included in the frequency of encounter.
     pub rate: [f64; 6],
 }
 
@@ -46,8 +46,8 @@ impl MotionResponse {
     }
 }
 
-/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. Because her
-/// position is in the phase, the frequency of encounter is included.
+/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. The ship's position is in the
+/// phase, so the frequency of encounter is included.
 #[must_use]
 pub fn first_order_motion(
     sea: &Sea,

@@ -1,4 +1,4 @@
-//! A sea: harmonics in one direction, or in several directions about a mean one.
+//! A sea: harmonics in one direction, or in several directions about a mean direction.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -11,8 +11,8 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Realisation, integral};
 use crate::range::within;
 
-/// Frequency band of a JONSWAP sea in multiples of ω_p. Outside it lies 0.3 % of the energy, by which the harmonics are
-/// scaled up.
+/// Frequency band of a JONSWAP sea in multiples of ω_p. 0.3 % of the energy lies outside; the harmonics are scaled up
+/// to make up for it.
 const BAND: [f64; 2] = [0.5, 4.0];
 
 /// Number of directions of a short-crested sea.
@@ -31,19 +31,20 @@ pub struct RegularWave {
     pub phase_rad: f64,
 }
 
-/// The height at which a regular wave breaks (m): 0.142 L tanh(kd) in water of a depth d, a seventh of the length in deep water and nine tenths
-/// of the depth in shallow (Miche 1944, recalled).
+/// The height at which a regular wave breaks (m): 0.142 L tanh(kd) in water of depth d. This is a seventh of the length
+/// in deep water and nine tenths of the depth in shallow water (Miche 1944, recalled).
 #[must_use]
 pub fn breaking_height_m(period_s: f64, depth_m: f64) -> f64 {
     let number = wave_number(TAU / period_s, depth_m);
     0.142 * TAU / number * libm::tanh(number * depth_m)
 }
 
-/// A sum of harmonics in one direction, or in several directions about a mean one: a pure function of position and time.
+/// A sum of harmonics in one direction, or in several directions about a mean direction. The elevation is a pure
+/// function of position and time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sea {
     towards_rad: f64,
-    /// The directions of its harmonics.
+    /// The directions of the harmonics.
     pub(super) directions_rad: Vec<f64>,
     pub(super) components: Vec<Component>,
 }
@@ -54,14 +55,14 @@ pub(crate) struct Component {
     pub(crate) frequency_radps: f64,
     pub(crate) amplitude_m: f64,
     pub(crate) phase_rad: f64,
-    /// k, north and east (rad/m).
+    /// Wave number vector k, north and east (rad/m).
     pub(crate) number_radpm: Vec2,
-    /// Index of its direction in [`Sea::directions_rad`].
+    /// Index of the harmonic's direction in [`Sea::directions_rad`].
     pub(crate) direction: usize,
 }
 
 impl Component {
-    /// ωt − k·x + ε.
+    /// The phase angle ωt − k·x + ε.
     pub(super) fn angle_rad(&self, position_m: Vec2, t_s: f64) -> f64 {
         self.frequency_radps * t_s - self.number_radpm.dot(position_m) + self.phase_rad
     }
@@ -99,13 +100,12 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components: vec![component] })
     }
 
-    /// A long-crested JONSWAP sea towards a direction, in water of a given depth (m). The depth changes the wave lengths, not
-    /// the spectrum. The harmonics are scaled so that 4√m₀ equals Hs: m₀ of the spectrum itself is 0.2 % too large at
-    /// γ = 3.3, because its factor A is an approximation.
+    /// A long-crested JONSWAP sea towards a direction, in water of a given depth (m). The depth changes the wave
+    /// lengths, not the spectrum. The harmonics are scaled so that 4√m₀ equals Hs. Without scaling, m₀ would be 0.2 %
+    /// too large at γ = 3.3, because the factor A of the spectrum is an approximation.
     ///
-    /// # Errors
-    /// A number out of range, or a significant height at which even a regular wave of the peak's period breaks
-    /// ([`breaking_height_m`]): no sea is as high.
+    /// # Errors A number out of range, or a significant height at which a regular wave with the peak period would break
+    /// ([`breaking_height_m`]): no sea is so high.
     pub fn jonswap(
         spectrum: &Jonswap,
         towards_rad: f64,
@@ -133,12 +133,12 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components })
     }
 
-    /// A short-crested sea from a long-crested one. The energy is spread over directions as cosⁿ of the angle from the mean
-    /// direction, up to 90° to each side. Each harmonic has one of [`DIRECTIONS`] directions with equal shares of the
-    /// energy; neighbouring harmonics have different directions.
+    /// Makes a long-crested sea short-crested. The energy is spread over directions as cosⁿ of the angle from the mean
+    /// direction, up to 90° to each side. Each harmonic has one of [`DIRECTIONS`] directions; all directions have equal
+    /// shares of the energy. Neighbouring harmonics have different directions.
     ///
-    /// n = 2 is used by IMO (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and commonly for wind
-    /// seas. Swell has a narrower spreading, with a larger n.
+    /// n = 2 is used by IMO (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and commonly for
+    /// wind seas. Swell has a narrower spread, with a larger n.
     ///
     /// # Errors
     /// An exponent outside 1 to 100.
@@ -154,7 +154,8 @@ impl Sea {
         Ok(self)
     }
 
-    /// Direction towards which the waves travel, for a short-crested sea the mean one, clockwise from north (rad).
+    /// Direction towards which the waves travel, clockwise from north (rad). For a short-crested sea it is the mean
+    /// direction.
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
@@ -184,7 +185,7 @@ impl Sea {
         heights.sum()
     }
 
-    /// m₀ = Σ½a² (m²).
+    /// Variance of the elevation, m₀ = Σ½a² (m²).
     #[must_use]
     pub fn variance_m2(&self) -> f64 {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
@@ -210,7 +211,7 @@ impl Sea {
         core::f64::consts::TAU * self.variance_m2() / m1
     }
 
-    /// The longest period among its harmonics (s); 0 without waves.
+    /// The longest period of a harmonic (s); 0 without waves.
     #[must_use]
     pub fn longest_period_s(&self) -> f64 {
         let there = self.components.iter().filter(|c| c.amplitude_m > 0.0);

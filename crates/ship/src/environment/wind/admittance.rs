@@ -1,7 +1,8 @@
 //! Gusts averaged over the front of a ship: the aerodynamic admittance.
 
-/// C of Davenport's coherence of two points of the wind, exp(−C f Δ/U), for distances across the wind, horizontal or vertical. 9.2 is twice
-/// the 4.6 of ASCE 7-22, section 26.11, and of EN 1991-1-4, annex B, as public programs have them.
+/// C of Davenport's coherence between two points of the wind, exp(−C f Δ/U), for distances Δ across the wind,
+/// horizontal or vertical. 9.2 is twice the 4.6 of ASCE 7-22, section 26.11, and of EN 1991-1-4, annex B, as printed in
+/// public programs.
 const DECAY: f64 = 9.2;
 
 /// The front that a ship turns to the wind.
@@ -17,8 +18,8 @@ impl WindFront {
     /// A point, on which every gust acts in full.
     pub const POINT: WindFront = WindFront { width_m: 0.0, height_m: 0.0 };
 
-    /// The share of a gust's amplitude that is left in the mean over the front, for a frequency (Hz) and a mean wind (m/s): the root of
-    /// the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
+    /// The share of a gust's amplitude that remains in the mean over the front, for a frequency (Hz) and a mean wind
+    /// (m/s). This share is the root of the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
     ///
     /// R(a) = 2 (a − 1 + e⁻ᵃ)/a² is the closed integral of the coherence over all pairs of points of a line:
     /// (1/b²) ∬ exp(−C f |y₁ − y₂|/U) dy₁ dy₂ with a = C f b/U. The same function is R_h and R_b of EN 1991-1-4 (B.7, B.8) and R_ℓ of
@@ -29,7 +30,7 @@ impl WindFront {
         (correlated(frequency_hz * width_s) * correlated(frequency_hz * height_s)).sqrt()
     }
 
-    /// C b/U and C h/U (s): times a frequency they are the arguments of R.
+    /// C b/U and C h/U (s). Multiplied by a frequency, they are the arguments of R.
     pub(super) fn scales_s(&self, mean_mps: f64) -> [f64; 2] {
         [self.width_m, self.height_m].map(|length_m| DECAY * length_m / mean_mps)
     }
@@ -38,7 +39,7 @@ impl WindFront {
 /// R(a).
 fn correlated(a: f64) -> f64 {
     if a < 1e-3 {
-        // The series; the closed form loses digits.
+        // Here the series is used, because the closed form loses digits.
         return 1.0 - a / 3.0 + a * a / 12.0;
     }
     2.0 * (a + libm::expm1(-a)) / (a * a)
@@ -61,7 +62,7 @@ mod tests {
                 }
             }
             let integral = sum / f64::from(POINTS * POINTS);
-            // The kink on the diagonal costs the rule a/6 over the points squared.
+            // The kink on the diagonal gives the midpoint rule an error of a/6 over the square of the number of points.
             assert!((correlated(a) - integral).abs() < 1e-4, "{a}: {} {integral}", correlated(a));
         }
     }

@@ -7,21 +7,21 @@ use super::spectrum::GustSpectrum;
 use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Harmonic, Realisation};
 
-/// Frequency band of the gusts (Hz): from one per hour to one in two seconds. Ships do not respond to faster ones.
+/// Frequency band of the gusts (Hz): from one per hour to one in two seconds. Ships do not respond to faster gusts.
 const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 
-/// The fluctuation of the wind speed about its mean, a pure function of time.
+/// The fluctuation of the wind speed about its mean. The fluctuation is a pure function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
     harmonics: Vec<Harmonic>,
-    /// The same, for their sums.
+    /// The harmonics in groups, for fast sums.
     pub(super) groups: Vec<Group>,
     /// Mean wind (m/s).
     pub(super) mean_mps: f64,
-    /// What they were made from, for gusts about another mean wind.
+    /// The spectrum from which the gusts were made. Gusts about another mean wind need it.
     spectrum: GustSpectrum,
     realisation: Realisation,
-    /// They act on the whole of a ship at once.
+    /// Whether each gust acts on the whole ship at once.
     pub(super) is_uniform: bool,
 }
 
@@ -57,14 +57,14 @@ impl Gusts {
         Ok(Gusts { is_uniform: self.is_uniform, ..gusts })
     }
 
-    /// The same gusts without averaging over ships: each acts on the whole of a ship at once.
+    /// The same gusts without averaging over ships: each gust acts on the whole ship at once.
     #[must_use]
     pub fn uniform(self) -> Gusts {
         Gusts { is_uniform: true, ..self }
     }
 
-    /// Difference from the mean speed at a time, as its mean over a front (m/s). [`ShipGusts`](super::ShipGusts) is faster for many
-    /// times.
+    /// Difference of the wind speed from its mean at a time, averaged over a front (m/s). For many times
+    /// [`ShipGusts`](super::ShipGusts) is faster.
     #[must_use]
     pub fn speed_over_mps(&self, front: &WindFront, t_s: f64) -> f64 {
         if self.is_uniform || *front == WindFront::POINT {
@@ -83,7 +83,7 @@ impl Gusts {
         self.harmonics.iter().map(of).sum::<f64>().sqrt()
     }
 
-    /// Difference from the mean speed at a time and a point (m/s).
+    /// Difference of the wind speed from its mean at a time, at a point (m/s).
     #[must_use]
     pub fn speed_mps(&self, t_s: f64) -> f64 {
         lanes::sum(&self.groups, t_s)

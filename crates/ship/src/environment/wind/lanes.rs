@@ -1,8 +1,10 @@
-//! Gusts four harmonics at a time. The compiler makes vector instructions of these loops: the functions have no calls and, but for
-//! which of two formulas a group needs, no branches. A sum of 200 harmonics is needed in each step of each ship, and with one
-//! call of libm's functions for each harmonic it took half of the time of a whole berthing.
+//! Gusts, four harmonics at a time. The compiler makes vector instructions of these loops: the functions have no calls.
+//! The only branch in these functions is the choice between two formulas for a group. Each ship needs a sum of 200
+//! harmonics in each step. With one call of libm's functions per harmonic, this sum took half of the time of a whole
+//! berthing.
 //!
-//! The bits are the same on every machine: only additions, multiplications, divisions and square roots, in a fixed order.
+//! The bits are the same on every machine: the functions use only additions, multiplications, divisions and square
+//! roots, in a fixed order.
 
 use core::array::from_fn;
 
@@ -18,12 +20,12 @@ pub(super) type Lanes = [f64; LANES];
 pub(super) struct Group {
     frequency_hz: Lanes,
     amplitude: Lanes,
-    /// Phases in turns.
+    /// Phases, in full turns.
     phase_turns: Lanes,
 }
 
 impl Group {
-    /// Groups of harmonics; the last is filled up with ones of no amplitude.
+    /// Groups of harmonics; the last is filled up with harmonics of amplitude 0.
     pub(super) fn all(harmonics: &[Harmonic]) -> Vec<Group> {
         let group = |four: &[Harmonic]| {
             let last = four[four.len() - 1];
@@ -43,13 +45,13 @@ impl Group {
         cos_of_turns(from_fn(|k| self.frequency_hz[k] * t_s + self.phase_turns[k]))
     }
 
-    /// The harmonics at a time.
+    /// Values of the harmonics at a time.
     fn at(&self, t_s: f64) -> Lanes {
         let cosines = self.cosines(t_s);
         from_fn(|k| self.amplitude[k] * cosines[k])
     }
 
-    /// The shares √(R(s₁ f) R(s₂ f)) with R of [`correlated`].
+    /// The shares √(R(s₁ f) R(s₂ f)) with the function R of [`correlated`].
     fn shares(&self, scales_s: [f64; 2]) -> Lanes {
         let [one, two] =
             scales_s.map(|scale_s| correlated(from_fn(|k| scale_s * self.frequency_hz[k])));
@@ -72,7 +74,7 @@ pub(super) fn sum(groups: &[Group], t_s: f64) -> f64 {
     total(groups.iter().fold([0.0; LANES], add))
 }
 
-/// Σ √(R(s₁ f) R(s₂ f)) a cos(2π f t + ε) with R of [`correlated`].
+/// Σ √(R(s₁ f) R(s₂ f)) a cos(2π f t + ε) with the function R of [`correlated`].
 pub(super) fn sum_over(groups: &[Group], scales_s: [f64; 2], t_s: f64) -> f64 {
     let add = |sums: Lanes, group: &Group| {
         let (now, shares) = (group.at(t_s), group.shares(scales_s));
@@ -88,7 +90,7 @@ pub(super) fn sum_between<const N: usize>(
     weights: [f64; N],
     t_s: f64,
 ) -> f64 {
-    // Of one length, so that no bounds are checked for each harmonic.
+    // Slices of one length, so that the compiler checks no bounds per harmonic.
     let tables = tables.map(|table| &table[..groups.len()]);
     let mut sums = [0.0; LANES];
     for (index, group) in groups.iter().enumerate() {
@@ -106,7 +108,7 @@ fn total([a, b, c, d]: Lanes) -> f64 {
     (a + c) + (b + d)
 }
 
-/// R(a) = 2 (a − 1 + e⁻ᵃ)/a² of numbers that are not negative and do not fall.
+/// R(a) = 2 (a − 1 + e⁻ᵃ)/a² for numbers that are not negative and come in rising order.
 fn correlated(a: Lanes) -> Lanes {
     if a[LANES - 1] < FEW {
         return by_series(a);
@@ -118,10 +120,10 @@ fn correlated(a: Lanes) -> Lanes {
     from_fn(|k| if a[k] < FEW { series[k] } else { closed[k] })
 }
 
-/// Below this R(a) is its series: the closed form loses digits.
+/// Below this value R(a) is computed by its series, because the closed form loses digits.
 const FEW: f64 = 0.5;
 
-/// 2(−1)ⁿ/(n+2)!, the last first: the next term is below 2e-16 at [`FEW`].
+/// Coefficients 2(−1)ⁿ/(n+2)! of the series, the last first. The first term left out is below 2e-16 at [`FEW`].
 const SERIES: [f64; 13] = [
     2.0 / 87178291200.0,
     -2.0 / 6227020800.0,
@@ -149,10 +151,10 @@ fn by_exponential(a: Lanes) -> Lanes {
     from_fn(|k| 2.0 * (a[k] - 1.0 + exponentials[k]) / (a[k] * a[k]))
 }
 
-/// Adding it to a number of up to 2⁵⁰ leaves the nearest whole number in the last bits of the sum.
+/// Adding this number to a number of up to 2⁵⁰ leaves the nearest whole number in the last bits of the sum.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// 1/n!, the last first: the next term is below 1e-17 at ½ ln 2.
+/// Coefficients 1/n! of the exponential, the last first. The first term left out is below 1e-17 at ½ ln 2.
 const EXPONENTIAL: [f64; 14] = [
     1.0 / 6227020800.0,
     1.0 / 479001600.0,
@@ -170,10 +172,10 @@ const EXPONENTIAL: [f64; 14] = [
     1.0,
 ];
 
-/// e⁻ᵃ of numbers that are not negative; beyond 700 that of 700, which is nothing beside 1.
+/// e⁻ᵃ for numbers that are not negative. Beyond 700 the value for 700 is used, which is nothing beside 1.
 #[inline(always)]
 fn exp_of_minus(a: Lanes) -> Lanes {
-    // ln 2 in two parts, of which the first has few bits: as in libm's exp.
+    // ln 2 in two parts, the first with few bits, as in libm's exp.
     const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
     let x: Lanes = from_fn(|k| -if a[k] < 700.0 { a[k] } else { 700.0 });
     let shifted: Lanes = from_fn(|k| x[k] * core::f64::consts::LOG2_E + WHOLE);
@@ -189,7 +191,7 @@ fn exp_of_minus(a: Lanes) -> Lanes {
     })
 }
 
-/// (−1)ⁿ/(2n+1)!, the last first: the next term is below 2e-18 at π/2.
+/// Coefficients (−1)ⁿ/(2n+1)! of the sine, the last first. The first term left out is below 2e-18 at π/2.
 const SINE: [f64; 11] = [
     1.0 / 51090942171709440000.0,
     -1.0 / 121645100408832000.0,
@@ -224,8 +226,8 @@ mod tests {
     use super::*;
     use core::f64::consts::TAU;
 
-    /// libm's cosine and exponential are correct to their last bit or two. The tolerances are a few roundings of numbers of
-    /// this size: of the angle after hours of gusts too, 1e4 rad.
+    /// libm's cosine and exponential are right to their last bit or two. The tolerances are a few roundings of numbers
+    /// of this size, including the angle after hours of gusts, 1e4 rad.
     #[test]
     fn cosine_and_exponential_are_those_of_libm() {
         for step in -20_000..=20_000 {
@@ -242,7 +244,8 @@ mod tests {
         assert!(exp_of_minus([1e300; LANES])[0] < 1e-300);
     }
 
-    /// That of one harmonic, in `admittance`. Below a = 1e-3 it takes three terms of the series; the next is a³/60.
+    /// The reference is the share of one harmonic in `admittance`. Below a = 1e-3 it takes three terms of the series;
+    /// the next term is a³/60.
     #[test]
     fn the_share_is_that_of_the_closed_form_in_every_lane() {
         let front = super::super::WindFront { width_m: 200.0, height_m: 0.0 };
@@ -251,7 +254,7 @@ mod tests {
             let a = [low, 1.3 * low, 1.9 * low, 2.5 * low];
             let ours = correlated(a);
             for k in 0..LANES {
-                // DECAY f b / U = a.
+                // The frequency is chosen so that DECAY f b / U = a.
                 let share = front.share(a[k] / (9.2 * 200.0), 1.0);
                 let off = ours[k].sqrt() / share - 1.0;
                 let most = if a[k] < 1e-3 { 1e-11 } else { 1e-12 };

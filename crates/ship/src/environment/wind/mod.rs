@@ -7,11 +7,14 @@
 //! The wind angle γ is the direction from which the wind comes, measured from the bow, positive over the *port* side:
 //! for γ > 0 the force is to starboard, Y > 0 (the convention of Fossen's toolbox, found).
 
+mod above_water;
 mod admittance;
+mod coefficients;
 mod gust;
 mod lanes;
 mod mean;
 mod method;
+mod over_time;
 mod relative;
 mod series;
 mod ship_gusts;
@@ -20,12 +23,14 @@ mod windage;
 
 pub use super::harmonics::Realisation;
 pub use admittance::WindFront;
+pub use coefficients::WindCoefficients;
 pub use gust::Gusts;
-pub use mean::{MeanWind, Wind, WindProfile};
-// All of them, so that a new method is named in its own folder alone.
+pub use mean::{MeanWind, WindProfile};
+// All names are re-exported, so that a new method is named only in its own folder.
 pub use method::*;
+pub use over_time::Wind;
 pub use relative::RelativeWind;
 pub use series::WindSeries;
 pub use ship_gusts::ShipGusts;
 pub use spectrum::{GustSpectrum, surface_drag};
-pub use windage::{ShipWindage, WindCoefficients};
+pub use windage::ShipWindage;

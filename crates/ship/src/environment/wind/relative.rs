@@ -7,12 +7,14 @@ use fenderline_contact::{Rotation, Vec2};
 pub struct RelativeWind {
     /// Speed (m/s).
     pub speed_mps: f64,
-    /// Wind angle γ: direction from which it comes, measured from the bow, −π to π, positive over the port side (rad).
+    /// Wind angle γ: direction from which the wind comes, measured from the bow, −π to π, positive over the port side
+    /// (rad).
     pub angle_rad: f64,
 }
 
 impl RelativeWind {
-    /// From the velocities of air and ship over the ground, north and east (m/s), and her heading (rad).
+    /// The relative wind, from the velocities of air and ship over the ground, north and east (m/s), and the ship's
+    /// heading (rad).
     #[must_use]
     pub fn of(wind_mps: Vec2, ship_mps: Vec2, heading_rad: f64) -> RelativeWind {
         let air = Rotation::from_angle(heading_rad).apply_inverse(wind_mps - ship_mps);

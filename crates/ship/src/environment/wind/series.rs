@@ -8,7 +8,7 @@ use crate::environment::table::{check_axis, is_off, place};
 use crate::range::within;
 
 /// Speed and direction 10 m above the water at given times, linear between them and constant before the first and after
-/// the last. Between two points the direction changes the shorter way round.
+/// the last. Between two points the direction turns the shorter way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSeries {
     /// Time (s), speed (m/s), direction from which it comes (rad), unwrapped.
@@ -16,7 +16,7 @@ pub struct WindSeries {
 }
 
 impl WindSeries {
-    /// From points: time (s), speed (m/s), direction from which it comes, clockwise from north (rad).
+    /// A time series from points: time (s), speed (m/s), direction from which it comes, clockwise from north (rad).
     ///
     /// # Errors
     /// No point, times that do not increase, or a wind out of the range of [`super::MeanWind::check`].
@@ -35,7 +35,8 @@ impl WindSeries {
         Ok(WindSeries { points })
     }
 
-    /// Whether a time (s) is before the first or after the last point, whose wind is then held. One point alone is a steady wind.
+    /// Whether a time (s) is before the first or after the last point, where the wind of that point is used. A single
+    /// point is a steady wind.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         is_off(self.points.len(), |i| self.points[i][0], t_s)

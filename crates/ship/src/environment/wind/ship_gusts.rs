@@ -1,9 +1,10 @@
 //! Gusts averaged over one ship, for many times.
 //!
-//! The share of each harmonic in the mean over her front ([`WindFront::share`]) depends on the width that she turns to the wind. The
-//! shares are computed once for a series of widths, each by the same factor wider than the last, and found between these by
-//! Lagrange's polynomial through the six widths about hers: a step takes a third of the time of the exact formula. The error of a share
-//! is below 3e-11. The tables are constant: gusts depend on width and time alone, not on what was asked before.
+//! The share of each harmonic in the mean over the ship's front ([`WindFront::share`]) depends on the width that she
+//! turns to the wind. The shares are computed once for a series of widths, each wider than the last by the same factor.
+//! For a width between these, Lagrange's polynomial through the six nearest widths gives the share: a step takes a
+//! third of the time of the exact formula. The error of a share is below 3e-11. The tables are constant, so gusts
+//! depend only on width and time, not on earlier calls.
 
 use std::sync::Arc;
 
@@ -12,9 +13,9 @@ use super::gust::Gusts;
 use super::lanes::{self, Lanes};
 use super::windage::ShipWindage;
 
-/// Widths of the tables in each factor of e.
+/// Number of widths of the tables in each factor of e.
 const WIDTHS: f64 = 24.0;
-/// Widths through which a polynomial goes, and how many of them are below the two that are nearest.
+/// Number of widths through which a polynomial goes, and how many of them are below the two nearest.
 const POINTS: usize = 6;
 const BELOW: usize = POINTS / 2 - 1;
 
@@ -25,9 +26,9 @@ pub struct ShipGusts(Arc<Tables>);
 #[derive(Debug)]
 struct Tables {
     gusts: Gusts,
-    /// Natural logarithm of the least width (m) that she turns to the wind.
+    /// Natural logarithm of the least width (m) that the ship turns to the wind.
     least: f64,
-    /// Amplitudes over the front of each width, the narrowest first; none where gusts act on the whole of her at once.
+    /// Amplitudes over the front of each width, the narrowest first; none if gusts act on the whole ship at once.
     amplitudes: Vec<Vec<Lanes>>,
 }
 
@@ -48,13 +49,14 @@ impl ShipGusts {
         ShipGusts(Arc::new(Tables { gusts: gusts.clone(), least, amplitudes }))
     }
 
-    /// Whether the tables were made from these gusts.
+    /// True if these gusts over a ship were made from the given gusts at a point.
     #[must_use]
     pub fn are_of(&self, gusts: &Gusts) -> bool {
         self.0.gusts == *gusts
     }
 
-    /// Difference from the mean speed at a time, as its mean over a front of the ship (m/s): [`Gusts::speed_over_mps`].
+    /// Difference of the wind speed from its mean at a time, averaged over a front of the ship (m/s):
+    /// [`Gusts::speed_over_mps`].
     #[must_use]
     pub fn speed_over_mps(&self, front: &WindFront, t_s: f64) -> f64 {
         let Tables { gusts, least, amplitudes } = &*self.0;
@@ -69,7 +71,8 @@ impl ShipGusts {
     }
 }
 
-/// Weights of the points −2, −1, … 3 in Lagrange's polynomial at a place, which is from 0 to 1 but for rounding.
+/// Weights of the points −2, −1, … 3 in Lagrange's polynomial at a place. The place is from 0 to 1, apart from
+/// rounding.
 fn weights(place: f64) -> [f64; POINTS] {
     core::array::from_fn(|own| {
         let (mut product, mut scale) = (1.0, 1.0);
@@ -103,8 +106,8 @@ mod tests {
         Gusts::new(&mean, &GustSpectrum::Npd, Realisation { harmonics, seed: 5 }).unwrap()
     }
 
-    /// The exact sum of `lanes::sum_over` is the reference. Each share is within 3e-11, and 200 amplitudes add up to at most some ten times
-    /// their deviation; the errors of neighbours have one sign and add up.
+    /// The exact sum of `lanes::sum_over` is the reference. Each share is within 3e-11. The errors of neighbouring
+    /// shares have the same sign and add up; 200 amplitudes add up to at most some ten times their deviation.
     #[test]
     fn gusts_over_a_ship_are_those_of_the_exact_shares_at_every_heading() {
         for (length_m, beam_m) in

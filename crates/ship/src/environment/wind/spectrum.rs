@@ -3,25 +3,25 @@
 use super::mean::REFERENCE_HEIGHT_M;
 use crate::range::{OutOfRange, within};
 
-/// Spectrum of the gusts about a mean wind, one-sided, in ((m/s)²/Hz) over f in (Hz), 10 m above the
-/// water. U is the mean speed there, the hourly mean but for Davenport and Harris (10 minutes; recalled).
+/// Spectrum of the gusts about a mean wind, one-sided, in ((m/s)²/Hz) over f in (Hz), 10 m above the water. U is the
+/// mean speed at 10 m: the hourly mean, but for Davenport and Harris the mean over 10 minutes (recalled).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustSpectrum {
-    /// Davenport 1961: 4κLU χ/(1+χ²)^{4/3}, χ = fL/U, L = 1200 m. Made for gusts over land. Its variance is
-    /// 6κU². Source: found (a public library of wind spectra).
+    /// Davenport 1961: 4κLU χ/(1+χ²)^{4/3}, χ = fL/U, L = 1200 m. The spectrum is made for gusts over land. Its
+    /// variance is 6κU². Source: found (a public library of wind spectra).
     Davenport {
         /// κ, drag coefficient of the surface, 0.001 to 0.05.
         surface_drag: f64,
     },
-    /// Harris: 4κLU/(2+χ²)^{5/6}, χ = fL/U, L = 1800 m; not for f below 0.01 Hz. Source: found (the same).
+    /// Harris: 4κLU/(2+χ²)^{5/6}, χ = fL/U, L = 1800 m; not for f below 0.01 Hz. Source: found (the same library).
     Harris {
         /// κ, drag coefficient of the surface, 0.001 to 0.05.
         surface_drag: f64,
     },
-    /// Ochi & Shin 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or
-    /// 838f*/(1+f*^0.35)^11.5, up to f* = 0.003, 0.1 and beyond; u*² = C₁₀U². Source: found (the same) for
-    /// the three branches, which are continuous; f* = 10 m·f/U from a second public code (the library omits the
-    /// 10 m), with which the branch limits agree.
+    /// Ochi & Shin 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or 838f*/(1+f*^0.35)^11.5, up to f*
+    /// = 0.003, 0.1 and beyond; u*² = C₁₀U². Source: found (the same library) for the three branches, which are
+    /// continuous. f* = 10 m·f/U is from a second public code; the library omits the 10 m. The limits of the branches
+    /// agree with f* in this form.
     OchiShin {
         /// C₁₀, 0.0005 to 0.05; [`surface_drag`].
         surface_drag: f64,
@@ -29,9 +29,9 @@ pub enum GustSpectrum {
     /// NPD (ISO 19901-1): 320 (U/10)²/(1+f̃ⁿ)^{5/(3n)}, f̃ = 172 f (U/10)^{−3/4}, n = 0.468, U the hourly
     /// mean. Source: found (two public codes).
     Npd,
-    /// API RP 2A: (σ²/f_p)/(1 + 1.5 f/f_p)^{5/3}, f_p = C·U/10 m, σ = 0.15 U (10/20)^{−0.125}. Source: found
-    /// for σ and f_p; the found code has 1 + 1.5 (f/f_p)^{5/3} in the denominator, for which the variance
-    /// is not σ². With the form used here, which is recalled, it is.
+    /// API RP 2A: (σ²/f_p)/(1 + 1.5 f/f_p)^{5/3}, f_p = C·U/10 m, σ = 0.15 U (10/20)^{−0.125}. Source: found for σ and
+    /// f_p. The found code has 1 + 1.5 (f/f_p)^{5/3} in the denominator; its variance is not σ². The form used here is
+    /// recalled, and its variance is σ².
     Api {
         /// C, 0.01 to 0.1; 0.025 is customary.
         peak: f64,

@@ -4,12 +4,14 @@ use core::f64::consts::{PI, TAU};
 
 use fenderline_contact::number::lesser;
 
+use super::above_water::AboveWater;
 use super::admittance::WindFront;
+use super::coefficients::WindCoefficients;
 use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
 
-/// Wind areas of a ship, and the method for her wind coefficients.
+/// Wind areas of a ship, and the method for the ship's wind coefficients.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShipWindage {
     /// Length overall (m).
@@ -28,23 +30,11 @@ pub struct ShipWindage {
     pub method: WindMethod,
 }
 
-/// Coefficients for one angle: X = ½ρV²·CX·A_F, Y = ½ρV²·CY·A_L, N = ½ρV²·CN·A_L·L.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WindCoefficients {
-    /// CX; negative in a head wind.
-    pub surge: f64,
-    /// CY; positive for wind from the port side.
-    pub sway: f64,
-    /// CN about midship.
-    pub yaw: f64,
-}
-
 impl ShipWindage {
     /// Checks every number.
     ///
-    /// # Errors
-    /// The first number out of range. It may be a coefficient, if a regression is used far outside the ships from which
-    /// it was derived.
+    /// The first number out of range. This number may be a coefficient, if a regression is used far outside the range
+    /// of ships from which it was derived.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -54,7 +44,7 @@ impl ShipWindage {
         let forward_m = self.centroid_forward_m;
         within("centroid of the lateral area forward of midship [m]", forward_m, -half_m, half_m)?;
         within("height of the lateral area's centroid [m]", self.centroid_height_m, 1e-3, 200.0)?;
-        self.method.check(self)?;
+        self.method.check(&self.above_water())?;
         for ten in 0..=18 {
             let c = self.coefficients(f64::from(ten) * PI / 18.0);
             within(
@@ -74,23 +64,36 @@ impl ShipWindage {
         Ok(())
     }
 
-    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port and starboard
-    /// agree at every angle, 180° included. A table of the user's own that has both sides is used as it is.
+    /// Coefficients at an angle γ (rad). The coefficients are computed for |γ| from 0 to π and mirrored, so that port
+    /// and starboard agree at every angle, 180° included. A user's table that has both sides is used as it is.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
+        let ship = self.above_water();
         if let WindMethod::Own(_) = self.method {
-            return self.method.coefficients(self, wrapped_rad);
+            return self.method.coefficients(&ship, wrapped_rad);
         }
-        let from_port = self.method.coefficients(self, wrapped_rad.abs());
+        let from_port = self.method.coefficients(&ship, wrapped_rad.abs());
         // A wind from straight ahead or astern has no side force.
         let side =
             if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
         WindCoefficients { sway: side * from_port.sway, yaw: side * from_port.yaw, ..from_port }
     }
 
-    /// The front that she turns to a wind at an angle γ (rad): the width of her length and beam across it, and the mean height
-    /// A_L/L of her side.
+    /// What the methods take of her.
+    fn above_water(&self) -> AboveWater {
+        AboveWater {
+            length_m: self.length_m,
+            beam_m: self.beam_m,
+            frontal_m2: self.frontal_m2,
+            lateral_m2: self.lateral_m2,
+            centroid_forward_m: self.centroid_forward_m,
+            centroid_height_m: self.centroid_height_m,
+        }
+    }
+
+    /// The front that the ship turns to a wind at an angle γ (rad). The width is that of her length and beam across the
+    /// wind, and the height is A_L/L, the mean height of her side.
     #[must_use]
     pub fn front(&self, angle_rad: f64) -> WindFront {
         let across_m = self.length_m * libm::sin(angle_rad).abs();
@@ -100,15 +103,15 @@ impl ShipWindage {
         }
     }
 
-    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least at a bow or a side, and greatest at a
-    /// corner.
+    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least if the wind is on
+    /// the bow or the side, and greatest in between.
     pub(super) fn widths_m(&self) -> [f64; 2] {
         let (length_m, beam_m) = (self.length_m, self.beam_m);
         [lesser(length_m, beam_m), libm::hypot(length_m, beam_m)]
     }
 
-    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at
-    /// 15 °C. The relative wind is that at [`ShipWindage::reference_height_m`].
+    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at 15 °C. The
+    /// relative wind is the wind at [`ShipWindage::reference_height_m`].
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
@@ -120,8 +123,8 @@ impl ShipWindage {
         ]
     }
 
-    /// Height above the water of the wind to which the coefficients refer (m): 10 m, for which the methods are stated (recalled), or that of
-    /// the user's table.
+    /// Height above the water of the wind to which the coefficients refer (m). The height is 10 m, to which the methods
+    /// refer (recalled), or the height that the user's table states.
     #[must_use]
     pub fn reference_height_m(&self) -> f64 {
         match &self.method {
@@ -130,8 +133,9 @@ impl ShipWindage {
         }
     }
 
-    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H the height of
-    /// the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the others.
+    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H, the
+    /// height of the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the other
+    /// methods.
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
         self.method.roll_factor() * self.centroid_height_m * sway_n

@@ -1,5 +1,5 @@
 //! Clarke, Gedling & Hine, "The application of manoeuvring criteria in hull design using linear theory", Trans. RINA
-//! 125 (1983): linear derivatives by regression, as in the public toolbox MSS (`clarke83.m`).
+//! 125 (1983): linear derivatives by regression, as printed in the public toolbox MSS (`clarke83.m`).
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::hydro::particulars::Particulars;
 pub(super) fn linear(ship: &Particulars, ahead: f64) -> LinearTerms {
     let (length_m, beam_m, draught_m) = (ship.length_m, ship.beam_m, ship.draught_m);
     let slender = draught_m / length_m;
-    // Clarke's coefficients are divided by ½ρL², these by ½ρLd.
+    // Clarke's coefficients are divided by ½ρL², the coefficients here by ½ρLd.
     let unit = PI * slender * slender * length_m / draught_m;
     let (broad, thick) = (beam_m / draught_m, beam_m / length_m);
     LinearTerms {

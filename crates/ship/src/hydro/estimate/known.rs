@@ -6,7 +6,7 @@ use crate::hydro::mmg::Polynomial;
 use crate::hydro::particulars::Particulars;
 use crate::hydro::propeller::Series;
 
-/// Known data of a ship; `None` for what is to be estimated.
+/// Known data of a ship; `None` for data that are to be estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Known {
     /// Main particulars.
@@ -17,7 +17,7 @@ pub struct Known {
     pub polynomial: Option<Polynomial>,
     /// Hull at low speed.
     pub low_speed: Option<LowSpeedHull>,
-    /// Propeller and rudder; `None` if she has none.
+    /// Propeller and rudder; `None` if the ship has none.
     pub gear: Option<SternGear>,
 }
 
@@ -28,7 +28,7 @@ pub struct SternGear {
     pub propeller_m: f64,
     /// Movable area of the rudder (m²).
     pub rudder_m2: f64,
-    /// Diameter of the propeller over span of the rudder; values above 1 count as 1.
+    /// Diameter of the propeller over span of the rudder. A value above 1 counts as 1.
     pub propeller_to_span: f64,
     /// Span² over area of the rudder; needed if [`SternCoefficients::lift_gradient`] is not known.
     pub aspect_ratio: f64,
@@ -43,40 +43,40 @@ pub struct SternGear {
 pub struct SternCoefficients {
     /// K_T = k₀ + k₁J + k₂J².
     pub thrust_polynomial: Option<[f64; 3]>,
-    /// Propeller series for what the polynomial does not cover.
+    /// Propeller series for conditions that the polynomial does not cover.
     pub series: Option<Series>,
-    /// t_P.
+    /// Thrust deduction t_P.
     pub thrust_deduction: Option<f64>,
-    /// t_P of thrust astern.
+    /// Thrust deduction t_P for thrust astern.
     pub thrust_deduction_astern: Option<f64>,
-    /// w₀.
+    /// Wake fraction w₀, straight ahead.
     pub wake: Option<f64>,
-    /// C₁, and C₂ for β_P below and above 0.
+    /// Change of the wake in a turn: C₁, and C₂ for β_P below and above 0.
     pub wake_change: Option<(f64, [f64; 2])>,
-    /// x'_P.
+    /// Position x'_P of the propeller in β_P.
     pub propeller_place: Option<f64>,
-    /// f_α.
+    /// Lift gradient f_α of the rudder.
     pub lift_gradient: Option<f64>,
-    /// ε.
+    /// Wake ratio ε.
     pub wake_ratio: Option<f64>,
-    /// κ.
+    /// Share κ of the race's speed that reaches the rudder.
     pub race_gain: Option<f64>,
-    /// γ_R for β_R below and above 0.
+    /// Flow straightening γ_R for β_R below and above 0.
     pub straightening: Option<[f64; 2]>,
-    /// l'_R.
+    /// Effective position l'_R of the rudder in β_R.
     pub straightening_place: Option<f64>,
-    /// t_R.
+    /// Steering resistance deduction t_R.
     pub resistance_deduction: Option<f64>,
-    /// a_H.
+    /// Lateral force on the hull due to steering over that of the rudder, a_H.
     pub hull_gain: Option<f64>,
-    /// x'_H.
+    /// Position x'_H of this lateral force.
     pub hull_place: Option<f64>,
-    /// x'_R.
+    /// Position x'_R of the rudder.
     pub rudder_place: Option<f64>,
 }
 
 impl SternCoefficients {
-    /// These coefficients, with `other` for those that are `None`.
+    /// These coefficients, where those of `other` replace the coefficients that are `None`.
     #[must_use]
     pub fn or(self, other: SternCoefficients) -> SternCoefficients {
         SternCoefficients {

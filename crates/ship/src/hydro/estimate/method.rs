@@ -1,4 +1,4 @@
-//! The estimation methods, and the range of particulars in which they were validated.
+//! The estimation methods, and the range of particulars in which the methods were validated.
 
 use crate::hydro::particulars::Particulars;
 
@@ -12,14 +12,14 @@ pub enum EstimateMethod {
     Clarke,
 }
 
-/// Smallest L/B and B/d of a merchant ship. Below L/B 4 or B/d 1 the polynomials would be used far outside the ships from
-/// which they were derived, and some terms change their sign.
+/// Smallest L/B and B/d of a merchant ship. Below L/B 4 or B/d 1 the polynomials would be used far outside the range of
+/// ships from which they were derived, and some terms would change their sign.
 const MERCHANT_SHIP: [(Ratio, f64); 2] =
     [(Ratio::LengthOverBeam, 4.0), (Ratio::BeamOverDraught, 1.0)];
 
-/// The range in which the estimate was validated: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the Mariner and a
-/// tanker of 190 000 dwt (Cb 0.56 to 0.83, L/B 5.5 to 7.1, B/d 2.4 to 3.1), rounded outwards. The regressions' own
-/// range could not be read.
+/// The range in which the estimate was validated: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the Mariner and
+/// a tanker of 190 000 dwt (Cb 0.56 to 0.83, L/B 5.5 to 7.1, B/d 2.4 to 3.1), rounded outwards. The range that the
+/// regressions' authors give could not be read.
 pub const VALIDATED_RATIOS: [(Ratio, [f64; 2]); 3] = [
     (Ratio::BlockCoefficient, [0.55, 0.85]),
     (Ratio::LengthOverBeam, [5.3, 7.3]),
@@ -29,16 +29,16 @@ pub const VALIDATED_RATIOS: [(Ratio, [f64; 2]); 3] = [
 /// A ratio of main particulars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ratio {
-    /// Cb.
+    /// Block coefficient Cb.
     BlockCoefficient,
-    /// L/B.
+    /// Length over beam, L/B.
     LengthOverBeam,
-    /// B/d.
+    /// Beam over draught, B/d.
     BeamOverDraught,
 }
 
 impl Ratio {
-    /// The ratio of a ship.
+    /// The value of the ratio for a ship.
     #[must_use]
     pub fn of(self, ship: &Particulars) -> f64 {
         match self {
@@ -48,7 +48,7 @@ impl Ratio {
         }
     }
 
-    /// Its name, with the keys of the particulars in vessel files.
+    /// Name of the ratio, with the keys of the particulars in vessel files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -64,7 +64,7 @@ impl Ratio {
 pub struct RatioOutOfRange {
     /// The ratio.
     pub ratio: Ratio,
-    /// Its value.
+    /// Value of the ratio.
     pub value: f64,
     /// The range, both ends included.
     pub range: [f64; 2],
@@ -99,7 +99,7 @@ impl EstimateMethod {
         if is_merchant_ship { EstimateMethod::YoshimuraMasumoto } else { EstimateMethod::Clarke }
     }
 
-    /// The ratios of a ship that are outside the range.
+    /// The ratios of a ship that are outside the validated range.
     #[must_use]
     pub fn outside(self, ship: &Particulars) -> Vec<RatioOutOfRange> {
         VALIDATED_RATIOS

@@ -1,6 +1,6 @@
 //! Estimates of the coefficients of a manoeuvring model from main particulars, for ships without model tests or with
-//! incomplete ones. Every estimate is reported with its formula, and so are particulars outside the range in which the
-//! formulas were validated.
+//! incomplete tests. Every estimate is reported with its formula. Particulars outside the range in which the formulas
+//! were validated are reported too.
 //!
 //! | quantity | method | standing |
 //! |---|---|---|
@@ -19,6 +19,7 @@
 mod clarke;
 mod known;
 mod method;
+mod reported;
 mod resistance;
 mod stern;
 mod yoshimura_masumoto;
@@ -29,17 +30,18 @@ use super::error::HydroError;
 use super::low_speed::LowSpeedHull;
 use super::mmg::{Mmg, Polynomial};
 use super::particulars::Particulars;
-use super::vessels::{Figure, Source, Standing};
+use super::source::{Figure, Source, Standing};
 
+use self::reported::estimate;
 pub use known::{Known, SternCoefficients, SternGear};
 pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};
 
 /// The result of an estimate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimated {
-    /// Her model.
+    /// The ship's manoeuvring model.
     pub model: Mmg,
-    /// What was estimated, and by which formula.
+    /// The estimated quantities, and the formula for each.
     pub sources: Vec<Source>,
     /// The formulas for hull, propeller or rudder; `None` if all of them are known.
     pub method: Option<EstimateMethod>,
@@ -47,7 +49,7 @@ pub struct Estimated {
     pub outside: Vec<RatioOutOfRange>,
 }
 
-/// The manoeuvring model of a ship from known data, by the method for her particulars.
+/// The manoeuvring model of a ship from known data, by the method that suits her particulars.
 ///
 /// # Errors
 /// A number out of range, or particulars outside the regression of added mass.
@@ -77,17 +79,6 @@ pub fn estimated_by(method: EstimateMethod, known: &Known) -> Result<Estimated, 
     let used = (!(hull_is_known && stern_is_known)).then_some(method);
     let outside = used.map_or_else(Vec::new, |method| method.outside(&ship));
     Ok(Estimated { model, sources, method: used, outside })
-}
-
-/// The report of an estimate.
-fn estimate(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
-    Source {
-        group: group.to_owned(),
-        figures,
-        source: source.to_owned(),
-        standing,
-        is_estimate: true,
-    }
 }
 
 fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, HydroError> {

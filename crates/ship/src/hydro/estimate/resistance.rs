@@ -12,21 +12,21 @@ const TOTAL_RESISTANCE: f64 = 0.004;
 const FORM_DRAG: f64 = 0.1;
 /// Froude number V/√(gL) at which the friction of a drifting ship is computed.
 const ADRIFT_FROUDE: f64 = 0.03;
-/// Range of [`ittc_1957`]; vessels shorter than a quarter of a metre are below it.
+/// Range of [`ittc_1957`]. Vessels shorter than a quarter of a metre are below this range.
 const REYNOLDS: [f64; 2] = [1e4, 1e11];
 
-/// X'₀ ahead, under way.
+/// Resistance X'₀ of a ship under way ahead.
 pub(super) fn ahead(ship: &Particulars) -> f64 {
     -TOTAL_RESISTANCE * wetted_over_side(ship)
 }
 
-/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20: 0.1 on the
-/// midship section, and the friction of ITTC 1957 on Mumford's wetted surface. The third component there, the drag of a
-/// locked propeller, is part of the propeller model.
+/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20. The
+/// coefficient is 0.1 on the midship section, plus the friction of ITTC 1957 on Mumford's wetted surface. The manual's
+/// third component, the drag of a locked propeller, is part of the propeller model.
 ///
-/// The manual gives it for any ship-shaped vessel, with bow or stern into the current. It computes friction at the actual
-/// speed; here one Froude number is used, so that the coefficient is constant. At half that speed friction is 10 %
-/// higher.
+/// The manual gives this for any ship-shaped vessel, with bow or stern into the current. The manual computes friction
+/// at the actual speed. Here one Froude number is used, so that the coefficient is constant. At half that speed
+/// friction is 10 % higher.
 pub(super) fn astern(ship: &Particulars) -> f64 {
     let speed_mps = ADRIFT_FROUDE * (STANDARD_GRAVITY_MPS2 * ship.length_m).sqrt();
     let [least, most] = REYNOLDS;
@@ -46,8 +46,8 @@ fn wetted_over_side(ship: &Particulars) -> f64 {
 mod tests {
     use super::*;
 
-    /// The only ship with known data: Esso Osaka's model of 3 m has −0.0319 astern (Miyauchi et al. 2022). A tolerance of a
-    /// fifth allows for the different speed and for a form drag that is not specific to her.
+    /// The only ship with known data: Esso Osaka's model of 3 m has −0.0319 astern (Miyauchi et al. 2022). The
+    /// tolerance of a fifth allows for the different speed and for a form drag that is not specific to this ship.
     #[test]
     fn resistance_astern_agrees_with_esso_osaka_within_a_fifth() {
         let model = Particulars {

@@ -1,19 +1,20 @@
-//! Propeller and rudder behind the hull: known coefficients, and the method's formulas for the others.
+//! Propeller and rudder behind the hull: known coefficients, and formulas of the method for unknown ones.
 
 use fenderline_contact::number::{greater, lesser};
 
 use super::known::{SternCoefficients, SternGear};
 use super::method::EstimateMethod;
-use super::{estimate, yoshimura_masumoto};
+use super::reported::estimate;
+use super::yoshimura_masumoto;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::mmg::{Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::propeller::{Propeller, Series};
 use crate::hydro::rudder::Rudder;
-use crate::hydro::vessels::{Figure, Source, Standing};
+use crate::hydro::source::{Figure, Source, Standing};
 
-/// Thrust deduction astern with which the series of pitch 0.8, −0.255 at bollard, gives the −0.175 ρn²D⁴
-/// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
+/// Thrust deduction astern. With this deduction, the series of pitch 0.8, which gives −0.255 at bollard, gives the
+/// −0.175 ρn²D⁴ that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
 const DEDUCTION_ASTERN: f64 = 0.314;
 
 /// x'_P if it is not known.
@@ -27,9 +28,9 @@ struct WakeChange {
 }
 
 impl WakeChange {
-    /// With the rudder hard over the propeller leaves the wake: C₂ = 1/(1 − w₀) removes all of it. Of the two ships with a
-    /// known change, KVLCC2 loses 65 % of the wake (mean of both sides, C₁ 2.0) and Esso Osaka 111 % (C₁ 1.4). A ship with a
-    /// known wake and no known change has a coefficient set that was derived without one.
+    /// With the rudder hard over, the propeller leaves the wake: C₂ = 1/(1 − w₀) removes all of the wake. Two ships
+    /// have a known change: KVLCC2 loses 65 % of the wake (mean of both sides, C₁ 2.0), and Esso Osaka 111 % (C₁ 1.4).
+    /// A ship with a known wake but no known change has a set of coefficients that was derived without such a change.
     fn by(method: EstimateMethod, own_wake: Option<f64>, wake: f64) -> WakeChange {
         match method {
             EstimateMethod::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
@@ -111,7 +112,7 @@ struct Missing<'a> {
 }
 
 impl Missing<'_> {
-    /// The known number, or that of the formula, which is then reported.
+    /// The known number; or else the number by the formula, which is then reported.
     fn number(
         &mut self,
         known: Option<f64>,
@@ -127,7 +128,7 @@ impl Missing<'_> {
     }
 }
 
-/// Propeller and rudder. The reports of estimates are appended to `all`.
+/// Propeller and rudder. Reports of estimates are appended to `all`.
 ///
 /// # Errors
 /// Propeller diameter or rudder area out of range for the size of the ship.

@@ -1,9 +1,9 @@
 //! Yoshimura & Masumoto, "Hydrodynamic database and manoeuvring prediction method with medium high-speed merchant ships
 //! and fishing vessels", MARSIM 2012: regressions for merchant ships by k = 2d/L, Cb B/L, Cb and L/B.
 //!
-//! The paper could not be read. The formulas are in several public programs, among them nikpau/mmgdynamics (up to release
-//! 1.0), which differ in some signs. Here they are in terms of the drift angle β = −v', with the signs that agree with
-//! the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
+//! The paper could not be read. The formulas are in several public programs, among them nikpau/mmgdynamics (up to
+//! release 1.0), which differ in some signs. Here the regressions are written with the drift angle β = −v', and with
+//! the signs that agree with the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
 //!
 //! | term | here | in those programs, over β | KCS | KVLCC2 |
 //! |---|---|---|---|---|
@@ -11,7 +11,7 @@
 //! | N'βrr | 0.075 (1 − Cb) L/B − 0.098 | 0.075 (1 − Cb) L/B + 0.098 | five times hers | the other sign |
 //! | X'βr − m'y | −1.91 Cb B/L + 0.08 | 1.91 Cb B/L − 0.08 − 2m'y | twice hers | as hers |
 //!
-//! In the form over β, Y'r and X'βr include −m'x and −m'y, which the regressions add: the terms cancel.
+//! In the form over β, Y'r and X'βr include −m'x and −m'y. The regressions add these terms, so they cancel.
 
 use std::f64::consts::PI;
 
@@ -67,19 +67,19 @@ pub(super) fn straightening(ship: &Particulars) -> f64 {
     2.06 * fullness(ship) + 0.14
 }
 
-/// a_H.
+/// Lateral force on the hull due to steering over that of the rudder, a_H.
 pub(super) fn hull_gain(ship: &Particulars) -> f64 {
     3.6 * fullness(ship)
 }
 
-/// l'_R.
+/// Effective position l'_R of the rudder.
 pub(super) const STRAIGHTENING_PLACE: f64 = -0.9;
-/// t_R.
+/// Steering resistance deduction t_R.
 pub(super) const RESISTANCE_DEDUCTION: f64 = 0.39;
-/// x'_H.
+/// Position x'_H of the lateral force on the hull.
 pub(super) const HULL_PLACE: f64 = -0.4;
 
-/// Cb B/L.
+/// The ratio Cb B/L.
 fn fullness(ship: &Particulars) -> f64 {
     ship.block_coefficient() * ship.beam_m / ship.length_m
 }

@@ -2,8 +2,8 @@
 
 use crate::hydro::quantities::{Force, Velocity, Water};
 
-/// Drag coefficient of a section over B/2T, Hoerner's curve as digitised in Fossen's MSS toolbox
-/// (the points of Hoerner.m of the MSS toolbox, after Leite et al., Appl. Ocean Res. 20, 1998).
+/// Drag coefficient of a section over B/2T, Hoerner's curve as digitised in Fossen's MSS toolbox (the points in its
+/// file Hoerner.m, after Leite et al., Appl. Ocean Res. 20, 1998).
 const HOERNER: [[f64; 2]; 20] = [
     [0.0109, 1.9661],
     [0.1766, 1.9657],
@@ -27,8 +27,8 @@ const HOERNER: [[f64; 2]; 20] = [
     [4.0031, 0.5593],
 ];
 
-/// Drag coefficient of a midship section by its beam and draught (m), linear between the points of
-/// Hoerner's curve and constant beyond its ends.
+/// Drag coefficient of a midship section by its beam and draught (m), linear between the points of Hoerner's curve, and
+/// constant beyond the ends of the curve.
 pub fn hoerner_drag_coefficient(beam_m: f64, draught_m: f64) -> f64 {
     let ratio = 0.5 * beam_m / draught_m;
     let [first, .., last] = HOERNER;
@@ -88,7 +88,7 @@ fn square_moment(a: f64, b: f64) -> f64 {
     }
     let divisor = 24.0 * half * half;
     if divisor == 0.0 {
-        // The squares of both are smaller than any number.
+        // The squares of both are too small to be represented.
         return 0.0;
     }
     let a2 = a * a;

@@ -7,33 +7,33 @@ pub use cross_flow::{CrossFlow, hoerner_drag_coefficient};
 
 use std::f64::consts::PI;
 
-use super::mmg::LinearTerms;
+use super::linear_terms::LinearTerms;
 use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 
-/// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009) as used by Miyauchi et
-/// al. (2022), divided by ½ρLdU². The form was checked against a public implementation of that model.
+/// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009), as used by Miyauchi et al. (2022),
+/// divided by ½ρLdU². The form was checked against a public implementation of this model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowSpeedHull {
     /// X'₀F: resistance ahead (negative).
     pub ahead: f64,
     /// X'₀A: resistance astern (negative).
     pub astern: f64,
-    /// X'vr.
+    /// Coefficient X'vr.
     pub surge_vr: f64,
-    /// Y'v.
+    /// Coefficient Y'v.
     pub sway_v: f64,
-    /// Y'r.
+    /// Coefficient Y'r.
     pub sway_r: f64,
-    /// N'v.
+    /// Coefficient N'v.
     pub yaw_v: f64,
-    /// N'r.
+    /// Coefficient N'r.
     pub yaw_r: f64,
     /// The cross-flow part.
     pub cross_flow: CrossFlow,
 }
 
-/// Default resistance astern over ahead: that of Esso Osaka, 0.0319/0.0214.
+/// Default ratio of resistance astern to resistance ahead: the ratio of Esso Osaka, 0.0319/0.0214.
 const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
 
 impl LowSpeedHull {
@@ -57,9 +57,8 @@ impl LowSpeedHull {
         }
     }
 
-    /// Force at midship, without the added mass' Coriolis terms:
-    /// X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r L}, Y = ½ρLd{Yv v|u| + Yr r L u} and
-    /// N = ½ρL²d{Nv v u + Nr r L|u|}, Y and N with the cross-flow drag.
+    /// Force at midship, without the Coriolis terms of the added mass: X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r
+    /// L}, Y = ½ρLd{Yv v|u| + Yr r L u} and N = ½ρL²d{Nv v u + Nr r L|u|}, Y and N with the cross-flow drag.
     pub fn force(&self, velocity: &Velocity, length_m: f64, draught_m: f64, water: Water) -> Force {
         let (u, v) = (velocity.surge_mps, velocity.sway_mps);
         let tip_mps = velocity.yaw_radps * length_m;

@@ -1,7 +1,7 @@
 //! Standard manoeuvres on [`Model3`], with the measures of ITTC and IMO resolution MSC.137(76).
 //!
-//! All start on a straight course north, at a speed and the revolutions that maintain it. Time and position are measured
-//! from the order. Revolutions are constant unless the manoeuvre orders others.
+//! All manoeuvres start on a straight course north, at a speed, with the revolutions that maintain this speed. Time and
+//! position are measured from the order. Revolutions are constant unless the manoeuvre orders otherwise.
 
 mod steady;
 mod stop;
@@ -32,7 +32,7 @@ pub enum ManoeuvreError {
     },
     /// The end of the manoeuvre was not reached in time.
     NotReached {
-        /// What was not reached.
+        /// The end that was not reached.
         what: &'static str,
         /// Time limit (s).
         after_s: f64,
@@ -69,7 +69,7 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// An approach at a speed, with the revolutions that maintain it.
+    /// An approach at a speed, with the revolutions that maintain this speed.
     ///
     /// # Errors
     /// See [`self_propulsion_rps`].
@@ -84,7 +84,7 @@ impl Approach {
     }
 }
 
-/// The state of a manoeuvre after a step, from which tracks are drawn.
+/// The state of a manoeuvre after a step. Tracks are drawn from these states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// Time since the order (s).
@@ -95,7 +95,7 @@ pub struct Moment {
     pub controls: Controls,
 }
 
-/// A ship under a manoeuvre.
+/// A ship during a manoeuvre.
 struct Trial<'a> {
     model: &'a Model3,
     observe: &'a mut dyn FnMut(&Moment),
@@ -134,7 +134,7 @@ impl<'a> Trial<'a> {
         (self.observe)(&Moment { time_s: self.time_s, motion: self.motion, controls });
     }
 
-    /// One step under an order of rudder (rad) and revolutions (1/s); with the controls at the middle of the step.
+    /// One step under an order of rudder (rad) and revolutions (1/s). The controls are taken at the middle of the step.
     fn advance(&mut self, rudder_rad: f64, shaft_rps: f64) {
         let half_s = 0.5 * self.step_s;
         self.steering.step(rudder_rad, half_s);

@@ -31,7 +31,7 @@ pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, Manoeu
     Ok(0.5 * (low + high))
 }
 
-/// Pull (N) on a line to a bollard at revolutions (1/s): the force ahead at rest, less thrust deduction.
+/// Pull (N) on a line to a bollard at these revolutions (1/s): the force ahead at rest, less thrust deduction.
 ///
 /// # Errors
 /// [`ManoeuvreError::NoPropeller`].
@@ -56,11 +56,12 @@ pub struct Crabbing {
     pub rise_s: f64,
 }
 
-/// Pushes a ship at rest with a force at midship, engine stopped, for `duration_s`: thrusters or tugs that
-/// crab her.
+/// Pushes a ship at rest with a force at midship for `duration_s`, with the engine stopped. The force stands for
+/// thrusters or tugs that crab the ship.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] if her lateral speed still changes by more than 1 % in the last tenth of the time.
+/// [`ManoeuvreError::NotReached`] if the ship's lateral speed still changes by more than 1 % in the last tenth of the
+/// time.
 pub fn crabbing(
     model: &Model3,
     push: Force,

@@ -21,17 +21,17 @@ pub struct CrashStop {
     pub time_s: f64,
 }
 
-/// Orders revolutions astern (negative) with the rudder amidships, the shaft changing by
-/// `shaft_rate_rps2` per second, until the ship has no headway.
+/// Orders revolutions astern (negative), with the rudder amidships, until the ship has no headway. The shaft's
+/// revolutions change by `shaft_rate_rps2` per second.
 ///
-/// The shaft follows its order at any torque. A diesel engine that cannot turn the propeller astern at speed needs a longer
-/// distance.
+/// The shaft follows its order at any torque. If a diesel engine cannot turn the propeller astern at speed, the
+/// distance is longer.
 ///
-/// The model has no paddle-wheel effect of a propeller astern: change of heading and lateral distance are zero for a
-/// symmetric ship, unlike on real ships.
+/// The model has no paddle-wheel effect of a propeller astern. So change of heading and lateral distance are zero for a
+/// symmetric ship. On real ships both differ from zero.
 ///
 /// # Errors
-/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NotReached`] for revolutions that do not stop her.
+/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NotReached`] for revolutions that do not stop the ship.
 pub fn crash_stop(
     model: &Model3,
     approach: &Approach,
@@ -41,7 +41,7 @@ pub fn crash_stop(
     crash_stop_observed(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
 }
 
-/// [`crash_stop`], calling `observe` after every step.
+/// Does as [`crash_stop`], and calls `observe` after every step.
 ///
 /// # Errors
 /// See [`crash_stop`].

@@ -8,7 +8,8 @@ use crate::hydro::model3::{Model3, Motion};
 /// Time limit, in ship lengths over approach speed.
 const TIME_LIMIT: f64 = 400.0;
 
-/// The measures of a turning circle, at midship, from the rudder order; lengths are positive to the side of the turn.
+/// The measures of a turning circle, at midship, from the rudder order; lengths are positive towards the side of the
+/// turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningCircle {
     /// Advance at 90° (m).
@@ -21,7 +22,7 @@ pub struct TurningCircle {
     pub tactical_diameter_m: f64,
     /// Time to 180° (s).
     pub half_s: f64,
-    /// The turn after two full circles.
+    /// The steady turn after two full circles.
     pub steady: SteadyTurn,
 }
 
@@ -32,13 +33,13 @@ pub struct SteadyTurn {
     pub speed_ratio: f64,
     /// r' = rL/U, positive to starboard.
     pub yaw_rate: f64,
-    /// Drift angle β (rad), positive where the ship slides to port.
+    /// Drift angle β (rad), positive if the ship slides to port.
     pub drift_rad: f64,
     /// Diameter of midship's circle (m).
     pub diameter_m: f64,
 }
 
-/// Turns with the rudder at an angle (rad) until 720° and gives the measures.
+/// Turns with the rudder at an angle (rad) until the heading has changed by 720°, and returns the measures.
 ///
 /// # Errors
 /// [`ManoeuvreError::NotReached`] for a rudder that does not turn the ship.
@@ -50,7 +51,7 @@ pub fn turning_circle(
     turning_circle_observed(model, approach, rudder_rad, &mut |_| {})
 }
 
-/// [`turning_circle`], calling `observe` after every step.
+/// Does as [`turning_circle`], and calls `observe` after every step.
 ///
 /// # Errors
 /// See [`turning_circle`].
@@ -89,7 +90,7 @@ struct Passage {
 }
 
 impl Trial<'_> {
-    /// Steps until the heading has changed by `angle_rad` to either side, and interpolates in the step.
+    /// Steps until the heading has changed by `angle_rad` to either side. The passage is interpolated within the step.
     fn turn_to(
         &mut self,
         angle_rad: f64,

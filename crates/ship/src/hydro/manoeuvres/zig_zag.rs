@@ -17,15 +17,16 @@ pub struct ZigZag {
     pub second_overshoot_rad: f64,
     /// Time from the first execute to the second (s).
     pub second_execute_s: f64,
-    /// Distance sailed until the second execute: IMO's initial turning ability (m).
+    /// Distance sailed until the second execute (m): the initial turning ability of IMO.
     pub initial_turning_m: f64,
 }
 
-/// Rudder to `rudder_rad`, over to the other side whenever the heading has changed by `check_rad` (both
-/// angles (rad); the rudder's sign is the side of the first execute). The 10/10 manoeuvre has both at 10°.
+/// Puts the rudder to `rudder_rad`, and over to the other side whenever the heading has changed by `check_rad`. Both
+/// angles are in rad; the sign of the rudder gives the side of the first execute. In the 10/10 manoeuvre both angles
+/// are 10°.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] for a ship that does not respond to her rudder.
+/// [`ManoeuvreError::NotReached`] for a ship that does not respond to the rudder.
 pub fn zig_zag(
     model: &Model3,
     approach: &Approach,
@@ -35,7 +36,7 @@ pub fn zig_zag(
     zig_zag_observed(model, approach, rudder_rad, check_rad, &mut |_| {})
 }
 
-/// [`zig_zag`], calling `observe` after every step.
+/// Does as [`zig_zag`], and calls `observe` after every step.
 ///
 /// # Errors
 /// See [`zig_zag`].
@@ -62,7 +63,7 @@ pub fn zig_zag_observed(
 }
 
 impl Trial<'_> {
-    /// Steps until the heading is `check_rad` to a side; the distance sailed (m).
+    /// Steps until the heading is `check_rad` to a side. Returns the distance sailed (m).
     fn heading_to(
         &mut self,
         rudder_rad: f64,
@@ -83,7 +84,7 @@ impl Trial<'_> {
         Ok(sailed_m)
     }
 
-    /// Steps until the ship swings back; the greatest heading to the side (rad).
+    /// Steps until the ship swings back. Returns the greatest heading to the side (rad).
     fn swing(&mut self, rudder_rad: f64, side: f64) -> Result<f64, ManoeuvreError> {
         let limit_s = self.leg_s();
         let mut greatest_rad = side * self.motion.heading_rad;

@@ -4,7 +4,7 @@ use super::{Mmg, Propulsion};
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::low_speed::LowSpeedHull;
 
-/// Limit of a coefficient, far above any published one.
+/// Limit of a coefficient, far above any published value.
 const LARGEST: f64 = 1e3;
 
 impl Mmg {

@@ -2,18 +2,16 @@
 //! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
 //! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
 //!
-//! [`Mmg`] is plain data, checked by [`Mmg::check`]; [`Mmg::forces`] is a pure function of the velocity through the water and the
-//! controls. The forces include all hydrodynamic terms except those proportional to accelerations (the added mass itself): the
-//! Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
+//! [`Mmg`] is plain data, checked by [`Mmg::check`]. [`Mmg::forces`] is a pure function of the velocity through the
+//! water and the controls. The forces include all hydrodynamic terms except those proportional to accelerations (the
+//! added mass itself). The Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
 
 mod check;
-mod polynomial;
 mod wake;
 
-pub use polynomial::{DriftPolynomial, LinearTerms, Polynomial, SwayPolynomial};
+pub use super::linear_terms::LinearTerms;
+pub use super::polynomial::{DriftPolynomial, Polynomial, SwayPolynomial};
 pub use wake::Wake;
-
-pub(crate) use polynomial::coriolis;
 
 use super::added_mass::AddedMass;
 use super::blend::Hull;
@@ -21,7 +19,6 @@ use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{CorrectionSet, Corrections};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +38,9 @@ pub struct Mmg {
 pub struct Propulsion {
     /// The propeller in open water.
     pub propeller: Propeller,
-    /// Thrust deduction t_P, of thrust ahead.
+    /// Thrust deduction t_P for thrust ahead.
     pub thrust_deduction: f64,
-    /// Thrust deduction for thrust astern, due to the race on the hull.
+    /// Thrust deduction for thrust astern, caused by the propeller race on the hull.
     pub thrust_deduction_astern: f64,
     /// Wake at the propeller.
     pub wake: Wake,
@@ -54,7 +51,7 @@ pub struct Propulsion {
 /// The forces on a ship, part by part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Hull, with the added mass' Coriolis terms.
+    /// Hull, with the Coriolis terms of the added mass.
     pub hull: Force,
     /// Propeller, less thrust deduction.
     pub propeller: Force,
@@ -89,26 +86,6 @@ impl Mmg {
             ),
         }
     }
-
-    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
-    /// and rudder. Below [`super::shallow::SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
-    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
-    ///
-    /// # Panics
-    /// If the depth is NaN.
-    #[must_use]
-    pub fn at_depth(&self, depth_m: f64) -> Mmg {
-        self.at_depth_by(CorrectionSet::default(), depth_m)
-    }
-
-    /// The model in water of a given depth, by a given set of corrections.
-    ///
-    /// # Panics
-    /// See [`Mmg::at_depth`].
-    #[must_use]
-    pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
-        Corrections::of(set, &self.particulars, depth_m).on(self, depth_m)
-    }
 }
 
 impl Propulsion {
@@ -122,7 +99,7 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t)T, with t for the direction of the thrust.
+    /// X_P = (1 − t)T, with the t for the direction of the thrust.
     fn driving_force(&self, race: &Race) -> Force {
         let deduction =
             if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };

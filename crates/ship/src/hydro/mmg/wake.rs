@@ -6,20 +6,20 @@ use crate::hydro::quantities::Velocity;
 /// (1 − w)/(1 − w₀) = 1 + (1 − e^{−C₁|β_P|})(C₂ − 1), β_P = β − x'_P r'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wake {
-    /// w₀, straight ahead.
+    /// Wake fraction w₀, straight ahead.
     pub straight: f64,
-    /// C₁; 0 if the wake does not change in a turn.
+    /// Coefficient C₁; 0 if the wake does not change in a turn.
     pub rate: f64,
-    /// C₂ for β_P below and above 0.
+    /// Coefficient C₂ for β_P below and above 0.
     pub limits: [f64; 2],
-    /// x'_P, over L.
+    /// Position x'_P of the propeller, over L.
     pub place: f64,
 }
 
 impl Wake {
-    /// 1 − w: u_P = u(1 − w). Astern the propeller is in open water, without wake.
+    /// The factor 1 − w in u_P = u(1 − w). When the ship goes astern, the propeller is in open water, without wake.
     pub fn remaining(&self, velocity: &Velocity, length_m: f64) -> f64 {
-        // The square of a very small speed is 0.
+        // The computed square of a very small speed is 0.
         let speed_mps = velocity.speed_mps();
         if velocity.surge_mps <= 0.0 || speed_mps == 0.0 {
             return 1.0;
@@ -39,7 +39,7 @@ impl Wake {
 mod tests {
     use super::*;
 
-    /// The wrench of a ship that a soft seabed had all but stopped was not a number.
+    /// The wrench was not a number for a ship that a soft seabed had nearly stopped.
     #[test]
     fn the_wake_of_a_ship_that_has_all_but_stopped_is_a_number() {
         let wake = Wake { straight: 0.4, limits: [1.6, 1.1], rate: 4.0, place: -0.5 };

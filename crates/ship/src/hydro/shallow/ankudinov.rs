@@ -1,11 +1,13 @@
-//! Ankudinov's factors on added mass and derivatives (1990), as in a public implementation of Taimuri et al. (2020)
-//! (nikpau/mmgdynamics): sums of K₀, K₁ and K₂, polynomials in T/(h − T), weighted by block coefficient and beam.
+//! Ankudinov's factors on added mass and derivatives (1990), as printed in a public implementation of Taimuri et al.
+//! (2020) (nikpau/mmgdynamics). The factors are sums of K₀, K₁ and K₂, which are polynomials in T/(h − T), weighted by
+//! block coefficient and beam.
 //!
-//! Two corrections: K₂ of ships broader than four draughts has T/B where that program has B/T, which would jump by a factor of
-//! 16 at B/T = 4; and the factors are not used beyond [`super::PUBLISHED_RATIO`].
+//! There are two corrections. For ships broader than four draughts, K₂ has T/B here, and B/T in that program: there it
+//! would jump by a factor of 16 at B/T = 4. And the factors are not used beyond [`super::PUBLISHED_RATIO`].
 
+use super::factors::{Corrections, HullFactors, MassFactors};
+use super::limits::PUBLISHED_RATIO;
 use super::stern;
-use super::{Corrections, HullFactors, MassFactors, PUBLISHED_RATIO};
 use crate::hydro::particulars::Particulars;
 
 /// Coefficients of K₀ for the powers 2, 3 and 5 of T/(h − T).
@@ -29,7 +31,7 @@ pub(super) struct Ankudinov {
 }
 
 impl Ankudinov {
-    /// The factors at T/h.
+    /// The factors at this ratio T/h.
     pub(super) fn of(ship: &Particulars, share: f64) -> Ankudinov {
         let inverse_clearance = share / (1.0 - share);
         let factor = |linear, square| factor(ship, inverse_clearance, linear, square);
@@ -44,10 +46,10 @@ impl Ankudinov {
         }
     }
 
-    /// The whole set. (m_y + X_vr) has the factor of m_y: for the tanker of van Berlekom & Goddard (1972) both have the same
-    /// slope. The added mass in surge has the same factor, which is our choice; with it goes that of Y_r, as Y_r u r acts against
-    /// (m + m_x) u r. For comparison: that tanker's added mass in surge has 3 and 6 at h/T 1.5 and 1.2. The formula of Li & Wu
-    /// gives 2.4 and 5.7 for KVLCC2, but a negative added mass for the paper's container ship.
+    /// The whole set. (m_y + X_vr) has the factor of m_y: for the tanker of van Berlekom & Goddard (1972) both have the
+    /// same slope. We chose the same factor for the added mass in surge, and for Y_r, because Y_r u r acts against (m +
+    /// m_x) u r. For comparison: the factors on this tanker's added mass in surge are 3 at h/T 1.5 and 6 at 1.2. The
+    /// formula of Li & Wu gives 2.4 and 5.7 for KVLCC2, but a negative added mass for the paper's container ship.
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {
@@ -74,8 +76,8 @@ impl Ankudinov {
     }
 }
 
-/// K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); linear, along its tangent, beyond the z of
-/// [`PUBLISHED_RATIO`].
+/// K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); beyond the z of [`PUBLISHED_RATIO`] the
+/// function continues along its tangent.
 fn factor(ship: &Particulars, z: f64, linear: f64, square: f64) -> f64 {
     let broad = ship.beam_m / ship.draught_m;
     let wide = 1.0 + ship.beam_m / ship.length_m;
@@ -98,7 +100,7 @@ fn factor(ship: &Particulars, z: f64, linear: f64, square: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Calculated independently, for KVLCC2 at h/T 1.5 and 1.2.
+    /// The expected factors were calculated independently, for KVLCC2 at h/T 1.5 and 1.2.
     #[test]
     fn factors_agree_with_a_calculation_by_hand() {
         let ship = Particulars {

@@ -1,26 +1,26 @@
 //! Linear terms by the effective aspect ratio of the hull as a wing: Hirano, Takashina, Moriya & Nakamura (1985), and
 //! Kijima & Nakiri after them.
 //!
-//! k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ}, k = 2T/L, with a λ for each derivative. One public program (an early
-//! nikpau/mmgdynamics, which calls itself "not working") lacks the k in the first term of the denominator; the limit of k_e
-//! would then be 2k instead of 2, that of a wing between walls. The k is recalled. With it Y_v and N_v of KVLCC2 agree with the
-//! other sets within 10 % at h/T 1.5 and 1.2; without it they are a third of theirs.
+//! k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ}, k = 2T/L, with a different λ for each derivative. One public program (an
+//! early nikpau/mmgdynamics, which calls itself "not working") lacks the k in the first term of the denominator. The
+//! limit of k_e would then be 2k, and not 2, the value for a wing between walls. The k is recalled. With the k, Y_v and
+//! N_v of KVLCC2 agree with the other sets within 10 % at h/T 1.5 and 1.2; without it they are a third of those.
 
 use fenderline_contact::number::lesser;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::DEEPEST_HULL;
+use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
 /// λ for Y_v, for Y_r and N_r, and for N_v.
 const EXPONENTS: [f64; 3] = [2.3, 0.7, 1.7];
-/// k_e at which 0.54 k_e − k_e² is greatest. Greater k_e give the same value, because damping does not decrease in shallower
-/// water.
+/// k_e at which 0.54 k_e − k_e² is greatest. For greater k_e the value at this k_e is used, because damping does not
+/// decrease in shallower water.
 const TURNING_POINT: f64 = 0.27;
 
-/// Factors on Y_v, Y_r, N_v and N_r at T/h: Y_v = −(½π k_e + 1.4 Cb B/L), Y_r = ¼π k_e, N_v = −k_e,
-/// N_r = −(0.54 k_e − k_e²), each over its value in deep water.
+/// Factors on Y_v, Y_r, N_v and N_r at T/h: Y_v = −(½π k_e + 1.4 Cb B/L), Y_r = ¼π k_e, N_v = −k_e, N_r = −(0.54 k_e −
+/// k_e²), each divided by its value in deep water.
 pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     let ratio = 2.0 * ship.draught_m / ship.length_m;
     let viscous = 1.4 * ship.block_coefficient() * ship.beam_m / ship.length_m;

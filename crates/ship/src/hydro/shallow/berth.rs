@@ -2,12 +2,12 @@
 
 use fenderline_contact::number::greater;
 
-use super::draught_over_depth;
+use super::limits::draught_over_depth;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::quantities::Water;
 
-/// Drag coefficient of a hull abeam without water under her keel, UFC 4-159-03 (recalled).
+/// Drag coefficient of a hull abeam to the flow, without water under the keel, UFC 4-159-03 (recalled).
 const BLOCKED_DRAG: f64 = 3.2;
 
 /// Force (N) of a current abeam on a ship at rest in water of a depth, UFC 4-159-03:
@@ -34,9 +34,9 @@ pub fn current_abeam_n(
     Ok(0.5 * water.density_kgpm3 * side_m2 * coefficient * current_mps * current_mps.abs())
 }
 
-/// Cross-flow drag coefficient in water of a depth, from that in deep water: C + (3.2 − C)(T/h)², the form of UFC 4-159-03 with
-/// the ship's own coefficient for C₀ (ours). For the container ship in deep water both are close: 0.60 by Hoerner and 0.67 by
-/// UFC.
+/// Cross-flow drag coefficient in water of a depth, from the coefficient C in deep water: C + (3.2 − C)(T/h)². This is
+/// the form of UFC 4-159-03, but with the ship's own coefficient in place of C₀ (our choice). For the container ship in
+/// deep water both are close: 0.60 by Hoerner and 0.67 by UFC.
 ///
 /// # Errors
 /// [`HydroError::Aground`].
@@ -48,7 +48,8 @@ pub fn shallow_cross_flow_drag(
     Ok(grown(deep, draught_over_depth(ship, depth_m)?))
 }
 
-/// [`shallow_cross_flow_drag`] for any depth: aground it is that of a ship that just touches the bottom, 3.2.
+/// Does as [`shallow_cross_flow_drag`], for any depth. Aground the result is the value for a ship that just touches the
+/// bottom, 3.2.
 pub(super) fn drag_to_the_bottom(ship: &Particulars, deep: f64, depth_m: f64) -> f64 {
     grown(deep, ship.draught_m / greater(depth_m, ship.draught_m))
 }

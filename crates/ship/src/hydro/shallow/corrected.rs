@@ -2,23 +2,49 @@
 
 use fenderline_contact::number::greater;
 
+use super::CorrectionSet;
 use super::berth::drag_to_the_bottom;
-use super::{Corrections, HullFactors, MassFactors, SHALLOWEST_RATIO, SternFactors};
+use super::factors::{Corrections, HullFactors, MassFactors, SternFactors};
+use super::limits::SHALLOWEST_RATIO;
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
 use crate::hydro::low_speed::{CrossFlow, LowSpeedHull};
-use crate::hydro::mmg::{Mmg, Polynomial, Propulsion, Wake};
+use crate::hydro::mmg::{Mmg, Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
+use crate::hydro::polynomial::Polynomial;
 use crate::hydro::rudder::Rudder;
 use crate::hydro::stall::Stall;
+
+impl Mmg {
+    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
+    /// and rudder. Below [`SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
+    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
+    ///
+    /// # Panics
+    /// If the depth is NaN.
+    #[must_use]
+    pub fn at_depth(&self, depth_m: f64) -> Mmg {
+        self.at_depth_by(CorrectionSet::default(), depth_m)
+    }
+
+    /// The model in water of a given depth, by a given set of corrections.
+    ///
+    /// # Panics
+    /// See [`Mmg::at_depth`].
+    #[must_use]
+    pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
+        Corrections::of(set, &self.particulars, depth_m).on(self, depth_m)
+    }
+}
 
 impl Corrections {
     /// The ship in water of a depth (m), from the ship in deep water.
     ///
-    /// The cross-flow drag increases by [`super::shallow_cross_flow_drag`] where she crabs, drifts or lies at her berth, but not
-    /// under way, and goes on to increase until she touches the bottom. Everything else is held below [`SHALLOWEST_RATIO`]
-    /// draughts. The blend of both is that of [`crate::hydro::polynomial_weight`]: a ship without a polynomial uses her
-    /// low-speed form for both.
+    /// If the ship crabs, drifts or lies at her berth, the cross-flow drag increases by
+    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until she touches the bottom. Under way the drag does
+    /// not increase. Everything else is held constant below [`SHALLOWEST_RATIO`] draughts.
+    /// [`crate::hydro::polynomial_weight`] blends the two conditions. A ship without a polynomial uses her low-speed
+    /// form for both.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
         let MassFactors { surge, sway, yaw } = self.mass;
@@ -44,8 +70,8 @@ impl Corrections {
     }
 }
 
-/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of both, from
-/// which the new Coriolis term is subtracted.
+/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of X_vr
+/// and the Coriolis term; the new Coriolis term is then subtracted.
 fn without_coriolis(
     surge_vr: f64,
     sway_r: f64,
@@ -107,7 +133,7 @@ fn polynomial_in(
             let [before, after] = masses.map(|mass| mass.surge_m3 / ship.mass_unit_m3());
             p.x_0 *= factors.resistance;
             p.x_bb *= factors.x_vv;
-            // It includes −m'y, so the factor applies to all of it.
+            // Xβr includes −m'y, so the factor applies to all of it.
             p.x_br *= factors.x_vr;
             p.x_rr *= factors.x_rr;
             p.x_bbbb *= factors.x_vvvv;

@@ -1,8 +1,8 @@
-//! Squat by three formulas for open water of PIANC (Harbour Approach Channels, report 121, 2014). They were read in public
-//! programs that agree (the first two in stebiondi/pyCoastal) and are compared with numbers that were calculated independently.
-//! Each refuses water that is not deeper than the draught.
+//! Squat by three formulas for open water of PIANC (Harbour Approach Channels, report 121, 2014). The formulas were
+//! read in public programs that agree (the first two in stebiondi/pyCoastal), and compared with independently
+//! calculated numbers. Each formula refuses water that is not deeper than the draught.
 
-use super::draught_over_depth;
+use super::limits::draught_over_depth;
 use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
@@ -21,8 +21,8 @@ pub fn barrass_squat_m(
     Ok(ship.block_coefficient() * knots * knots / 100.0)
 }
 
-/// Squat at the bow by ICORELS (1980), with the coefficient 2.4 for open water; some authorities use 2.0 for container ships and
-/// 1.7 for fine ships: 2.4 ∇/L² Fh²/√(1 − Fh²) (m), Fh = V/√(gh).
+/// Squat at the bow by ICORELS (1980), with the coefficient 2.4 for open water; some authorities use 2.0 for container
+/// ships and 1.7 for fine ships. The squat is 2.4 ∇/L² Fh²/√(1 − Fh²) (m), with Fh = V/√(gh).
 ///
 /// # Errors
 /// [`HydroError::Aground`]; [`HydroError::Supercritical`] from Fh = 1.

@@ -1,5 +1,6 @@
-//! The corrections of Taimuri et al. (2020), as the public implementation nikpau/mmgdynamics has them, for comparison with the
-//! others: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990), the rest after Ankudinov.
+//! The corrections of Taimuri et al. (2020), as printed in the public implementation nikpau/mmgdynamics. These
+//! corrections are for comparison with the other sets: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990),
+//! the rest after Ankudinov.
 //!
 //! The cubics were fitted to tankers: for a container ship of B/T 5 the factor on N_vrr is −21 at h/T 2. The two branches of
 //! γ_R do not meet. So this set is not the default.
@@ -7,7 +8,8 @@
 use fenderline_contact::number::lesser;
 
 use super::ankudinov::Ankudinov;
-use super::{Corrections, DEEPEST_HULL, HullFactors, MassFactors, SternFactors};
+use super::factors::{Corrections, HullFactors, MassFactors, SternFactors};
+use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
 /// The whole set at x = T/h.
@@ -21,7 +23,7 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
     let hull = HullFactors {
         resistance: 1.0,
         x_vv: f_yv,
-        // In the source f_yr applies to X_vr alone, which is a small part of the two.
+        // In the source, f_yr applies to X_vr alone, which is a small part of m_y + X_vr.
         x_vr: g_v,
         x_rr: f_nr,
         x_vvvv: f_yv,
@@ -83,7 +85,7 @@ fn cubic(x: f64, [a1, a2, a3]: [f64; 3]) -> f64 {
 mod tests {
     use super::*;
 
-    /// By hand, KVLCC2 at h/T 1.5: −2/3 + 3^(0.4·0.809744·2.788462), −2/3 + 3^(1.5 − 14.28·0.065).
+    /// Calculated by hand for KVLCC2 at h/T 1.5: −2/3 + 3^(0.4·0.809744·2.788462), −2/3 + 3^(1.5 − 14.28·0.065).
     #[test]
     fn powers_agree_with_a_calculation_by_hand() {
         let ship = Particulars {

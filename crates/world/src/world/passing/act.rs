@@ -9,17 +9,18 @@ use fenderline_ship::passing::{FlowHull, FlowSetup, PassingShip, force_under_way
 
 use crate::world::{Environment, VesselSetup};
 
-/// Distance between midships over the mean of the lengths at which a force begins to fade, and at which it has gone: there it is
-/// less than a thousandth of its peak abreast, and a step need not compute it.
+/// Distance between midships, over the mean of the two lengths, at which a force begins to fade, and at which it is
+/// gone. There the force is less than a thousandth of its peak abreast, and a step need not compute it.
 const FADES: [f64; 2] = [8.0, 10.0];
 
-/// Clear gap between vessels under way over the mean of their beams below which the flow of slender ships says nothing, and from which
-/// it is taken in full; our choice. A tug at a ship's side is nearer.
+/// Clear gap between vessels under way, over the mean of their beams. Below the first value the theory of slender ships
+/// does not hold; from the second value on its flow is used in full. The values are our choice. A tug at a ship's side
+/// is nearer than both.
 const TOO_NEAR: [f64; 2] = [0.25, FULL_FLOW_GAP];
-/// The gap from which it is taken in full.
+/// The gap from which the flow is used in full.
 pub const FULL_FLOW_GAP: f64 = 0.5;
 
-/// A ship in the flow: her hull, her midship and her velocity through the water (m/s).
+/// A ship in the flow: hull, midship and velocity through the water (m/s).
 pub(super) struct Afloat<'s> {
     pub(super) hull: &'s FlowHull,
     pose: Pose,
@@ -55,7 +56,7 @@ impl<'s> Afloat<'s> {
         PassingShip { sections: &hull.sections, pose, velocity_mps }
     }
 
-    /// Both ends of her axis (m).
+    /// Both ends of the ship's axis (m).
     pub(super) fn ends_m(&self) -> [Vec2; 2] {
         let half_m = 0.5 * self.hull.length_m;
         [-half_m, half_m].map(|x_m| self.pose.apply(vec2(x_m, 0.0)))
@@ -121,7 +122,7 @@ fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Opti
     Some(force.map(|part| share * part))
 }
 
-/// How much of the flow between two vessels is taken, by their clear gap.
+/// The share of the flow between two vessels that is used, by their clear gap.
 fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     smooth(gap_between(own, other), TOO_NEAR)
 }
@@ -133,7 +134,8 @@ fn gap_between(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     apart_m / mean_beam_m - 1.0
 }
 
-/// The clear gap between two vessels, by their indices, over the mean of their beams; `None` if one of them is too short for the flow.
+/// The clear gap between two vessels, by their indices, over the mean of their beams; `None` if one of them is too
+/// short for the theory of slender ships.
 pub fn gap_in_beams(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
@@ -146,7 +148,7 @@ pub fn gap_in_beams(
     is_slender.then(|| gap_between(&one, &other))
 }
 
-/// 0 below the first, 1 above the second, with a continuous slope.
+/// A smooth step: 0 below the first limit, 1 above the second, with a continuous slope.
 pub(super) fn smooth(value: f64, [low, high]: [f64; 2]) -> f64 {
     let share = bounded((value - low) / (high - low), 0.0, 1.0);
     share * share * (3.0 - 2.0 * share)

@@ -1,4 +1,4 @@
-//! The pull of straight banks on each vessel, in a step.
+//! The pull of a straight wall on a ship that goes along it. The ship's image behind the wall gives the flow.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2};
@@ -9,15 +9,17 @@ use fenderline_ship::passing::{FlowSetup, force_of_wall};
 use super::act::{Afloat, smooth};
 use crate::world::{Environment, VesselSetup};
 
-/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it has gone; our choice.
+/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it is
+/// gone; our choice.
 const ASKEW: [f64; 2] = [0.258_8, 0.5];
-/// Clear gap between side and wall over the beam below which the flow of slender ships says nothing, and from which it is taken in
-/// full: half the gaps between two vessels, as the image is twice as far away as the wall; our choice.
+/// Clear gap between side and wall, over the beam. Below the first value the theory of slender ships does not hold;
+/// from the second value on its flow is used in full. The values are half the gaps between two vessels, because the
+/// image is twice as far away as the wall; our choice.
 const TOO_NEAR: [f64; 2] = [0.125, 0.25];
-/// Distance between ship and image over her length at which the force begins to fade, and at which it has gone.
+/// Distance between ship and image, over the ship's length, at which the force begins to fade, and at which it is gone.
 const FADES: [f64; 2] = [8.0, 10.0];
 
-/// Sets the force of all banks by image on each vessel about midship.
+/// Sets the force on each vessel, about midship, of all banks that act by an image.
 pub fn act_of_banks(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
@@ -35,7 +37,7 @@ pub fn act_of_banks(
             continue;
         }
         let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
-        // Aground, the bottom is at her keel.
+        // For a ship aground the bottom is at the keel.
         let depth_m = environment.depth_at_m(t_s).map(|depth_m| greater(depth_m, hull.draught_m));
         for bank in environment.banks.iter().filter(by_image) {
             let share = share_of(&own, bank.ends_m());
@@ -54,7 +56,8 @@ pub fn act_of_banks(
     }
 }
 
-/// How much of the flow of the image is taken: by her angle to the wall, her clear gap, and how much of her is abreast of the wall.
+/// The share of the image's flow that is used. The share depends on the ship's angle to the wall, on the clear gap, and
+/// on how much of the ship is abreast of the wall.
 fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
     let length_m = (to_m - from_m).length();
     let along = (to_m - from_m) * (1.0 / length_m);

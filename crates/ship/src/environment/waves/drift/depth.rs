@@ -1,10 +1,10 @@
-//! Draught factor of wave reflection: 1 in short waves, 0 in long ones.
+//! Draught factor of wave reflection: 1 in short waves, 0 in long waves.
 
 use fenderline_contact::number::greater;
 
 use core::f64::consts::PI;
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
 /// Factor on the longitudinal force, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou, "Regression analysis of experimental
 /// data for added resistance in waves of arbitrary heading and development of a semi-empirical formula", Ocean Eng.
@@ -81,7 +81,7 @@ fn polynomial(x: f64, coefficients: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Values of SciPy 1.x, `scipy.special.iv` and `kv`.
+    /// The expected values are from SciPy 1.x, `scipy.special.iv` and `kv`.
     #[test]
     fn bessel_functions_agree_with_scipy() {
         for (x, i1, k1) in TABLE {

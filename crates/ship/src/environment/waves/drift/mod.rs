@@ -1,21 +1,22 @@
 //! Mean drift force of waves on a ship at rest, by frequency and heading.
 //!
-//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area; these are the
-//! [`DriftHull::coefficients`]. They have two parts.
+//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area; this length
+//! and this area are the [`DriftHull::coefficients`]. They have two parts.
 //!
 //! - *Reflection*: reflected waves exert a radiation pressure on the side. In waves that are short compared with the
-//!   draught it is ½ρga²∫sin²θ n dl along the exposed part of the waterline ([`waterline`];
-//!   Faltinsen, Minsaas, Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a seaway", 13th
-//!   Symposium on Naval Hydrodynamics, 1980). In longer waves only the part within the draught is reflected
-//!   ([`depth`]).
+//!   draught its force is ½ρga²∫sin²θ n dl along the exposed part of the waterline ([`waterline`]; Faltinsen, Minsaas,
+//!   Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a seaway", 13th Symposium on Naval
+//!   Hydrodynamics, 1980). In longer waves only the part within the draught is reflected ([`depth`]).
 //! - *Motion*: radiation by heave and pitch, largest for waves about as long as the ship
 //!   ([`motion`]).
 //!
-//! The force is smaller on a ship that moves with the waves, and larger on one that moves against them ([`encountered`]).
+//! The force is smaller on a ship that moves with the waves, and larger on a ship that moves against them
+//! ([`encountered`]).
 //!
 //! `validation/wave_drift.toml` compares the coefficients with mean drift forces by a panel code, for two ships.
 
 mod depth;
+mod hull;
 mod motion;
 mod waterline;
 
@@ -24,47 +25,10 @@ use fenderline_contact::number::bounded;
 
 use super::sea::Sea;
 use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::hydro::Particulars;
-use crate::range::{OutOfRange, within};
+pub use hull::DriftHull;
 use waterline::Waterline;
 
-/// Particulars of a hull for its mean wave drift force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriftHull {
-    /// Length on the waterline (m).
-    pub length_m: f64,
-    /// Beam (m).
-    pub beam_m: f64,
-    /// Draught (m).
-    pub draught_m: f64,
-    /// Block coefficient.
-    pub block_coefficient: f64,
-}
-
 impl DriftHull {
-    /// From the particulars of a ship.
-    #[must_use]
-    pub fn of(ship: &Particulars) -> DriftHull {
-        DriftHull {
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            draught_m: ship.draught_m,
-            block_coefficient: ship.block_coefficient(),
-        }
-    }
-
-    /// Checks every number.
-    ///
-    /// # Errors
-    /// The first number out of range.
-    pub fn check(&self) -> Result<(), OutOfRange> {
-        within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
-        within("beam [m]", self.beam_m, 0.05, 500.0)?;
-        within("draught [m]", self.draught_m, 0.01, 100.0)?;
-        within("block coefficient", self.block_coefficient, 0.1, 1.0)?;
-        Ok(())
-    }
-
     /// Mean force forward and to starboard, and moment about midship, over ρga², in a regular wave of amplitude a, wave
     /// number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
     #[must_use]
@@ -73,7 +37,8 @@ impl DriftHull {
         self.sum(&reflected, number_radpm, direction_rad)
     }
 
-    /// [`DriftHull::coefficients`] at several directions, for any wave number: what does not depend on it is found once.
+    /// [`DriftHull::coefficients`] at several directions, for any wave number. Values that do not depend on the wave
+    /// number are computed once.
     pub(crate) fn at_directions(
         &self,
         directions_rad: impl Iterator<Item = f64>,
@@ -91,7 +56,8 @@ impl DriftHull {
         }
     }
 
-    /// Sum of reflection, with its draught factor, and motion. Surge and sway have different draught factors: see [`depth`].
+    /// The sum of reflection (with its draught factor) and motion. Surge and sway have different draught factors: see
+    /// [`depth`].
     fn sum(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let along = depth::along(self, number_radpm);
         let across = depth::across(self.draught_m, number_radpm);
@@ -101,9 +67,9 @@ impl DriftHull {
     }
 }
 
-/// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), for her heading and her velocity
-/// through the water, north and east (m/s): ρg Σ a²·C(k, μ) over the sea's harmonics, which is the integral of
-/// 2ρg S(ω)·C over the spectrum.
+/// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), for the ship's heading and her
+/// velocity through the water, north and east (m/s). The force is ρg Σ a²·C(k, μ) over the sea's harmonics, which
+/// equals the integral of 2ρg S(ω)·C over the spectrum.
 #[must_use]
 pub fn mean_drift(
     sea: &Sea,
@@ -128,10 +94,10 @@ pub fn mean_drift(
     sum.map(|sum| water_density_kgpm3 * STANDARD_GRAVITY_MPS2 * sum)
 }
 
-/// Correction for a ship that moves against the wave with a share τ of its phase speed: the wave number at the frequency of
-/// encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave damping' in the drift of a
-/// floating body", J. Fluid Mech. 275, 1994; recalled, without its change of direction). It is of first order in τ,
-/// which is limited to ±0.25; at −0.25 the force is zero.
+/// Correction for a ship that moves against the wave with a share τ of its phase speed. The correction gives the wave
+/// number at the frequency of encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave
+/// damping' in the drift of a floating body", J. Fluid Mech. 275, 1994; recalled, without Aranha's change of
+/// direction). The correction is of first order in τ, so τ is limited to ±0.25; at −0.25 the force is zero.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
     let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;

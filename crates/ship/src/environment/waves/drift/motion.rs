@@ -4,18 +4,20 @@ use fenderline_contact::number::bounded;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
-/// Range of beam over draught of the regression, as far as is known; the ratio is limited to it.
+/// Range of beam over draught of the regression, as far as we know. Ratios outside are set to the limit.
 const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];
 
 /// Radius of gyration of pitch over length: the method's default.
 const PITCH_GYRATION: f64 = 0.25;
 
 /// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
-/// motions, for a ship at rest on an even keel, over ρga² (m), forward. In its angle α the wave comes from ahead at 0.
+/// motions, over ρga² (m), positive forward. The ship is at rest on an even keel. The method's angle α is 0 for waves
+/// from ahead.
 ///
-/// 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), ω̄ over the frequency at which it is largest.
+/// The value is 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), where ω̄ is the frequency over the
+/// frequency at which the force is largest.
 pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {
     let block = hull.block_coefficient;
     let [least, most] = BEAM_OVER_DRAUGHT;
@@ -45,7 +47,8 @@ pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -
     -size * amplitude(block, flatness, off_head_rad, cos) * shape
 }
 
-/// a₁a₂: by formula for waves from ahead to abeam, linear from there to waves from astern, where the force is forward.
+/// The factor a₁a₂: by formula for waves from ahead to abeam, and from there linear to waves from astern, for which the
+/// force is forward.
 fn amplitude(block: f64, flatness: f64, off_head_rad: f64, cos: f64) -> f64 {
     let fullness = 0.87 / block;
     if off_head_rad <= FRAC_PI_2 {

@@ -2,9 +2,9 @@
 
 use fenderline_contact::number::bounded;
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
-/// Number of chords for each end of the waterline. The force is that of the curve within 1 %.
+/// Number of chords for each end of the waterline. With this number, the force is within 1 % of the force on the curve.
 const CHORDS: u32 = 12;
 
 /// Shortest end over length: no ship has a blunter end, and a barge's end is square.
@@ -13,10 +13,10 @@ const SHORTEST_END: f64 = 0.05;
 /// A waterline that is symmetric fore and aft: parabolas from stem and stern to the full beam, and straight sides
 /// between them.
 ///
-/// The length of the ends follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship Design
-/// for Efficiency and Economy", 2nd ed., eq. for normal sections; recalled), and two parabolas of length ℓ leave
-/// C_WP = 1 − ⅔ℓ/L: so ℓ = (1 − C_B)L. For the example of a public program of the SNNM method, a general
-/// cargo ship with C_B 0.79 and 194 m, that is 40.7 m; the true lengths are 38.5 m and 32.3 m.
+/// The length ℓ of the ends follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship
+/// Design for Efficiency and Economy", 2nd ed., equation for normal sections; recalled). Two parabolas of length ℓ give
+/// C_WP = 1 − ⅔ℓ/L. So ℓ = (1 − C_B)L. Example of a public program of the SNNM method: a general cargo ship with C_B
+/// 0.79 and 194 m has ℓ = 40.7 m; the true lengths are 38.5 m and 32.3 m.
 pub(super) struct Waterline {
     half_length_m: f64,
     half_beam_m: f64,
@@ -33,18 +33,19 @@ impl Waterline {
         }
     }
 
-    /// ½∫sin²θ n dl over the part of the waterline exposed to waves towards μ, with the normal n into the hull and θ the
-    /// angle between wave and side: [X, Y, N] over ρga² (m, m, m²). No part shelters another, as the waterline is convex.
+    /// ½∫sin²θ n dl over the part of the waterline exposed to waves towards μ, with the normal n into the hull and θ
+    /// the angle between wave and side: [X, Y, N] over ρga² (m, m, m²). No part shelters another, because the waterline
+    /// is convex.
     pub(super) fn reflection(&self, direction_rad: f64) -> [f64; 3] {
         let towards = [libm::cos(direction_rad), libm::sin(direction_rad)];
         let mut sum = [0.0; 3];
-        // From the stern to the stem on both sides.
+        // The walk goes from the stern to the stem on both sides.
         let mut last = self.corner(0);
         for index in 1..=2 * CHORDS + 1 {
             let next = self.corner(index);
             for side in [1.0, -1.0] {
                 let (along, out) = (next[0] - last[0], side * (next[1] - last[1]));
-                // Outward normal times length: the chord turned by a right angle, away from the centre line.
+                // Outward normal times length: the chord, turned by a right angle away from the centre line.
                 let normal = [-side * out, side * along];
                 let facing = towards[0] * normal[0] + towards[1] * normal[1];
                 if facing < 0.0 {

@@ -2,15 +2,16 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
 /// Blendermann, "Parameter identification of wind loads on ships", J. Wind Eng. Ind. Aerodyn. 51 (1994).
 ///
-/// With CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F),
-/// CY = CDt·sinγ/den, CN = (s_L/L − 0.18(γ − π/2))·CY. Source: found (Fossen's toolbox, which prints the
-/// formulas and the table of types). That code uses γ − π/2 also for negative γ, which
-/// makes port and starboard differ; here |γ| is used and the result is mirrored.
+/// With CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F), CY = CDt·sinγ/den, CN
+/// = (s_L/L − 0.18(γ − π/2))·CY. Source: found (Fossen's toolbox, which prints the formulas and the table of types).
+/// The toolbox uses γ − π/2 also for negative γ, so that port and starboard differ there. Here |γ| is used, and the
+/// result is mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blendermann {
     /// Parameters of the type of ship.
@@ -45,8 +46,8 @@ const fn kind(name: &'static str, p: [f64; 5]) -> BlendermannType {
     }
 }
 
-/// Blendermann's table: CDt, CDlAF(0), CDlAF(π), δ, κ. Found in Fossen's toolbox; the original was not
-/// read. The drilling vessel's CDlAF are means of a range.
+/// Blendermann's table: CDt, CDlAF(0), CDlAF(π), δ, κ. Source: found in Fossen's toolbox; the original was not read.
+/// The CDlAF of the drilling vessel are means of a range.
 pub static BLENDERMANN_TYPES: [BlendermannType; 17] = [
     kind("car carrier", [0.95, 0.55, 0.60, 0.80, 1.2]),
     kind("cargo vessel, loaded", [0.85, 0.65, 0.55, 0.40, 1.7]),
@@ -87,7 +88,7 @@ impl Blendermann {
 
     /// Coefficients at an angle from 0 to π. CDlAF changes at 90°, but the coefficients are continuous there, as cos γ and
     /// sin 2γ are zero.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let k = &self.kind;
         let along = if angle_rad <= FRAC_PI_2 { k.along_from_ahead } else { k.along_from_astern };
         let along_on_lateral = along * ship.frontal_m2 / ship.lateral_m2;

@@ -1,20 +1,21 @@
 //! Wind coefficients by Fujiwara et al. (1998): Fourier series in the wind angle.
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
-/// Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", J. Soc. Nav. Archit.
-/// Japan 183 (1998): CX in cos γ, cos 3γ, cos 5γ; CY in sin γ, sin 3γ, sin 5γ; CN in sin γ, sin 2γ,
-/// sin 3γ, each Fourier coefficient by regression over ships with a superstructure.
+/// Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", J. Soc. Nav. Archit. Japan 183
+/// (1998): CX in cos γ, cos 3γ, cos 5γ; CY in sin γ, sin 3γ, sin 5γ; CN in sin γ, sin 2γ, sin 3γ, each Fourier
+/// coefficient comes from a regression over ships with a superstructure.
 ///
-/// Source: found (a public code of the Esso Osaka free-running model prints all coefficients and says
-/// they are Fujiwara's); the paper was not read. In a head wind it is 5 % from the later formula of
-/// ISO 15016 on the Esso Osaka, but 20 to 36 % above it on a loaded container ship.
+/// Source: found (a public code of the Esso Osaka free-running model prints all coefficients and says they are
+/// Fujiwara's); the paper was not read. In a head wind the result differs by 5 % from the later formula of ISO 15016
+/// for the Esso Osaka, but is 20 to 36 % larger for a loaded container ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fujiwara {
     /// A_OD, lateral projected area of superstructures, tanks and containers on the deck (m²).
     pub on_deck_m2: f64,
-    /// Its centroid forward of midship (m).
+    /// Centroid of A_OD, forward of midship (m).
     pub on_deck_forward_m: f64,
     /// H_BR, top of the superstructure above the waterline (m).
     pub top_height_m: f64,
@@ -22,7 +23,7 @@ pub struct Fujiwara {
 
 impl Fujiwara {
     /// The area on deck is at most the lateral area, and its centroid is within the length of the ship.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, ship.lateral_m2)?;
         let half_m = 0.5 * ship.length_m;
         within("centroid of the area on deck [m]", self.on_deck_forward_m, -half_m, half_m)?;
@@ -32,7 +33,7 @@ impl Fujiwara {
 
     /// Coefficients at an angle from 0 to π.
     #[rustfmt::skip]
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let (at, al, aod) = (ship.frontal_m2, ship.lateral_m2, self.on_deck_m2);
         let (xl, zl) = (ship.centroid_forward_m, ship.centroid_height_m);

@@ -2,16 +2,16 @@
 
 use fenderline_contact::number::bounded;
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
 /// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).
 ///
-/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M),
-/// CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B + B₄·S/L + B₅·C/L + B₆·A_SS/A_L,
-/// CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, C the centroid's distance from the bow.
-/// Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the tables; the paper
-/// was not read).
+/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M), CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B +
+/// B₄·S/L + B₅·C/L + B₆·A_SS/A_L, CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, with C, the centroid's
+/// distance from the bow. Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the
+/// tables; the paper was not read).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
     /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators (m).
@@ -24,7 +24,7 @@ pub struct Isherwood {
 
 impl Isherwood {
     /// The perimeter of the side view is at least the length of the ship, and the superstructure at most the lateral area.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         let perimeter = "perimeter of the lateral projection [m]";
         within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;
         let superstructure = "lateral area of the superstructure [m²]";
@@ -34,7 +34,7 @@ impl Isherwood {
     }
 
     /// Coefficients at an angle from 0 to π.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let from_bow_m = 0.5 * l - ship.centroid_forward_m;
         let terms = [

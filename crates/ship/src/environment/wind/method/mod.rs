@@ -19,7 +19,8 @@ pub use fujiwara::Fujiwara;
 pub use isherwood::Isherwood;
 pub use own::OwnWindTable;
 
-use super::windage::{ShipWindage, WindCoefficients};
+use super::above_water::AboveWater;
+use super::coefficients::WindCoefficients;
 use crate::range::OutOfRange;
 
 /// A method for the wind coefficients of a ship.
@@ -31,12 +32,12 @@ pub enum WindMethod {
     Blendermann(Blendermann),
     /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
     Fujiwara(Fujiwara),
-    /// A table of the user's own.
+    /// A table that the user gives.
     Own(OwnWindTable),
 }
 
 impl WindMethod {
-    /// Its name, and how well its source is known, for reports.
+    /// Name of the method, and how well its source is known, for reports.
     #[must_use]
     pub fn standing(&self) -> (&str, &str) {
         match self {
@@ -60,7 +61,7 @@ impl WindMethod {
     ///
     /// # Errors
     /// The first number out of range.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         match self {
             WindMethod::Isherwood(method) => method.check(ship),
             WindMethod::Blendermann(method) => method.check(),
@@ -70,7 +71,7 @@ impl WindMethod {
     }
 
     /// Coefficients at an angle γ (rad) from 0 to π; those of a table also from −π to 0.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         match self {
             WindMethod::Isherwood(method) => method.coefficients(ship, angle_rad),
             WindMethod::Blendermann(method) => method.coefficients(ship, angle_rad),

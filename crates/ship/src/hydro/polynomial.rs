@@ -1,20 +1,21 @@
-//! Hull polynomials: the two forms in which they are published, and a form for ships without one.
+//! Hull polynomials: the two forms in which they are published, and a form for ships without a polynomial.
 
-use crate::hydro::added_mass::AddedMass;
-use crate::hydro::low_speed::LowSpeedHull;
-use crate::hydro::particulars::Particulars;
-use crate::hydro::quantities::{Force, Velocity, Water};
+use super::added_mass::AddedMass;
+use super::linear_terms::LinearTerms;
+use super::low_speed::LowSpeedHull;
+use super::particulars::Particulars;
+use super::quantities::{Force, Velocity, Water};
 
-/// Hull polynomial of a ship under way, by ½ρLdU² (moments by another L).
+/// Hull polynomial of a ship under way. Forces are divided by ½ρLdU², moments by ½ρL²dU².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Polynomial {
-    /// In v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015). Without added-mass terms.
+    /// A polynomial in v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015), without added-mass terms.
     Sway(SwayPolynomial),
-    /// In the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr includes −m'y and Yr
-    /// includes −m'x, the Coriolis terms of the added mass.
+    /// A polynomial in the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr includes −m'y and Yr
+    /// includes −m'x: these are the Coriolis terms of the added mass.
     Drift(DriftPolynomial),
-    /// No polynomial: the low-speed form, with the cross-flow drag of a ship under way, which in shallow water differs from
-    /// that of a ship at berth. Without added-mass terms.
+    /// No polynomial: the low-speed form, with the cross-flow drag of a ship under way, without added-mass terms. In
+    /// shallow water this drag differs from that of a ship at her berth.
     CrossFlow(LowSpeedHull),
 }
 
@@ -25,7 +26,7 @@ pub enum Polynomial {
     reason = "each is named as in the method: its index is its powers of v' and r'"
 )]
 pub struct SwayPolynomial {
-    /// R'₀, positive.
+    /// Resistance R'₀, positive.
     pub resistance: f64,
     pub x_vv: f64,
     pub x_vr: f64,
@@ -52,7 +53,7 @@ pub struct SwayPolynomial {
     reason = "each is named as in the method: its index is its powers of β and r'"
 )]
 pub struct DriftPolynomial {
-    /// X'₀, negative.
+    /// Resistance X'₀, negative.
     pub x_0: f64,
     pub x_bb: f64,
     pub x_br: f64,
@@ -72,26 +73,9 @@ pub struct DriftPolynomial {
     pub n_rrr: f64,
 }
 
-/// The linear terms, in one convention for both forms: over v' and r', without added mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinearTerms {
-    /// X'₀, negative.
-    pub ahead: f64,
-    /// X'vr.
-    pub surge_vr: f64,
-    /// Y'v.
-    pub sway_v: f64,
-    /// Y'r.
-    pub sway_r: f64,
-    /// N'v.
-    pub yaw_v: f64,
-    /// N'r.
-    pub yaw_r: f64,
-}
-
 impl Polynomial {
-    /// Force at midship *with* the added mass' Coriolis terms, X + m_y v r and Y − m_x u r, so that both
-    /// forms are equivalent. The ship must be moving (U > 0).
+    /// Force at midship *with* the Coriolis terms of the added mass, X + m_y v r and Y − m_x u r. With the Coriolis
+    /// terms both forms are equivalent. The ship must be moving (U > 0).
     pub(crate) fn force(
         &self,
         velocity: &Velocity,
@@ -175,7 +159,7 @@ impl Polynomial {
                 yaw_v: p.n_v,
                 yaw_r: p.n_r,
             },
-            // β = −v' where it is small.
+            // For small angles β = −v'.
             Polynomial::Drift(p) => LinearTerms {
                 ahead: p.x_0,
                 surge_vr: -(p.x_br + added.sway_m3 / ship.mass_unit_m3()),
@@ -196,8 +180,8 @@ impl Polynomial {
     }
 }
 
-/// The Coriolis terms of the added mass in the MMG method, (m_y v r, −m_x u r, 0): the Munk moment
-/// (m_x − m_y)uv is part of N_v and is not added again.
+/// The Coriolis terms of the added mass in the MMG method, (m_y v r, −m_x u r, 0): the Munk moment (m_x − m_y)uv is
+/// part of N_v, and is not added again.
 pub(crate) fn coriolis(velocity: &Velocity, added: &AddedMass, water: Water) -> Force {
     let turn = water.density_kgpm3 * velocity.yaw_radps;
     Force {

@@ -1,0 +1,21 @@
+//! The functions of a master that take messages.
+
+use std::ffi::{c_char, c_int, c_void};
+
+/// `fmi2CallbackLogger`.
+pub type Logger2 = unsafe extern "C" fn(
+    environment: *mut c_void,
+    instance_name: *const c_char,
+    status: c_int,
+    category: *const c_char,
+    message: *const c_char,
+    ...
+);
+
+/// `fmi3LogMessageCallback`.
+pub type Logger3 = unsafe extern "C" fn(
+    environment: *mut c_void,
+    status: c_int,
+    category: *const c_char,
+    message: *const c_char,
+);

@@ -1,0 +1,70 @@
+//! What the instruments of a vessel show on board, frozen ones too.
+
+use fenderline_contact::Vec2;
+
+use crate::frozen::{Frozen, Place, place};
+use crate::message::{Frame, Role};
+use crate::session::Session;
+use crate::speeds::{Speeds, speeds};
+
+/// What the instruments of a vessel show: the true values, or those at which an instrument is frozen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    /// By the gyro compass, from north (rad).
+    pub heading_rad: f64,
+    /// Rate of turn, positive to starboard (rad/s); none while the compass is frozen.
+    pub turn_radps: f64,
+    /// Where the antenna is, which is midship (m).
+    pub midship_m: Vec2,
+    /// By log and satellite receiver.
+    pub speeds: Speeds,
+}
+
+impl Session {
+    /// What the instruments of a vessel show, by her index.
+    #[must_use]
+    pub fn shown(&self, vessel: usize) -> Shown {
+        let (simulation, frozen) = (self.simulation(), &self.now().frozen[vessel]);
+        let state = &simulation.states()[simulation.setup().world.vessels[vessel].body];
+        Shown {
+            heading_rad: frozen.heading_rad.unwrap_or(state.heading_rad),
+            turn_radps: frozen.turn_radps(state.yaw_rate_radps),
+            midship_m: frozen.place.unwrap_or_else(|| place(simulation, vessel)).midship_m,
+            speeds: frozen.speeds.unwrap_or_else(|| speeds(simulation, vessel)),
+        }
+    }
+
+    /// The vessel of a pilot or a tug master if one of her instruments that pages show is frozen.
+    pub(crate) fn frozen_vessel(&self, role: &Role) -> Option<usize> {
+        let name = match role {
+            Role::Pilot { vessel } => self.cast().ship_of(vessel)?,
+            Role::Tugmaster { tug } => tug.as_str(),
+            Role::Instructor | Role::Observer => return None,
+        };
+        let vessel = self.cast().vessels.iter().position(|of| of == name)?;
+        self.now().frozen[vessel].any().then_some(vessel)
+    }
+
+    /// Puts frozen values in the place of true ones.
+    pub(crate) fn freeze(&self, vessel: usize, frame: &mut Frame) {
+        let Frozen { heading_rad, speeds, place } = self.now().frozen[vessel];
+        let body = self.simulation().setup().world.vessels[vessel].body;
+        let Some([north_m, east_m, heading, north_mps, east_mps, turn_radps]) =
+            &mut frame.bodies[body]
+        else {
+            return;
+        };
+        if let Some(frozen_rad) = heading_rad {
+            (*heading, *turn_radps) = (frozen_rad, 0.0);
+        }
+        if let Some(shown) = speeds {
+            [*north_mps, *east_mps] = shown.velocity_mps;
+            let own = &mut frame.vessels[vessel];
+            (own.ground_mps, own.water_mps) = (shown.ground_mps, shown.water_mps);
+            (own.bow_mps, own.stern_mps) = (shown.bow_mps, shown.stern_mps);
+        }
+        if let Some(Place { centre_m, .. }) = place {
+            (*north_m, *east_m) = (centre_m.x, centre_m.y);
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! A simulation of its pickle.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::pickled::Pickled;
+use crate::simulation::Simulation;
+
+/// The simulation of a pickle's dictionary, for `fenderline._pickling`.
+#[pyfunction]
+pub(crate) fn simulation_of_parts(
+    py: Python<'_>,
+    parts: &Bound<'_, PyDict>,
+) -> PyResult<Simulation> {
+    Simulation::of_pickled(py, &Pickled::of_parts(parts)?)
+}

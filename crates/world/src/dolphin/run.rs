@@ -1,0 +1,122 @@
+//! What the dolphins of a run do.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{Model, PileMotion};
+
+use crate::setup::{BodySetup, Setup};
+
+/// The pile of a dolphin in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DolphinMotion {
+    /// The dolphin: an index into [`Setup::bodies`].
+    pub body: usize,
+    /// What its pile did.
+    pub pile: PileMotion,
+}
+
+/// What a dolphin's pile bore in a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DolphinSummary {
+    /// The dolphin: an index into [`Setup::bodies`].
+    pub body: usize,
+    /// Largest deflection of the head, permanent part included (m).
+    pub peak_deflection_m: f64,
+    /// Start of the step of it (s).
+    pub peak_deflection_at_s: f64,
+    /// Largest load on the pile (N).
+    pub peak_load_n: f64,
+    /// Start of the step of it (s).
+    pub peak_load_at_s: f64,
+    /// Largest energy in the pile's bending (J).
+    pub peak_energy_j: f64,
+    /// The largest load over the yield load, if that is known.
+    pub share_of_yield_load: Option<f64>,
+    /// Start of the first step in which it yielded (s).
+    pub yielded_at_s: Option<f64>,
+    /// Permanent deflection (m).
+    pub offset_m: f64,
+    /// Energy lost to yielding (J).
+    pub yield_j: f64,
+    /// Energy lost to damping (J).
+    pub damping_j: f64,
+}
+
+/// The dolphins of a run: their last motions, and their summaries, in the order of the set-up.
+#[derive(Clone, Debug, Default)]
+pub struct Dolphins {
+    /// For each dolphin, the number of its pile in the engine.
+    piles: Vec<usize>,
+    /// Their motions in the last step.
+    pub motions: Vec<DolphinMotion>,
+    /// What they did in the run.
+    pub summaries: Vec<DolphinSummary>,
+}
+
+impl Dolphins {
+    /// Before the first step. The engine has the piles in the order of its bodies' keys.
+    pub fn new(setup: &Setup, model: &Model) -> Dolphins {
+        let with_pile = |(body, of): (usize, &BodySetup)| of.dolphin.map(|_| body);
+        let bodies: Vec<usize> = setup.bodies.iter().enumerate().filter_map(with_pile).collect();
+        let key = |body: usize| model.bodies()[body].key;
+        let piles = bodies
+            .iter()
+            .map(|&body| bodies.iter().filter(|&&other| key(other) < key(body)).count())
+            .collect();
+        let motion = |&body: &usize| DolphinMotion { body, pile: PileMotion::default() };
+        Dolphins {
+            piles,
+            motions: bodies.iter().map(motion).collect(),
+            summaries: bodies.iter().map(|&body| DolphinSummary::new(body)).collect(),
+        }
+    }
+
+    /// Takes over a step of the engine.
+    pub fn take(&mut self, piles: &[PileMotion]) {
+        for (motion, &pile) in self.motions.iter_mut().zip(&self.piles) {
+            motion.pile = piles[pile];
+        }
+    }
+
+    /// Adds the last step to the summaries.
+    pub fn summarise(&mut self, setup: &Setup, t_s: f64) {
+        for (summary, motion) in self.summaries.iter_mut().zip(&self.motions) {
+            let limit_n = setup.bodies[motion.body].dolphin.and_then(|of| of.yield_load_n);
+            summary.add(&motion.pile, limit_n, t_s);
+        }
+    }
+}
+
+impl DolphinSummary {
+    fn new(body: usize) -> DolphinSummary {
+        DolphinSummary {
+            body,
+            peak_deflection_m: 0.0,
+            peak_deflection_at_s: 0.0,
+            peak_load_n: 0.0,
+            peak_load_at_s: 0.0,
+            peak_energy_j: 0.0,
+            share_of_yield_load: None,
+            yielded_at_s: None,
+            offset_m: 0.0,
+            yield_j: 0.0,
+            damping_j: 0.0,
+        }
+    }
+
+    fn add(&mut self, pile: &PileMotion, limit_n: Option<f64>, t_s: f64) {
+        if pile.peak_deflection_m > self.peak_deflection_m {
+            (self.peak_deflection_m, self.peak_deflection_at_s) = (pile.peak_deflection_m, t_s);
+        }
+        if pile.peak_load_n > self.peak_load_n {
+            (self.peak_load_n, self.peak_load_at_s) = (pile.peak_load_n, t_s);
+        }
+        self.peak_energy_j = greater(self.peak_energy_j, pile.peak_stored_j);
+        self.share_of_yield_load = limit_n.map(|limit_n| self.peak_load_n / limit_n);
+        if pile.yield_j > 0.0 {
+            self.yielded_at_s.get_or_insert(t_s);
+        }
+        self.offset_m = pile.offset_m.length();
+        self.yield_j += pile.yield_j;
+        self.damping_j += pile.damping_j;
+    }
+}

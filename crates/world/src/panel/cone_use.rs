@@ -1,0 +1,43 @@
+//! What a cone behind a panel took, over its part of the panel's rating.
+
+use crate::fender::{FenderSetup, FenderSummary, Rated};
+
+/// What a cone took by its curve with the factor of the run, without the panel's stop, and that over the cone's own part of
+/// the panel's rating.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConeUse {
+    /// Largest reaction (N).
+    pub peak_reaction_n: f64,
+    /// Energy up to its largest deflection (J).
+    pub peak_energy_j: f64,
+    /// Its largest deflection over the rated one; `None` without a rating, as the others.
+    pub share_of_rated_deflection: Option<f64>,
+    /// The reaction over the rated one with the run's factor.
+    pub share_of_rated_reaction: Option<f64>,
+    /// The energy over the capacity with the run's factors.
+    pub share_of_rated_energy: Option<f64>,
+}
+
+impl ConeUse {
+    /// Of a cone with this largest deflection (m). `None` for a fender with an area law.
+    #[must_use]
+    pub fn of(
+        setup: &FenderSetup,
+        summary: &FenderSummary,
+        peak_deflection_m: f64,
+    ) -> Option<ConeUse> {
+        let (cones, factor) = (setup.cones(), summary.factor);
+        let peak = Rated::of(&setup.law, peak_deflection_m)?;
+        let (peak_reaction_n, peak_energy_j) = (peak.reaction_n * factor, peak.energy_j * factor);
+        let rated = setup.rated;
+        let energy = |capacity_j: f64| cones * peak_energy_j / capacity_j;
+        Some(ConeUse {
+            peak_reaction_n,
+            peak_energy_j,
+            share_of_rated_deflection: rated.map(|rated| peak_deflection_m / rated.deflection_m),
+            // The factor is on both.
+            share_of_rated_reaction: rated.map(|rated| cones * peak.reaction_n / rated.reaction_n),
+            share_of_rated_energy: summary.capacity_j.filter(|_| rated.is_some()).map(energy),
+        })
+    }
+}
