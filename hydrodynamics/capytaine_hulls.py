@@ -165,16 +165,19 @@ def container_ship(depth, wall=None, **of):
 # negative. The ship's gap is narrower and her panels are longer: there they resolve waves up to 1.2 rad/s.
 BARGE_AT = steps((0.1, 0.05), (0.6, 0.025), (1.0, 0.05), (1.6, 0.1), (2.2, None))
 SHIP_AT = steps((0.15, 0.05), (0.4, 0.025), (0.9, 0.05), (1.2, None))
+# Added mass and damping have half these steps and less: the water's memory needs them closer than the waves' forces do.
+BARGE_RADIATION_AT = steps((0.1, 0.025), (0.4, 0.0125), (1.1, 0.025), (1.6, 0.05), (2.2, None))
+SHIP_RADIATION_AT = steps((0.1, 0.025), (0.4, 0.0125), (0.9, 0.025), (1.2, None))
 # Depth, and the distance of the wall from the centre line (m).
 CASES = {
     "barge_20m": barge(20.0),
     "barge_10m": barge(10.0),
-    "barge_20m_quay": barge(20.0, 16.0, omegas=BARGE_AT),
-    "barge_10m_quay": barge(10.0, 16.0, omegas=BARGE_AT),
+    "barge_20m_quay": barge(20.0, 16.0, omegas=BARGE_AT, radiation=BARGE_RADIATION_AT),
+    "barge_10m_quay": barge(10.0, 16.0, omegas=BARGE_AT, radiation=BARGE_RADIATION_AT),
     "ship_20m": container_ship(20.0),
     "ship_15m": container_ship(15.0),
-    "ship_20m_quay": container_ship(20.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT),
-    "ship_15m_quay": container_ship(15.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT),
+    "ship_20m_quay": container_ship(20.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT, radiation=SHIP_RADIATION_AT),
+    "ship_15m_quay": container_ship(15.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT, radiation=SHIP_RADIATION_AT),
 }
 
 
@@ -304,7 +307,8 @@ def run(name, folder):
     of = CASES[name]
     size, wall = of["size"], of["wall"]
     began = time.process_time()
-    data, mesh, lid_faces, volume, stiffness = solve(name, [*of["omegas"], np.inf], of["headings"])
+    omegas = np.unique([*of["omegas"], *of.get("radiation", ())])
+    data, mesh, lid_faces, volume, stiffness = solve(name, [*omegas, np.inf], of["headings"])
     seconds = round(time.process_time() - began)
     water = "open water" if wall is None else f"a quay wall {wall:g} m to starboard of the centre line"
     source = (
@@ -318,6 +322,7 @@ def run(name, folder):
     ship = converters().from_capytaine(
         data, gravity_above_water_m=gravity, gyradii_m=size["gyradii"], mass_kg=WATER_KGPM3 * volume, fold=wall is None, source=source
     )
+    ship.excitation = {key: forces for key, forces in ship.excitation.items() if key[0] in of["omegas"]}
     ship.write(path.with_suffix(".hydro"))
     gm = float(stiffness.sel(influenced_dof="Roll", radiating_dof="Roll")) / (WATER_KGPM3 * GRAVITY_MPS2 * volume)
     print(f"{name}: {mesh.nb_faces} panels, lid {lid_faces}, {volume:.0f} m³, GM {gm:.2f} m, {seconds} s of processor time", flush=True)

@@ -126,7 +126,7 @@ fn found(row: &Row) -> [(f64, f64); 6] {
     let mut simulation =
         Simulation::new(scenario(row).expect("resolved").setup).expect("a good set-up");
     let mut records: [Vec<(f64, f64)>; 6] = Default::default();
-    while simulation.time_s() < 600.0 {
+    while simulation.time_s() < 1199.5 {
         let record = simulation.step().expect("a good step");
         let (body, attitude) = (record.states_after[0], record.vessels[0].attitude);
         let motion = [
@@ -138,7 +138,7 @@ fn found(row: &Row) -> [(f64, f64); 6] {
             body.heading_rad,
         ];
         let t_s = simulation.time_s();
-        if t_s > 300.0 {
+        if t_s > 900.0 {
             for (record, value) in records.iter_mut().zip(motion) {
                 record.push((t_s, value / 0.5e-4));
             }
