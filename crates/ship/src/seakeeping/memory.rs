@@ -32,9 +32,10 @@ const POINTS: (usize, f64) = (200, 2.0);
 /// Weight of the row at zero frequency, where the force must vanish.
 const AT_REST: f64 = 300.0;
 /// The least weight counts as 1. This is the most that another row weighs.
-const HEAVIEST: f64 = 100.0;
-/// Rows weigh by the frequency as at this share of the last frequency, where they are slower.
-const SLOWEST: f64 = 0.05;
+const HEAVIEST: f64 = 30.0;
+/// Rows weigh 1/ω between these shares of the last frequency. With weights of 1/√ω there the slow sway of a moored ship was 2.7 % less at a step of 0.5 s
+/// than at 0.1 s.
+const SLOW: [f64; 2] = [0.05, 0.4];
 /// Ridge of the fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
 /// A resonator counts as near a frequency if it takes at least this share of its largest energy there.
@@ -338,11 +339,12 @@ impl Resonator {
     }
 }
 
-/// What a free ship makes of an error of the damping at a frequency (rad/s): the norm of the inverse of her equation of motion, over the frequency.
-/// The equation is in units of her own mass, added mass included.
+/// The weight of an error of the damping at a frequency (rad/s): by the norm of the inverse of a free ship's equation of motion, in units of her own mass,
+/// added mass included, and by the frequency.
 ///
 /// Near a resonance small errors are large motions: pitch of the ship at a quay has 3 % of the critical damping at 0.9 rad/s, where an error of 1 % of the
-/// mass is 30 % of the motion. In slow motions the force by acceleration is the force by velocity over the frequency.
+/// mass is 30 % of the motion. The weight is the square root of the norm: with the norm itself ships in open water were 2.1 % off instead of 2.0 %, with its
+/// square 3.9 %. In slow motions the force by acceleration is the force by velocity over the frequency.
 fn felt(data: &Hydrodynamics, retardation: &Retardation, w: f64, last_radps: f64) -> f64 {
     let (total, mass, restoring) = (data.total_mass(), data.rigid_mass(), data.restoring());
     let damping = retardation.damping_matrix(w);
@@ -370,7 +372,8 @@ fn felt(data: &Hydrodynamics, retardation: &Retardation, w: f64, last_radps: f64
         (0..12).map(|i| (0..12).map(|j| f64::from(i == j)).collect()).collect();
     let inverse = least_squares(&rows, &unit, 0.0);
     let squares: f64 = inverse.iter().flatten().map(|value| value * value).sum();
-    (0.5 * squares).sqrt() / greater(w, SLOWEST * last_radps)
+    let slow = lesser(greater(w / last_radps, SLOW[0]), SLOW[1]);
+    (0.5 * squares).sqrt().sqrt() / slow
 }
 
 fn square(x: f64) -> f64 {
