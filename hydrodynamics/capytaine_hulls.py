@@ -102,7 +102,9 @@ def ship(length, beam, draught, block, waterplane, counts):
     for i in range(nx):
         for k in range(ng):
             p = [(x[a], y[a, b], z[a, b]) for a, b in ((i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1))]
-            panels.append(p[::-1])
+            # Capytaine splits a panel between its first and third corner: alike on both sides, and fore and aft.
+            p = p if 2 * i < nx else p[1:] + p[:1]
+            panels.append(p)
             panels.append([(x, -y, z) for x, y, z in p])
     return panels
 
@@ -112,7 +114,7 @@ def mesh_of(panels, name):
     # Both hulls are convex: a normal points away from the middle.
     across = np.cross(panels[:, 2] - panels[:, 0], panels[:, 3] - panels[:, 1])
     inwards = np.einsum("ij,ij->i", across, panels.mean(axis=1) - [0, 0, panels[:, :, 2].min() / 2]) < 0
-    panels[inwards] = panels[inwards, ::-1]
+    panels[inwards] = panels[inwards][:, [0, 3, 2, 1]]  # the first and the third corner stay
     vertices, index = np.unique(panels.reshape(-1, 3), axis=0, return_inverse=True)
     return cpt.Mesh(vertices=vertices, faces=index.reshape(-1, 4), name=name)
 
@@ -163,32 +165,49 @@ def container_ship(depth, wall=None, **of):
 # negative. The ship's gap is narrower and her panels are longer: there they resolve waves up to 1.2 rad/s.
 BARGE_AT = steps((0.1, 0.05), (0.6, 0.025), (1.0, 0.05), (1.6, 0.1), (2.2, None))
 SHIP_AT = steps((0.15, 0.05), (0.4, 0.025), (0.9, 0.05), (1.2, None))
+# Added mass and damping have half these steps and less: the water's memory needs them closer than the waves' forces do.
+BARGE_RADIATION_AT = steps((0.1, 0.025), (0.4, 0.0125), (1.1, 0.025), (1.6, 0.05), (2.2, None))
+SHIP_RADIATION_AT = steps((0.1, 0.025), (0.4, 0.0125), (0.9, 0.025), (1.2, None))
 # Depth, and the distance of the wall from the centre line (m).
 CASES = {
     "barge_20m": barge(20.0),
     "barge_10m": barge(10.0),
-    "barge_20m_quay": barge(20.0, 16.0, omegas=BARGE_AT),
-    "barge_10m_quay": barge(10.0, 16.0, omegas=BARGE_AT),
+    "barge_20m_quay": barge(20.0, 16.0, omegas=BARGE_AT, radiation=BARGE_RADIATION_AT),
+    "barge_10m_quay": barge(10.0, 16.0, omegas=BARGE_AT, radiation=BARGE_RADIATION_AT),
     "ship_20m": container_ship(20.0),
     "ship_15m": container_ship(15.0),
-    "ship_20m_quay": container_ship(20.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT),
-    "ship_15m_quay": container_ship(15.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT),
+    "ship_20m_quay": container_ship(20.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT, radiation=SHIP_RADIATION_AT),
+    "ship_15m_quay": container_ship(15.0, 27.0, hull=COARSE_SHIP, omegas=SHIP_AT, radiation=SHIP_RADIATION_AT),
 }
 
 
-def at_wall(mesh, lid, centre, y_wall):
-    """Hull and image as one body. Capytaine's y is to port, so the wall is at a negative one."""
-    image, image_lid = (part.mirrored("xOz").translated_y(2 * y_wall) for part in (mesh, lid))
+def symmetric(mesh, lid, wall):
+    """Hull and lid as a quarter and its images, which take a quarter of the time: fore and aft, and to both sides. At a wall, which is then at
+    y = 0, the second image is that of the whole hull."""
+    halves = []
+    # Panels of the lid lie across the middle lines, those of the hull do not.
+    lid = lid.clipped(normal=(-1, 0, 0), origin=(0, 0, 0))
+    lid = lid.clipped(normal=(0, -1, 0), origin=(0, 0, 0)) if wall is None else lid
+    x, y, _ = mesh.faces_centers.T
+    kept = (x > 0) & ((y > 0) | (wall is not None))
+    for part in (mesh.extract_faces(np.flatnonzero(kept)), lid):
+        part = part if wall is None else part.translated_y(wall)
+        halves.append(cpt.ReflectionSymmetricMesh(half=cpt.ReflectionSymmetricMesh(half=part, plane="yOz"), plane="xOz"))
+    return halves
+
+
+def at_wall(mesh, lid, height, wall):
+    """Hull and image as one body. Capytaine's y is to port, so the hull is at a positive one from the wall."""
     dofs = {}
     for index, dof in enumerate(DOFS):
         fields = []
-        for part, place, sign in ((mesh, centre, 1), (image, (0, 2 * y_wall, centre[2]), IMAGE[index])):
-            r = part.faces_centers - np.array(place)
+        for part, y, sign in ((mesh.half, wall, 1), (mesh.other_half, -wall, IMAGE[index])):
+            r = part.faces_centers - np.array((0, y, height))
             axis = np.eye(3)[index % 3]
             field = np.tile(axis, (len(r), 1)) if index < 3 else np.cross(axis, r)
             fields.append(sign * field)
         dofs[dof] = np.concatenate(fields)
-    return cpt.FloatingBody(mesh=mesh.join_meshes(image), lid_mesh=lid.join_meshes(image_lid), dofs=dofs)
+    return cpt.FloatingBody(mesh=mesh, lid_mesh=lid, dofs=dofs)
 
 
 def drift(results, data, size, volume):
@@ -196,13 +215,13 @@ def drift(results, data, size, volume):
     theta = 2 * np.pi * np.arange(-12, 373) / 360  # beyond a turn at both ends, as the derivative needs
     finite = [result for result in results if np.isfinite(float(result.omega))]
     omegas = np.array(sorted({result.omega for result in finite}))
-    headings = np.array(sorted({result.wave_direction for result in finite if hasattr(result, "wave_direction")}))
+    headings = np.array(sorted({result.wave_direction for result in finite if not hasattr(result, "radiating_dof")}))
     place = {omega: index for index, omega in enumerate(omegas)}
     radiated = np.zeros((len(omegas), len(DOFS), len(theta)), complex)
     diffracted = np.zeros((len(omegas), len(headings), len(theta)), complex)
     for result in finite:
         kochin = cpt.post_pro.kochin.compute_kochin(result, theta)
-        if hasattr(result, "wave_direction"):
+        if not hasattr(result, "radiating_dof"):
             diffracted[place[result.omega], np.searchsorted(headings, result.wave_direction)] = kochin
         else:
             radiated[place[result.omega], DOFS.index(result.radiating_dof)] = kochin
@@ -248,13 +267,16 @@ def solve(name, omegas, headings, drifts=True):
     centre = (0.0, 0.0, size["above_keel"] - size["draught"])
     mesh = mesh_of(of["hull"](), name)
     lid = mesh.generate_lid()
-    body = cpt.FloatingBody(mesh=mesh, lid_mesh=lid, dofs=cpt.rigid_body_dofs(rotation_center=centre), center_of_mass=centre, name=name)
+    dofs = cpt.rigid_body_dofs(rotation_center=centre)
+    body = cpt.FloatingBody(mesh=mesh, dofs=dofs, center_of_mass=centre, name=name)
     volume = body.disp_mass(rho=WATER_KGPM3) / WATER_KGPM3
     stiffness = body.compute_hydrostatic_stiffness(rho=WATER_KGPM3)
-    factor = 1.0
-    if wall is not None:
-        body = at_wall(mesh, lid, centre, -wall)
-        factor = 0.5
+    alike, lid = symmetric(mesh, lid, wall)
+    assert alike.nb_faces == mesh.nb_faces * (1 if wall is None else 2)
+    if wall is None:
+        factor, body = 1.0, cpt.FloatingBody(mesh=alike, lid_mesh=lid, dofs=dofs, name=name)
+    else:
+        factor, body = 0.5, at_wall(alike, lid, centre[2], wall)
     solver = cpt.BEMSolver(green_function=ShallowWater())
     water = {"body": body, "water_depth": of["depth"], "rho": WATER_KGPM3, "g": GRAVITY_MPS2}
     results = []
@@ -268,6 +290,11 @@ def solve(name, omegas, headings, drifts=True):
     if "excitation_force" not in data:
         data["excitation_force"] = data["Froude_Krylov_force"] + data["diffraction_force"]
     data = data[["added_mass", "radiation_damping", "excitation_force"]]
+    if wall is not None:
+        # The crest at the hull, not at the wall.
+        numbers = {float(result.omega): float(result.wavenumber) for result in results if np.isfinite(float(result.omega))}
+        number = xr.DataArray([numbers.get(float(omega), 0.0) for omega in data.omega.values], coords=[("omega", data.omega.values)])
+        data["excitation_force"] = data["excitation_force"] * np.exp(-1j * number * wall * np.sin(data.wave_direction))
     for key in ["added_mass", "radiation_damping"]:
         data[key] = factor * data[key]
     data["hydrostatic_stiffness"] = stiffness
@@ -280,7 +307,8 @@ def run(name, folder):
     of = CASES[name]
     size, wall = of["size"], of["wall"]
     began = time.process_time()
-    data, mesh, lid_faces, volume, stiffness = solve(name, [*of["omegas"], np.inf], of["headings"])
+    omegas = np.unique([*of["omegas"], *of.get("radiation", ())])
+    data, mesh, lid_faces, volume, stiffness = solve(name, [*omegas, np.inf], of["headings"])
     seconds = round(time.process_time() - began)
     water = "open water" if wall is None else f"a quay wall {wall:g} m to starboard of the centre line"
     source = (
@@ -294,6 +322,7 @@ def run(name, folder):
     ship = converters().from_capytaine(
         data, gravity_above_water_m=gravity, gyradii_m=size["gyradii"], mass_kg=WATER_KGPM3 * volume, fold=wall is None, source=source
     )
+    ship.excitation = {key: forces for key, forces in ship.excitation.items() if key[0] in of["omegas"]}
     ship.write(path.with_suffix(".hydro"))
     gm = float(stiffness.sel(influenced_dof="Roll", radiating_dof="Roll")) / (WATER_KGPM3 * GRAVITY_MPS2 * volume)
     print(f"{name}: {mesh.nb_faces} panels, lid {lid_faces}, {volume:.0f} m³, GM {gm:.2f} m, {seconds} s of processor time", flush=True)

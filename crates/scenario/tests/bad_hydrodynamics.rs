@@ -56,10 +56,8 @@ fn each_mistake_is_answered_with_file_line_and_reason() {
 fn good_data_have_no_notice() {
     let notices = read(&data_file(), STEP_S).expect("good data").notices;
     let about_data = notices.iter().map(|notice| notice.to_string());
-    // The barge's headings of 30 degrees do not resolve waves of less than 6.6 s, a part of this sea: that is told, and nothing else.
     let said: Vec<String> = about_data.filter(|said| said.contains("hydro")).collect();
-    assert!(said.iter().all(|said| said.contains("do not resolve")), "{said:?}");
-    assert!(said.len() <= 1, "{said:?}");
+    assert!(said.is_empty(), "{said:?}");
 }
 
 /// A step that her own motions cannot be followed in: heave and pitch of 3.6 s.
@@ -86,6 +84,11 @@ fn a_step_beyond_the_highest_frequency_is_refused() {
     assert!(message.contains("take a step of at most"), "{message}");
 }
 
+/// Periods on the springs (s), longer than that of the slowest wave of the data. On springs of 60 s the barge in surge, with her added mass of slow
+/// waves, swings at 0.1002 rad/s, and the first frequency of the data is 0.1: with next to no damping there she gathers energy that the waves do
+/// give, for hours, as the square of the time.
+const SLOW_S: f64 = 90.0;
+
 /// A ship on linear springs, stepped by hand around [`Motion`] without drag and viscous damping.
 struct Moored {
     motion: Motion,
@@ -100,7 +103,7 @@ impl Moored {
     fn new(ship: &Seakeeping) -> Moored {
         let ship = Seakeeping { data: ship.data.clone(), roll_damping: 0.0 };
         let motion = Motion::new(&ship, STEP_S);
-        let soft = |k: usize| motion.mass()[k][k] * (TAU / 60.0) * (TAU / 60.0);
+        let soft = |k: usize| motion.mass()[k][k] * (TAU / SLOW_S) * (TAU / SLOW_S);
         let springs = [soft(0), soft(1), 0.0, 0.0, 0.0, soft(5)];
         Moored { motion, springs, place: [0.0; 6], velocity: [0.0; 6], given_j: 0.0 }
     }
@@ -219,8 +222,9 @@ fn in_waves_a_moored_ship_never_has_more_energy_than_they_gave() {
                 }
             });
             println!(
-                "{name}, heading {towards_deg}: over {:.2e}, most {most_j:.3e} J",
-                over_j / most_j
+                "{name}, heading {towards_deg}: over {:.2e}, most {most_j:.3e} J, {:.3} of the first half",
+                over_j / most_j,
+                most_j / first_half_j
             );
             assert!(over_j <= 0.01 * most_j, "{name}: {over_j} J more than were given");
             assert!(most_j <= 3.0 * first_half_j, "{name}: {most_j} J after {first_half_j} J");

@@ -130,25 +130,44 @@ fn every_file_is_read_and_moves_a_moored_ship() {
     }
 }
 
-/// Damping of the memory as it steps at 0.2 s beside that of the data, over its maximum: the mean difference over the frequencies. The bank
-/// of resonators is a fit: 0.2 % in open water, 0.6 % at a quay, where the water in the gap resonates sharply.
+/// Added mass and damping of the memory as it steps at 0.2 s beside those of the data: the error of the water's force over the force that the mass
+/// takes, the mean over the frequencies. The bank of resonators is a fit. Where the data's added mass and damping contradict each other a little,
+/// as panel runs do, the fit lies between them: of the ship in 15 m of water by 1.2 % in heave, of the others by less than 1 %.
 #[test]
-fn the_memory_has_the_damping_of_each_file() {
+fn the_memory_has_the_added_mass_and_the_damping_of_each_file() {
     for (name, text) in &files() {
         let scenario = scenario(name, text);
         let ship = scenario.setup.world.vessels[0].seakeeping.clone().expect("data");
         let motion = Motion::new(&ship, 0.2);
         let off = [0, 1, 2, 3, 4, 5].map(|k| {
-            let rows: Vec<(f64, f64)> =
-                ship.data.radiation().map(|(w, _, b)| (w, b[k][k])).collect();
-            let most = rows.iter().map(|row| row.1.abs()).fold(0.0, f64::max);
-            let sum: f64 = rows.iter().map(|(w, b)| (motion.answer([k, k], *w)[0] - b).abs()).sum();
-            sum / (most * rows.len() as f64)
+            let (infinite, total) = (ship.data.infinite()[k][k], ship.data.total_mass()[k][k]);
+            let of_row = |(w, a, b): (f64, &[[f64; 6]; 6], &[[f64; 6]; 6])| {
+                let [damping, added] = motion.answer([k, k], w);
+                f64::hypot(added + infinite - a[k][k], (damping - b[k][k]) / w) / total
+            };
+            let all: Vec<f64> = ship.data.radiation().map(of_row).collect();
+            all.iter().sum::<f64>() / all.len() as f64
         });
         for (motion, off) in MOTIONS.iter().zip(off) {
             println!("{name}, {motion}: {:.2} %", 100.0 * off);
         }
-        let most = if name.ends_with("quay") { 0.01 } else { 0.003 };
-        assert!(off.iter().all(|off| *off < most), "{name}: {off:?}");
+        assert!(off.iter().all(|off| *off < 0.015), "{name}: {off:?}");
+    }
+}
+
+/// A free ship follows a wave much longer than her beam and throws nothing back: next to no drift abeam, over that of a wall of her length. The waves
+/// that she makes by moving cancel those that she throws back; without them a fifth of a wall's drift was left at 0.3 rad/s.
+#[test]
+fn a_ship_that_follows_a_long_beam_wave_has_no_drift() {
+    for (name, text) in files().iter().filter(|(name, _)| !name.ends_with("quay")) {
+        let scenario = scenario(name, text);
+        let data = scenario.setup.world.vessels[0].seakeeping.clone().expect("data").data;
+        let length_m = if name.starts_with("barge") { 80.0 } else { 285.0 };
+        let wall_npm2 = 0.5 * 1025.0 * 9.81 * length_m;
+        for w in [data.wave_range_radps()[0], 0.2, 0.3] {
+            let [_, sway, _] = data.drift_towards(w, std::f64::consts::FRAC_PI_2).expect("drift");
+            println!("{name}, {w} rad/s: {:.5} of a wall's drift", sway / wall_npm2);
+            assert!(sway.abs() < 0.01 * wall_npm2, "{name}, {w} rad/s: {sway}");
+        }
     }
 }

@@ -407,7 +407,9 @@ fn mistakes_in_hydrodynamic_data_are_shown_at_their_line() {
     let row = line("0.5,");
     let cells: Vec<&str> = row.split(',').collect();
     let negative = row.replace(&format!(",{},", cells[2]), ",-3e5,");
-    refused(&row, &negative, &["damping of surge is negative", "barge_20m.hydro:22"]);
+    let above = data_file("barge_20m.hydro").lines().take_while(|own| *own != row).count();
+    let at = format!("barge_20m.hydro:{}", above + 1);
+    refused(&row, &negative, &["damping of surge is negative", &at]);
     let gap = line("0.6,120");
     refused(&format!("{gap}\n"), "", &["no row for omega_radps = 0.6, heading_deg = 120"]);
     refused("8.2e6,", "7.5e6,", &["are for a ship of 7500 t, but the vessel has 8200 t"]);

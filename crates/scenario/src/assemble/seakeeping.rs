@@ -25,6 +25,8 @@ const SHORTEST_PERIOD: f64 = 2.565;
 const FINEST: f64 = 2.0;
 /// From this share of the sea's energy on, a notice tells of waves that the data do not resolve.
 const TOLD: f64 = 0.05;
+/// From which share on they are refused: most of what moves the ship would then be guessed.
+const REFUSED: f64 = 0.5;
 
 impl Assembly<'_, '_> {
     /// The hydrodynamic data that a kind of vessel names, if any, with the centre of gravity.
@@ -98,7 +100,7 @@ impl Assembly<'_, '_> {
                 ),
             });
         }
-        self.note_unresolved(table, item, (&**data, kind.length_m()), environment);
+        self.tell_unresolved(table, item, (&**data, kind.length_m()), environment)?;
         let (mass, restoring) = (data.total_mass(), data.restoring());
         // For reports: natural periods without coupling, with the added mass at infinite frequency.
         let oscillator = |k: usize, damping: f64| Oscillator {
@@ -118,18 +120,18 @@ impl Assembly<'_, '_> {
         Ok(Some((seakeeping, float)))
     }
 
-    /// Notes the share of the sea's energy that the data do not resolve.
-    fn note_unresolved(
+    /// Notes the share of the sea's energy that the data do not resolve. From half of the energy on, the sea is refused.
+    fn tell_unresolved(
         &mut self,
         table: &Table,
         item: &Item,
         (data, length_m): (&Hydrodynamics, f64),
         environment: &Environment,
-    ) {
-        let Some(sea) = &environment.sea else { return };
+    ) -> Checked<()> {
+        let Some(sea) = &environment.sea else { return Ok(()) };
         let unresolved = data.unresolved(sea, length_m);
         if unresolved.sum() < TOLD {
-            return;
+            return Ok(());
         }
         let percent = |share: f64| printable_number((100.0 * share).round());
         let mut parts = Vec::new();
@@ -154,13 +156,16 @@ impl Assembly<'_, '_> {
             percent(unresolved.sum()),
             parts.join("; ")
         );
-        let message = format!(
-            "{message}. Make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule"
-        );
+        let help = "make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule";
+        if unresolved.sum() >= REFUSED {
+            return Err(self.refused(table, item, &message).with_help(help));
+        }
+        let message = format!("{message}; {help}");
         self.notices.push(Notice {
             place: self.sources.place(&item.span),
             key: table.path_of("hydrodynamics"),
             message,
         });
+        Ok(())
     }
 }

@@ -223,18 +223,18 @@ pub(crate) const MISTAKES: &[Mistake] = &[
     ),
     // Too coarse, too late.
     mistake!(
-        "every fifth frequency",
-        |text| edited(text, "radiation", |row| if row.index % 5 != 0 {
+        "every seventh frequency",
+        |text| edited(text, "radiation", |row| if row.index % 7 != 0 {
             row.leave_out()
         }),
         Refused(&["8 frequencies"])
     ),
     mistake!(
-        "every third frequency",
-        |text| edited(text, "radiation", |row| if row.index % 3 != 1 {
+        "every sixth frequency",
+        |text| edited(text, "radiation", |row| if row.index % 6 != 0 {
             row.leave_out()
         }),
-        Refused(&["yaw", "too far apart"])
+        Refused(&["too far apart"])
     ),
     mistake!(
         "every second frequency",

@@ -209,6 +209,17 @@ impl Hydrodynamics {
         })
     }
 
+    /// The mean drift of the data over the square of the amplitude (surge and sway in N/m², yaw in N/m) in a wave of any frequency (rad/s) and
+    /// heading, as for [`Hydrodynamics::excitation_towards`]; `None` where the data have no drift.
+    #[must_use]
+    pub fn drift_towards(&self, frequency_radps: f64, towards_rad: f64) -> Option<[f64; 3]> {
+        self.drift.as_ref()?;
+        let between = Between::new(self);
+        let rows = between.drift(frequency_radps);
+        let place = between.headings.place(towards_rad);
+        Some(std::array::from_fn(|k| place.of(&rows, MIRROR_DRIFT[k], |drift| drift[k])))
+    }
+
     /// Wave number k in the depth of the data (rad/m).
     pub(super) fn wave_number(&self, frequency_radps: f64) -> f64 {
         match self.depth_m {

@@ -68,6 +68,8 @@ impl Hydrodynamics {
         let effective = effective_infinite(&data, &retardation);
         let given = core::mem::replace(&mut data.infinite, effective);
         data.check_consistency(&retardation, &given)?;
+        // The matrix in the file is checked too. The effective matrix takes a median for couplings without damping, which hides a wrong unit.
+        check_total_mass(&plus(&data.mass, 1.0, &given))?;
         check_total_mass(&data.total_mass())?;
         Ok(data)
     }

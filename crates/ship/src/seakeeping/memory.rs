@@ -19,11 +19,11 @@ use fenderline_contact::number::{greater, lesser};
 use super::data::Hydrodynamics;
 use super::least_squares::least_squares;
 use super::matrix::{Matrix6, Six, ZERO, plus, smallest_eigenvalue, times};
-use super::retardation::{TAIL, damping_at, tangent_ratio};
+use super::retardation::{Retardation, TAIL, tangent_ratio};
 use crate::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.
-const RESONATORS: usize = 36;
+const RESONATORS: usize = 48;
 /// Frequency and half-width of a wide resonator, over the last frequency of the data. This resonator takes no part in
 /// the fit. The resonator adds damping beyond the data where the fit lacks damping.
 const WIDE: [f64; 2] = [2.5, 2.5];
@@ -31,6 +31,11 @@ const WIDE: [f64; 2] = [2.5, 2.5];
 const POINTS: (usize, f64) = (200, 2.0);
 /// Weight of the row at zero frequency, where the force must vanish.
 const AT_REST: f64 = 300.0;
+/// The least weight counts as 1. This is the most that another row weighs.
+const HEAVIEST: f64 = 30.0;
+/// Rows weigh 1/ω between these shares of the last frequency. With weights of 1/√ω there the slow sway of a moored ship was 2.7 % less at a step of 0.5 s
+/// than at 0.1 s.
+const SLOW: [f64; 2] = [0.05, 0.4];
 /// Ridge of the fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
 /// A resonator counts as near a frequency if it takes at least this share of its largest energy there.
@@ -128,9 +133,19 @@ impl Bank {
             (0..6).flat_map(|i| (i..6).map(move |j| [i, j])).filter(coupled).collect();
         let retardation = data.retardation();
         let (mut rows, mut rights) = (Vec::new(), Vec::new());
-        for point in 0..=POINTS.0 {
-            let w = end_radps * point as f64 / POINTS.0 as f64;
-            let weight = if point == 0 { AT_REST } else { 1.0 };
+        let frequencies_radps: Vec<f64> =
+            (0..=POINTS.0).map(|point| end_radps * point as f64 / POINTS.0 as f64).collect();
+        let added = retardation.added_mass(data, &frequencies_radps[1..]);
+        let felt: Vec<f64> = frequencies_radps[1..]
+            .iter()
+            .map(|w| if *w > last_radps { 0.0 } else { felt(data, &retardation, *w, last_radps) })
+            .collect();
+        let least = felt.iter().copied().filter(|felt| *felt > 0.0).fold(f64::INFINITY, lesser);
+        for (point, &w) in frequencies_radps.iter().enumerate() {
+            let weight = match point {
+                0 => AT_REST,
+                _ => greater(lesser(felt[point - 1] / least, HEAVIEST), 1.0),
+            };
             let factor = weight * tangent_ratio(0.5 * w * self.step_s);
             let both: Vec<[Complex; 2]> =
                 self.narrow().iter().map(|one| one.outputs_at(w, self.step_s)).collect();
@@ -138,13 +153,13 @@ impl Bank {
                 let of_bank = both.iter().flatten().map(|output| weight * part(output));
                 of_bank.chain([of_mass]).collect()
             };
-            let damping = damping_at(data, w);
+            let damping = retardation.damping_matrix(w);
             rows.push(row(|c| c.re, 0.0));
             rights.push(entries.iter().map(|&[i, j]| factor * damping[i][j]).collect::<Vec<_>>());
             if point > 0 {
                 rows.push(row(|c| c.im, factor * w));
-                let change = |&[i, j]: &[usize; 2]| retardation.added_mass_change(i, j, w);
-                rights.push(entries.iter().map(|entry| factor * w * change(entry)).collect());
+                let added = &added[point - 1];
+                rights.push(entries.iter().map(|&[i, j]| factor * w * added[i][j]).collect());
             }
         }
         let largest = rows.iter().flatten().map(|value| value.abs()).fold(0.0, greater);
@@ -322,6 +337,43 @@ impl Resonator {
         let inverse = Complex::new(re / squared, -im / squared);
         [inverse * Complex::new(0.0, s), inverse * w0]
     }
+}
+
+/// The weight of an error of the damping at a frequency (rad/s): by the norm of the inverse of a free ship's equation of motion, in units of her own mass,
+/// added mass included, and by the frequency.
+///
+/// Near a resonance small errors are large motions: pitch of the ship at a quay has 3 % of the critical damping at 0.9 rad/s, where an error of 1 % of the
+/// mass is 30 % of the motion. The weight is the square root of the norm: with the norm itself ships in open water were 2.1 % off instead of 2.0 %, with its
+/// square 3.9 %. In slow motions the force by acceleration is the force by velocity over the frequency.
+fn felt(data: &Hydrodynamics, retardation: &Retardation, w: f64, last_radps: f64) -> f64 {
+    let (total, mass, restoring) = (data.total_mass(), data.rigid_mass(), data.restoring());
+    let damping = retardation.damping_matrix(w);
+    let entry = |i: usize, j: usize| {
+        let added = data.infinite()[i][j] + retardation.added_mass_change(i, j, w);
+        let scale = 1.0 / (total[i][i] * total[j][j]).sqrt();
+        let real = restoring[i][j] / (w * w) - mass[i][j] - added;
+        [real * scale, damping[i][j] / w * scale]
+    };
+    // The complex equation as a real one of twice the size.
+    let rows: Vec<Vec<f64>> = (0..12)
+        .map(|i| {
+            let of = |j: usize| {
+                let [real, imaginary] = entry(i % 6, j % 6);
+                match (i < 6, j < 6) {
+                    (true, true) | (false, false) => real,
+                    (true, false) => -imaginary,
+                    (false, true) => imaginary,
+                }
+            };
+            (0..12).map(of).collect()
+        })
+        .collect();
+    let unit: Vec<Vec<f64>> =
+        (0..12).map(|i| (0..12).map(|j| f64::from(i == j)).collect()).collect();
+    let inverse = least_squares(&rows, &unit, 0.0);
+    let squares: f64 = inverse.iter().flatten().map(|value| value * value).sum();
+    let slow = lesser(greater(w / last_radps, SLOW[0]), SLOW[1]);
+    (0.5 * squares).sqrt().sqrt() / slow
 }
 
 fn square(x: f64) -> f64 {

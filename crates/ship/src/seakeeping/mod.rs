@@ -34,7 +34,9 @@ mod place;
 mod raw;
 mod resolution;
 mod retardation;
+mod spline;
 mod sub_steps;
+mod unknown_damping;
 mod waves_check;
 
 use std::sync::Arc;

@@ -1,19 +1,21 @@
 //! The retardation function K(t) = (2/π)∫B(ω) cos ωt dω, and the added mass that follows from the damping.
 
-use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use fenderline_contact::number::lesser;
+use fenderline_contact::number::{greater, lesser};
 
 use super::data::Hydrodynamics;
-use super::matrix::{Matrix6, ZERO};
+use super::matrix::{Matrix6, ZERO, plus};
+use super::spline::Spline;
+use super::unknown_damping::{FIRST_NODE, unknown_damping};
 
 /// Number of points of the fine grid up to the last frequency of the data, and beyond it.
 const FINE: [usize; 2] = [400, 200];
 /// End of the tail, over the last frequency of the data.
 pub(super) const TAIL: f64 = 1.5;
 
-/// Damping on a fine grid of frequencies: cubic between the data, zero at zero frequency. Beyond the last frequency of
-/// the data it fades to zero over half of this frequency. A reaction of the water that is faster acts as mass
+/// Damping on a fine grid of frequencies: a cubic spline of the data, zero at zero frequency. Below the first frequency of the data and beyond the last,
+/// the damping is the one that agrees best with the added mass of the data (`unknown_damping`); at [`TAIL`] times the last frequency it has faded. A reaction of the water that is faster acts as mass
 /// (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
@@ -28,7 +30,10 @@ impl Retardation {
         let tail =
             (1..=FINE[1]).map(|k| last_radps * (1.0 + (TAIL - 1.0) * k as f64 / FINE[1] as f64));
         let frequencies_radps: Vec<f64> = fine.chain(tail).collect();
-        let damping = frequencies_radps.iter().map(|w| damping_at(data, *w)).collect();
+        let known = known_damping(data, &frequencies_radps);
+        let unknown = unknown_damping(data, &frequencies_radps, &known);
+        let damping = known.iter().zip(&unknown).map(|(known, rest)| plus(known, 1.0, rest));
+        let damping = damping.collect();
         Retardation { frequencies_radps, damping }
     }
 
@@ -51,41 +56,81 @@ impl Retardation {
         of(place - 1) + lesser(share, 1.0) * (of(place) - of(place - 1))
     }
 
+    /// The matrix of damping at a frequency, linear on the fine grid; zero beyond it.
+    pub(super) fn damping_matrix(&self, frequency_radps: f64) -> Matrix6 {
+        let end_radps = self.frequencies_radps[self.frequencies_radps.len() - 1];
+        if frequency_radps >= end_radps {
+            return ZERO;
+        }
+        std::array::from_fn(|i| std::array::from_fn(|j| self.damping(i, j, frequency_radps)))
+    }
+
     /// The added mass of two motions, less the added mass at infinite frequency, computed from the damping: A(ω) − A∞ =
     /// (2/π)∫(B(w) − B(ω))/(w² − ω²)dw. This is −(1/ω)∫K sin ωt dt (Ogilvie 1964), but without the singularity.
     #[must_use]
     pub fn added_mass_change(&self, row: usize, column: usize, frequency_radps: f64) -> f64 {
-        let of = |k: usize| self.damping[k][row][column];
-        let w0 = frequency_radps;
-        let axis = &self.frequencies_radps;
-        let place = axis.partition_point(|w| *w < w0).clamp(1, axis.len() - 1);
-        let share = lesser((w0 - axis[place - 1]) / (axis[place] - axis[place - 1]), 1.0);
-        let own = of(place - 1) + share * (of(place) - of(place - 1));
-        let slope = (of(place) - of(place - 1)) / (axis[place] - axis[place - 1]);
-        let inner = self.integral(|k| {
-            let square = axis[k] * axis[k] - w0 * w0;
-            if square.abs() < 1e-9 * w0 * w0 { 0.5 * slope / w0 } else { (of(k) - own) / square }
-        });
-        // Beyond the grid, where the damping has faded, ∫ dw/(w² − ω²) is ln((W + ω)/(W − ω))/2ω.
-        let end = axis[axis.len() - 1];
-        let beyond = match own == 0.0 {
-            true => 0.0,
-            false => -own * libm::log((end + w0) / (end - w0).abs()) / (2.0 * w0),
+        change(&self.frequencies_radps, |k| self.damping[k][row][column], frequency_radps)
+    }
+
+    /// The matrices of added mass at some frequencies (rad/s), less the added mass at infinite frequency. Within the data they are as the data have
+    /// them, elsewhere as they follow from the damping.
+    pub(super) fn added_mass(
+        &self,
+        data: &Hydrodynamics,
+        frequencies_radps: &[f64],
+    ) -> Vec<Matrix6> {
+        let axis = &data.frequencies_radps;
+        let by_damping = |w: f64| -> Matrix6 {
+            std::array::from_fn(|i| {
+                std::array::from_fn(|j| match data.is_coupled(i, j) {
+                    true => self.added_mass_change(i.min(j), i.max(j), w),
+                    false => 0.0,
+                })
+            })
         };
-        FRAC_2_PI * (inner + beyond)
+        let spline = Spline::new(axis.clone(), data.added_mass.clone());
+        let at = |w: &f64| match *w <= axis[0] || *w >= axis[axis.len() - 1] {
+            true => by_damping(*w),
+            false => plus(&spline.at(*w), -1.0, data.infinite()),
+        };
+        frequencies_radps.iter().map(at).collect()
     }
 
     /// The integral over the grid by the trapezoidal rule.
     fn integral(&self, of: impl Fn(usize) -> f64) -> f64 {
-        let axis = &self.frequencies_radps;
-        let (mut sum, mut before) = (0.0, of(0));
-        for k in 1..axis.len() {
-            let now = of(k);
-            sum += 0.5 * (before + now) * (axis[k] - axis[k - 1]);
-            before = now;
-        }
-        sum
+        integral(&self.frequencies_radps, of)
     }
+}
+
+/// What [`Retardation::added_mass_change`] says, of a damping on a grid of frequencies (rad/s).
+pub(super) fn change(grid_radps: &[f64], of: impl Fn(usize) -> f64, frequency_radps: f64) -> f64 {
+    let (axis, w0) = (grid_radps, frequency_radps);
+    let place = axis.partition_point(|w| *w < w0).clamp(1, axis.len() - 1);
+    let share = lesser((w0 - axis[place - 1]) / (axis[place] - axis[place - 1]), 1.0);
+    let own = of(place - 1) + share * (of(place) - of(place - 1));
+    let slope = (of(place) - of(place - 1)) / (axis[place] - axis[place - 1]);
+    let inner = integral(axis, |k| {
+        let square = axis[k] * axis[k] - w0 * w0;
+        if square.abs() < 1e-9 * w0 * w0 { 0.5 * slope / w0 } else { (of(k) - own) / square }
+    });
+    // Beyond the grid, where the damping has faded, ∫ dw/(w² − ω²) is ln((W + ω)/(W − ω))/2ω.
+    let end = axis[axis.len() - 1];
+    let beyond = match own == 0.0 {
+        true => 0.0,
+        false => -own * libm::log((end + w0) / (end - w0).abs()) / (2.0 * w0),
+    };
+    FRAC_2_PI * (inner + beyond)
+}
+
+/// An integral over a grid by the trapezoidal rule.
+fn integral(axis: &[f64], of: impl Fn(usize) -> f64) -> f64 {
+    let (mut sum, mut before) = (0.0, of(0));
+    for k in 1..axis.len() {
+        let now = of(k);
+        sum += 0.5 * (before + now) * (axis[k] - axis[k - 1]);
+        before = now;
+    }
+    sum
 }
 
 /// The effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that follows
@@ -106,61 +151,26 @@ pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation
     std::array::from_fn(|i| std::array::from_fn(|j| of(i.min(j), i.max(j))))
 }
 
-/// Damping at a frequency.
-pub(super) fn damping_at(data: &Hydrodynamics, w: f64) -> Matrix6 {
-    let axis = &data.frequencies_radps;
-    let last = axis.len() - 1;
-    if w >= axis[last] {
-        let t = lesser((w / axis[last] - 1.0) / (TAIL - 1.0), 1.0);
-        let share = 0.5 * (1.0 + libm::cos(PI * t));
-        return data.damping[last].map(|row| row.map(|b| b * share));
-    }
-    // Zero at zero frequency, with zero slope: such long waves carry no energy away.
-    interpolated(axis, |k| &data.damping[k], &ZERO, w)
-}
-
-/// A matrix interpolated on an axis, by cubics with the slopes of parabolas through three neighbours. At zero the
-/// matrix is `zero`.
-fn interpolated<'m>(
-    axis: &[f64],
-    matrix: impl Fn(usize) -> &'m Matrix6,
-    zero: &'m Matrix6,
-    w: f64,
-) -> Matrix6 {
-    // Index 0 stands for zero frequency.
-    let at = |k: usize| if k == 0 { 0.0 } else { axis[k - 1] };
-    let of = |k: usize| if k == 0 { zero } else { matrix(k - 1) };
-    let last = axis.len();
-    let low = (0..last).rfind(|&k| at(k) <= w).unwrap_or(0);
-    let width = at(low + 1) - at(low);
-    let t = (w - at(low)) / width;
-    let basis = [
-        (1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t),
-        t * (1.0 - t) * (1.0 - t) * width,
-        t * t * (3.0 - 2.0 * t),
-        t * t * (t - 1.0) * width,
-    ];
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let value = |k: usize| of(k)[i][j];
-            let slope = |k: usize| {
-                if k == 0 {
-                    return 0.0;
-                }
-                if k == last {
-                    return (value(k) - value(k - 1)) / (at(k) - at(k - 1));
-                }
-                let (before, after) = (at(k) - at(k - 1), at(k + 1) - at(k));
-                let (left, right) =
-                    ((value(k) - value(k - 1)) / before, (value(k + 1) - value(k)) / after);
-                (left * after + right * before) / (before + after)
-            };
-            basis[0] * value(low)
-                + basis[1] * slope(low)
-                + basis[2] * value(low + 1)
-                + basis[3] * slope(low + 1)
-        })
-    })
+/// The damping at the frequencies of a grid (rad/s), as far as the data have it.
+fn known_damping(data: &Hydrodynamics, grid_radps: &[f64]) -> Vec<Matrix6> {
+    let spline = Spline::new(data.frequencies_radps.clone(), data.damping.clone());
+    let last = data.frequencies_radps.len() - 1;
+    let (first_radps, last_radps) = (data.frequencies_radps[0], data.frequencies_radps[last]);
+    let at = |w: &f64| {
+        if *w < first_radps {
+            // Zero at zero frequency, with zero slope: such long waves carry no energy away.
+            let t = w / first_radps;
+            let (value, slope) = (t * t * (3.0 - 2.0 * t), t * t * (t - 1.0) * first_radps);
+            let from_zero = plus(&ZERO, value, &data.damping[0]);
+            return plus(&from_zero, slope, spline.first_slope());
+        }
+        if *w < last_radps {
+            return spline.at(*w);
+        }
+        let share = greater(1.0 - (w / last_radps - 1.0) / (FIRST_NODE - 1.0), 0.0);
+        data.damping[last].map(|row| row.map(|b| b * share))
+    };
+    grid_radps.iter().map(at).collect()
 }
 
 /// The ratio tan θ/θ, which is 1 at 0.

@@ -1,0 +1,133 @@
+//! The damping where the data have none: below their first frequency, and beyond their last.
+//!
+//! Panel codes give the added mass and the damping each by itself. By Ogilvie's relation (Kramers and Kronig's) the damping at *all* frequencies gives
+//! the added mass at each. So the added mass of the data tells of the damping that the data lack. This damping is a polygon over a few nodes. Its
+//! values are those that make the two agree best, by least squares. Without them the added mass of a barge at a quay was 24 % of the mass off in sway,
+//! and the added mass of a ship in shallow water 31 % of the mass in heave, in the slowest waves of the data: the resonance of the gap, or the waves of
+//! heave in shallow water, do not end with the data.
+
+use fenderline_contact::number::{greater, lesser};
+
+use super::data::Hydrodynamics;
+use super::matrix::{Matrix6, ZERO};
+use super::retardation::{TAIL, change};
+
+/// Nodes below the first frequency of the data, over this frequency. At both ends the polygon is zero.
+const SLOW: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+/// Nodes beyond the last frequency of the data, over this frequency. At both ends the polygon is zero.
+const FAST: [f64; 7] = [1.0, FIRST_NODE, 1.1, 1.2, 1.3, 1.4, TAIL];
+/// To here the damping of the last frequency falls in a straight line, beside the polygon.
+pub(super) const FIRST_NODE: f64 = 1.05;
+/// Number of nodes with a value.
+const NODES: usize = SLOW.len() - 2 + FAST.len() - 2;
+/// Weight of the values' own size beside the agreement. With a tenth of it the noise of panel runs in shallow water put as much damping beyond the data as the
+/// data have at most, which steps of 0.5 s do not resolve.
+const RIDGE: f64 = 2e-2;
+/// Rounds of the solution.
+const ROUNDS: usize = 1000;
+
+/// Values at the nodes.
+type AtNodes = [f64; NODES];
+
+/// The unknown damping at the frequencies of a grid (rad/s), beside a damping that is known on this grid.
+///
+/// Of a single motion the damping takes energy, and the unknown part is no more than the most that the data have. The values of two motions are limited
+/// by the values of each, as the damping takes energy in both together too.
+pub(super) fn unknown_damping(
+    data: &Hydrodynamics,
+    grid_radps: &[f64],
+    known: &[Matrix6],
+) -> Vec<Matrix6> {
+    let data_radps = &data.frequencies_radps;
+    let ends_radps = [data_radps[0], data_radps[data_radps.len() - 1]];
+    let shapes: [Vec<f64>; NODES] = std::array::from_fn(|node| {
+        grid_radps.iter().map(|w| triangle(node, *w, ends_radps)).collect()
+    });
+    // What a damping of 1 at a node changes in the added mass, at each frequency of the data.
+    let changes: [Vec<f64>; NODES] = std::array::from_fn(|node| {
+        let of = |k: usize| shapes[node][k];
+        without_mean(data_radps.iter().map(|w| change(grid_radps, of, *w)).collect())
+    });
+    let lacking = |i: usize, j: usize| {
+        let added = data.added_mass.iter().zip(data_radps);
+        let change_of_known = |w: f64| change(grid_radps, |k| known[k][i][j], w);
+        without_mean(added.map(|(added, w)| added[i][j] - change_of_known(*w)).collect())
+    };
+    // What is known at each node: in slow waves, a guess of the way to zero.
+    let known_at: [Matrix6; NODES] = std::array::from_fn(|node| {
+        let peak = |&a: &usize, &b: &usize| shapes[node][a].total_cmp(&shapes[node][b]);
+        let k = (0..grid_radps.len()).max_by(peak).expect("a grid");
+        known[k]
+    });
+    let mut values = [[[0.0; NODES]; 6]; 6];
+    for i in 0..6 {
+        if data.is_coupled(i, i) {
+            let most = data.damping.iter().map(|matrix| matrix[i][i]).fold(0.0, greater);
+            let limits = std::array::from_fn(|node| [lesser(-known_at[node][i][i], 0.0), most]);
+            values[i][i] = best(&changes, &lacking(i, i), &limits);
+        }
+    }
+    for i in 0..6 {
+        for j in i + 1..6 {
+            if data.is_coupled(i, j) {
+                let limits = std::array::from_fn(|node| {
+                    let of = |k: usize| greater(known_at[node][k][k] + values[k][k][node], 0.0);
+                    let (most, has) = ((of(i) * of(j)).sqrt(), known_at[node][i][j]);
+                    [-most - has, most - has]
+                });
+                values[i][j] = best(&changes, &lacking(i, j), &limits);
+                values[j][i] = values[i][j];
+            }
+        }
+    }
+    let at = |k: usize| -> Matrix6 {
+        let mut sum = ZERO;
+        for (row, of_row) in sum.iter_mut().zip(&values) {
+            for (entry, of) in row.iter_mut().zip(of_row) {
+                *entry = shapes.iter().zip(of).map(|(shape, value)| shape[k] * value).sum();
+            }
+        }
+        sum
+    };
+    (0..grid_radps.len()).map(at).collect()
+}
+
+/// The part of the polygon that belongs to a node: 1 there, 0 at the nodes beside it.
+fn triangle(node: usize, frequency_radps: f64, [first_radps, last_radps]: [f64; 2]) -> f64 {
+    let slow = SLOW.len() - 2;
+    let (nodes, x) = match node < slow {
+        true => (&SLOW[node..node + 3], frequency_radps / first_radps),
+        false => (&FAST[node - slow..node - slow + 3], frequency_radps / last_radps),
+    };
+    let (rises, falls) =
+        ((x - nodes[0]) / (nodes[1] - nodes[0]), (nodes[2] - x) / (nodes[2] - nodes[1]));
+    greater(lesser(rises, falls), 0.0)
+}
+
+/// Values less their mean: a constant is added mass at infinite frequency, which is free.
+fn without_mean(mut values: Vec<f64>) -> Vec<f64> {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    values.iter_mut().for_each(|value| *value -= mean);
+    values
+}
+
+/// Factors of the columns, within limits, whose sum is nearest to what is wanted: one factor after the other, in rounds.
+fn best(columns: &[Vec<f64>; NODES], wanted: &[f64], limits: &[[f64; 2]; NODES]) -> AtNodes {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut squares: [AtNodes; NODES] =
+        std::array::from_fn(|i| std::array::from_fn(|j| dot(&columns[i], &columns[j])));
+    let largest = (0..NODES).map(|k| squares[k][k]).fold(0.0, greater);
+    for (k, row) in squares.iter_mut().enumerate() {
+        row[k] += RIDGE * RIDGE * largest;
+    }
+    let right: AtNodes = std::array::from_fn(|k| dot(&columns[k], wanted));
+    let mut factors = [0.0; NODES];
+    for _ in 0..ROUNDS {
+        for k in 0..NODES {
+            let rest = dot(&squares[k], &factors) - squares[k][k] * factors[k];
+            let free = (right[k] - rest) / squares[k][k];
+            factors[k] = greater(lesser(free, limits[k][1]), limits[k][0]);
+        }
+    }
+    factors
+}
