@@ -283,7 +283,7 @@ fn the_berthing_energy_by_formula_is_beside_that_of_the_run() {
     );
     contains_all(
         &place.text("out/berth/report.html"),
-        &[" % of the rated energy of one fender: of ", "Abnormal energy by formula"],
+        &[" % of the rated energy of one fender. This fender is ", "Abnormal energy by formula"],
     );
 }
 

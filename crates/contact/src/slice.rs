@@ -31,7 +31,7 @@ pub struct SideMet {
     /// The tangent of the angle by which the side leans out over the fender. The tangent is the growth of the overlap
     /// with height, over its growth with the hull's motion along the force. Positive if the side flares out upwards.
     pub slope: f64,
-    /// The middle of the side, in the hull's frame (m).
+    /// The middle of the part of the hull's side that is before the fender's face, in the hull's frame (m).
     pub place_m: Vec2,
 }
 

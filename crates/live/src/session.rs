@@ -330,8 +330,8 @@ impl Session {
         self.events.push((t_s, text));
     }
 
-    /// The past that strip charts and log show: the last half hour before the present tick. It is the past of the own
-    /// ship, or of another ship that can be conned, given by her index among the vessels. A pilot gets the values that
+    /// The past that strip charts and log show: the last half hour before the present tick. `vessel` is the index of
+    /// the ship: the own ship, or another ship that can be conned. A pilot gets the values that
     /// the instruments showed, frozen ones included. Everybody else gets the true values.
     ///
     /// # Errors

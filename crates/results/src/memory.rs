@@ -26,6 +26,7 @@ struct Filled<R> {
 /// The source of a column's values, and the values so far.
 enum Filling<R> {
     Float(fn(&R) -> f64, Vec<f64>),
+    Nth(usize, fn(&R, usize) -> f64, Vec<f64>),
     Known(fn(&R) -> Option<f64>, Vec<f64>),
     /// `absent` is the code of a row without a name.
     Name {
@@ -138,6 +139,7 @@ impl<R> Filling<R> {
     fn of(value: Value<R>, names: &Names) -> Filling<R> {
         match value {
             Value::Float(number) => Filling::Float(number, Vec::new()),
+            Value::Nth(index, number) => Filling::Nth(index, number, Vec::new()),
             Value::Known(number) => Filling::Known(number, Vec::new()),
             Value::Name(list, index) => {
                 let mut words = names.list(list).to_vec();
@@ -161,6 +163,7 @@ impl<R> Filling<R> {
     fn push(&mut self, row: &R) -> Result<(), f64> {
         match self {
             Filling::Float(number, values) => values.push(finite(number(row))?),
+            Filling::Nth(index, number, values) => values.push(finite(number(row, *index))?),
             Filling::Known(number, values) => {
                 values.push(number(row).map_or(Ok(f64::NAN), finite)?);
             }
@@ -183,7 +186,9 @@ impl<R> Filling<R> {
 
     fn kept(self) -> KeptValues {
         match self {
-            Filling::Float(_, values) | Filling::Known(_, values) => KeptValues::Floats(values),
+            Filling::Float(_, values)
+            | Filling::Nth(_, _, values)
+            | Filling::Known(_, values) => KeptValues::Floats(values),
             Filling::Name { codes, words, .. } | Filling::Word { codes, words, .. } => {
                 KeptValues::Texts { codes, words }
             }

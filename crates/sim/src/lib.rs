@@ -217,7 +217,7 @@ pub use fenderline_world::order::{
     Action, AnchorAction, LineAction, Order, OrderError, OrderName, Station, VesselAction,
 };
 pub use fenderline_world::panel::{ConeSummary, ConeUse, PanelSummary};
-pub use fenderline_world::record::{ContactEnergy, Energy, LoadWork, StepRecord};
+pub use fenderline_world::record::{ContactEnergy, Energy, LoadWork, StepRecord, WorkCause};
 pub use fenderline_world::setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,

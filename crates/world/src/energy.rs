@@ -45,95 +45,113 @@ pub struct ContactEnergy {
     pub residual_j: f64,
 }
 
-/// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive if the load
-/// accelerates the body. A hull that drifts with a current gains energy from the current.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LoadWork {
+/// Declares [`LoadWork`] and its catalogue. Tables, report, summary and Python take the works from the catalogue.
+macro_rules! load_works {
+    ($($(#[$doc:meta])* $field:ident: $name:literal, $column:literal, $label:literal, $meaning:literal;)*) => {
+        /// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive if the load
+        /// accelerates the body. A hull that drifts with a current gains energy from the current.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct LoadWork {
+            $($(#[$doc])* pub $field: f64,)*
+        }
+
+        impl LoadWork {
+            /// The causes, in the order of tables.
+            pub const CAUSES: &'static [WorkCause] = &[$(WorkCause {
+                name: $name,
+                column: $column,
+                label: $label,
+                meaning: $meaning,
+                work_j: |works| works.$field,
+            },)*];
+
+            /// Adds the works of a step.
+            pub fn add(&mut self, step: &LoadWork) {
+                $(self.$field += step.$field;)*
+            }
+        }
+    };
+}
+
+/// A cause of [`LoadWork`].
+#[derive(Clone, Copy, Debug)]
+pub struct WorkCause {
+    /// Name in summaries.
+    pub name: &'static str,
+    /// Name of the column in the table of the energy ledger.
+    pub column: &'static str,
+    /// Words for the cause in the report.
+    pub label: &'static str,
+    /// Meaning of the column.
+    pub meaning: &'static str,
+    /// Takes the work (J).
+    pub work_j: fn(&LoadWork) -> f64,
+}
+
+load_works! {
     /// Drag and lift of the vessels' hulls, current included. The Coriolis part of the hull force in
     /// [`crate::world::VesselForces`] is not included, because it does no work.
-    pub hull_j: f64,
+    hull_j: "hull", "hull_work_j", "water on hulls",
+        "work of the water on the hulls of vessels, current included: drag and lift";
     /// Propellers.
-    pub propeller_j: f64,
+    propeller_j: "propeller", "propeller_work_j", "propellers",
+        "work of propellers";
     /// Rudders.
-    pub rudder_j: f64,
+    rudder_j: "rudder", "rudder_work_j", "rudders",
+        "work of rudders";
     /// Tunnel thrusters and azimuth units.
-    pub thrusters_j: f64,
+    thrusters_j: "thrusters", "thrusters_work_j", "thrusters and azimuth units",
+        "work of tunnel thrusters and azimuth units";
     /// Wind on the vessels.
-    pub wind_j: f64,
+    wind_j: "wind", "wind_work_j", "wind",
+        "work of wind on vessels";
     /// Waves: mean and slow drift, and excitation of vessels with hydrodynamic data.
-    pub waves_j: f64,
+    waves_j: "waves", "waves_work_j", "waves (drift and excitation)",
+        "work of wave drift and excitation";
     /// Reaction of the water to the motion of vessels with hydrodynamic data, and the coupling of this motion with
     /// heave, roll and pitch.
-    pub radiation_j: f64,
+    radiation_j: "radiation", "radiation_work_j", "water that answers the motion in waves (radiation)",
+        "work of the radiation force, the reaction of the water to the motion of vessels with hydrodynamic data";
     /// Banks.
-    pub banks_j: f64,
+    banks_j: "banks", "banks_work_j", "banks",
+        "work of banks";
     /// The flow of passing ships and of other vessels.
-    pub passing_j: f64,
+    passing_j: "passing", "passing_work_j", "passing ships",
+        "work of the flow of passing ships and of other vessels";
     /// The bottom, on vessels that are aground.
-    pub bottom_j: f64,
+    bottom_j: "bottom", "bottom_work_j", "seabed",
+        "work of the seabed on vessels aground";
     /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
     /// energy of the added mass in the current changes with the vessel's heading. Zero in still water.
-    pub current_j: f64,
+    current_j: "current", "current_work_j", "accelerating current, and current past a turning ship",
+        "work of an accelerating current, and on the added mass of a vessel that turns in a current; 0 in still water";
     /// Vector tugs.
-    pub tugs_j: f64,
+    tugs_j: "tugs", "tugs_work_j", "vector tugs",
+        "work of vector tugs";
     /// Mooring and tow lines, winches included.
-    pub lines_j: f64,
+    lines_j: "lines", "lines_work_j", "lines",
+        "work of mooring and tow lines";
     /// Chains of anchors, windlasses included.
-    pub anchors_j: f64,
+    anchors_j: "anchors", "anchors_work_j", "chains of anchors",
+        "work of the chains of anchors, windlasses included";
     /// Piles of flexible dolphins: minus the energy that they store, and minus their losses.
-    pub piles_j: f64,
+    piles_j: "piles", "piles_work_j", "piles of dolphins",
+        "work of the piles of flexible dolphins on the bodies: minus the energy that they store, and minus their losses";
     /// Loads of the set-up, and external wrenches.
-    pub other_j: f64,
+    other_j: "other", "other_work_j", "external loads",
+        "work of the scenario's loads and of force providers";
 }
 
 impl LoadWork {
-    /// Each work with its name in tables.
-    #[must_use]
-    pub fn parts(&self) -> [(&'static str, f64); 16] {
-        [
-            ("hull", self.hull_j),
-            ("propeller", self.propeller_j),
-            ("rudder", self.rudder_j),
-            ("thrusters", self.thrusters_j),
-            ("wind", self.wind_j),
-            ("waves", self.waves_j),
-            ("radiation", self.radiation_j),
-            ("banks", self.banks_j),
-            ("passing", self.passing_j),
-            ("bottom", self.bottom_j),
-            ("current", self.current_j),
-            ("tugs", self.tugs_j),
-            ("lines", self.lines_j),
-            ("anchors", self.anchors_j),
-            ("piles", self.piles_j),
-            ("other", self.other_j),
-        ]
+    /// Each work with its name in summaries.
+    pub fn parts(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        LoadWork::CAUSES.iter().map(|cause| (cause.name, (cause.work_j)(self)))
     }
 
     /// The sum (J).
     #[must_use]
     pub fn total_j(&self) -> f64 {
-        self.parts().iter().map(|(_, work_j)| work_j).sum()
-    }
-
-    /// Adds the works of a step.
-    pub fn add(&mut self, step: &LoadWork) {
-        self.hull_j += step.hull_j;
-        self.propeller_j += step.propeller_j;
-        self.rudder_j += step.rudder_j;
-        self.thrusters_j += step.thrusters_j;
-        self.wind_j += step.wind_j;
-        self.waves_j += step.waves_j;
-        self.radiation_j += step.radiation_j;
-        self.banks_j += step.banks_j;
-        self.passing_j += step.passing_j;
-        self.bottom_j += step.bottom_j;
-        self.current_j += step.current_j;
-        self.tugs_j += step.tugs_j;
-        self.lines_j += step.lines_j;
-        self.anchors_j += step.anchors_j;
-        self.piles_j += step.piles_j;
-        self.other_j += step.other_j;
+        self.parts().map(|(_, work_j)| work_j).sum()
     }
 }
 

@@ -4,7 +4,7 @@ use fenderline_contact::{BodyState, Contact, Event, PanelMotion, Wrench};
 
 use crate::chain::ChainTension;
 use crate::dolphin::DolphinMotion;
-pub use crate::energy::{ContactEnergy, Energy, LoadWork};
+pub use crate::energy::{ContactEnergy, Energy, LoadWork, WorkCause};
 use crate::hull::HullTouch;
 use crate::ledger::{Bodies, Ledger};
 use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};

@@ -36,7 +36,7 @@ impl<R> CsvTable<R> {
         for column in &self.columns {
             self.field.clear();
             match column.value {
-                Value::Float(_) | Value::Known(_) => {
+                Value::Float(_) | Value::Nth(..) | Value::Known(_) => {
                     if let Some(value) = column.value.number(row) {
                         if !value.is_finite() {
                             return Err(not_finite(self.writer.get_ref(), column.name, value));

@@ -38,6 +38,7 @@ struct Filled<R> {
 /// The source of a column's values, and the values of the current row group.
 enum Filling<R> {
     Float(fn(&R) -> f64, Vec<f64>),
+    Nth(usize, fn(&R, usize) -> f64, Vec<f64>),
     Known(fn(&R) -> Option<f64>, Vec<f64>),
     Name(List, fn(&R) -> Option<usize>, Vec<ByteArray>),
     Word(fn(&R) -> &'static str, Vec<ByteArray>),
@@ -49,6 +50,7 @@ impl<R> Filling<R> {
     fn of(value: Value<R>) -> Filling<R> {
         match value {
             Value::Float(number) => Filling::Float(number, Vec::new()),
+            Value::Nth(index, number) => Filling::Nth(index, number, Vec::new()),
             Value::Known(number) => Filling::Known(number, Vec::new()),
             Value::Name(list, index) => Filling::Name(list, index, Vec::new()),
             Value::Word(word) => Filling::Word(word, Vec::new()),
@@ -60,7 +62,7 @@ impl<R> Filling<R> {
     /// Type in the language of parquet's schemas.
     fn schema_type(&self) -> (&'static str, &'static str) {
         match self {
-            Filling::Float(..) | Filling::Known(..) => ("DOUBLE", ""),
+            Filling::Float(..) | Filling::Nth(..) | Filling::Known(..) => ("DOUBLE", ""),
             Filling::Name(..) | Filling::Word(..) => ("BYTE_ARRAY", " (STRING)"),
             Filling::Flag(..) => ("BOOLEAN", ""),
             Filling::Count(..) => ("INT32", ""),
@@ -74,6 +76,7 @@ impl<R> Filling<R> {
     fn push(&mut self, row: &R, names: &Names) -> Result<(), f64> {
         match self {
             Filling::Float(number, values) => values.push(finite(number(row))?),
+            Filling::Nth(index, number, values) => values.push(finite(number(row, *index))?),
             Filling::Known(number, values) => {
                 values.push(number(row).map_or(Ok(f64::NAN), finite)?);
             }
@@ -93,7 +96,9 @@ impl<R> Filling<R> {
     /// Writes the values as one column chunk and forgets them.
     fn write(&mut self, column: SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
         match self {
-            Filling::Float(_, values) | Filling::Known(_, values) => {
+            Filling::Float(_, values)
+            | Filling::Nth(_, _, values)
+            | Filling::Known(_, values) => {
                 write_chunk::<DoubleType>(column, values)
             }
             Filling::Name(_, _, values) | Filling::Word(_, values) => {

@@ -1,4 +1,4 @@
-//! The text of a new exercise.
+//! Writes the scenario file of a new exercise.
 
 use core::fmt::Write as _;
 

@@ -72,7 +72,7 @@ fn split(weather: &Weather, most: usize) -> Vec<Part> {
 struct Part {
     rows: Vec<usize>,
     means: Vec<f64>,
-    /// The quantity in which the state spreads most, and the spread.
+    /// The quantity, such as wind speed, whose values differ most among the hours of this state, and by how much.
     widest: usize,
     spread: f64,
 }

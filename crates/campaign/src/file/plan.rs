@@ -322,7 +322,7 @@ pub(super) fn stop(sources: &Sources<'_>, file: &Table) -> Read<Option<Stop>> {
             return Err(sources.error(
                 &own.span,
                 "stop.probability",
-                "`stop.probability` goes with a quantile alone".to_owned(),
+                "`stop.probability` needs `stop.statistic = \"quantile\"`".to_owned(),
             ));
         }
         (Statistic::Quantile, None) => {

@@ -81,8 +81,8 @@ impl Runs {
     /// Reads the scenario and everything that the campaign names.
     ///
     /// # Errors
-    /// [`CampaignError`]: what is wrong with the campaign, its files, or the scenario with the changes of all runs; a
-    /// scenario for which none of the first thousand runs can be made.
+    /// [`CampaignError`] if the campaign or one of its files has a mistake, or the scenario with the changes that are the same in every run. Also if
+    /// none of the first thousand runs can be made from the scenario.
     pub fn new(campaign: Campaign) -> Result<Runs, CampaignError> {
         let draws = Draws::new(&campaign)?;
         let changes: Vec<Override> =

@@ -39,7 +39,7 @@ enum Verdict {
     Right,
     /// Other bounds are right; the constraints have them now.
     Corrected,
-    /// The solution passes a bound that the direct solve does not include.
+    /// The solution violates a bound that the direct solve does not know, so the sweeps must solve the contacts.
     Beyond,
 }
 

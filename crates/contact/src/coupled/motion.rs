@@ -32,7 +32,7 @@ impl Role {
 pub(crate) struct SpeedBound {
     /// Largest speed of any point of the body (m/s).
     pub(crate) fastest_mps: f64,
-    /// The part of the bound that comes from acceleration and rotation (m/s).
+    /// How much faster than at the start of the step a point of the body may become, by acceleration and rotation (m/s).
     pub(crate) room_mps: f64,
 }
 

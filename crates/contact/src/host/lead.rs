@@ -45,7 +45,8 @@ pub(super) struct Lead {
     pub(super) half_kick: Velocity,
     /// Lead in position; zero if the host follows exactly.
     pub(super) offset: Offset,
-    /// Whether all steps since the contact began were equally long, so that the host follows exactly.
+    /// True if all steps since the contact began were equally long. The states that the host integrates from the wrench are then exactly those that the
+    /// engine expects.
     pub(super) exact: bool,
     /// Time in which `velocity` is to decay to zero after the contact has ended (s).
     pub(super) due_s: f64,
@@ -85,7 +86,7 @@ pub(super) fn is_near(offset: Offset) -> bool {
     offset.linear_m.length() < NEAR_M && offset.rotation_rad.abs() < NEAR_RAD
 }
 
-/// The lead after a step without contact; `None` when it has decayed.
+/// How far the engine's state is still ahead of the host's state after a step without contact. `None` when this lead has decayed to zero.
 pub(super) fn decayed(velocity: Velocity, due_s: f64, step_s: f64) -> Option<Lead> {
     if step_s >= due_s {
         return None;

@@ -224,9 +224,9 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     html! {
         p {
             "The abnormal energy by the formula is " (fixed(100.0 * abnormal_j / capacity_j, 0))
-            " % of the rated energy of one fender: of "
-            (outcome.setup.fenders[fender.fender].name) ", which took the largest energy, with its \
-                factors "
+            " % of the rated energy of one fender. This fender is "
+            (outcome.setup.fenders[fender.fender].name) ", which took the largest energy; with its \
+                factors the rated energy is "
             (significant(capacity_j / 1e3, 4)) " kJ. The formula gives the energy of one contact. \
                 How many "
             "fenders share this energy depends on their spacing and on the hull."
@@ -267,7 +267,7 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
         }
         p class="note" {
             "In the run the hull is rigid and there is no water cushion between hull and berth: Cs and Cc "
-            "are 1. If the hull meets several fenders at once, Ce belongs to the point between the outermost of them that is "
+            "are 1. If the hull meets several fenders at once, Ce is for a point on the line between the two outermost of these fenders: the point "
             "nearest to the centre of gravity. The formula of UFC 4-152-01 is taken from a public calculator, the \
              other formulas from public manuals; we did not read the text of PIANC's guidelines, "
             "and no conformity with them is claimed."

@@ -10,6 +10,7 @@ use super::tables::number;
 use crate::plot::{Axis, Series, decimals_for, fixed, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
+use fenderline_sim::LoadWork;
 
 /// A part below this share of the largest is not drawn: its line would be on zero.
 const LEAST: f64 = 1e-4;
@@ -69,7 +70,8 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
 /// From start to end: the energy at the start, the energy given, and where it is.
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
-    let works = end.loads.parts();
+    let works: Vec<(&str, f64)> =
+        LoadWork::CAUSES.iter().map(|cause| (cause.label, (cause.work_j)(&end.loads))).collect();
     let pushed_j: f64 = works.iter().map(|(_, work_j)| greater(*work_j, 0.0)).sum();
     let given_j = start.kinetic_j + pushed_j;
     let taken_j = pushed_j - end.load_work_j;
@@ -96,14 +98,14 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 tbody {
                     (row("Kinetic at the start", start.kinetic_j))
                     @if recorder.has_loads() || pushed_j > 0.0 { (row("Given by loads", pushed_j)) }
-                    @for (name, work_j) in works {
-                        @if work_j > 0.0 { (part(load(name), work_j)) }
+                    @for &(label, work_j) in &works {
+                        @if work_j > 0.0 { (part(label, work_j)) }
                     }
                     tr class="sum" { td class="name" { "Given" } (cells(given_j)) }
                     (row("Kinetic at the end", end.kinetic_j))
                     @if taken_j > 0.0 { (row("Taken by loads", taken_j)) }
-                    @for (name, work_j) in works {
-                        @if work_j < 0.0 { (part(load(name), -work_j)) }
+                    @for &(label, work_j) in &works {
+                        @if work_j < 0.0 { (part(label, -work_j)) }
                     }
                     (row("Taken by normal forces", -end.normal_work_j))
                     (part("stored in springs and stops at the end", end.stored_j))
@@ -132,28 +134,6 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 (amount(most_j, given_j)) " kJ."
             }
         }
-    }
-}
-
-/// The name of a load in the table.
-fn load(name: &str) -> &'static str {
-    match name {
-        "hull" => "water on hulls",
-        "propeller" => "propellers",
-        "rudder" => "rudders",
-        "thrusters" => "thrusters and azimuth units",
-        "wind" => "wind",
-        "waves" => "waves (drift and excitation)",
-        "radiation" => "water that answers the motion in waves (radiation)",
-        "banks" => "banks",
-        "passing" => "passing ships",
-        "bottom" => "seabed",
-        "current" => "accelerating current, and current past a turning ship",
-        "tugs" => "vector tugs",
-        "lines" => "lines",
-        "anchors" => "chains of anchors",
-        "piles" => "piles of dolphins",
-        _ => "external loads",
     }
 }
 

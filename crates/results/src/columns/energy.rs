@@ -1,8 +1,8 @@
 //! The table of the energy ledger.
 
-use fenderline_sim::Energy;
+use fenderline_sim::{Energy, LoadWork};
 
-use super::{Column, Layout, float};
+use super::{Column, Layout, Value, float};
 
 /// The ledger at one time.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub(crate) struct EnergyRow {
 
 /// The table `energy`.
 pub(crate) fn energy_table() -> Layout<EnergyRow> {
-    let columns: Vec<Column<EnergyRow>> = vec![
+    let first: Vec<Column<EnergyRow>> = vec![
         float(
             "t_s",
             "s",
@@ -29,60 +29,17 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "load_work_j",
             "J",
-            "work of all loads other than contact since the start, in the ground frame: the sum of the next fifteen columns",
+            "work of all loads other than contact since the start, in the ground frame: the sum of the next columns, up to `other_work_j`",
             |r| r.energy.load_work_j,
         ),
-        float(
-            "hull_work_j",
-            "J",
-            "work of the water on the hulls of vessels, current included: drag and lift",
-            |r| r.energy.loads.hull_j,
-        ),
-        float("propeller_work_j", "J", "work of propellers", |r| r.energy.loads.propeller_j),
-        float("rudder_work_j", "J", "work of rudders", |r| r.energy.loads.rudder_j),
-        float("thrusters_work_j", "J", "work of tunnel thrusters and azimuth units", |r| {
-            r.energy.loads.thrusters_j
-        }),
-        float("wind_work_j", "J", "work of wind on vessels", |r| r.energy.loads.wind_j),
-        float("waves_work_j", "J", "work of wave drift and excitation", |r| r.energy.loads.waves_j),
-        float(
-            "radiation_work_j",
-            "J",
-            "work of the radiation force, the reaction of the water to the motion of vessels with \
-             hydrodynamic data",
-            |r| r.energy.loads.radiation_j,
-        ),
-        float("banks_work_j", "J", "work of banks", |r| r.energy.loads.banks_j),
-        float(
-            "passing_work_j",
-            "J",
-            "work of the flow of passing ships and of other vessels",
-            |r| r.energy.loads.passing_j,
-        ),
-        float("bottom_work_j", "J", "work of the seabed on vessels aground", |r| {
-            r.energy.loads.bottom_j
-        }),
-        float(
-            "current_work_j",
-            "J",
-            "work of an accelerating current, and on the added mass of a vessel that turns in a current; 0 in still water",
-            |r| r.energy.loads.current_j,
-        ),
-        float("tugs_work_j", "J", "work of vector tugs", |r| r.energy.loads.tugs_j),
-        float("lines_work_j", "J", "work of mooring and tow lines", |r| r.energy.loads.lines_j),
-        float("anchors_work_j", "J", "work of the chains of anchors, windlasses included", |r| {
-            r.energy.loads.anchors_j
-        }),
-        float(
-            "piles_work_j",
-            "J",
-            "work of the piles of flexible dolphins on the bodies: minus the energy that they \
-             store, and minus their losses",
-            |r| r.energy.loads.piles_j,
-        ),
-        float("other_work_j", "J", "work of the scenario's loads and of force providers", |r| {
-            r.energy.loads.other_j
-        }),
+    ];
+    let works = LoadWork::CAUSES.iter().enumerate().map(|(n, cause)| Column {
+        name: cause.column,
+        unit: "J",
+        meaning: cause.meaning,
+        value: Value::Nth(n, |r: &EnergyRow, n| (LoadWork::CAUSES[n].work_j)(&r.energy.loads)),
+    });
+    let rest: Vec<Column<EnergyRow>> = vec![
         float("stored_j", "J", "energy now stored in springs and stops of contacts", |r| {
             r.energy.stored_j
         }),
@@ -117,6 +74,6 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
     Layout {
         name: "energy",
         rows: "the energy ledger: one row at the start, then one per interval",
-        columns,
+        columns: first.into_iter().chain(works).chain(rest).collect(),
     }
 }

@@ -138,6 +138,8 @@ pub struct Column<R> {
 pub enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
+    /// The number with this index in a list that each row has.
+    Nth(usize, fn(&R, usize) -> f64),
     /// A number that some rows do not have: empty in csv, NaN elsewhere.
     Known(fn(&R) -> Option<f64>),
     /// An index into one of the lists of [`Names`], written as the name at this index; empty without an index.
@@ -155,6 +157,7 @@ impl<R> Value<R> {
     pub fn number(&self, row: &R) -> Option<f64> {
         match self {
             Value::Float(number) => Some(number(row)),
+            Value::Nth(index, number) => Some(number(row, *index)),
             Value::Known(number) => number(row),
             _ => None,
         }

@@ -146,7 +146,7 @@ fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Json {
 
 fn energy_json(energy: Energy) -> Json {
     let loads: Json =
-        energy.loads.parts().iter().map(|(name, work_j)| ((*name).to_owned(), *work_j)).collect();
+        energy.loads.parts().map(|(name, work_j)| (name.to_owned(), work_j)).collect();
     let mut object = object!({
         "kinetic_j": energy.kinetic_j,
         "load_work_j": energy.load_work_j,

@@ -7,7 +7,8 @@ use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
-/// Range of the damping by Haskind's relation over the damping of the data, at its maximum in heave. The data of this
+/// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, over the damping of the data. The ratio is taken in
+/// heave, at the frequency of the largest damping. The data of this
 /// repository have 0.83 to 2.1; at a quay the ratio is twice the ratio without the quay. Newtons in place of
 /// kilonewtons would be wrong by a factor of a million, tonnes-force by a hundred, feet by eleven.
 const HASKIND: [f64; 2] = [0.1, 10.0];

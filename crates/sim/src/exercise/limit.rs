@@ -139,8 +139,8 @@ impl Measure {
         self.is_near_berth() || self == Measure::Fender
     }
 
-    /// True if the measure is a value of the moment, so that an excess has a duration. The other measures are peaks
-    /// that stay.
+    /// True if the measure is a present value, such as a speed, which can fall below its limit again: an excess then has a duration. The other measures
+    /// are peaks, which never fall.
     #[must_use]
     pub fn is_momentary(self) -> bool {
         !matches!(self, Measure::Fender | Measure::Dragged | Measure::Time)

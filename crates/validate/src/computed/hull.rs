@@ -1,4 +1,4 @@
-//! Hull forces at low speed, added masses, current and squat in shallow water.
+//! Hull forces at low speed, added masses, forces of current, and squat in shallow water.
 
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3};
 use fenderline_sim::hydro::shallow::{

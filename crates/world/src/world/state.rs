@@ -473,7 +473,7 @@ impl World {
         }
     }
 
-    /// Heights in the step that begins at a time and has a length (s).
+    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s): they give the heights of fenders above the keels.
     pub fn heights<'a>(&'a self, setup: &WorldSetup, (t_s, step_s): (f64, f64)) -> Heights<'a> {
         let level_m = setup.environment.level_m(t_s + 0.5 * step_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
