@@ -1,56 +1,58 @@
 //! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
 //! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add its
-//! row to this table, then use the key in `assemble` of the crate `fenderline-scenario`.
+//! row to the table, then use its constant in `assemble` of the crate `fenderline-scenario`.
 
 pub mod anchor;
-mod approach;
-mod azimuth;
-mod berthing;
-mod body;
+pub mod approach;
+pub mod azimuth;
+pub mod berthing;
+pub mod body;
 pub mod chart;
 pub mod coefficients;
-mod dolphin;
-mod environment;
+pub mod dolphin;
+pub mod environment;
 pub mod event;
 pub mod exercise;
-mod factors;
-mod fender;
+pub mod factors;
+pub mod fender;
 pub mod fender_row;
-mod hull;
+pub mod hull;
 pub mod limit;
-mod load;
-mod long_waves;
-mod material;
+pub mod load;
+pub mod long_waves;
+pub mod material;
 pub mod mooring;
 pub mod order;
-mod output;
-mod panel;
+pub mod output;
+pub mod panel;
 pub mod passing;
-mod provider;
+pub mod provider;
 pub mod quantities;
 pub mod report;
-mod run;
-mod standing;
-mod vessel;
+pub mod run;
+pub mod standing;
+pub mod vessel;
 pub mod windage;
-mod world;
+pub mod world;
 
+use crate::held::{ListOf, NamedOf, TableOf, Text, Texts};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, TableSpec, key};
+use crate::table_keys;
 
 // Shared with vessel files.
-pub use azimuth::AZIMUTH;
+pub use azimuth::{AZIMUTH, AzimuthKey};
 pub use standing::STANDINGS;
-pub use vessel::{STABILITY, THRUSTER};
-pub use windage::WINDAGE;
+pub use vessel::{STABILITY, StabilityKey, THRUSTER, ThrusterKey};
+pub use windage::{WINDAGE, WindageKey};
 
-pub use self::body::BODY;
+pub use self::body::{BODY, BodyKey};
 pub use self::fender::FENDER;
-use self::load::LOAD;
-use self::material::{MATERIAL, PAIR};
-use self::output::OUTPUT;
-use self::run::{CONTACT, TIME};
+use self::load::{LOAD, LoadKey};
+use self::material::{MATERIAL, MaterialKey, PAIR, PairKey};
+use self::output::{OUTPUT, OutputKey};
+use self::run::{CONTACT, ContactKey, TIME, TimeKey};
 
 /// The whole file.
 pub static SCENARIO: TableSpec = TableSpec {
@@ -58,54 +60,84 @@ pub static SCENARIO: TableSpec = TableSpec {
     doc: "Ships, fenders, quays and tugs in the horizontal plane: x north, y east, headings \
           clockwise from north. A plain number is in SI units (angles in radians); a string \
           carries its unit, as \"4 kn\".",
-    keys: &[
-        key(
+    keys: ScenarioKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a scenario.
+    pub ScenarioKey {
+        TITLE: Text = key(
             "title",
             Kind::Text,
             Means("the name of the file"),
             "Title of reports.",
             &["\"Tug against a container ship's side, 4 kn\""],
         ),
-        key("report", Kind::Table(&report::REPORT), Is("{}"), "Title page of reports.", &[]),
-        key("time", Kind::Table(&TIME), Refused, "Time step and length of the run.", &[]),
-        key(
+        REPORT: TableOf<report::ReportKey> = key(
+            "report",
+            Kind::Table(&report::REPORT),
+            Is("{}"),
+            "Title page of reports.",
+            &[],
+        ),
+        TIME: TableOf<TimeKey> = key(
+            "time",
+            Kind::Table(&TIME),
+            Refused,
+            "Time step and length of the run.",
+            &[],
+        ),
+        OUTPUT: TableOf<OutputKey> = key(
             "output",
             Kind::Table(&OUTPUT),
             Is("{}"),
             "Which result tables the run writes, and how often.",
             &[],
         ),
-        key("contact", Kind::Table(&CONTACT), Is("{}"), "How contact forces are computed.", &[]),
-        key("material", Kind::Named(&MATERIAL), Is("{}"), "Contact parameters, by name.", &[]),
-        key(
+        CONTACT: TableOf<ContactKey> = key(
+            "contact",
+            Kind::Table(&CONTACT),
+            Is("{}"),
+            "How contact forces are computed.",
+            &[],
+        ),
+        MATERIAL: NamedOf<MaterialKey> = key(
+            "material",
+            Kind::Named(&MATERIAL),
+            Is("{}"),
+            "Contact parameters, by name.",
+            &[],
+        ),
+        BODY: NamedOf<BodyKey> = key(
             "body",
             Kind::Named(&BODY),
             Refused,
             "Bodies, by name. Their order in the file is the order of results.",
             &[],
         ),
-        key(
+        PAIR: ListOf<PairKey> = key(
             "pair",
             Kind::List(&PAIR),
             Is("[]"),
             "Pairs of bodies that may touch. Bodies without a pair do not touch.",
             &[],
         ),
-        key(
+        FENDER: NamedOf<fender::FenderKey> = key(
             "fender",
             Kind::Named(&fender::FENDER),
             Is("{}"),
             "Fenders on the bodies, by name.",
             &[],
         ),
-        key(
+        FENDER_ROW: NamedOf<fender_row::FenderRowKey> = key(
             "fender_row",
             Kind::Named(&fender_row::FENDER_ROW),
             Is("{}"),
             "Rows of equal fenders, by name.",
             &[],
         ),
-        key(
+        FENDER_FILES: Texts = key(
             "fender_files",
             Kind::Texts,
             Is("[]"),
@@ -113,7 +145,7 @@ pub static SCENARIO: TableSpec = TableSpec {
                   to this file.",
             &["[\"our_fenders.toml\"]"],
         ),
-        key(
+        BERTHING: TableOf<berthing::BerthingKey> = key(
             "berthing",
             Kind::Table(&berthing::BERTHING),
             Means("no study"),
@@ -121,108 +153,131 @@ pub static SCENARIO: TableSpec = TableSpec {
              energy of the run.",
             &[],
         ),
-        key(
+        ENVIRONMENT: TableOf<environment::EnvironmentKey> = key(
             "environment",
             Kind::Table(&environment::ENVIRONMENT),
             Is("{}"),
             "Wind, current, waves and water.",
             &[],
         ),
-        key(
+        CHART: TableOf<chart::ChartKey> = key(
             "chart",
             Kind::Table(&chart::CHART),
             Means("no chart"),
             "A chart that is drawn behind ships and quays: coast, depths, buoys, quays, names.",
             &["{ files = [\"harbour.geojson\"], coordinates = \"metres\" }"],
         ),
-        key(
+        VESSEL: NamedOf<vessel::VesselKey> = key(
             "vessel",
             Kind::Named(&vessel::VESSEL),
             Is("{}"),
             "Kinds of vessels that the scenario defines, by name. Vessels of the library need no table.",
             &[],
         ),
-        key(
+        VESSEL_FILES: Texts = key(
             "vessel_files",
             Kind::Texts,
             Is("[]"),
             "Files with vessels of your own (vessels/README.md shows their form), relative to this file.",
             &["[\"our_vessels.toml\"]"],
         ),
-        key(
+        TUG: NamedOf<world::TugKey> = key(
             "tug",
             Kind::Named(&world::TUG),
             Is("{}"),
             "Tugs that are forces on vessels, by name.",
             &[],
         ),
-        key("line", Kind::Named(&mooring::LINE), Is("{}"), "Mooring lines, by name.", &[]),
-        key("anchor", Kind::Named(&anchor::ANCHOR), Is("{}"), "Anchors of vessels, by name.", &[]),
-        key(
+        LINE: NamedOf<mooring::LineKey> = key(
+            "line",
+            Kind::Named(&mooring::LINE),
+            Is("{}"),
+            "Mooring lines, by name.",
+            &[],
+        ),
+        ANCHOR: NamedOf<anchor::AnchorKey> = key(
+            "anchor",
+            Kind::Named(&anchor::ANCHOR),
+            Is("{}"),
+            "Anchors of vessels, by name.",
+            &[],
+        ),
+        BOLLARD: NamedOf<mooring::BollardKey> = key(
             "bollard",
             Kind::Named(&mooring::BOLLARD),
             Is("{}"),
             "Bollards to which orders send lines, by name.",
             &[],
         ),
-        key(
+        LINE_HANDLING: TableOf<mooring::LineHandlingKey> = key(
             "line_handling",
             Kind::Table(&mooring::LINE_HANDLING),
             Is("{}"),
             "How lines come to a bollard.",
             &[],
         ),
-        key(
+        STATISTICS: TableOf<limit::StatisticsKey> = key(
             "statistics",
             Kind::Table(&limit::STATISTICS),
             Means("no statistics, unless there is a `limit`"),
             "Statistics of motions and lines.",
             &[],
         ),
-        key(
+        LIMIT: NamedOf<limit::LimitKey> = key(
             "limit",
             Kind::Named(&limit::LIMIT),
             Is("{}"),
             "Limits of motions, lines and fenders, by name.",
             &[],
         ),
-        key(
+        FACTORS: TableOf<factors::FactorsKey> = key(
             "factors",
             Kind::Table(&factors::FACTORS),
             Means("no factors"),
             "Partial factors of a guideline or a design basis, with their source.",
             &[],
         ),
-        key(
+        PASSING: NamedOf<passing::PassingKey> = key(
             "passing",
             Kind::Named(&passing::PASSING),
             Is("{}"),
             "Ships that pass, by name. They push vessels by the flow about them.",
             &[],
         ),
-        key(
+        EXERCISE: TableOf<exercise::ExerciseKey> = key(
             "exercise",
             Kind::Table(&exercise::EXERCISE),
             Means("no exercise"),
             "A goal for the pilot, and limits with points.",
             &[],
         ),
-        key("order", Kind::List(&order::ORDER), Is("[]"), "Orders at times of the run.", &[]),
-        key(
+        ORDER: ListOf<order::OrderKey> = key(
+            "order",
+            Kind::List(&order::ORDER),
+            Is("[]"),
+            "Orders at times of the run.",
+            &[],
+        ),
+        EVENT: ListOf<event::EventKey> = key(
             "event",
             Kind::List(&event::EVENT),
             Is("[]"),
             "Changes of the weather and faults at times of the run.",
             &[],
         ),
-        key(
+        PROVIDER: ListOf<provider::ProviderKey> = key(
             "provider",
             Kind::List(&provider::PROVIDER),
             Is("[]"),
             "External programs that apply forces to bodies.",
             &[],
         ),
-        key("load", Kind::List(&LOAD), Is("[]"), "Steady or timed external loads.", &[]),
-    ],
-    rules: None,
-};
+        LOAD: ListOf<LoadKey> = key(
+            "load",
+            Kind::List(&LOAD),
+            Is("[]"),
+            "Steady or timed external loads.",
+            &[],
+        ),
+    }
+}

@@ -6,7 +6,7 @@
 //!
 //! | subject | module |
 //! |---|---|
-//! | how a key is declared | [`spec`], [`choices`] |
+//! | how a key is declared | [`spec`], [`choices`], [`held`], [`typed_key`] |
 //! | the keys of a scenario | [`keys`] |
 //! | text to checked values | [`syntax`], [`reader`], [`checked`] |
 //! | values with units | [`units`] |
@@ -20,6 +20,7 @@ pub mod checked;
 pub mod choices;
 pub mod csv;
 pub mod error;
+pub mod held;
 pub mod key_path;
 pub mod keys;
 pub mod nesting;
@@ -36,4 +37,5 @@ pub mod sources;
 pub mod spec;
 pub mod suggest;
 pub mod syntax;
+pub mod typed_key;
 pub mod units;

@@ -52,6 +52,12 @@ pub const fn key(
     KeySpec { name, kind, absent, doc, examples }
 }
 
+/// The keys of a table, as a type.
+pub trait TableKeys {
+    /// Every key that such a table may have.
+    const KEYS: &'static [KeySpec];
+}
+
 /// What the absence of a key means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absent {

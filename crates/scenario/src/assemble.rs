@@ -55,9 +55,16 @@ use self::fenders::FenderParts;
 use crate::files::Files;
 use crate::library::FenderLibrary;
 use crate::vessels::VesselLibrary;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::Notice;
+use fenderline_keys::held::TableOf;
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::environment::EnvironmentKey;
+use fenderline_keys::keys::order::OrderKey;
+use fenderline_keys::keys::run::{ContactKey, TimeKey};
+use fenderline_keys::keys::windage::WindageKey;
 use fenderline_keys::sources::Sources;
+use fenderline_keys::typed_key::Key;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{ShipWindage, Wind};
 use fenderline_sim::exercise::ExerciseSetup;
@@ -77,99 +84,114 @@ pub(crate) struct Libraries {
 }
 
 /// Wind areas of a vessel from her table.
-pub(crate) fn windage(
+pub(crate) fn windage<T>(
     sources: &Sources<'_>,
-    table: &Table,
+    table: Of<'_, T>,
+    key: Key<T, TableOf<WindageKey>>,
     ship: &Particulars,
 ) -> Checked<Option<ShipWindage>> {
     let files = Files::default();
-    Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, ship)
+    Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, key, ship)
 }
 
 /// The wind in a table of the environment that names no file; `None` if it is refused.
-pub(crate) fn read_wind(sources: &Sources<'_>, environment: &Table) -> Option<Wind> {
+pub(crate) fn read_wind(
+    sources: &Sources<'_>,
+    environment: Of<'_, EnvironmentKey>,
+) -> Option<Wind> {
     let files = Files::default();
     let assembly = Assembly { sources, files: &files, notices: &mut Vec::new() };
-    assembly.wind(environment, environment.item("wind")?).ok()
+    assembly.wind(environment, environment.item(EnvironmentKey::WIND)?).ok()
 }
 
 /// The current in a table of the environment that names no file; `None` if it is refused.
-pub(crate) fn read_current(sources: &Sources<'_>, environment: &Table) -> Option<Current> {
+pub(crate) fn read_current(
+    sources: &Sources<'_>,
+    environment: Of<'_, EnvironmentKey>,
+) -> Option<Current> {
     let files = Files::default();
     let assembly = Assembly { sources, files: &files, notices: &mut Vec::new() };
-    assembly.current(environment, environment.item("current")?).ok()
+    assembly.current(environment, environment.item(EnvironmentKey::CURRENT)?).ok()
 }
 
 /// Builds the set-up from the checked file, and adds notices in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
-    file: &Table,
+    file: Of<'_, ScenarioKey>,
     files: &Files,
     libraries: &Libraries,
     notices: &mut Vec<Notice>,
 ) -> Checked<(Setup, OutputPlan, Option<ExerciseSetup>)> {
     let mut assembly = Assembly { sources, files, notices };
-    let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
-    let output = assembly.output(file.item("output").map(Item::table), step_s, duration_s)?;
-    let mut materials = assembly.materials(file.given("material").named())?;
-    let environment = assembly.environment(file.given("environment").table(), duration_s)?;
+    let (step_s, duration_s, integrator) = assembly.time(file.given(ScenarioKey::TIME).table())?;
+    let output =
+        assembly.output(file.item(ScenarioKey::OUTPUT).map(Entry::table), step_s, duration_s)?;
+    let mut materials = assembly.materials(file.given(ScenarioKey::MATERIAL).named())?;
+    let environment =
+        assembly.environment(file.given(ScenarioKey::ENVIRONMENT).table(), duration_s)?;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment, step_s)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     assembly.note_long_waves(file, &environment, &kinds);
-    let chart = assembly.chart(file.item("chart").map(Item::table))?;
-    let mut bodies = assembly.bodies(file.given("body"), &kinds, &chart)?;
+    let chart = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
+    let mut bodies = assembly.bodies(file.given(ScenarioKey::BODY), &kinds, &chart)?;
     let names = Names::new(&bodies, &materials);
     let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
-    let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
-    let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
-    let fender_tables = assembly.fender_tables(file, &bodies, &names)?;
+    let pairs = assembly.pairs(file.given(ScenarioKey::PAIR).list(), &bodies, &names)?;
+    let loads = assembly.loads(file.given(ScenarioKey::LOAD).list(), &bodies, &names)?;
+    let all_fenders = assembly.fender_tables(file, &bodies, &names)?;
+    let fender_tables = Tables::from(all_fenders.as_slice());
     let parts = FenderParts {
         library: &libraries.fenders,
         materials: &materials,
         decks: &decks,
         bodies: &bodies,
     };
-    let mut fenders = assembly.fenders(&fender_tables, &parts, &names)?;
-    let of_materials = file.given("material").named();
-    assembly.roll(of_materials, &fender_tables, &mut fenders, &mut materials)?;
-    let of_bodies = file.given("body").named();
+    let mut fenders = assembly.fenders(fender_tables, &parts, &names)?;
+    let of_materials = file.given(ScenarioKey::MATERIAL).named();
+    assembly.roll(of_materials, fender_tables, &mut fenders, &mut materials)?;
+    let of_bodies = file.given(ScenarioKey::BODY).named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
-    let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
+    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds)?;
     let flow =
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let statistics = assembly.statistics(file, &vessels, &names)?;
-    let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
+    let tugs = assembly.tugs(file.given(ScenarioKey::TUG).named(), &vessels, &names)?;
     let start_level_m = environment.level_m(0.0);
-    let lines =
-        assembly.lines(file.given("line").named(), (&bodies, start_level_m), &decks, &names)?;
+    let lines = assembly.lines(
+        file.given(ScenarioKey::LINE).named(),
+        (&bodies, start_level_m),
+        &decks,
+        &names,
+    )?;
     let anchors = assembly.anchors(
-        file.given("anchor").named(),
+        file.given(ScenarioKey::ANCHOR).named(),
         (&bodies, &vessels),
         &environment,
         &names,
     )?;
-    let bollards = assembly.bollards(file.given("bollard").named(), &names)?;
-    let line_handling = assembly.line_handling(file.given("line_handling").table())?;
-    let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
-    let factor_table = file.item("factors").map(Item::table);
+    let bollards = assembly.bollards(file.given(ScenarioKey::BOLLARD).named(), &names)?;
+    let line_handling = assembly.line_handling(file.given(ScenarioKey::LINE_HANDLING).table())?;
+    let providers =
+        assembly.providers(file.given(ScenarioKey::PROVIDER).list(), &bodies, &names)?;
+    let factor_table = file.item(ScenarioKey::FACTORS).map(Entry::table);
     let factors = assembly.factors(factor_table)?;
     assembly.note_factors(factor_table, &factors, (fenders.len(), lines.len()));
-    let study = file.item("berthing").map(Item::table);
+    let study = file.item(ScenarioKey::BERTHING).map(Entry::table);
     let of_ships = (bodies.as_slice(), vessels.as_slice(), fenders.as_slice());
     let berthing = assembly.berthing(study, of_ships, &approaches, &environment, &names)?;
-    assembly.check_heights(&fender_tables, &fenders, &environment)?;
-    assembly.note_odd_fenders(&fender_tables, &fenders, &libraries.fenders);
-    assembly.note_overlaps(&fender_tables, &fenders);
+    assembly.check_heights(fender_tables, &fenders, &environment)?;
+    assembly.note_odd_fenders(fender_tables, &fenders, &libraries.fenders);
+    assembly.note_overlaps(fender_tables, &fenders);
     assembly.note_masses(of_bodies, &bodies, &environment);
     if let (Some(table), Some(study)) = (study, &berthing) {
         assembly.note_particulars(table, study, &bodies, &environment);
     }
-    assembly.note_unused(file, &bodies, &pairs, (&fenders, &fender_tables));
+    assembly.note_unused(file, &bodies, &pairs, (&fenders, fender_tables));
     let mut setup = Setup {
         step_s,
         duration_s,
         integrator,
-        method: file.given("contact").table().given("method").choice(),
+        method: file.given(ScenarioKey::CONTACT).table().given(ContactKey::METHOD).choice(),
         bodies,
         materials,
         pairs: pairs.named,
@@ -195,21 +217,25 @@ pub(crate) fn setup(
             factors,
         },
     };
-    assembly.note_outside_hulls(&fender_tables, &setup);
+    assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
     assembly.note_late_arrivals(of_bodies, &setup);
-    assembly.note_draughts(file, &fender_tables, &setup);
-    let orders = file.given("order").list();
+    assembly.note_draughts(file, fender_tables, &setup);
+    let orders = file.given(ScenarioKey::ORDER).list();
     setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
-    setup.world.planned = assembly.events(file.given("event").list(), &setup, &names)?;
-    assembly.note_idle_keys(file, &setup, &fender_tables);
-    let exercise = file.item("exercise").map(Item::table);
+    setup.world.planned = assembly.events(file.given(ScenarioKey::EVENT).list(), &setup, &names)?;
+    assembly.note_idle_keys(file, &setup, fender_tables);
+    let exercise = file.item(ScenarioKey::EXERCISE).map(Entry::table);
     let exercise = assembly.exercise(exercise, &setup, &names)?;
     Ok((setup, output, exercise))
 }
 
 /// An order to a vessel, tug, line or anchor of a set-up.
-pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Checked<Order> {
+pub(crate) fn order(
+    sources: &Sources<'_>,
+    table: Of<'_, OrderKey>,
+    setup: &Setup,
+) -> Checked<Order> {
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
@@ -217,8 +243,8 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
 }
 
 impl Assembly<'_, '_> {
-    fn time(&self, time: &Table) -> Checked<(f64, f64, Integrator)> {
-        let (step, duration) = (time.given("step"), time.given("duration"));
+    fn time(&self, time: Of<'_, TimeKey>) -> Checked<(f64, f64, Integrator)> {
+        let (step, duration) = (time.given(TimeKey::STEP), time.given(TimeKey::DURATION));
         let (step_s, duration_s) = (*step.number(), *duration.number());
         if step_s > duration_s {
             let message = format!(
@@ -235,6 +261,6 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&duration.span, "time.duration", message);
             return Err(error.with_help("take a longer step or a shorter run"));
         }
-        Ok((step_s, duration_s, time.given("integrator").choice()))
+        Ok((step_s, duration_s, time.given(TimeKey::INTEGRATOR).choice()))
     }
 }

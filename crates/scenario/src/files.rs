@@ -76,7 +76,7 @@ impl Files {
             return Ok(());
         }
         let text = read(name).map_err(|why| {
-            let path = table.path_of(item.name);
+            let path = table.path_to(item);
             let message = format!("`{path}`: cannot read {why}");
             sources.error(&item.span, &path, message).with_help(FILE_HELP)
         })?;

@@ -5,9 +5,8 @@ use fenderline_sim::{Order, Setup};
 use crate::assemble;
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::order::ORDER;
-use fenderline_keys::reader;
 use fenderline_keys::sources::Sources;
-use fenderline_keys::syntax;
+use fenderline_keys::{reader, syntax};
 
 /// Reads the keys of one `[[order]]`, without that line, as an order within a set-up. `name` is for messages.
 ///
@@ -30,5 +29,5 @@ pub fn order(text: &str, name: &str, setup: &Setup) -> Result<Order, ScenarioErr
     let document = syntax::parse(&sources)?;
     let end = text.trim_end().len();
     let table = reader::table(&sources, &ORDER, "order", end..end, &document)?;
-    assemble::order(&sources, &table, setup)
+    assemble::order(&sources, table.of(), setup)
 }

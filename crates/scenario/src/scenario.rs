@@ -10,13 +10,15 @@ use crate::assemble::{self, Libraries};
 use crate::files::{FILE_HELP, Files};
 use crate::library::FenderLibrary;
 use crate::vessels::VesselLibrary;
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Of;
 use fenderline_keys::error::{Notice, ScenarioError};
-use fenderline_keys::keys::{self, SCENARIO};
+use fenderline_keys::held::Texts;
+use fenderline_keys::keys::output::OutputKey;
+use fenderline_keys::keys::{self, SCENARIO, ScenarioKey};
 use fenderline_keys::overrides::{self, Override};
-use fenderline_keys::reader;
 use fenderline_keys::sources::Sources;
-use fenderline_keys::syntax;
+use fenderline_keys::typed_key::Key;
+use fenderline_keys::{any_keys, reader, syntax};
 
 /// A scenario file after all checks.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,16 +98,19 @@ impl Scenario {
             })?;
             Ok(text)
         };
-        let libraries = libraries(&sources, &file, &mut read)?;
+        let tables = file.of::<ScenarioKey>();
+        let libraries = libraries(&sources, tables, &mut read)?;
         let files = Files::read(&sources, &file, &mut read)?;
         let (setup, output, exercise) =
-            assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
+            assemble::setup(&sources, tables, &files, &libraries, &mut notices)?;
         forget_repeated(&mut notices);
-        let title =
-            file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
-        let output_gives = ["interval", "tables"]
-            .map(|key| file.item("output").is_some_and(|item| item.table().item(key).is_some()));
-        let report = report(&file);
+        let title = tables
+            .item(ScenarioKey::TITLE)
+            .map_or_else(|| stem(file_name), |item| item.text().to_owned());
+        let output_gives = any_keys![OutputKey: INTERVAL, TABLES].map(|key| {
+            tables.item(ScenarioKey::OUTPUT).is_some_and(|item| item.table().item(key).is_some())
+        });
+        let report = report(tables);
         Ok(Scenario { title, report, setup, exercise, output, output_gives, notices })
     }
 
@@ -124,10 +129,10 @@ impl Scenario {
 }
 
 /// The lines of the report's title page.
-fn report(file: &Table) -> Vec<(&'static str, String)> {
-    let given = file.item("report").map(|item| item.table());
-    let line = |name| Some((name, given?.item(name)?.text().to_owned()));
-    keys::report::names().filter_map(line).collect()
+fn report(file: Of<'_, ScenarioKey>) -> Vec<(&'static str, String)> {
+    let given = file.item(ScenarioKey::REPORT).map(|item| item.table());
+    let line = |key: Key<_, _>| Some((key.name(), given?.item(key)?.text().to_owned()));
+    keys::report::KEYS.into_iter().filter_map(line).collect()
 }
 
 /// Keeps one of equal notices: a notice on each fender of a row concerns the row.
@@ -139,23 +144,23 @@ fn forget_repeated(notices: &mut Vec<Notice>) {
 /// The fender and vessel libraries: built-in data and the files that the scenario names.
 fn libraries(
     sources: &Sources<'_>,
-    file: &Table,
+    file: Of<'_, ScenarioKey>,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
 ) -> Result<Libraries, ScenarioError> {
-    let mut read_text = |key: &str, name: &str| {
+    let mut read_text = |key: Key<ScenarioKey, Texts>, name: &str| {
         read(name).map_err(|why| {
             let message = format!("`{key}`: cannot read {why}");
-            sources.error(&file.given(key).span, key, message).with_help(FILE_HELP)
+            sources.error(&file.given(key).span, key.name(), message).with_help(FILE_HELP)
         })
     };
     let mut fenders = Cow::Borrowed(FenderLibrary::of_program());
     let mut vessels = Cow::Borrowed(VesselLibrary::of_program());
-    for name in file.given("fender_files").texts() {
-        let text = read_text("fender_files", name)?;
+    for name in file.given(ScenarioKey::FENDER_FILES).texts() {
+        let text = read_text(ScenarioKey::FENDER_FILES, name)?;
         fenders = Cow::Owned(fenders.into_owned().with_file(&text, name)?);
     }
-    for name in file.given("vessel_files").texts() {
-        let text = read_text("vessel_files", name)?;
+    for name in file.given(ScenarioKey::VESSEL_FILES).texts() {
+        let text = read_text(ScenarioKey::VESSEL_FILES, name)?;
         vessels = Cow::Owned(vessels.into_owned().with_file(&text, name)?);
     }
     Ok(Libraries { fenders, vessels })

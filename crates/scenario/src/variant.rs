@@ -7,13 +7,17 @@ use toml::de::DeValue;
 
 use crate::assemble::{read_current, read_velocity, read_wind};
 use crate::scenario::Scenario;
-use fenderline_keys::checked::{Item, Table, Value};
-use fenderline_keys::keys::SCENARIO;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::held::{Number, TableOf, Text};
+use fenderline_keys::keys::body::{BodyKey, VelocityKey};
+use fenderline_keys::keys::environment::{CurrentKey, EnvironmentKey, WindKey};
+use fenderline_keys::keys::{BODY, SCENARIO, ScenarioKey};
 use fenderline_keys::overrides::Override;
 use fenderline_keys::overrides::pattern::is_pattern;
 use fenderline_keys::reader::{read_value, respan};
 use fenderline_keys::sources::{Sources, Span};
-use fenderline_keys::spec::{KeySpec, Kind, TableSpec};
+use fenderline_keys::spec::{Kind, TableSpec};
+use fenderline_keys::typed_key::Key;
 
 impl Scenario {
     /// Writes the start of this scenario with some keys replaced into `start`, if they change nothing else of its set-up: the
@@ -49,24 +53,29 @@ impl Scenario {
             let node = respan(&change.value().ok()?, &span);
             let given = Given { sources: &sources, span, node: &node };
             let path: Vec<&str> = change.path().iter().map(String::as_str).collect();
+            let has_wind = setup.world.environment.wind.is_some();
+            let has_current = setup.world.environment.current.is_some();
             match path[..] {
-                ["body", name, ref rest @ ..] => {
+                [outer, name, ref rest @ ..] if outer == ScenarioKey::BODY.name() => {
                     let mut all = setup.bodies.iter().zip(&mut start.bodies);
                     let (body, start) = all.find(|(body, _)| body.name == name)?;
                     // Of a fixed body fenders and dolphins may depend on the place.
                     (body.mass.is_some() && !is_pattern(name)).then_some(())?;
                     given.set_body(start, rest)
                 }
-                ["environment", "wind"] if setup.world.environment.wind.is_some() => {
-                    let table = given.table("environment", "wind")?;
-                    start.wind = Some(read_wind(&sources, &table)?);
-                    Some(())
-                }
-                ["environment", "current"] if setup.world.environment.current.is_some() => {
-                    let table = given.table("environment", "current")?;
-                    start.current = Some(read_current(&sources, &table)?);
-                    Some(())
-                }
+                [outer, name] if outer == ScenarioKey::ENVIRONMENT.name() => match name {
+                    _ if name == EnvironmentKey::WIND.name() && has_wind => {
+                        let table = given.table(EnvironmentKey::WIND, WindKey::FILE)?;
+                        start.wind = Some(read_wind(&sources, table.of())?);
+                        Some(())
+                    }
+                    _ if name == EnvironmentKey::CURRENT.name() && has_current => {
+                        let table = given.table(EnvironmentKey::CURRENT, CurrentKey::FILE)?;
+                        start.current = Some(read_current(&sources, table.of())?);
+                        Some(())
+                    }
+                    _ => None,
+                },
                 _ => None,
             }
         };
@@ -84,18 +93,35 @@ struct Given<'g, 's> {
 impl Given<'_, '_> {
     /// Sets a key of a body's start.
     fn set_body(&self, start: &mut BodyStart, path: &[&str]) -> Option<()> {
-        let Kind::Named(body) = SCENARIO.key("body")?.kind else { return None };
         match *path {
-            ["position"] => start.position_m = *self.item(body.key("position")?)?.vector(),
-            ["heading"] => start.heading_rad = *self.item(body.key("heading")?)?.number(),
-            ["velocity"] => start.velocity = read_velocity(&self.item(body.key("velocity")?)?),
-            ["velocity", name] => {
-                let Kind::Table(velocity) = body.key("velocity")?.kind else { return None };
-                let value = *self.item(velocity.key(name)?)?.number();
+            [name] if name == BodyKey::POSITION.name() => {
+                let item = self.item(&BODY, BodyKey::POSITION)?;
+                start.position_m = *item.entry(BodyKey::POSITION).vector();
+            }
+            [name] if name == BodyKey::HEADING.name() => {
+                let item = self.item(&BODY, BodyKey::HEADING)?;
+                start.heading_rad = *item.entry(BodyKey::HEADING).number();
+            }
+            [name] if name == BodyKey::VELOCITY.name() => {
+                let item = self.item(&BODY, BodyKey::VELOCITY)?;
+                start.velocity = read_velocity(item.entry(BodyKey::VELOCITY));
+            }
+            [outer, name] if outer == BodyKey::VELOCITY.name() => {
+                let Kind::Table(spec) = BODY.key(outer)?.kind else { return None };
+                let value = |key: Key<VelocityKey, Number>| {
+                    Some(*self.item(spec, key)?.entry(key).number())
+                };
+                let velocity = &mut start.velocity;
                 match name {
-                    "surge" => start.velocity.surge_mps = value,
-                    "sway" => start.velocity.sway_mps = value,
-                    "yaw" => start.velocity.yaw_radps = value,
+                    _ if name == VelocityKey::SURGE.name() => {
+                        velocity.surge_mps = value(VelocityKey::SURGE)?;
+                    }
+                    _ if name == VelocityKey::SWAY.name() => {
+                        velocity.sway_mps = value(VelocityKey::SWAY)?;
+                    }
+                    _ if name == VelocityKey::YAW.name() => {
+                        velocity.yaw_radps = value(VelocityKey::YAW)?;
+                    }
                     _ => return None,
                 }
             }
@@ -105,19 +131,20 @@ impl Given<'_, '_> {
     }
 
     /// The value, checked by the key table.
-    fn item(&self, key: &'static KeySpec) -> Option<Item> {
+    fn item<T, V>(&self, spec: &'static TableSpec, key: Key<T, V>) -> Option<Item> {
+        let key = spec.key(key.name())?;
         let value = read_value(self.sources, key, key.name, self.node).ok()?;
         let (key_span, span) = (self.span.clone(), self.span.clone());
         Some(Item { name: key.name, key_span, span, is_default: false, value })
     }
 
-    /// The value of a key that holds a table, as the outer table with only this key. `None` if the table names a file.
-    fn table(&self, outer: &str, name: &str) -> Option<Table> {
-        let Kind::Table(spec): Kind = SCENARIO.key(outer)?.kind else { return None };
-        let spec: &'static TableSpec = spec;
-        let item = self.item(spec.key(name)?)?;
-        let Value::Table(table) = &item.value else { return None };
-        table.item("file").is_none().then_some(())?;
+    /// The value of a key of the environment that holds a table, as the environment with only this key. `None` if the
+    /// table names a file.
+    fn table<R>(&self, key: Key<EnvironmentKey, TableOf<R>>, file: Key<R, Text>) -> Option<Table> {
+        let outer = ScenarioKey::ENVIRONMENT.name();
+        let Kind::Table(spec) = SCENARIO.key(outer)?.kind else { return None };
+        let item = self.item(spec, key)?;
+        item.entry(key).table().item(file).is_none().then_some(())?;
         Some(Table { spec, path: outer.to_owned(), span: self.span.clone(), items: vec![item] })
     }
 }

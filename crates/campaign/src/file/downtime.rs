@@ -3,9 +3,13 @@
 use std::path::PathBuf;
 
 use super::kinds::Read;
-use fenderline_keys::checked::Table;
+use crate::file::keys::downtime::DowntimeKey;
+use crate::file::keys::{BESIDE_DOWNTIME, CampaignFileKey};
+use fenderline_keys::checked::Of;
+use fenderline_keys::held::Number;
 use fenderline_keys::origin::Origin;
 use fenderline_keys::sources::Sources;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// The weather at a berth, and how the weather is run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,30 +24,26 @@ pub struct Downtime {
     pub origin: Option<Origin>,
 }
 
-/// Keys of a campaign that do not go together with `downtime`.
-const OTHERS: [&str; 9] =
-    ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
-
 /// Reads the table, if there is one.
-pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>> {
-    let Some(item) = file.item("downtime") else { return Ok(None) };
-    let given = |key: &'static str| {
-        let item = file.item(key).filter(|item| !item.is_default)?;
-        Some((key, item))
+pub(super) fn read(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read<Option<Downtime>> {
+    let Some(item) = file.item(CampaignFileKey::DOWNTIME) else { return Ok(None) };
+    let given = |key: &AnyKey<CampaignFileKey>| {
+        let item = file.item(*key).filter(|item| !item.is_default)?;
+        Some((*key, item))
     };
-    if let Some((key, item)) = OTHERS.into_iter().find_map(given) {
+    if let Some((key, item)) = BESIDE_DOWNTIME.iter().find_map(given) {
         let message = format!("`{key}` does not go with [downtime]");
-        let error = sources.error(&item.span, key, message);
-        return Err(error.with_help(match key {
-            "limit" => {
+        let error = sources.error(&item.span, key.name(), message);
+        return Err(error.with_help(match key == CampaignFileKey::LIMIT.any() {
+            true => {
                 "a downtime campaign uses the limits of the scenario: write [limit.NAME] in the \
                  scenario"
             }
-            _ => "the file of the weather determines what differs from run to run",
+            false => "the file of the weather determines what differs from run to run",
         }));
     }
     let table = item.table();
-    let whole = |key: &str| {
+    let whole = |key: Key<DowntimeKey, Number>| {
         let item = table.given(key);
         let number = *item.number();
         match number == libm::trunc(number) {
@@ -55,11 +55,11 @@ pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>
             }
         }
     };
-    let named = table.given("file");
+    let named = table.given(DowntimeKey::FILE);
     Ok(Some(Downtime {
         file: PathBuf::from(named.text()),
-        states: whole("states")?,
-        sample: whole("sample")?,
+        states: whole(DowntimeKey::STATES)?,
+        sample: whole(DowntimeKey::SAMPLE)?,
         origin: Some(sources.origin(&named.span)),
     }))
 }

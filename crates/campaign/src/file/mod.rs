@@ -20,10 +20,11 @@ pub(crate) use self::plan::Limit;
 pub use self::plan::{Correlation, Design, Output, Plan, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::reader;
+use crate::file::keys::CampaignFileKey;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::sources::Sources;
-use fenderline_keys::syntax;
+use fenderline_keys::typed_key::AnyKey;
+use fenderline_keys::{reader, syntax};
 use fenderline_scenario::{LoadError, read_text};
 
 /// Many runs of one scenario.
@@ -124,7 +125,10 @@ impl Campaign {
     #[must_use]
     pub fn is_one(text: &str) -> bool {
         let document = syntax::parse(&Sources::new("", text, &[]));
-        document.is_ok_and(|keys| keys.contains_key("scenario") || keys.contains_key("variable"))
+        document.is_ok_and(|keys| {
+            let has = |key: AnyKey<CampaignFileKey>| keys.contains_key(key.name());
+            has(CampaignFileKey::SCENARIO.any()) || has(CampaignFileKey::VARIABLE.any())
+        })
     }
 
     /// Reads the text of a campaign's file; `name` is for messages.
@@ -139,37 +143,43 @@ impl Campaign {
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &CAMPAIGN_FILE, "", end..end, &document)?;
-        let downtime = downtime::read(&sources, &file)?;
-        let item = file.item("variable");
-        let tables = item.map_or(&[][..], Item::named);
+        let file = file.of::<CampaignFileKey>();
+        let downtime = downtime::read(&sources, file)?;
+        let item = file.item(CampaignFileKey::VARIABLE);
+        let tables = item.map(Entry::named).unwrap_or_default();
         if tables.is_empty() && downtime.is_none() {
-            let span = item.map_or(&file.span, |item| &item.span);
-            let error = sources.error(span, "variable", "there is no variable".to_owned());
+            let span = item.map_or(&file.span, |item| &item.item().span);
+            let error = sources.error(
+                span,
+                CampaignFileKey::VARIABLE.name(),
+                "there is no variable".to_owned(),
+            );
             return Err(error.with_help(
                 "write [variable.NAME] with `key` and `values` below, or [downtime] with the `file` of a weather",
             ));
         }
-        let kind = plan::kind(&file);
-        let read = |(name, table): &(String, Table)| variable::read(&sources, name, table, kind);
+        let kind = plan::kind(file);
+        let read =
+            |(name, table): (&String, Of<'_, _>)| variable::read(&sources, name, table, kind);
         let variables: Vec<Variable> = tables.iter().map(read).collect::<Read<_>>()?;
         let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
         Ok(Campaign {
-            title: file.item("title").map_or(stem, |item| item.text().to_owned()),
-            scenario: PathBuf::from(file.given("scenario").text()),
-            changes: changes(&sources, "set", file.given("set"))?,
+            title: file.item(CampaignFileKey::TITLE).map_or(stem, |item| item.text().to_owned()),
+            scenario: PathBuf::from(file.given(CampaignFileKey::SCENARIO).text()),
+            changes: changes(&sources, "set", file.given(CampaignFileKey::SET))?,
             plan: match downtime {
                 Some(downtime) => Plan::Downtime(downtime),
-                None => plan::read(&sources, &file, kind, &variables)?,
+                None => plan::read(&sources, file, kind, &variables)?,
             },
-            seed: *file.given("seed").number() as u64,
-            correlations: plan::correlations(&sources, &file, &variables)?,
-            outputs: file.given("outputs").texts().to_vec(),
-            expressions: plan::outputs(&sources, &file, &variables)?,
-            success: file.item("success").map(|item| item.text().to_owned()),
-            limits: plan::limits(&file),
-            stop: plan::stop(&sources, &file)?,
-            design: plan::design(&sources, &file)?,
-            most_steps: *file.given("most_steps").number() as u64,
+            seed: *file.given(CampaignFileKey::SEED).number() as u64,
+            correlations: plan::correlations(&sources, file, &variables)?,
+            outputs: file.given(CampaignFileKey::OUTPUTS).texts().to_vec(),
+            expressions: plan::outputs(&sources, file, &variables)?,
+            success: file.item(CampaignFileKey::SUCCESS).map(|item| item.text().to_owned()),
+            limits: plan::limits(file),
+            stop: plan::stop(&sources, file)?,
+            design: plan::design(&sources, file)?,
+            most_steps: *file.given(CampaignFileKey::MOST_STEPS).number() as u64,
             variables,
         })
     }

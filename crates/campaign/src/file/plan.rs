@@ -6,10 +6,17 @@ use super::downtime::Downtime;
 use super::keys::PLANS;
 use super::kinds::{MOST_CASES, PlanKind, Read, Statistic};
 use super::variable::{Draw, Variable};
-use fenderline_keys::checked::{Item, Table};
+use crate::file::keys::CampaignFileKey;
+use crate::file::keys::design::{
+    CampaignLimitKey, CampaignOutputKey, CorrelationKey, DesignKey, StopKey,
+};
+use crate::file::keys::variable::VariableKey;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::choices::AnyChoices as _;
+use fenderline_keys::held::Number;
 use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// How the values are chosen.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -123,14 +130,15 @@ pub struct Design {
 }
 
 /// The kind of plan that the file names or means.
-pub(super) fn kind(file: &Table) -> PlanKind {
-    match file.item("plan") {
+pub(super) fn kind(file: Of<'_, CampaignFileKey>) -> PlanKind {
+    match file.item(CampaignFileKey::PLAN) {
         Some(item) => item.choice(),
         None if file
-            .item("variable")
-            .map_or(&[][..], Item::named)
+            .item(CampaignFileKey::VARIABLE)
+            .map(Entry::named)
+            .unwrap_or_default()
             .iter()
-            .any(|(_, own)| own.item("distribution").is_some()) =>
+            .any(|(_, own)| own.item(VariableKey::DISTRIBUTION).is_some()) =>
         {
             PlanKind::MonteCarlo
         }
@@ -141,35 +149,43 @@ pub(super) fn kind(file: &Table) -> PlanKind {
 /// The plan, with the keys that belong to the plan.
 pub(super) fn read(
     sources: &Sources<'_>,
-    file: &Table,
+    file: Of<'_, CampaignFileKey>,
     kind: PlanKind,
     variables: &[Variable],
 ) -> Read<Plan> {
-    let refused = |key: &str, message: String| {
+    let refused = |key: AnyKey<CampaignFileKey>, message: String| {
         let item = file.given(key);
-        Err(sources.error(&item.span, key, format!("`{key}` {message}")))
+        Err(sources.error(&item.span, key.name(), format!("`{key}` {message}")))
     };
-    if kind != PlanKind::Table && file.item("table").is_some() {
-        return refused("table", "goes with `plan = \"table\"` alone".to_owned());
+    if kind != PlanKind::Table && file.item(CampaignFileKey::TABLE).is_some() {
+        return refused(
+            CampaignFileKey::TABLE.any(),
+            "goes with `plan = \"table\"` alone".to_owned(),
+        );
     }
-    let number = || match file.item("number") {
+    let number = || match file.item(CampaignFileKey::NUMBER) {
         Some(item) if *item.number() == libm::trunc(*item.number()) => Ok(*item.number() as u64),
-        Some(item) => {
-            Err(sources.error(&item.span, "number", "`number` must be a whole number".to_owned()))
-        }
+        Some(item) => Err(sources.error(
+            &item.span,
+            CampaignFileKey::NUMBER.name(),
+            "`number` must be a whole number".to_owned(),
+        )),
         None => {
-            let span = file.item("plan").map_or(&file.span, |item| &item.span);
+            let span =
+                file.item(CampaignFileKey::PLAN).map_or(&file.span, |item| &item.item().span);
             let error = sources.error(
                 span,
-                "number",
+                CampaignFileKey::NUMBER.name(),
                 "`number` is missing: how many runs are to be made".to_owned(),
             );
             Err(error.with_help("write number = 1000 above the first table"))
         }
     };
-    if matches!(kind, PlanKind::FullFactorial | PlanKind::Table) && file.item("number").is_some() {
+    if matches!(kind, PlanKind::FullFactorial | PlanKind::Table)
+        && file.item(CampaignFileKey::NUMBER).is_some()
+    {
         return refused(
-            "number",
+            CampaignFileKey::NUMBER.any(),
             "goes with a random plan: in this plan the values determine the number of runs"
                 .to_owned(),
         );
@@ -182,7 +198,11 @@ pub(super) fn read(
             if cases.is_none_or(|cases| cases > MOST_CASES) {
                 let factors = counts.map(|count| count.to_string()).collect::<Vec<_>>().join(" × ");
                 let message = format!("{factors} are more than {MOST_CASES} cases");
-                return Err(sources.error(&file.given("variable").span, "variable", message));
+                return Err(sources.error(
+                    &file.given(CampaignFileKey::VARIABLE).span,
+                    CampaignFileKey::VARIABLE.name(),
+                    message,
+                ));
             }
             Ok(Plan::FullFactorial)
         }
@@ -197,7 +217,7 @@ pub(super) fn read(
                      order of their parts is held in memory, but is {number}; a \"Monte Carlo\" \
                      plan has no such bound"
                 );
-                return refused("number", message);
+                return refused(CampaignFileKey::NUMBER.any(), message);
             }
             Ok(Plan::LatinHypercube { number })
         }
@@ -205,19 +225,20 @@ pub(super) fn read(
             let number = number()?;
             if number > MOST_OF_SOBOL {
                 return refused(
-                    "number",
+                    CampaignFileKey::NUMBER.any(),
                     format!("of a Sobol sequence is at most {MOST_OF_SOBOL}"),
                 );
             }
             Ok(Plan::Sobol { number })
         }
-        PlanKind::Table => match file.item("table") {
+        PlanKind::Table => match file.item(CampaignFileKey::TABLE) {
             Some(item) => Ok(Plan::Table { file: PathBuf::from(item.text()) }),
             None => {
-                let span = file.item("plan").map_or(&file.span, |item| &item.span);
+                let span =
+                    file.item(CampaignFileKey::PLAN).map_or(&file.span, |item| &item.item().span);
                 Err(sources.error(
                     span,
-                    "table",
+                    CampaignFileKey::TABLE.name(),
                     "`table` is missing: the file with a row for each run".to_owned(),
                 ))
             }
@@ -228,13 +249,13 @@ pub(super) fn read(
 /// The correlations: of two variables each, once for each pair, of variables with a law or measured values.
 pub(super) fn correlations(
     sources: &Sources<'_>,
-    file: &Table,
+    file: Of<'_, CampaignFileKey>,
     variables: &[Variable],
 ) -> Read<Vec<Correlation>> {
     let mut all: Vec<Correlation> = Vec::new();
-    for table in file.given("correlation").list() {
-        let item = table.given("variables");
-        let path = table.path_of("variables");
+    for table in file.given(CampaignFileKey::CORRELATION).list() {
+        let item = table.given(CorrelationKey::VARIABLES);
+        let path = table.path_of(CorrelationKey::VARIABLES);
         let refused =
             |message: String| Err(sources.error(&item.span, &path, format!("`{path}` {message}")));
         let [one, other] = item.texts() else {
@@ -262,7 +283,7 @@ pub(super) fn correlations(
         }
         all.push(Correlation {
             variables: found,
-            coefficient: *table.given("coefficient").number(),
+            coefficient: *table.given(CorrelationKey::COEFFICIENT).number(),
         });
     }
     Ok(all)
@@ -271,39 +292,41 @@ pub(super) fn correlations(
 /// Outputs by expressions. Their names are not those of variables.
 pub(super) fn outputs(
     sources: &Sources<'_>,
-    file: &Table,
+    file: Of<'_, CampaignFileKey>,
     variables: &[Variable],
 ) -> Read<Vec<Output>> {
-    let one = |(name, table): &(String, Table)| {
+    let one = |(name, table): (&String, Of<'_, _>)| {
         if variables.iter().any(|variable| variable.name == *name) {
             let message = format!("{} is the name of a variable", quoted(name));
             return Err(sources.error(&table.span, &table.path, message));
         }
         Ok(Output {
             name: name.clone(),
-            expression: table.given("expression").text().to_owned(),
-            unit: table.item("unit").map_or(String::new(), |item| item.text().to_owned()),
+            expression: table.given(CampaignOutputKey::EXPRESSION).text().to_owned(),
+            unit: table
+                .item(CampaignOutputKey::UNIT)
+                .map_or(String::new(), |item| item.text().to_owned()),
         })
     };
-    file.given("output").named().iter().map(one).collect()
+    file.given(CampaignFileKey::OUTPUT).named().iter().map(one).collect()
 }
 
 /// Limits of outputs.
-pub(super) fn limits(file: &Table) -> Vec<Limit> {
-    let one = |(name, table): &(String, Table)| Limit {
+pub(super) fn limits(file: Of<'_, CampaignFileKey>) -> Vec<Limit> {
+    let one = |(name, table): (&String, Of<'_, _>)| Limit {
         name: name.clone(),
-        output: table.given("output").text().to_owned(),
-        text: table.given("value").text().to_owned(),
+        output: table.given(CampaignLimitKey::OUTPUT).text().to_owned(),
+        text: table.given(CampaignLimitKey::VALUE).text().to_owned(),
     };
-    file.given("limit").named().iter().map(one).collect()
+    file.given(CampaignFileKey::LIMIT).named().iter().map(one).collect()
 }
 
 /// The stop rule.
-pub(super) fn stop(sources: &Sources<'_>, file: &Table) -> Read<Option<Stop>> {
-    let Some(item) = file.item("stop") else { return Ok(None) };
+pub(super) fn stop(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read<Option<Stop>> {
+    let Some(item) = file.item(CampaignFileKey::STOP) else { return Ok(None) };
     let table = item.table();
-    let statistic: Statistic = table.given("statistic").choice();
-    let inside = |name: &str| {
+    let statistic: Statistic = table.given(StopKey::STATISTIC).choice();
+    let inside = |name: Key<StopKey, Number>| {
         let item = table.given(name);
         let path = table.path_of(name);
         match *item.number() {
@@ -315,8 +338,8 @@ pub(super) fn stop(sources: &Sources<'_>, file: &Table) -> Read<Option<Stop>> {
             )),
         }
     };
-    let probability = match (statistic, table.item("probability")) {
-        (Statistic::Quantile, Some(_)) => inside("probability")?,
+    let probability = match (statistic, table.item(StopKey::PROBABILITY)) {
+        (Statistic::Quantile, Some(_)) => inside(StopKey::PROBABILITY)?,
         (Statistic::Mean, None) => 0.5,
         (Statistic::Mean, Some(own)) => {
             return Err(sources.error(
@@ -334,32 +357,32 @@ pub(super) fn stop(sources: &Sources<'_>, file: &Table) -> Read<Option<Stop>> {
         }
     };
     Ok(Some(Stop {
-        output: table.given("output").text().to_owned(),
+        output: table.given(StopKey::OUTPUT).text().to_owned(),
         statistic,
         probability,
-        half_width: *table.given("half_width").number(),
-        confidence: inside("confidence")?,
-        every: *table.given("every").number() as u64,
+        half_width: *table.given(StopKey::HALF_WIDTH).number(),
+        confidence: inside(StopKey::CONFIDENCE)?,
+        every: *table.given(StopKey::EVERY).number() as u64,
     }))
 }
 
 /// What design values are for.
-pub(super) fn design(sources: &Sources<'_>, file: &Table) -> Read<Option<Design>> {
-    let Some(item) = file.item("design") else { return Ok(None) };
+pub(super) fn design(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read<Option<Design>> {
+    let Some(item) = file.item(CampaignFileKey::DESIGN) else { return Ok(None) };
     let table = item.table();
-    let periods = table.given("return_periods");
+    let periods = table.given(DesignKey::RETURN_PERIODS);
     let one = |text: &String| match text.parse::<f64>() {
         Ok(years) if years > 1.0 && years.is_finite() => Ok(years),
         _ => {
-            let path = table.path_of("return_periods");
+            let path = table.path_of(DesignKey::RETURN_PERIODS);
             let message =
                 format!("`{path}` has {}, which is not a number of years above 1", quoted(text));
             Err(sources.error(&periods.span, &path, message))
         }
     };
     Ok(Some(Design {
-        per_year: *table.given("berthings_per_year").number(),
+        per_year: *table.given(DesignKey::BERTHINGS_PER_YEAR).number(),
         return_periods_years: periods.texts().iter().map(one).collect::<Read<_>>()?,
-        life_years: *table.given("life").number(),
+        life_years: *table.given(DesignKey::LIFE).number(),
     }))
 }

@@ -8,10 +8,14 @@ use toml::de::DeValue;
 use super::kinds::{FamilyKind, PlanKind, Read};
 use super::law::{Law, LawFamily};
 use super::number;
-use fenderline_keys::checked::{Item, Table};
+use crate::file::keys::variable::{ChoiceKey, QuantileKey, VariableKey};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::{Text, Texts};
 use fenderline_keys::origin::Origin;
 use fenderline_keys::overrides::Override;
 use fenderline_keys::sources::{Sources, Span, quoted};
+use fenderline_keys::typed_key::{AnyKey, Anything, Key};
 
 /// What differs from run to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,49 +135,43 @@ impl Variable {
     }
 }
 
+/// A parameter of a law.
+type Parameter = Key<VariableKey, Text>;
+
+/// Parameters without a unit.
+const PLAIN: [Parameter; 3] =
+    [VariableKey::SHAPE, VariableKey::LOG_MEAN, VariableKey::LOG_STANDARD_DEVIATION];
+
 /// Keys that only a law has.
-const OF_LAWS: [&str; 13] = [
-    "mean",
-    "standard_deviation",
-    "log_mean",
-    "log_standard_deviation",
-    "location",
-    "scale",
-    "shape",
-    "lower",
-    "mode",
-    "upper",
-    "at_least",
-    "at_most",
-    "quantiles",
+const OF_LAWS: &[AnyKey<VariableKey>] = any_keys![
+    VariableKey: MEAN, STANDARD_DEVIATION, LOG_MEAN, LOG_STANDARD_DEVIATION, LOCATION, SCALE,
+    SHAPE, LOWER, MODE, UPPER, AT_LEAST, AT_MOST, QUANTILES
 ];
 
 /// The variable of a table.
 pub(super) fn read(
     sources: &Sources<'_>,
     name: &str,
-    table: &Table,
+    table: Of<'_, VariableKey>,
     plan: PlanKind,
 ) -> Read<Variable> {
     let reader = Reader { sources, name, table };
     let draw = reader.draw(plan)?;
-    let source = table.item("source").map(|item| item.text().to_owned());
+    let source = table.item(VariableKey::SOURCE).map(|item| item.text().to_owned());
     Ok(Variable { name: name.to_owned(), source, draw })
 }
 
 struct Reader<'r, 's> {
     sources: &'r Sources<'s>,
     name: &'r str,
-    table: &'r Table,
+    table: Of<'r, VariableKey>,
 }
 
 impl Reader<'_, '_> {
     fn draw(&self, plan: PlanKind) -> Read<Draw> {
-        let given = |name: &str| self.given(name);
-        let ways: Vec<&Item> = ["values", "choice", "distribution", "expression"]
-            .into_iter()
-            .filter_map(given)
-            .collect();
+        let given = |key: &AnyKey<VariableKey>| self.given(*key);
+        let ways = any_keys![VariableKey: VALUES, CHOICE, DISTRIBUTION, EXPRESSION];
+        let ways: Vec<Entry<'_, Anything>> = ways.iter().filter_map(given).collect();
         if let [_, second, ..] = ways[..] {
             let names = ways.iter().map(|item| format!("`{}`", item.name)).collect::<Vec<_>>();
             return self.refused(
@@ -181,22 +179,25 @@ impl Reader<'_, '_> {
                 format!("does not go together: the variable has {}", names.join(" and ")),
             );
         }
-        let of_law = OF_LAWS.into_iter().filter_map(given).next();
-        if let (Some(item), None) = (of_law, given("distribution")) {
+        let of_law = OF_LAWS.iter().find_map(given);
+        if let (Some(item), None) = (of_law, self.given(VariableKey::DISTRIBUTION)) {
             return self.refused(item, "belongs to a `distribution`, which is missing".to_owned());
         }
-        match ways.first().map(|item| item.name) {
-            Some("values") => self.values().map(Draw::Choices),
-            Some("choice") => self.several().map(Draw::Choices),
-            Some("distribution") => self.distribution(plan),
+        match ways.first() {
+            Some(item) if item.is(VariableKey::VALUES) => self.values().map(Draw::Choices),
+            Some(item) if item.is(VariableKey::CHOICE) => self.several().map(Draw::Choices),
+            Some(item) if item.is(VariableKey::DISTRIBUTION) => self.distribution(plan),
             Some(_) => {
-                let item = self.table.given("expression");
+                let item = self.table.given(VariableKey::EXPRESSION);
                 let text = item.text().to_owned();
                 Ok(Draw::Expression { text, target: self.target(None, &item.span)? })
             }
             None if plan == PlanKind::Table => {
-                let column = self.table.item("column").map_or(self.name, Item::text).to_owned();
-                let span = self.given("column").map_or(&self.table.span, |item| &item.span);
+                let column =
+                    self.table.item(VariableKey::COLUMN).map_or(self.name, Entry::text).to_owned();
+                let span = self
+                    .given(VariableKey::COLUMN)
+                    .map_or(&self.table.span, |item| &item.item().span);
                 Ok(Draw::Column { column, target: self.target(None, span)? })
             }
             None => self.missing(),
@@ -204,17 +205,20 @@ impl Reader<'_, '_> {
     }
 
     /// A key that the file gives.
-    fn given(&self, name: &str) -> Option<&Item> {
-        self.table.item(name).filter(|item| !item.is_default)
+    fn given<V>(&self, key: Key<VariableKey, V>) -> Option<Entry<'_, V>> {
+        self.table.item(key).filter(|item| !item.is_default)
     }
 
-    fn refused<T>(&self, item: &Item, message: String) -> Read<T> {
-        let path = self.table.path_of(item.name);
+    fn refused<T, V>(&self, item: Entry<'_, V>, message: String) -> Read<T> {
+        let path = self.table.path_to(item);
         Err(self.sources.error(&item.span, &path, format!("`{path}` {message}")))
     }
 
     fn missing<T>(&self) -> Read<T> {
-        let missing = if self.keys()?.is_empty() { "key" } else { "values" };
+        let missing = match self.keys()?.is_empty() {
+            true => VariableKey::KEY.any(),
+            false => VariableKey::VALUES.any(),
+        };
         let path = self.table.path_of(missing);
         let error = self.sources.error(&self.table.span, &path, format!("`{path}` is missing"));
         Err(error.with_help(
@@ -223,8 +227,8 @@ impl Reader<'_, '_> {
     }
 
     fn keys(&self) -> Read<Vec<(String, Origin)>> {
-        let several = self.table.given("keys");
-        match self.table.item("key") {
+        let several = self.table.given(VariableKey::KEYS);
+        match self.table.item(VariableKey::KEY) {
             Some(_) if !several.texts().is_empty() => {
                 self.refused(several, "does not go together with `key`".to_owned())
             }
@@ -242,7 +246,7 @@ impl Reader<'_, '_> {
         for (key, origin) in keys.iter().zip(&key_origins) {
             Override::from_files((key, origin.clone()), ("0", values.clone()))?;
         }
-        let own = self.table.item("unit");
+        let own = self.table.item(VariableKey::UNIT);
         if let (Some(item), Some(found)) = (own, &found)
             && item.text() != found
         {
@@ -258,18 +262,18 @@ impl Reader<'_, '_> {
     }
 
     fn values(&self) -> Read<Vec<Choice>> {
-        let values = self.table.given("values");
+        let values = self.table.given(VariableKey::VALUES);
         let keys = self.keys()?;
         if keys.is_empty() {
             return self.missing();
         }
-        if let Some(unit) = self.table.item("unit") {
+        if let Some(unit) = self.table.item(VariableKey::UNIT) {
             return self.refused(
                 unit,
                 "does not go together with `values`, which have units themselves".to_owned(),
             );
         }
-        let weights = match self.given("weights") {
+        let weights = match self.given(VariableKey::WEIGHTS) {
             None => vec![1.0; values.texts().len()],
             Some(item) if item.texts().len() != values.texts().len() => {
                 let (own, wanted) = (item.texts().len(), values.texts().len());
@@ -301,20 +305,29 @@ impl Reader<'_, '_> {
     }
 
     fn several(&self) -> Read<Vec<Choice>> {
-        if let Some(item) = self.table.item("key").or(self.given("keys")) {
+        let keys = any_keys![VariableKey: KEY, KEYS];
+        if let Some(item) = keys.iter().find_map(|key| self.given(*key)) {
             return self.refused(item, "does not go together with `choice`".to_owned());
         }
-        let item = self.table.given("choice");
-        let one = |(label, choice): &(String, Table)| {
-            let changes = changes(self.sources, &choice.path_of("set"), choice.given("set"))?;
-            Ok(Choice { label: label.clone(), changes, weight: *choice.given("weight").number() })
+        let item = self.table.given(VariableKey::CHOICE);
+        let one = |(label, choice): (&String, Of<'_, _>)| {
+            let changes = changes(
+                self.sources,
+                &choice.path_of(ChoiceKey::SET),
+                choice.given(ChoiceKey::SET),
+            )?;
+            Ok(Choice {
+                label: label.clone(),
+                changes,
+                weight: *choice.given(ChoiceKey::WEIGHT).number(),
+            })
         };
         let choices = item.named().iter().map(one).collect::<Read<Vec<Choice>>>()?;
         self.checked(choices, item)
     }
 
     /// Checks that the choices differ, and that at least one choice can be drawn.
-    fn checked(&self, choices: Vec<Choice>, item: &Item) -> Read<Vec<Choice>> {
+    fn checked<V>(&self, choices: Vec<Choice>, item: Entry<'_, V>) -> Read<Vec<Choice>> {
         if choices.is_empty() {
             return self.refused(item, "is empty".to_owned());
         }
@@ -330,7 +343,7 @@ impl Reader<'_, '_> {
     }
 
     fn distribution(&self, plan: PlanKind) -> Read<Draw> {
-        let item = self.table.given("distribution");
+        let item = self.table.given(VariableKey::DISTRIBUTION);
         if matches!(plan, PlanKind::FullFactorial | PlanKind::Table) {
             return self.refused(
                 item,
@@ -338,21 +351,22 @@ impl Reader<'_, '_> {
                     .to_owned(),
             );
         }
-        match item.choice::<FamilyKind>() {
+        match item.choice() {
             FamilyKind::Empirical => {
-                if let Some(item) = OF_LAWS.into_iter().find_map(|name| self.given(name)) {
+                if let Some(item) = OF_LAWS.iter().find_map(|key| self.given(*key)) {
                     return self.refused(
                         item,
                         "does not go with an \"empirical\" distribution".to_owned(),
                     );
                 }
-                let Some(file) = self.table.item("file") else {
+                let Some(file) = self.table.item(VariableKey::FILE) else {
                     return self.refused(
                         item,
                         "\"empirical\" needs a `file` of measured values".to_owned(),
                     );
                 };
-                let column = self.table.item("column").map_or(self.name, Item::text).to_owned();
+                let column =
+                    self.table.item(VariableKey::COLUMN).map_or(self.name, Entry::text).to_owned();
                 Ok(Draw::Measured {
                     file: PathBuf::from(file.text()),
                     column,
@@ -360,7 +374,7 @@ impl Reader<'_, '_> {
                 })
             }
             FamilyKind::Law(family) => {
-                if let Some(file) = self.table.item("file") {
+                if let Some(file) = self.table.item(VariableKey::FILE) {
                     return self
                         .refused(file, "goes with an \"empirical\" distribution alone".to_owned());
                 }
@@ -381,7 +395,7 @@ struct Numbers<'n, 'r, 's> {
 
 impl Numbers<'_, '_, '_> {
     /// A parameter in the variable's unit.
-    fn measured(&mut self, item: &Item) -> Read<f64> {
+    fn measured(&mut self, item: Entry<'_, Text>) -> Read<f64> {
         let (value, unit) = match number::split(item.text()) {
             Ok(split) => split,
             Err(why) => {
@@ -404,33 +418,48 @@ impl Numbers<'_, '_, '_> {
     }
 
     /// A parameter without a unit.
-    fn plain(&self, item: &Item) -> Read<f64> {
+    fn plain(&self, item: Entry<'_, Text>) -> Read<f64> {
         match number::split(item.text()) {
             Ok((value, "")) => Ok(value),
             _ => self.reader.refused(item, "must be a number without a unit".to_owned()),
         }
     }
 
-    fn law(&mut self, item: &Item, family: LawFamily) -> Read<Law> {
+    fn law<V>(&mut self, item: Entry<'_, V>, family: LawFamily) -> Read<Law> {
         let table = self.reader.table;
-        let of_family: &[&[&str]] = match family {
-            LawFamily::Normal => &[&["mean", "standard_deviation"]],
-            LawFamily::Lognormal => {
-                &[&["mean", "standard_deviation"], &["log_mean", "log_standard_deviation"]]
+        let of_family: &[&[Parameter]] = match family {
+            LawFamily::Normal => &[&[VariableKey::MEAN, VariableKey::STANDARD_DEVIATION]],
+            LawFamily::Lognormal => &[
+                &[VariableKey::MEAN, VariableKey::STANDARD_DEVIATION],
+                &[VariableKey::LOG_MEAN, VariableKey::LOG_STANDARD_DEVIATION],
+            ],
+            LawFamily::Weibull => &[
+                &[VariableKey::MEAN, VariableKey::STANDARD_DEVIATION],
+                &[VariableKey::SCALE, VariableKey::SHAPE],
+            ],
+            LawFamily::Gumbel => &[
+                &[VariableKey::MEAN, VariableKey::STANDARD_DEVIATION],
+                &[VariableKey::LOCATION, VariableKey::SCALE],
+            ],
+            LawFamily::Uniform => &[
+                &[VariableKey::MEAN, VariableKey::STANDARD_DEVIATION],
+                &[VariableKey::LOWER, VariableKey::UPPER],
+            ],
+            LawFamily::Triangular => {
+                &[&[VariableKey::LOWER, VariableKey::MODE, VariableKey::UPPER]]
             }
-            LawFamily::Weibull => &[&["mean", "standard_deviation"], &["scale", "shape"]],
-            LawFamily::Gumbel => &[&["mean", "standard_deviation"], &["location", "scale"]],
-            LawFamily::Uniform => &[&["mean", "standard_deviation"], &["lower", "upper"]],
-            LawFamily::Triangular => &[&["lower", "mode", "upper"]],
         };
-        let parameters = OF_LAWS.into_iter().filter(|name| !name.starts_with("at_"));
-        let given: Vec<&str> =
-            parameters.filter(|name| self.reader.given(name).is_some()).collect();
+        let bounds = any_keys![VariableKey: AT_LEAST, AT_MOST];
+        let given: Vec<AnyKey<VariableKey>> = OF_LAWS
+            .iter()
+            .copied()
+            .filter(|key| !bounds.contains(key) && self.reader.given(*key).is_some())
+            .collect();
         let way = match given[..] {
-            ["quantiles"] => None,
+            [key] if key == VariableKey::QUANTILES.any() => None,
             _ => {
-                let fits = |way: &&&[&str]| {
-                    way.len() == given.len() && way.iter().all(|name| given.contains(name))
+                let fits = |way: &&&[Parameter]| {
+                    way.len() == given.len() && way.iter().all(|key| given.contains(&key.any()))
                 };
                 let Some(way) = of_family.iter().find(fits) else {
                     let mut ways: Vec<String> = of_family
@@ -465,41 +494,45 @@ impl Numbers<'_, '_, '_> {
         };
         let law = match way {
             None => {
-                let quantiles = table.given("quantiles");
-                let [one, other] = quantiles.list() else {
+                let quantiles = table.given(VariableKey::QUANTILES);
+                let each: Vec<_> = quantiles.list().iter().collect();
+                let [one, other] = each[..] else {
                     return self.reader.refused(quantiles, "must be two".to_owned());
                 };
-                let mut read = |table: &Table| -> Read<(f64, f64)> {
-                    Ok((*table.given("probability").number(), self.measured(table.given("value"))?))
+                let mut read = |table: Of<'_, QuantileKey>| -> Read<(f64, f64)> {
+                    Ok((
+                        *table.given(QuantileKey::PROBABILITY).number(),
+                        self.measured(table.given(QuantileKey::VALUE))?,
+                    ))
                 };
                 Law::by_quantiles(family, [read(one)?, read(other)?])
             }
             Some(way) => {
                 let mut values = Vec::new();
-                for name in way {
-                    let own = table.given(name);
-                    let is_plain = *name == "shape" || name.starts_with("log_");
+                for &key in way {
+                    let own = table.given(key);
+                    let is_plain = PLAIN.contains(&key);
                     values.push(if is_plain { self.plain(own)? } else { self.measured(own)? });
                 }
-                match (family, way[0], &values[..]) {
+                match (family, way[0] == VariableKey::MEAN, &values[..]) {
                     (LawFamily::Normal, _, [a, b]) => Law::normal(*a, *b),
-                    (LawFamily::Lognormal, "mean", [a, b]) => Law::lognormal(*a, *b),
+                    (LawFamily::Lognormal, true, [a, b]) => Law::lognormal(*a, *b),
                     (LawFamily::Lognormal, _, [a, b]) => Law::lognormal_by_logarithm(*a, *b),
-                    (LawFamily::Weibull, "mean", [a, b]) => Law::weibull_by_moments(*a, *b),
+                    (LawFamily::Weibull, true, [a, b]) => Law::weibull_by_moments(*a, *b),
                     (LawFamily::Weibull, _, [a, b]) => Law::weibull(*a, *b),
-                    (LawFamily::Gumbel, "mean", [a, b]) => Law::gumbel_by_moments(*a, *b),
+                    (LawFamily::Gumbel, true, [a, b]) => Law::gumbel_by_moments(*a, *b),
                     (LawFamily::Gumbel, _, [a, b]) => Law::gumbel(*a, *b),
-                    (LawFamily::Uniform, "mean", [a, b]) => Law::uniform_by_moments(*a, *b),
+                    (LawFamily::Uniform, true, [a, b]) => Law::uniform_by_moments(*a, *b),
                     (LawFamily::Uniform, _, [a, b]) => Law::uniform(*a, *b),
                     (LawFamily::Triangular, _, [a, b, c]) => Law::triangular(*a, *b, *c),
                     other => unreachable!("{other:?}"),
                 }
             }
         };
-        let mut bound = |name: &str| -> Read<Option<f64>> {
+        let mut bound = |name: Parameter| -> Read<Option<f64>> {
             self.reader.given(name).map(|item| self.measured(item)).transpose()
         };
-        let (lowest, highest) = (bound("at_least")?, bound("at_most")?);
+        let (lowest, highest) = (bound(VariableKey::AT_LEAST)?, bound(VariableKey::AT_MOST)?);
         let law = law.and_then(|law| match (lowest, highest) {
             (None, None) => Ok(law),
             _ => law.within(lowest, highest),
@@ -507,7 +540,7 @@ impl Numbers<'_, '_, '_> {
         match law {
             Ok(law) => Ok(law),
             Err(why) => {
-                let path = table.path_of("distribution");
+                let path = table.path_of(VariableKey::DISTRIBUTION);
                 Err(self.reader.sources.error(&item.span, &path, format!("`{path}`: {why}")))
             }
         }
@@ -515,7 +548,11 @@ impl Numbers<'_, '_, '_> {
 }
 
 /// The changes of a list of KEY=VALUE.
-pub(super) fn changes(sources: &Sources<'_>, path: &str, item: &Item) -> Read<Vec<Change>> {
+pub(super) fn changes(
+    sources: &Sources<'_>,
+    path: &str,
+    item: Entry<'_, Texts>,
+) -> Read<Vec<Change>> {
     let one = |(text, origin): (&String, Origin)| {
         let read = match text.split_once('=') {
             Some((key, value)) => {
@@ -534,7 +571,7 @@ pub(super) fn changes(sources: &Sources<'_>, path: &str, item: &Item) -> Read<Ve
 }
 
 /// Where each text of a list is.
-fn origins(sources: &Sources<'_>, item: &Item) -> Vec<Origin> {
+fn origins(sources: &Sources<'_>, item: Entry<'_, Texts>) -> Vec<Origin> {
     let whole = || vec![sources.origin(&item.span); item.texts().len()];
     if item.is_default {
         return whole();

@@ -6,8 +6,10 @@ use serde_json::json;
 
 use super::quantities::{LENGTH, POSITION};
 use crate::choices::{Choice, Choices};
+use crate::held::{Name, Number, OneOf, Vector};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 /// The side of the bow at which an anchor hangs.
@@ -24,16 +26,30 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
     doc: "An anchor of a vessel with its chain and windlass. Orders let the anchor go, hold, veer, \
         heave and slip the chain. The holding power follows from the formula of \
         docs/design/anchors.md.",
-    keys: &[
-        key(
+    keys: AnchorKey::ALL,
+    rules: Some(
+        || json!({ "dependentRequired": { "placed": ["chain_out"], "chain_out": ["placed"] } }),
+    ),
+};
+
+table_keys! {
+    /// Keys of an anchor.
+    pub AnchorKey {
+        ON: Name = key(
             "on",
             Kind::BodyName,
             Refused,
             "The body of the vessel that carries the anchor.",
             &["\"ship\""],
         ),
-        key("side", Kind::Choice(&SIDES), Refused, "The side of the bow.", &["\"port\""]),
-        key(
+        SIDE: OneOf<BowSide> = key(
+            "side",
+            Kind::Choice(&SIDES),
+            Refused,
+            "The side of the bow.",
+            &["\"port\""],
+        ),
+        HAWSE: Vector = key(
             "hawse",
             Kind::Point(POSITION),
             Means(
@@ -43,28 +59,28 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
             "Hawse pipe, forward and starboard of the body's origin.",
             &["[85, -4]"],
         ),
-        key(
+        HAWSE_HEIGHT: Number = key(
             "hawse_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
             Refused,
             "Height of the hawse pipe above the still water.",
             &["\"8 m\""],
         ),
-        key(
+        MASS: Number = key(
             "mass",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 10.0, high: 1e5 }),
             Refused,
             "Mass of the anchor.",
             &["\"8.3 t\""],
         ),
-        key(
+        TYPE: OneOf<AnchorType> = key(
             "type",
             Kind::Choice(&TYPES),
             Is("\"stockless\""),
             "Type of the anchor, which determines its holding power.",
             &["\"high_holding_power\""],
         ),
-        key(
+        CHAIN_DIAMETER: Number = key(
             "chain_diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 0.25 }),
             Refused,
@@ -72,15 +88,21 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
              stiffness, and the pull of the windlass, follow from this diameter.",
             &["\"76 mm\""],
         ),
-        key("grade", Kind::Choice(&GRADES), Is("\"u2\""), "Grade of the chain.", &["\"u3\""]),
-        key(
+        GRADE: OneOf<ChainGrade> = key(
+            "grade",
+            Kind::Choice(&GRADES),
+            Is("\"u2\""),
+            "Grade of the chain.",
+            &["\"u3\""],
+        ),
+        CHAIN_LENGTH: Number = key(
             "chain_length",
             Kind::Quantity(LENGTH),
             Refused,
             "Length of its chain.",
             &["\"11 shackles\""],
         ),
-        key(
+        HOLDING_FACTOR: Number = key(
             "holding_factor",
             Kind::Quantity(FACTOR),
             Means("3 for a stockless anchor, 6 for an anchor of high holding power"),
@@ -88,7 +110,7 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
              for stockless anchors.",
             &["3.5"],
         ),
-        key(
+        DRAGGING_FACTOR: Number = key(
             "dragging_factor",
             Kind::Quantity(FACTOR),
             Means(
@@ -98,39 +120,36 @@ pub(super) static ANCHOR: TableSpec = TableSpec {
             "Holding power over the anchor's weight in air while the anchor drags.",
             &["1.5"],
         ),
-        key(
+        CHAIN_FRICTION: Number = key(
             "chain_friction",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 5.0 }),
             Is("0.75"),
             "Friction of the chain on the bottom, over its weight in water.",
             &["0.6"],
         ),
-        key(
+        BRAKE: Number = key(
             "brake",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Means("45 % of the chain's break load"),
             "Tension at which the brake of the windlass renders.",
             &["\"2 MN\""],
         ),
-        key(
+        PLACED: Vector = key(
             "placed",
             Kind::Vector(POSITION),
             Means("home in the hawse pipe"),
             "Place of the anchor on the bottom at the start.",
             &["[600, 20]"],
         ),
-        key(
+        CHAIN_OUT: Number = key(
             "chain_out",
             Kind::Quantity(LENGTH),
             Means("the anchor is home in the hawse pipe"),
             "Length of chain out at the start; for an anchor that is `placed`.",
             &["\"5 shackles\""],
         ),
-    ],
-    rules: Some(
-        || json!({ "dependentRequired": { "placed": ["chain_out"], "chain_out": ["placed"] } }),
-    ),
-};
+    }
+}
 
 /// A pull over a weight.
 const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };

@@ -5,8 +5,10 @@ use serde_json::json;
 
 use super::quantities::PLACE;
 use crate::choices::{Choice, Choices};
+use crate::held::{Name, NameOr, Number, OneOf, TableOf, Text};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static APPROACH: TableSpec = TableSpec {
@@ -14,29 +16,35 @@ pub(super) static APPROACH: TableSpec = TableSpec {
     doc: "The start of a berthing, in the terms of berth design: the ship meets a fender of the \
         berth with a point of her side, at this speed and angle. Position, heading and velocity at \
         the start follow from these keys; then the forces move the ship.",
-    keys: &[
-        key(
+    keys: ApproachKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an approach.
+    pub ApproachKey {
+        TO: Name = key(
             "to",
             Kind::BodyName,
             Refused,
             "The body with the fenders that the ship meets: a quay, a dolphin, a row of dolphins.",
             &["\"quay\""],
         ),
-        key(
+        SPEED_NORMAL: Number = key(
             "speed_normal",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Refused,
             "Speed at right angles to the berth, towards it.",
             &["\"0.12 m/s\""],
         ),
-        key(
+        ALONG: Number = key(
             "along",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: -10.0, high: 10.0 }),
             Is("0"),
             "Speed along the berth, positive forward.",
             &["\"0.2 kn\""],
         ),
-        key(
+        ANGLE: Number = key(
             "angle",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -0.79, high: 0.79 }),
             Is("0"),
@@ -44,14 +52,14 @@ pub(super) static APPROACH: TableSpec = TableSpec {
              the bow towards the berth.",
             &["\"5 deg\""],
         ),
-        key(
+        SIDE: OneOf<Side> = key(
             "side",
             Kind::Choice(&SIDES),
             Is("\"starboard\""),
             "The side of the ship that meets the berth.",
             &["\"port\""],
         ),
-        key(
+        CONTACT: NameOr = key(
             "contact",
             Kind::NameOr(PLACE),
             Refused,
@@ -61,14 +69,14 @@ pub(super) static APPROACH: TableSpec = TableSpec {
              the ship then meets with the part of her side that comes first.",
             &["\"quarter point\"", "\"-20 m\"", "\"midship\""],
         ),
-        key(
+        FENDER: Text = key(
             "fender",
             Kind::Text,
             Means("the fender nearest to the middle of the berth's fenders"),
             "The fender that the contact point meets.",
             &[],
         ),
-        key(
+        DISTANCE: Number = key(
             "distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
             Is("1"),
@@ -76,23 +84,30 @@ pub(super) static APPROACH: TableSpec = TableSpec {
              the berth.",
             &["\"2 m\""],
         ),
-        key(
+        ABNORMAL: TableOf<AbnormalKey> = key(
             "abnormal",
             Kind::Table(&ABNORMAL),
             Means("a normal berthing"),
             "Makes the run an abnormal berthing: `speed_normal` is multiplied by a factor.",
             &["{ energy_factor = 1.5 }"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static ABNORMAL: TableSpec = TableSpec {
     what: "an abnormal berthing",
     doc: "How much an abnormal berthing exceeds the normal berthing. Energy goes with the square \
         of the speed.",
-    keys: &[
-        key(
+    keys: AbnormalKey::ALL,
+    rules: Some(
+        || json!({ "oneOf": [{ "required": ["energy_factor"] }, { "required": ["speed_factor"] }] }),
+    ),
+};
+
+table_keys! {
+    /// Keys of an abnormal berthing.
+    pub AbnormalKey {
+        ENERGY_FACTOR: Number = key(
             "energy_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 4.0 }),
             Unless("`speed_factor` is given"),
@@ -100,18 +115,15 @@ static ABNORMAL: TableSpec = TableSpec {
              root of this factor.",
             &["1.5"],
         ),
-        key(
+        SPEED_FACTOR: Number = key(
             "speed_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 2.0 }),
             Unless("`energy_factor` is given"),
             "Speed over the speed of the normal berthing.",
             &["1.25"],
         ),
-    ],
-    rules: Some(
-        || json!({ "oneOf": [{ "required": ["energy_factor"] }, { "required": ["speed_factor"] }] }),
-    ),
-};
+    }
+}
 
 static SIDES: Choices<Side> = Choices(&[
     Choice { word: "port", value: Side::Port, doc: "port side to the berth" },

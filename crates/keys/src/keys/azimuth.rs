@@ -1,8 +1,10 @@
 //! Keys of azimuth units.
 
 use super::quantities::PLACE;
+use crate::held::Number;
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 /// An azimuth unit.
@@ -11,56 +13,61 @@ pub static AZIMUTH: TableSpec = TableSpec {
     doc: "A propeller that turns about the vertical. The thrust falls with speed like the thrust \
         of an open Wageningen B4-70 of pitch ratio 1.0; the thrust of a ducted propeller falls \
         more.",
-    keys: &[
-        key(
+    keys: AzimuthKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an azimuth unit.
+    pub AzimuthKey {
+        ALONG: Number = key(
             "along",
             Kind::Quantity(PLACE),
             Refused,
             "Place of the unit forward of midship.",
             &["\"-12 m\""],
         ),
-        key(
+        ACROSS: Number = key(
             "across",
             Kind::Quantity(PLACE),
             Is("0"),
             "Place of the unit to starboard of the centre line.",
             &["\"2.6 m\""],
         ),
-        key(
+        FORCE: Number = key(
             "force",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Refused,
             "Thrust at zero speed and full power: the unit's part of the bollard pull.",
             &["\"30 tf\""],
         ),
-        key(
+        DIAMETER: Number = key(
             "diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 50.0 }),
             Refused,
             "Diameter of the propeller; a smaller propeller loses less thrust with speed.",
             &["\"2.4 m\""],
         ),
-        key(
+        RATE: Number = key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
             Is("\"12 deg/s\""),
             "Rate of turning about the vertical.",
             &["\"18 deg/s\""],
         ),
-        key(
+        LAG: Number = key(
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
             Is("3"),
             "Time constant of the thrust.",
             &["\"4 s\""],
         ),
-        key(
+        STOP: Number = key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
             Means("the unit turns all the way round"),
             "Largest angle to either side of ahead.",
             &["\"120 deg\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}

@@ -5,8 +5,10 @@ use serde_json::json;
 use fenderline_sim::berthing::{AddedMassFormula, Configuration, Softness};
 
 use crate::choices::{Choice, Choices};
+use crate::held::{Name, Number, OneOf};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static BERTHING: TableSpec = TableSpec {
@@ -15,37 +17,49 @@ pub(super) static BERTHING: TableSpec = TableSpec {
         formula with the energy of the run. Unless they are given, length, beam, draught and block \
         coefficient are taken from the ship's vessel, and the clearance follows from the depth of \
         the water.",
-    keys: &[
-        key("ship", Kind::BodyName, Refused, "The floating body that berths.", &["\"ship\""]),
-        key(
+    keys: BerthingKey::ALL,
+    rules: Some(|| json!({ "not": { "required": ["added_mass", "added_mass_factor"] } })),
+};
+
+table_keys! {
+    /// Keys of a berthing.
+    pub BerthingKey {
+        SHIP: Name = key(
+            "ship",
+            Kind::BodyName,
+            Refused,
+            "The floating body that berths.",
+            &["\"ship\""],
+        ),
+        LENGTH_BP: Number = key(
             "length_bp",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 5000.0 }),
             Unless(IS_VESSEL),
             "Length between perpendiculars; the length of the vessel unless given.",
             &["\"285 m\""],
         ),
-        key(
+        BEAM: Number = key(
             "beam",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1000.0 }),
             Unless(IS_VESSEL),
             "Beam; the beam of the vessel unless given.",
             &["\"46 m\""],
         ),
-        key(
+        DRAUGHT: Number = key(
             "draught",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 100.0 }),
             Unless("`ship` is a vessel or has `outlines`"),
             "Draught; the draught of the vessel, or of the hull by height, unless given.",
             &["\"9 m\""],
         ),
-        key(
+        UNDER_KEEL_CLEARANCE: Number = key(
             "under_keel_clearance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 2e4 }),
             Unless("`[environment]` has a `depth`"),
             "Water under the keel; unless given, depth and tide at the start less the draught.",
             &["\"3 m\""],
         ),
-        key(
+        BLOCK_COEFFICIENT: Number = key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
             Unless(IS_VESSEL),
@@ -53,7 +67,7 @@ pub(super) static BERTHING: TableSpec = TableSpec {
              unless given.",
             &["0.71"],
         ),
-        key(
+        ADDED_MASS: OneOf<AddedMassFormula> = key(
             "added_mass",
             Kind::Choice(&ADDED_MASSES),
             Is("\"pianc_2002\""),
@@ -61,28 +75,28 @@ pub(super) static BERTHING: TableSpec = TableSpec {
              energy; the report also shows the other formulas.",
             &["\"ufc\""],
         ),
-        key(
+        ADDED_MASS_FACTOR: Number = key(
             "added_mass_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
             Means("by the formula of `added_mass`"),
             "Cm as a number, displacement plus added mass over displacement.",
             &["1.8"],
         ),
-        key(
+        SOFTNESS: OneOf<Softness> = key(
             "softness",
             Kind::Choice(&SOFTNESSES),
             Is("\"soft\""),
             "Stiffness of the fender compared with the hull, for the factor Cs.",
             &["\"soft\""],
         ),
-        key(
+        CONFIGURATION: OneOf<Configuration> = key(
             "configuration",
             Kind::Choice(&CONFIGURATIONS),
             Is("\"open\""),
             "Kind of berth, for the factor Cc.",
             &["\"solid\""],
         ),
-        key(
+        ABNORMAL_FACTOR: Number = key(
             "abnormal_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.25, high: 2.0 }),
             Means("no abnormal berthing"),
@@ -91,9 +105,8 @@ pub(super) static BERTHING: TableSpec = TableSpec {
              beside the capacity of the fenders.",
             &["1.5"],
         ),
-    ],
-    rules: Some(|| json!({ "not": { "required": ["added_mass", "added_mass_factor"] } })),
-};
+    }
+}
 
 const IS_VESSEL: &str = "`ship` is a vessel";
 

@@ -2,139 +2,21 @@
 
 use serde_json::json;
 
-use super::approach::APPROACH;
-use super::dolphin::DOLPHIN;
-use super::hull::OUTLINE_AT_HEIGHT;
+use super::approach::{APPROACH, ApproachKey};
+use super::dolphin::{DOLPHIN, DolphinKey};
+use super::hull::{OUTLINE_AT_HEIGHT, OutlineAtHeightKey};
 use super::quantities::{DIRECTION, POSITION, SPEED};
+use crate::held::{Flag, ListOf, Number, Points, TableOf, Text, Vector};
 use crate::spec::Absent::{Is, Means, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 /// A body.
 pub static BODY: TableSpec = TableSpec {
     what: "a body",
     doc: "A ship, tug, quay or dolphin: fixed, on piles, or floating with a mass.",
-    keys: &[
-        key(
-            "fixed",
-            Kind::Flag,
-            Is("false"),
-            "True for a body that never moves and has no mass and no velocity.",
-            &["true"],
-        ),
-        key(
-            "dolphin",
-            Kind::Table(&DOLPHIN),
-            Means("a body that floats, or is `fixed`"),
-            "Makes the body a flexible dolphin: piles that bend, with their mass.",
-            &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
-        ),
-        key(
-            "outline",
-            Kind::Outline(POSITION),
-            Means("the outline of the vessel"),
-            "Vertices, forward and to starboard of the centre of gravity, in either direction \
-             round the hull. The outline need not be convex.",
-            &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
-        ),
-        key(
-            "chart_outline",
-            Kind::Text,
-            Means("`outline` gives the shape"),
-            "For a fixed body, instead of `outline`: the name of an area of the chart. The body \
-             has the shape and the place of this area. `position` and `heading` place the axes of \
-             the body, in which fenders and bollards are given.",
-            &["\"quay 3\""],
-        ),
-        key(
-            "outlines",
-            Kind::List(&OUTLINE_AT_HEIGHT),
-            Means("one outline: vertical sides"),
-            "Outlines at two heights or more instead of `outline`. Each fender meets the outline \
-             at the height of the fender, with tide, heave, heel and trim. Other bodies meet the \
-             outline at the waterline. Coupled method only.",
-            &["[{ height = 0, outline = [[-16, -6], [16, -6], [16, 6], [-16, 6]] }, \
-               { height = \"12 m\", outline = [[-16, -7], [17, -7], [17, 7], [-16, 7]] }]"],
-        ),
-        key(
-            "draught",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
-            Unless("the body has no `outlines`, is fixed or a vessel"),
-            "Draught of a plain body with `outlines`: the height of its waterline above the keel.",
-            &["\"9 m\""],
-        ),
-        key(
-            "vessel",
-            Kind::Text,
-            Means("a plain body"),
-            "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from \
-             `vessel_files`. Mass, added mass, outline and coefficients follow from the kind.",
-            &["\"container-ship\""],
-        ),
-        key(
-            "running",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
-            Means("engine stopped"),
-            "Shaft revolutions at the start, as a fraction of full revolutions.",
-            &["0.3"],
-        ),
-        key(
-            "mass",
-            Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
-            Unless("the body is fixed, a dolphin or a vessel"),
-            "Displacement, without added mass.",
-            &["\"87800 t\""],
-        ),
-        key(
-            "gyradius",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
-            Unless("`yaw_inertia` is given, or the body is fixed, a dolphin or a vessel"),
-            "Radius of gyration about the vertical through the centre of gravity.",
-            &["\"74.5 m\""],
-        ),
-        key(
-            "yaw_inertia",
-            Kind::Quantity(Quantity { measure: &unit::MOMENT_OF_INERTIA, low: 1e-9, high: 1e25 }),
-            Unless("`gyradius` is given, or the body is fixed, a dolphin or a vessel"),
-            "Moment of inertia about the vertical through the centre of gravity.",
-            &["\"4.87e8 t.m^2\""],
-        ),
-        key(
-            "added_mass",
-            Kind::Table(&ADDED_MASS),
-            Means("no added mass"),
-            "Added mass as fractions of mass and of yaw inertia.",
-            &["{ surge = 0.031, sway = 0.506, yaw = 0.72 }"],
-        ),
-        key(
-            "position",
-            Kind::Vector(POSITION),
-            Is("[0, 0]"),
-            "Initial position of the centre of gravity: north, east.",
-            &["[0, 30]", "[\"1 km\", 0]"],
-        ),
-        key(
-            "heading",
-            Kind::Quantity(DIRECTION),
-            Is("0"),
-            "Initial heading, clockwise from north.",
-            &["\"270 deg\""],
-        ),
-        key(
-            "velocity",
-            Kind::Table(&VELOCITY),
-            Means("at rest"),
-            "Initial velocity in the body's axes.",
-            &["{ surge = \"4 kn\" }"],
-        ),
-        key(
-            "approach",
-            Kind::Table(&APPROACH),
-            Means("`position`, `heading` and `velocity` give the start"),
-            "The start of a berthing by speed and angle at a fender, instead of `position`, `heading` and `velocity`.",
-            &[],
-        ),
-    ],
+    keys: BodyKey::ALL,
     rules: Some(|| {
         json!({
             "dependentSchemas": { "approach": {
@@ -186,50 +68,191 @@ pub static BODY: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a body.
+    pub BodyKey {
+        FIXED: Flag = key(
+            "fixed",
+            Kind::Flag,
+            Is("false"),
+            "True for a body that never moves and has no mass and no velocity.",
+            &["true"],
+        ),
+        DOLPHIN: TableOf<DolphinKey> = key(
+            "dolphin",
+            Kind::Table(&DOLPHIN),
+            Means("a body that floats, or is `fixed`"),
+            "Makes the body a flexible dolphin: piles that bend, with their mass.",
+            &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
+        ),
+        OUTLINE: Points = key(
+            "outline",
+            Kind::Outline(POSITION),
+            Means("the outline of the vessel"),
+            "Vertices, forward and to starboard of the centre of gravity, in either direction \
+             round the hull. The outline need not be convex.",
+            &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
+        ),
+        CHART_OUTLINE: Text = key(
+            "chart_outline",
+            Kind::Text,
+            Means("`outline` gives the shape"),
+            "For a fixed body, instead of `outline`: the name of an area of the chart. The body \
+             has the shape and the place of this area. `position` and `heading` place the axes of \
+             the body, in which fenders and bollards are given.",
+            &["\"quay 3\""],
+        ),
+        OUTLINES: ListOf<OutlineAtHeightKey> = key(
+            "outlines",
+            Kind::List(&OUTLINE_AT_HEIGHT),
+            Means("one outline: vertical sides"),
+            "Outlines at two heights or more instead of `outline`. Each fender meets the outline \
+             at the height of the fender, with tide, heave, heel and trim. Other bodies meet the \
+             outline at the waterline. Coupled method only.",
+            &["[{ height = 0, outline = [[-16, -6], [16, -6], [16, 6], [-16, 6]] }, \
+               { height = \"12 m\", outline = [[-16, -7], [17, -7], [17, 7], [-16, 7]] }]"],
+        ),
+        DRAUGHT: Number = key(
+            "draught",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
+            Unless("the body has no `outlines`, is fixed or a vessel"),
+            "Draught of a plain body with `outlines`: the height of its waterline above the keel.",
+            &["\"9 m\""],
+        ),
+        VESSEL: Text = key(
+            "vessel",
+            Kind::Text,
+            Means("a plain body"),
+            "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from \
+             `vessel_files`. Mass, added mass, outline and coefficients follow from the kind.",
+            &["\"container-ship\""],
+        ),
+        RUNNING: Number = key(
+            "running",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
+            Means("engine stopped"),
+            "Shaft revolutions at the start, as a fraction of full revolutions.",
+            &["0.3"],
+        ),
+        MASS: Number = key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
+            Unless("the body is fixed, a dolphin or a vessel"),
+            "Displacement, without added mass.",
+            &["\"87800 t\""],
+        ),
+        GYRADIUS: Number = key(
+            "gyradius",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
+            Unless("`yaw_inertia` is given, or the body is fixed, a dolphin or a vessel"),
+            "Radius of gyration about the vertical through the centre of gravity.",
+            &["\"74.5 m\""],
+        ),
+        YAW_INERTIA: Number = key(
+            "yaw_inertia",
+            Kind::Quantity(Quantity { measure: &unit::MOMENT_OF_INERTIA, low: 1e-9, high: 1e25 }),
+            Unless("`gyradius` is given, or the body is fixed, a dolphin or a vessel"),
+            "Moment of inertia about the vertical through the centre of gravity.",
+            &["\"4.87e8 t.m^2\""],
+        ),
+        ADDED_MASS: TableOf<AddedMassKey> = key(
+            "added_mass",
+            Kind::Table(&ADDED_MASS),
+            Means("no added mass"),
+            "Added mass as fractions of mass and of yaw inertia.",
+            &["{ surge = 0.031, sway = 0.506, yaw = 0.72 }"],
+        ),
+        POSITION: Vector = key(
+            "position",
+            Kind::Vector(POSITION),
+            Is("[0, 0]"),
+            "Initial position of the centre of gravity: north, east.",
+            &["[0, 30]", "[\"1 km\", 0]"],
+        ),
+        HEADING: Number = key(
+            "heading",
+            Kind::Quantity(DIRECTION),
+            Is("0"),
+            "Initial heading, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        VELOCITY: TableOf<VelocityKey> = key(
+            "velocity",
+            Kind::Table(&VELOCITY),
+            Means("at rest"),
+            "Initial velocity in the body's axes.",
+            &["{ surge = \"4 kn\" }"],
+        ),
+        APPROACH: TableOf<ApproachKey> = key(
+            "approach",
+            Kind::Table(&APPROACH),
+            Means("`position`, `heading` and `velocity` give the start"),
+            "The start of a berthing by speed and angle at a fender, instead of `position`, `heading` and `velocity`.",
+            &[],
+        ),
+    }
+}
+
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass",
     doc: "Added mass as fractions of mass and of yaw inertia.",
-    keys: &[
-        key(
+    keys: AddedMassKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an added mass.
+    pub AddedMassKey {
+        SURGE: Number = key(
             "surge",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
             "Added mass in surge over mass.",
             &["0.031"],
         ),
-        key(
+        SWAY: Number = key(
             "sway",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
             "Added mass in sway over mass.",
             &["0.506"],
         ),
-        key(
+        YAW: Number = key(
             "yaw",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
             "Added moment of inertia in yaw over yaw inertia.",
             &["0.72"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 const ADDED_FRACTION: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1000.0 };
 
 pub(super) static VELOCITY: TableSpec = TableSpec {
     what: "a velocity",
     doc: "Velocity in the body's axes.",
-    keys: &[
-        key("surge", Kind::Quantity(SPEED), Is("0"), "Forward.", &["\"4 kn\""]),
-        key("sway", Kind::Quantity(SPEED), Is("0"), "To starboard.", &["\"-0.15 m/s\""]),
-        key(
+    keys: VelocityKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a velocity.
+    pub VelocityKey {
+        SURGE: Number = key("surge", Kind::Quantity(SPEED), Is("0"), "Forward.", &["\"4 kn\""]),
+        SWAY: Number = key(
+            "sway",
+            Kind::Quantity(SPEED),
+            Is("0"),
+            "To starboard.",
+            &["\"-0.15 m/s\""],
+        ),
+        YAW: Number = key(
             "yaw",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: -1e3, high: 1e3 }),
             Is("0"),
             "Rate of turn, to starboard.",
             &["\"3 deg/s\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}

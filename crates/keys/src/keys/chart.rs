@@ -3,8 +3,10 @@
 use serde_json::json;
 
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf, TableOf, Texts};
 use crate::spec::Absent::{Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static CHART: TableSpec = TableSpec {
@@ -13,36 +15,7 @@ pub(super) static CHART: TableSpec = TableSpec {
           bodies may take their outlines from it (`chart_outline`). Each feature has the property \
           `kind`: \"coast\", \"depth_area\", \"depth_contour\", \"quay\", \"buoy\", \"beacon\", \
           \"leading_line\" or \"name\"; and may have `name`, `depth_m`, `colour` and `side`.",
-    keys: &[
-        key(
-            "files",
-            Kind::FileNames,
-            Refused,
-            "GeoJSON files, relative to the scenario file.",
-            &["[\"harbour.geojson\"]"],
-        ),
-        key(
-            "coordinates",
-            Kind::Choice(&COORDINATES),
-            Refused,
-            "Kind of coordinates in the files.",
-            &["\"longitude_latitude\""],
-        ),
-        key(
-            "projection",
-            Kind::Choice(&PROJECTIONS),
-            Unless("`coordinates` is \"metres\""),
-            "Projection of longitude and latitude to metres.",
-            &["\"transverse_mercator\""],
-        ),
-        key(
-            "origin",
-            Kind::Table(&PLACE),
-            Unless("`coordinates` is \"metres\""),
-            "Latitude and longitude of the scenario's origin.",
-            &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
-        ),
-    ],
+    keys: ChartKey::ALL,
     rules: Some(|| {
         json!({
             "allOf": [{ "properties": { "files": { "minItems": 1 } } }],
@@ -53,27 +26,66 @@ pub(super) static CHART: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a chart.
+    pub ChartKey {
+        FILES: Texts = key(
+            "files",
+            Kind::FileNames,
+            Refused,
+            "GeoJSON files, relative to the scenario file.",
+            &["[\"harbour.geojson\"]"],
+        ),
+        COORDINATES: OneOf<Coordinates> = key(
+            "coordinates",
+            Kind::Choice(&COORDINATES),
+            Refused,
+            "Kind of coordinates in the files.",
+            &["\"longitude_latitude\""],
+        ),
+        PROJECTION: OneOf<Projection> = key(
+            "projection",
+            Kind::Choice(&PROJECTIONS),
+            Unless("`coordinates` is \"metres\""),
+            "Projection of longitude and latitude to metres.",
+            &["\"transverse_mercator\""],
+        ),
+        ORIGIN: TableOf<ChartOriginKey> = key(
+            "origin",
+            Kind::Table(&PLACE),
+            Unless("`coordinates` is \"metres\""),
+            "Latitude and longitude of the scenario's origin.",
+            &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
+        ),
+    }
+}
+
 static PLACE: TableSpec = TableSpec {
     what: "a place on the earth",
     doc: "A place on the WGS 84 ellipsoid.",
-    keys: &[
-        key(
+    keys: ChartOriginKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a place on the earth.
+    pub ChartOriginKey {
+        LATITUDE: Number = key(
             "latitude",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -LATITUDE, high: LATITUDE }),
             Refused,
             "Latitude, north positive: at most 84 degrees.",
             &["\"53.52 deg\""],
         ),
-        key(
+        LONGITUDE: Number = key(
             "longitude",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -LONGITUDE, high: LONGITUDE }),
             Refused,
             "Longitude, east positive.",
             &["\"9.94 deg\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 /// The range of UTM, beyond which a plane with north up is of little use (rad): 84 degrees.
 const LATITUDE: f64 = 84.0 * core::f64::consts::PI / 180.0;

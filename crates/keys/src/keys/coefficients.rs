@@ -4,9 +4,12 @@ use serde_json::{Value as Json, json};
 
 use super::quantities::{LENGTH, PLACE};
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf, Text, Texts};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::typed_key::{AnyKey, ReadAs};
 use crate::units::measures as unit;
+use crate::{any_keys, table_keys};
 
 const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
 const FLOW_SPEED: Quantity = Quantity { measure: &unit::SPEED, low: 0.01, high: 200.0 };
@@ -143,32 +146,44 @@ const SOURCE: KeySpec = key(
 pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
     what: "a table of wind coefficients",
     doc: "Your wind coefficients, in place of the coefficients of `windage`.",
-    keys: &[
-        FILE,
-        COLUMNS,
-        SKIP,
-        CONVENTION,
-        ZERO,
-        SIDE,
-        SURGE,
-        SWAY,
-        YAW,
-        SURGE_AREA,
-        SWAY_AREA,
-        YAW_LENGTH,
-        POINT,
-        QUANTITY,
-        AT_SPEED,
-        AT_DENSITY,
-        SOURCE,
-        key(
+    keys: &WIND_KEYS,
+    rules: Some(rules),
+};
+
+table_keys! {
+    /// Keys of both tables of coefficients.
+    pub CoefficientsKey {
+        FILE: Text = FILE,
+        COLUMNS: Texts = COLUMNS,
+        SKIP_LINES: Number = SKIP,
+        CONVENTION: OneOf<Option<Convention>> = CONVENTION,
+        ANGLE_ZERO: OneOf<bool> = ZERO,
+        ANGLE_SIDE: OneOf<bool> = SIDE,
+        SURGE_POSITIVE: OneOf<bool> = SURGE,
+        SWAY_POSITIVE: OneOf<bool> = SWAY,
+        YAW_POSITIVE: OneOf<bool> = YAW,
+        SURGE_AREA: Number = SURGE_AREA,
+        SWAY_AREA: Number = SWAY_AREA,
+        YAW_LENGTH: Number = YAW_LENGTH,
+        MOMENT_ABOUT: Number = POINT,
+        QUANTITY: OneOf<Held> = QUANTITY,
+        AT_SPEED: Number = AT_SPEED,
+        AT_DENSITY: Number = AT_DENSITY,
+        SOURCE: Text = SOURCE,
+    }
+}
+
+table_keys! {
+    /// Further keys of a table of wind coefficients.
+    pub WindCoefficientsKey of &WIND_KEYS; {
+        REFERENCE_HEIGHT: Number = key(
             "reference_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 300.0 }),
             Is("10"),
             "Height of the wind speed to which the coefficients refer.",
             &["\"10 m\""],
         ),
-        key(
+        CENTROID_HEIGHT: Number = key(
             "centroid_height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
             Means(
@@ -178,41 +193,49 @@ pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
             "Height above the water at which the wind force acts, for heel and trim.",
             &["\"12 m\""],
         ),
-    ],
-    rules: Some(rules),
-};
+    }
+}
+
+static WIND_KEYS: [KeySpec; SHARED + WindCoefficientsKey::ALL.len()] =
+    with_shared(WindCoefficientsKey::ALL);
+
+/// The shared keys and further keys.
+const fn with_shared<const COUNT: usize>(further: &[KeySpec]) -> [KeySpec; COUNT] {
+    let mut keys = [FILE; COUNT];
+    let mut index = 0;
+    while index < COUNT {
+        keys[index] =
+            if index < SHARED { CoefficientsKey::ALL[index] } else { further[index - SHARED] };
+        index += 1;
+    }
+    keys
+}
+
+const SHARED: usize = CoefficientsKey::ALL.len();
+
+impl ReadAs<CoefficientsKey> for WindCoefficientsKey {}
+impl ReadAs<CoefficientsKey> for CurrentCoefficientsKey {}
 
 pub(super) static CURRENT_COEFFICIENTS: TableSpec = TableSpec {
     what: "a table of current coefficients",
     doc: "Your current coefficients: the hull force at low speed through the water, in place of \
         the force of the manoeuvring model. The effect of the rate of turn still comes from the \
         model.",
-    keys: &[
-        FILE,
-        COLUMNS,
-        SKIP,
-        CONVENTION,
-        ZERO,
-        SIDE,
-        SURGE,
-        SWAY,
-        YAW,
-        SURGE_AREA,
-        SWAY_AREA,
-        YAW_LENGTH,
-        POINT,
-        QUANTITY,
-        AT_SPEED,
-        AT_DENSITY,
-        SOURCE,
-        key(
+    keys: &CURRENT_KEYS,
+    rules: Some(rules),
+};
+
+table_keys! {
+    /// Further keys of a table of current coefficients.
+    pub CurrentCoefficientsKey of &CURRENT_KEYS; {
+        ALONE_UNTIL: Number = key(
             "alone_until",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
             Is("\"5 kn\""),
             "Speed through the water up to which the table acts alone. The default is our choice.",
             &["\"5 kn\""],
         ),
-        key(
+        GONE_FROM: Number = key(
             "gone_from",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.1, high: 40.0 }),
             Is("\"8 kn\""),
@@ -220,28 +243,31 @@ pub(super) static CURRENT_COEFFICIENTS: TableSpec = TableSpec {
              speeds, table and model are mixed without a jump. The default is our choice.",
             &["\"8 kn\""],
         ),
-    ],
-    rules: Some(rules),
-};
+    }
+}
+
+static CURRENT_KEYS: [KeySpec; SHARED + CurrentCoefficientsKey::ALL.len()] =
+    with_shared(CurrentCoefficientsKey::ALL);
 
 /// The keys that `convention = "own"` needs and that no other convention may have.
-pub const OF_OWN: [&str; 5] =
-    ["angle_zero", "angle_side", "surge_positive", "sway_positive", "yaw_positive"];
+pub const OF_OWN: &[AnyKey<CoefficientsKey>] = any_keys![
+    CoefficientsKey: ANGLE_ZERO, ANGLE_SIDE, SURGE_POSITIVE, SWAY_POSITIVE, YAW_POSITIVE
+];
 /// Likewise of `quantity = "forces"`.
-pub const OF_FORCES: [&str; 2] = ["at_speed", "at_density"];
+pub const OF_FORCES: &[AnyKey<CoefficientsKey>] = any_keys![CoefficientsKey: AT_SPEED, AT_DENSITY];
 
 fn rules() -> Json {
-    let refused = |keys: &[&str]| -> serde_json::Map<String, Json> {
-        keys.iter().map(|key| ((*key).to_owned(), json!(false))).collect()
-    };
-    let with = |key: &str, word: &str, keys: &[&str]| {
+    let with = |key: &str, word: &str, keys: &[AnyKey<CoefficientsKey>]| {
+        let names: Vec<&str> = keys.iter().map(|key| key.name()).collect();
+        let refused: serde_json::Map<String, Json> =
+            names.iter().map(|name| ((*name).to_owned(), json!(false))).collect();
         json!({
             "if": { "properties": { key: { "const": word } }, "required": [key] },
-            "then": { "required": keys },
-            "else": { "properties": refused(keys) }
+            "then": { "required": names },
+            "else": { "properties": refused }
         })
     };
-    json!({ "allOf": [with("convention", "own", &OF_OWN), with("quantity", "forces", &OF_FORCES)] })
+    json!({ "allOf": [with("convention", "own", OF_OWN), with("quantity", "forces", OF_FORCES)] })
 }
 
 /// Angles and signs of a table; each is true if it agrees with this program.

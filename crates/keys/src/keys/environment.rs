@@ -4,94 +4,20 @@ use fenderline_sim::environment::BankMethod;
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
-use super::long_waves::LONG_WAVES;
-use super::passing::INTERACTION;
+use super::long_waves::{LONG_WAVES, LongWavesKey};
+use super::passing::{INTERACTION, InteractionKey};
 use super::quantities::{DIRECTION, POSITION, SEED};
 use crate::choices::{Choice, Choices};
+use crate::held::{Flag, ListOf, Number, OneOf, TableOf, Text, Vector};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static ENVIRONMENT: TableSpec = TableSpec {
     what: "an environment",
     doc: "Wind, current, waves and water; they act on vessels.",
-    keys: &[
-        key(
-            "depth",
-            Kind::Quantity(DEPTH),
-            Means("deep water"),
-            "Depth of the water below datum; negative if the bottom is above datum. Shallow water \
-             changes hull forces and added mass and makes a vessel squat; a vessel is aground if \
-             the depth is less than draught plus squat. The corrections are valid from 1.2 \
-             draughts on; below 1.1 draughts they keep their values for 1.1 draughts.",
-            &["\"14 m\""],
-        ),
-        key(
-            "water_density",
-            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 900.0, high: 1300.0 }),
-            Is("1025"),
-            "Density of the water.",
-            &["\"1025 kg/m^3\""],
-        ),
-        key(
-            "air_density",
-            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 0.5, high: 2.0 }),
-            Is("1.225"),
-            "Density of the air. OCIMF's formulas are used with 1.28 kg/m³ (read in a user's calculation, not in the guideline).",
-            &["\"1.28 kg/m^3\""],
-        ),
-        key(
-            "squat",
-            Kind::Choice(&SQUATS),
-            Means("\"icorels\" if `depth` is given"),
-            "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
-             water. The formulas give the sinkage of the deepest point of the hull; here the whole \
-             hull sinks by this amount, without trim.",
-            &["\"icorels\""],
-        ),
-        key(
-            "tide",
-            Kind::Table(&TIDE),
-            Means("the water level is at datum"),
-            "Level of the water above datum. The level is added to `depth`; heights on bodies that \
-             do not float (`above_water` of a fender, `bollard_height` of a line) count from \
-             datum.",
-            &["{ level = \"1.8 m\" }"],
-        ),
-        key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
-        key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
-        key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
-        key(
-            "long_waves",
-            Kind::Table(&LONG_WAVES),
-            Means("no long waves"),
-            "Long waves at a berth: infragravity waves or a seiche.",
-            &[],
-        ),
-        key(
-            "interaction",
-            Kind::Table(&INTERACTION),
-            Is("{}"),
-            "How the flow about vessels and passing ships pushes vessels.",
-            &[],
-        ),
-        key(
-            "visibility",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 50.0, high: 50e3 }),
-            Means("clear"),
-            "How far people see in a live session: the pages of pilot and tugmasters do not show ships that are farther \
-             away.",
-            &["\"500 m\""],
-        ),
-        key(
-            "bank",
-            Kind::List(&BANK),
-            Is("[]"),
-            "UNVALIDATED. Banks that attract a vessel under way, each by its `method`. A bank is \
-             not an obstacle: add a fixed body for it.",
-            &["[{ from = [-500, 40], to = [500, 40] }]"],
-        ),
-    ],
+    keys: EnvironmentKey::ALL,
     rules: Some(|| {
         json!({
             "dependentRequired": { "squat": ["depth"] },
@@ -104,36 +30,105 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of an environment.
+    pub EnvironmentKey {
+        DEPTH: Number = key(
+            "depth",
+            Kind::Quantity(DEPTH),
+            Means("deep water"),
+            "Depth of the water below datum; negative if the bottom is above datum. Shallow water \
+             changes hull forces and added mass and makes a vessel squat; a vessel is aground if \
+             the depth is less than draught plus squat. The corrections are valid from 1.2 \
+             draughts on; below 1.1 draughts they keep their values for 1.1 draughts.",
+            &["\"14 m\""],
+        ),
+        WATER_DENSITY: Number = key(
+            "water_density",
+            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 900.0, high: 1300.0 }),
+            Is("1025"),
+            "Density of the water.",
+            &["\"1025 kg/m^3\""],
+        ),
+        AIR_DENSITY: Number = key(
+            "air_density",
+            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 0.5, high: 2.0 }),
+            Is("1.225"),
+            "Density of the air. OCIMF's formulas are used with 1.28 kg/m³ (read in a user's calculation, not in the guideline).",
+            &["\"1.28 kg/m^3\""],
+        ),
+        SQUAT: OneOf<Option<Squat>> = key(
+            "squat",
+            Kind::Choice(&SQUATS),
+            Means("\"icorels\" if `depth` is given"),
+            "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
+             water. The formulas give the sinkage of the deepest point of the hull; here the whole \
+             hull sinks by this amount, without trim.",
+            &["\"icorels\""],
+        ),
+        TIDE: TableOf<TideKey> = key(
+            "tide",
+            Kind::Table(&TIDE),
+            Means("the water level is at datum"),
+            "Level of the water above datum. The level is added to `depth`; heights on bodies that \
+             do not float (`above_water` of a fender, `bollard_height` of a line) count from \
+             datum.",
+            &["{ level = \"1.8 m\" }"],
+        ),
+        WIND: TableOf<WindKey> = key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
+        CURRENT: TableOf<CurrentKey> = key(
+            "current",
+            Kind::Table(&CURRENT),
+            Means("no current"),
+            "Current.",
+            &[],
+        ),
+        WAVES: TableOf<WavesKey> = key(
+            "waves",
+            Kind::Table(&WAVES),
+            Means("no waves"),
+            "Waves.",
+            &[],
+        ),
+        LONG_WAVES: TableOf<LongWavesKey> = key(
+            "long_waves",
+            Kind::Table(&LONG_WAVES),
+            Means("no long waves"),
+            "Long waves at a berth: infragravity waves or a seiche.",
+            &[],
+        ),
+        INTERACTION: TableOf<InteractionKey> = key(
+            "interaction",
+            Kind::Table(&INTERACTION),
+            Is("{}"),
+            "How the flow about vessels and passing ships pushes vessels.",
+            &[],
+        ),
+        VISIBILITY: Number = key(
+            "visibility",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 50.0, high: 50e3 }),
+            Means("clear"),
+            "How far people see in a live session: the pages of pilot and tugmasters do not show ships that are farther \
+             away.",
+            &["\"500 m\""],
+        ),
+        BANK: ListOf<BankKey> = key(
+            "bank",
+            Kind::List(&BANK),
+            Is("[]"),
+            "UNVALIDATED. Banks that attract a vessel under way, each by its `method`. A bank is \
+             not an obstacle: add a fixed body for it.",
+            &["[{ from = [-500, 40], to = [500, 40] }]"],
+        ),
+    }
+}
+
 static TIDE: TableSpec = TableSpec {
     what: "a tide",
     doc: "Level of the water above datum: a constant `level`, constituents about a mean `level`, \
           or a `file`. A vessel's hull forces, squat and under-keel clearance follow the tide. \
           Added mass, and the depth in the formulas of waves, keep their values at the start.",
-    keys: &[
-        key(
-            "level",
-            Kind::Quantity(LEVEL),
-            Unless("`file` is given"),
-            "Level above datum; the mean level if there are constituents.",
-            &["\"1.8 m\""],
-        ),
-        key(
-            "constituent",
-            Kind::List(&CONSTITUENT),
-            Is("[]"),
-            "Constituents of the tide. Each adds amplitude x cos(2 pi t / period - lag) to the \
-             level.",
-            &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
-        ),
-        key(
-            "file",
-            Kind::FileName,
-            Unless("`level` is given"),
-            "The level in time: a CSV file beside the scenario with the columns t_s and level_m. \
-             Linear between the rows; constant before the first and after the last row.",
-            &["\"tide.csv\""],
-        ),
-    ],
+    keys: TideKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
             { "required": ["level"], "properties": { "file": false } },
@@ -142,88 +137,76 @@ static TIDE: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a tide.
+    pub TideKey {
+        LEVEL: Number = key(
+            "level",
+            Kind::Quantity(LEVEL),
+            Unless("`file` is given"),
+            "Level above datum; the mean level if there are constituents.",
+            &["\"1.8 m\""],
+        ),
+        CONSTITUENT: ListOf<ConstituentKey> = key(
+            "constituent",
+            Kind::List(&CONSTITUENT),
+            Is("[]"),
+            "Constituents of the tide. Each adds amplitude x cos(2 pi t / period - lag) to the \
+             level.",
+            &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
+        ),
+        FILE: Text = key(
+            "file",
+            Kind::FileName,
+            Unless("`level` is given"),
+            "The level in time: a CSV file beside the scenario with the columns t_s and level_m. \
+             Linear between the rows; constant before the first and after the last row.",
+            &["\"tide.csv\""],
+        ),
+    }
+}
+
 const DEPTH: Quantity = Quantity { measure: &unit::LENGTH, low: -30.0, high: 12_000.0 };
 const LEVEL: Quantity = Quantity { measure: &unit::LENGTH, low: -30.0, high: 30.0 };
 
 static CONSTITUENT: TableSpec = TableSpec {
     what: "a constituent of a tide",
     doc: "One constituent of a tide.",
-    keys: &[
-        key(
+    keys: ConstituentKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a constituent of a tide.
+    pub ConstituentKey {
+        AMPLITUDE: Number = key(
             "amplitude",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
             Refused,
             "Amplitude: half the range.",
             &["\"1.5 m\""],
         ),
-        key(
+        PERIOD: Number = key(
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 60.0, high: 1e9 }),
             Refused,
             "Period; the period of M2 is 12.4206 h.",
             &["\"12.4206 h\""],
         ),
-        key(
+        LAG: Number = key(
             "lag",
             Kind::Quantity(DIRECTION),
             Is("0"),
             "Phase lag; with 0, high water is at the start.",
             &["\"90 deg\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static WIND: TableSpec = TableSpec {
     what: "a wind",
     doc: "Wind at 10 m height: `speed` and `from`, or a `file`.",
-    keys: &[
-        key(
-            "speed",
-            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
-            Unless("`file` is given"),
-            "Mean speed.",
-            &["\"12 m/s\""],
-        ),
-        key(
-            "from",
-            Kind::Quantity(DIRECTION),
-            Unless("`file` is given"),
-            "Direction from which the wind comes, clockwise from north.",
-            &["\"270 deg\""],
-        ),
-        key(
-            "file",
-            Kind::FileName,
-            Unless("`speed` and `from` are given"),
-            "A wind that changes in time: a CSV file beside the scenario with the columns t_s, \
-             speed_mps and from_deg. Linear between the rows, with the direction by the shorter \
-             turn; constant before the first and after the last row.",
-            &["\"wind.csv\""],
-        ),
-        key(
-            "gusts",
-            Kind::Flag,
-            Means("no gusts"),
-            "Adds gusts by the NPD spectrum of ISO 19901-1.",
-            &["true"],
-        ),
-        key(
-            "gust_admittance",
-            Kind::Flag,
-            Means("true"),
-            "Whether the mean of the gusts over a vessel's length and height acts on the vessel \
-             (aerodynamic admittance). If false, each gust acts on the whole vessel at once.",
-            &["false"],
-        ),
-        key(
-            "seed",
-            Kind::Quantity(SEED),
-            Means("1"),
-            "Seed of the gusts: the same seed gives the same wind.",
-            &["7"],
-        ),
-    ],
+    keys: WindKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
             { "required": ["speed", "from"], "properties": { "file": false } },
@@ -237,48 +220,63 @@ static WIND: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a wind.
+    pub WindKey {
+        SPEED: Number = key(
+            "speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
+            Unless("`file` is given"),
+            "Mean speed.",
+            &["\"12 m/s\""],
+        ),
+        FROM: Number = key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Unless("`file` is given"),
+            "Direction from which the wind comes, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        FILE: Text = key(
+            "file",
+            Kind::FileName,
+            Unless("`speed` and `from` are given"),
+            "A wind that changes in time: a CSV file beside the scenario with the columns t_s, \
+             speed_mps and from_deg. Linear between the rows, with the direction by the shorter \
+             turn; constant before the first and after the last row.",
+            &["\"wind.csv\""],
+        ),
+        GUSTS: Flag = key(
+            "gusts",
+            Kind::Flag,
+            Means("no gusts"),
+            "Adds gusts by the NPD spectrum of ISO 19901-1.",
+            &["true"],
+        ),
+        GUST_ADMITTANCE: Flag = key(
+            "gust_admittance",
+            Kind::Flag,
+            Means("true"),
+            "Whether the mean of the gusts over a vessel's length and height acts on the vessel \
+             (aerodynamic admittance). If false, each gust acts on the whole vessel at once.",
+            &["false"],
+        ),
+        SEED: Number = key(
+            "seed",
+            Kind::Quantity(SEED),
+            Means("1"),
+            "Seed of the gusts: the same seed gives the same wind.",
+            &["7"],
+        ),
+    }
+}
+
 static CURRENT: TableSpec = TableSpec {
     what: "a current",
     doc: "A current: uniform and steady (`speed`, `towards`), by depth (`profile`), or by place \
         and time (`file`). The current at a vessel's centre of gravity, averaged over her draught, \
         acts on the vessel.",
-    keys: &[
-        key(
-            "speed",
-            Kind::Quantity(CURRENT_SPEED),
-            Unless("`profile` or `file` is given"),
-            "Speed of a uniform and steady current.",
-            &["\"0.5 kn\""],
-        ),
-        key(
-            "towards",
-            Kind::Quantity(DIRECTION),
-            Unless("`profile` or `file` is given"),
-            "Direction in which the current runs, clockwise from north.",
-            &["\"10 deg\""],
-        ),
-        key(
-            "profile",
-            Kind::List(&LAYER),
-            Means("the same at every depth"),
-            "The current by depth, downwards: linear between the depths, constant above the first \
-             and below the last depth.",
-            &[
-                "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 }]",
-            ],
-        ),
-        key(
-            "file",
-            Kind::FileName,
-            Unless("`speed` and `towards`, or `profile`, are given"),
-            "A current by place and time: a CSV file beside the scenario. Columns: the velocity as \
-             north_mps and east_mps, or as speed_mps and towards_deg; north_m and east_m, without \
-             which the current is uniform; t_s, without which the current is steady. One row for \
-             each combination of north_m, east_m and t_s, in any order. Linear in time, bilinear \
-             in place; outside the grid the value at its edge is used.",
-            &["\"current.csv\""],
-        ),
-    ],
+    keys: CurrentKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
             { "required": ["speed", "towards"], "properties": { "profile": false, "file": false } },
@@ -296,71 +294,133 @@ static CURRENT: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a current.
+    pub CurrentKey {
+        SPEED: Number = key(
+            "speed",
+            Kind::Quantity(CURRENT_SPEED),
+            Unless("`profile` or `file` is given"),
+            "Speed of a uniform and steady current.",
+            &["\"0.5 kn\""],
+        ),
+        TOWARDS: Number = key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Unless("`profile` or `file` is given"),
+            "Direction in which the current runs, clockwise from north.",
+            &["\"10 deg\""],
+        ),
+        PROFILE: ListOf<LayerKey> = key(
+            "profile",
+            Kind::List(&LAYER),
+            Means("the same at every depth"),
+            "The current by depth, downwards: linear between the depths, constant above the first \
+             and below the last depth.",
+            &[
+                "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 }]",
+            ],
+        ),
+        FILE: Text = key(
+            "file",
+            Kind::FileName,
+            Unless("`speed` and `towards`, or `profile`, are given"),
+            "A current by place and time: a CSV file beside the scenario. Columns: the velocity as \
+             north_mps and east_mps, or as speed_mps and towards_deg; north_m and east_m, without \
+             which the current is uniform; t_s, without which the current is steady. One row for \
+             each combination of north_m, east_m and t_s, in any order. Linear in time, bilinear \
+             in place; outside the grid the value at its edge is used.",
+            &["\"current.csv\""],
+        ),
+    }
+}
+
 const CURRENT_SPEED: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 15.0 };
 
 static LAYER: TableSpec = TableSpec {
     what: "a layer of a current",
     doc: "The current at a depth.",
-    keys: &[
-        key(
+    keys: LayerKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a layer of a current.
+    pub LayerKey {
+        DEPTH: Number = key(
             "depth",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 12_000.0 }),
             Refused,
             "Depth below the surface; must increase from layer to layer.",
             &["\"5 m\""],
         ),
-        key("speed", Kind::Quantity(CURRENT_SPEED), Refused, "Speed.", &["\"0.5 kn\""]),
-        key(
+        SPEED: Number = key(
+            "speed",
+            Kind::Quantity(CURRENT_SPEED),
+            Refused,
+            "Speed.",
+            &["\"0.5 kn\""],
+        ),
+        TOWARDS: Number = key(
             "towards",
             Kind::Quantity(DIRECTION),
             Refused,
             "Direction in which the current runs, clockwise from north.",
             &["\"10 deg\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static WAVES: TableSpec = TableSpec {
     what: "a sea",
     doc: "Waves: JONSWAP, or one regular wave.",
-    keys: &[
-        key(
+    keys: WavesKey::ALL,
+    rules: Some(|| {
+        json!({ "not": {
+            "required": ["regular", "spreading"], "properties": { "regular": { "const": true } }
+        } })
+    }),
+};
+
+table_keys! {
+    /// Keys of a sea.
+    pub WavesKey {
+        HEIGHT: Number = key(
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
             Refused,
             "Significant height, or height of the regular wave.",
             &["\"1.2 m\""],
         ),
-        key(
+        PERIOD: Number = key(
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
             Refused,
             "Peak period, or period of the regular wave.",
             &["\"8 s\""],
         ),
-        key(
+        FROM: Number = key(
             "from",
             Kind::Quantity(DIRECTION),
             Refused,
             "Direction from which the waves come, clockwise from north.",
             &["\"240 deg\""],
         ),
-        key(
+        REGULAR: Flag = key(
             "regular",
             Kind::Flag,
             Is("false"),
             "One regular wave instead of a spectrum.",
             &["true"],
         ),
-        key(
+        PEAKEDNESS: Number = key(
             "peakedness",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
             Is("3.3"),
             "JONSWAP's gamma.",
             &["3.3"],
         ),
-        key(
+        SPREADING: Number = key(
             "spreading",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("long crests: all waves run in one direction"),
@@ -369,14 +429,9 @@ static WAVES: TableSpec = TableSpec {
              crests. Not for a regular wave.",
             &["2"],
         ),
-        key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
-    ],
-    rules: Some(|| {
-        json!({ "not": {
-            "required": ["regular", "spreading"], "properties": { "regular": { "const": true } }
-        } })
-    }),
-};
+        SEED: Number = key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
+    }
+}
 
 static SQUATS: Choices<Option<Squat>> = Choices(&[
     Choice { word: "none", value: None, doc: "no squat" },
@@ -401,10 +456,28 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
 static BANK: TableSpec = TableSpec {
     what: "a bank",
     doc: "A straight vertical bank. Its effect is UNVALIDATED.",
-    keys: &[
-        key("from", Kind::Vector(POSITION), Refused, "One end: north, east.", &["[-500, 40]"]),
-        key("to", Kind::Vector(POSITION), Refused, "The other end: north, east.", &["[500, 40]"]),
-        key(
+    keys: BankKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a bank.
+    pub BankKey {
+        FROM: Vector = key(
+            "from",
+            Kind::Vector(POSITION),
+            Refused,
+            "One end: north, east.",
+            &["[-500, 40]"],
+        ),
+        TO: Vector = key(
+            "to",
+            Kind::Vector(POSITION),
+            Refused,
+            "The other end: north, east.",
+            &["[500, 40]"],
+        ),
+        METHOD: OneOf<BankMethod> = key(
             "method",
             Kind::Choice(&BANK_METHODS),
             Is("\"norrbin\""),
@@ -412,9 +485,8 @@ static BANK: TableSpec = TableSpec {
              for \"image\".",
             &["\"image\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static BANK_METHODS: Choices<BankMethod> = Choices(&[
     Choice {

@@ -7,25 +7,53 @@ use serde_json::json;
 
 use super::quantities::{DIRECTION, TIME};
 use crate::choices::{Choice, Choices};
+use crate::held::{Flag, Name, Number, OneOf, TableOf, Text};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::typed_key::AnyKey;
 use crate::units::measures as unit;
+use crate::{any_keys, table_keys};
 
 /// An event has exactly one of these keys.
-pub const WHAT: [&str; 7] =
-    ["wind", "current", "visibility", "fault", "thruster_out", "line_parts", "tug_out"];
+pub const WHAT: &[AnyKey<EventKey>] = any_keys![
+    EventKey: WIND, CURRENT, VISIBILITY, FAULT, THRUSTER_OUT, LINE_PARTS, TUG_OUT
+];
 /// The kinds of events that can end.
-pub const CAN_END: [&str; 3] = ["fault", "thruster_out", "tug_out"];
+pub const CAN_END: &[AnyKey<EventKey>] = any_keys![EventKey: FAULT, THRUSTER_OUT, TUG_OUT];
 /// The kinds of events that concern a vessel.
-pub const OF_VESSEL: [&str; 2] = ["fault", "thruster_out"];
+pub const OF_VESSEL: &[AnyKey<EventKey>] = any_keys![EventKey: FAULT, THRUSTER_OUT];
 
 pub(super) static EVENT: TableSpec = TableSpec {
     what: "an event",
     doc: "A change of the weather, or a fault, at a time; each [[event]] has one change or fault. \
         In a live session the instructor sees the events and can cancel them.",
-    keys: &[
-        key("at", Kind::Quantity(TIME), Is("0"), "When it happens.", &["\"12 min\""]),
-        key(
+    keys: EventKey::ALL,
+    rules: Some(|| {
+        let of = |keys: &[AnyKey<EventKey>]| -> Vec<_> {
+            keys.iter().map(|key| json!({ "required": [key.name()] })).collect()
+        };
+        json!({
+            "oneOf": of(WHAT),
+            "allOf": [
+                {
+                    "if": { "anyOf": of(OF_VESSEL) },
+                    "then": { "required": ["vessel"] },
+                    "else": { "properties": { "vessel": false } }
+                },
+                {
+                    "if": { "anyOf": of(CAN_END) },
+                    "else": { "properties": { "ends": { "const": false } } }
+                }
+            ]
+        })
+    }),
+};
+
+table_keys! {
+    /// Keys of an event.
+    pub EventKey {
+        AT: Number = key("at", Kind::Quantity(TIME), Is("0"), "When it happens.", &["\"12 min\""]),
+        WIND: TableOf<WindChangeKey> = key(
             "wind",
             Kind::Table(&WIND),
             ANOTHER,
@@ -33,42 +61,42 @@ pub(super) static EVENT: TableSpec = TableSpec {
              becomes steady.",
             &["{ speed = \"14 m/s\", from = \"270 deg\", over = \"5 min\" }"],
         ),
-        key(
+        CURRENT: TableOf<CurrentChangeKey> = key(
             "current",
             Kind::Table(&CURRENT),
             ANOTHER,
             "A uniform current in place of the present one.",
             &["{ speed = \"1 kn\", towards = \"180 deg\", over = \"5 min\" }"],
         ),
-        key(
+        VISIBILITY: TableOf<VisibilityChangeKey> = key(
             "visibility",
             Kind::Table(&VISIBILITY),
             ANOTHER,
             "How far people see in a live session changes.",
             &["{ distance = \"300 m\", over = \"5 min\" }"],
         ),
-        key(
+        VESSEL: Name = key(
             "vessel",
             Kind::BodyName,
             Means("the event does not concern a vessel"),
             "For `fault` and `thruster_out`: the body of the vessel.",
             &["\"ship\""],
         ),
-        key(
+        FAULT: OneOf<Fault> = key(
             "fault",
             Kind::Choice(&FAULTS),
             ANOTHER,
             "A fault of the vessel.",
             &["\"engine_lost\""],
         ),
-        key(
+        THRUSTER_OUT: Text = key(
             "thruster_out",
             Kind::Text,
             ANOTHER,
             "Name of a thruster or azimuth unit of the vessel, which trips.",
             &["\"bow\""],
         ),
-        key(
+        LINE_PARTS: Text = key(
             "line_parts",
             Kind::Text,
             ANOTHER,
@@ -76,36 +104,22 @@ pub(super) static EVENT: TableSpec = TableSpec {
              and this is reported.",
             &["\"spring\""],
         ),
-        key("tug_out", Kind::Text, ANOTHER, "Name of a vector tug, which drops out.", &["\"one\""]),
-        key(
+        TUG_OUT: Text = key(
+            "tug_out",
+            Kind::Text,
+            ANOTHER,
+            "Name of a vector tug, which drops out.",
+            &["\"one\""],
+        ),
+        ENDS: Flag = key(
             "ends",
             Kind::Flag,
             Is("false"),
             "For `fault`, `thruster_out` and `tug_out`: the fault ends at this time.",
             &["true"],
         ),
-    ],
-    rules: Some(|| {
-        let one: Vec<_> = WHAT.iter().map(|key| json!({ "required": [key] })).collect();
-        let of = |keys: &[&str]| -> Vec<_> {
-            keys.iter().map(|key| json!({ "required": [key] })).collect()
-        };
-        json!({
-            "oneOf": one,
-            "allOf": [
-                {
-                    "if": { "anyOf": of(&OF_VESSEL) },
-                    "then": { "required": ["vessel"] },
-                    "else": { "properties": { "vessel": false } }
-                },
-                {
-                    "if": { "anyOf": of(&CAN_END) },
-                    "else": { "properties": { "ends": { "const": false } } }
-                }
-            ]
-        })
-    }),
-};
+    }
+}
 
 const ANOTHER: crate::spec::Absent = Means("another event");
 const OVER: KeySpec = key(
@@ -119,8 +133,14 @@ const OVER: KeySpec = key(
 static WIND: TableSpec = TableSpec {
     what: "a change of the wind",
     doc: "The mean wind changes: the speed linearly, the direction by the shorter turn.",
-    keys: &[
-        key(
+    keys: WindChangeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a change of the wind.
+    pub WindChangeKey {
+        SPEED: Number = key(
             "speed",
             Kind::Quantity(Quantity {
                 measure: &unit::SPEED,
@@ -131,24 +151,29 @@ static WIND: TableSpec = TableSpec {
             "Mean speed 10 m above the water.",
             &["\"14 m/s\""],
         ),
-        key(
+        FROM: Number = key(
             "from",
             Kind::Quantity(DIRECTION),
             Refused,
             "Direction from which the wind comes, clockwise from north.",
             &["\"270 deg\""],
         ),
-        OVER,
-    ],
-    rules: None,
-};
+        OVER: Number = OVER,
+    }
+}
 
 static CURRENT: TableSpec = TableSpec {
     what: "a change of the current",
     doc: "A uniform current: the speed changes linearly, the direction by the shorter turn. A \
         gradual change begins with the current at the scenario's origin.",
-    keys: &[
-        key(
+    keys: CurrentChangeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a change of the current.
+    pub CurrentChangeKey {
+        SPEED: Number = key(
             "speed",
             Kind::Quantity(Quantity {
                 measure: &unit::SPEED,
@@ -159,24 +184,29 @@ static CURRENT: TableSpec = TableSpec {
             "Speed.",
             &["\"1 kn\""],
         ),
-        key(
+        TOWARDS: Number = key(
             "towards",
             Kind::Quantity(DIRECTION),
             Refused,
             "Direction in which the current runs, clockwise from north.",
             &["\"180 deg\""],
         ),
-        OVER,
-    ],
-    rules: None,
-};
+        OVER: Number = OVER,
+    }
+}
 
 static VISIBILITY: TableSpec = TableSpec {
     what: "a change of the visibility",
     doc: "How far people see. A gradual change has equal ratios in equal times; clear visibility \
         counts as 20 km.",
-    keys: &[
-        key(
+    keys: VisibilityChangeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a change of the visibility.
+    pub VisibilityChangeKey {
+        DISTANCE: Number = key(
             "distance",
             Kind::Quantity(Quantity {
                 measure: &unit::LENGTH,
@@ -187,10 +217,9 @@ static VISIBILITY: TableSpec = TableSpec {
             "The distance.",
             &["\"300 m\""],
         ),
-        OVER,
-    ],
-    rules: None,
-};
+        OVER: Number = OVER,
+    }
+}
 
 static FAULTS: Choices<Fault> = Choices(&[
     Choice {

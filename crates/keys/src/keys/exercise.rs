@@ -1,13 +1,17 @@
 //! Keys of an exercise: what a pilot is asked to do, and how it is marked.
 
+use fenderline_sim::exercise::Measure;
 use serde_json::{Value, json};
 
 use super::mooring::COUNT;
 use super::quantities::{FORCE, LENGTH, POSITION};
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::held::{Flag, Name, Number, OneOf, TableOf, Text, Texts, Vector};
+use crate::spec::Absent::{self, Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::typed_key::{AnyKey, Key};
 use crate::units::measures as unit;
+use crate::{any_keys, table_keys};
 
 /// What an exercise asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,23 +32,38 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
         costs points in proportion to the excess, up to all points of the limit at `worst`. Live \
         pages show goal and score. The summary and the report of a run or a session list every \
         deduction with its cause. An exercise does not change the run.",
-    keys: &[
-        key(
+    keys: ExerciseKey::ALL,
+    rules: Some(|| {
+        let rules: Vec<_> = GOALS.0.iter().map(|goal| goal_rule(goal.word, goal.value)).collect();
+        json!({ "allOf": rules })
+    }),
+};
+
+table_keys! {
+    /// Keys of an exercise.
+    pub ExerciseKey {
+        TASK: Text = key(
             "task",
             Kind::Text,
             Means("no words"),
             "Task of the pilot, in words.",
             &["\"Bring her alongside and make her fast.\""],
         ),
-        key("vessel", Kind::BodyName, Refused, "The ship: a body with a vessel.", &["\"ship\""]),
-        key(
+        VESSEL: Name = key(
+            "vessel",
+            Kind::BodyName,
+            Refused,
+            "The ship: a body with a vessel.",
+            &["\"ship\""],
+        ),
+        GOAL: OneOf<GoalWord> = key(
             "goal",
             Kind::Choice(&GOALS),
             Refused,
             "The goal. When it is reached, the exercise ends.",
             &["\"all_fast\""],
         ),
-        key(
+        BERTH: Name = key(
             "berth",
             Kind::BodyName,
             Means(
@@ -54,56 +73,56 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             "The body with the fenders of the berth.",
             &["\"quay\""],
         ),
-        key(
+        LINES: Texts = key(
             "lines",
             Kind::Texts,
             Means("all lines of the ship"),
             "For `all_fast`: the lines that count.",
             &["[\"head\", \"stern\"]"],
         ),
-        key(
+        AT_LEAST: Number = key(
             "at_least",
             Kind::Quantity(COUNT),
             Means("all lines for `all_fast`, one anchor for `anchored`"),
             "For `all_fast` and `anchored`: how many of the lines or anchors are needed.",
             &["1"],
         ),
-        key(
+        LEAST_TENSION: Number = key(
             "least_tension",
             Kind::Quantity(FORCE),
             Means("no least tension"),
             "For `all_fast`: a line with less tension does not count.",
             &["\"30 kN\""],
         ),
-        key(
+        MOST_TENSION: Number = key(
             "most_tension",
             Kind::Quantity(FORCE),
             Means("no greatest tension"),
             "For `all_fast`: a line with more tension does not count.",
             &["\"300 kN\""],
         ),
-        key(
+        ANCHORS: Texts = key(
             "anchors",
             Kind::Texts,
             Means("all anchors of the ship"),
             "For `anchored`: the anchors that count.",
             &["[\"port\", \"starboard\"]"],
         ),
-        key(
+        CHAIN_OUT: Number = key(
             "chain_out",
             Kind::Quantity(LENGTH),
             Means("any"),
             "For `anchored`: least length of chain out for an anchor to count.",
             &["\"5 shackles\""],
         ),
-        key(
+        POSITION: Vector = key(
             "position",
             Kind::Vector(POSITION),
             Means("anywhere"),
             "For `anchored`: the place on the bottom at which an anchor must lie, north and east.",
             &["[400, -120]"],
         ),
-        key(
+        DISTANCE: Number = key(
             "distance",
             Kind::Quantity(LENGTH),
             Means("0.5 m; 30 m for `clear`; 50 m for `anchored`"),
@@ -112,7 +131,7 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
              `anchored`: greatest distance of an anchor from `position`.",
             &["\"0.3 m\""],
         ),
-        key(
+        REST_SPEED: Number = key(
             "rest_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Is("0.05"),
@@ -120,34 +139,36 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
              to the berth; without a berth, greatest speed of the ship's origin over ground.",
             &["\"0.03 m/s\""],
         ),
-        key(
+        HOLD: Number = key(
             "hold",
             Kind::Quantity(DURATION),
             Is("10"),
             "How long the goal must hold without a break.",
             &["\"30 s\""],
         ),
-        key(
+        TIME_LIMIT: Number = key(
             "time_limit",
             Kind::Quantity(DURATION),
             Means("no limit"),
             "After this time the exercise ends, even if the goal is not reached.",
             &["\"90 min\""],
         ),
-        key(
+        PASS_MARK: Number = key(
             "pass_mark",
             Kind::Quantity(POINTS),
             Is("60"),
             "The least score with which the exercise is passed.",
             &["70"],
         ),
-        key("limit", Kind::Table(&LIMITS), Is("{}"), "The limits.", &[]),
-    ],
-    rules: Some(|| {
-        let rules: Vec<_> = GOALS.0.iter().map(|goal| goal_rule(goal.word, goal.value)).collect();
-        json!({ "allOf": rules })
-    }),
-};
+        LIMIT: TableOf<ExerciseLimitKey> = key(
+            "limit",
+            Kind::Table(&LIMITS),
+            Is("{}"),
+            "The limits.",
+            &[],
+        ),
+    }
+}
 
 static GOALS: Choices<GoalWord> = Choices(&[
     Choice {
@@ -174,36 +195,30 @@ static GOALS: Choices<GoalWord> = Choices(&[
 
 impl GoalWord {
     /// The keys that the goal does not use.
-    pub fn unused(self) -> &'static [&'static str] {
+    pub fn unused(self) -> &'static [AnyKey<ExerciseKey>] {
         match self {
-            GoalWord::AllFast => &["anchors", "chain_out", "position"],
-            GoalWord::Alongside => &[
-                "lines",
-                "at_least",
-                "least_tension",
-                "most_tension",
-                "anchors",
-                "chain_out",
-                "position",
-            ],
-            GoalWord::Clear => &[
-                "lines",
-                "at_least",
-                "least_tension",
-                "most_tension",
-                "anchors",
-                "chain_out",
-                "position",
-                "rest_speed",
-            ],
-            GoalWord::Anchored => &["lines", "least_tension", "most_tension"],
+            GoalWord::AllFast => any_keys![ExerciseKey: ANCHORS, CHAIN_OUT, POSITION],
+            GoalWord::Alongside => {
+                any_keys![
+                    ExerciseKey: LINES, AT_LEAST, LEAST_TENSION, MOST_TENSION, ANCHORS, CHAIN_OUT,
+                    POSITION
+                ]
+            }
+            GoalWord::Clear => {
+                any_keys![
+                    ExerciseKey: LINES, AT_LEAST, LEAST_TENSION, MOST_TENSION, ANCHORS, CHAIN_OUT,
+                    POSITION, REST_SPEED
+                ]
+            }
+            GoalWord::Anchored => any_keys![ExerciseKey: LINES, LEAST_TENSION, MOST_TENSION],
         }
     }
 }
 
 /// The rule of the schema for a goal: no keys that it does not use; for `anchored`, `distance` only with `position`.
 fn goal_rule(word: &str, goal: GoalWord) -> Value {
-    let unused: Vec<_> = goal.unused().iter().map(|key| json!({ "required": [key] })).collect();
+    let unused: Vec<_> =
+        goal.unused().iter().map(|key| json!({ "required": [key.name()] })).collect();
     let mut then = json!({ "not": { "anyOf": unused } });
     if goal == GoalWord::Anchored {
         then["dependentRequired"] = json!({ "distance": ["position"] });
@@ -237,6 +252,45 @@ const FAILS_KEY: KeySpec = key(
     &["true"],
 );
 
+const fn most(quantity: Quantity, examples: &'static [&'static str]) -> KeySpec {
+    let doc = "The greatest value that costs nothing.";
+    key("most", Kind::Quantity(quantity), Refused, doc, examples)
+}
+
+const fn least() -> KeySpec {
+    let doc = "The least value that costs nothing.";
+    key("least", Kind::Quantity(DISTANCE), Refused, doc, &["\"2 m\""])
+}
+
+const fn worst(quantity: Quantity, absent: Absent, examples: &'static [&'static str]) -> KeySpec {
+    let doc = "The value that costs all points.";
+    key("worst", Kind::Quantity(quantity), absent, doc, examples)
+}
+
+const fn within(metres: &'static str) -> KeySpec {
+    key(
+        "within",
+        Kind::Quantity(DISTANCE),
+        Is(metres),
+        "The limit counts while the ship is abreast of the berth and nearer than this \
+         distance; bow and stern count separately.",
+        &["\"30 m\""],
+    )
+}
+
+// The tables of the limits have some of these keys, each with a range and a default of its own.
+table_keys! {
+    /// Keys of a limit of an exercise.
+    pub ScoreKey {
+        MOST: Number = most(SHARE, &[]),
+        LEAST: Number = least(),
+        WORST: Number = worst(SHARE, Means("twice `most`"), &[]),
+        POINTS: Number = POINTS_KEY,
+        FAILS: Flag = FAILS_KEY,
+        WITHIN: Number = within("20"),
+    }
+}
+
 /// The table of a limit with a greatest value.
 macro_rules! at_most {
     ($name:ident, $what:literal, $doc:literal, $quantity:expr, $example:literal $(, near $within:literal)?) => {
@@ -244,18 +298,11 @@ macro_rules! at_most {
             what: $what,
             doc: $doc,
             keys: &[
-                key("most", Kind::Quantity($quantity), Refused, "The greatest value that costs nothing.", &[$example]),
-                key("worst", Kind::Quantity($quantity), Means("twice `most`"), "The value that costs all points.", &[$example]),
+                most($quantity, &[$example]),
+                worst($quantity, Means("twice `most`"), &[$example]),
                 POINTS_KEY,
                 FAILS_KEY,
-                $(key(
-                    "within",
-                    Kind::Quantity(DISTANCE),
-                    Is($within),
-                    "The limit counts while the ship is abreast of the berth and nearer than this \
-                     distance; bow and stern count separately.",
-                    &["\"30 m\""],
-                ),)?
+                $(within($within),)?
             ],
             rules: None,
         };
@@ -268,24 +315,7 @@ macro_rules! at_least {
         static $name: TableSpec = TableSpec {
             what: $what,
             doc: $doc,
-            keys: &[
-                key(
-                    "least",
-                    Kind::Quantity(DISTANCE),
-                    Refused,
-                    "The least value that costs nothing.",
-                    &["\"2 m\""],
-                ),
-                key(
-                    "worst",
-                    Kind::Quantity(DISTANCE),
-                    Is("0"),
-                    "The value that costs all points.",
-                    &["\"1 m\""],
-                ),
-                POINTS_KEY,
-                FAILS_KEY,
-            ],
+            keys: &[least(), worst(DISTANCE, Is("0"), &["\"1 m\""]), POINTS_KEY, FAILS_KEY],
             rules: None,
         };
     };
@@ -371,23 +401,58 @@ static TOUCH: TableSpec = TableSpec {
 static LIMITS: TableSpec = TableSpec {
     what: "the limits of an exercise",
     doc: "What costs points.",
-    keys: &[
-        limit("approach_speed", &APPROACH_SPEED, "Speed of bow and stern towards the berth."),
-        limit("ahead_speed", &AHEAD_SPEED, "Speed ahead or astern near the berth."),
-        limit("angle", &ANGLE_LIMIT, "Angle between ship and berth."),
-        limit("engine", &ENGINE, "Use of the engine near the berth."),
-        limit("fender", &FENDER, "Load of the fenders of the berth."),
-        limit("line", &LINE, "Load of the lines."),
-        limit("chain", &CHAIN, "Load of the anchor chains."),
-        limit("dragged", &DRAGGED, "How far anchors drag."),
-        limit("clearance", &CLEARANCE, "Distance from structures other than the berth."),
-        limit("under_keel", &UNDER_KEEL, "Water under the keel."),
-        limit("touch", &TOUCH, "Touches without a fender."),
-        limit("time", &TIME, "Time until the goal is reached."),
-    ],
+    keys: ExerciseLimitKey::ALL,
     rules: None,
 };
 
+table_keys! {
+    /// Keys of the limits of an exercise.
+    pub ExerciseLimitKey {
+        APPROACH_SPEED: TableOf<ScoreKey> = limit(
+            "approach_speed",
+            &APPROACH_SPEED,
+            "Speed of bow and stern towards the berth.",
+        ),
+        AHEAD_SPEED: TableOf<ScoreKey> = limit(
+            "ahead_speed",
+            &AHEAD_SPEED,
+            "Speed ahead or astern near the berth.",
+        ),
+        ANGLE: TableOf<ScoreKey> = limit("angle", &ANGLE_LIMIT, "Angle between ship and berth."),
+        ENGINE: TableOf<ScoreKey> = limit("engine", &ENGINE, "Use of the engine near the berth."),
+        FENDER: TableOf<ScoreKey> = limit("fender", &FENDER, "Load of the fenders of the berth."),
+        LINE: TableOf<ScoreKey> = limit("line", &LINE, "Load of the lines."),
+        CHAIN: TableOf<ScoreKey> = limit("chain", &CHAIN, "Load of the anchor chains."),
+        DRAGGED: TableOf<ScoreKey> = limit("dragged", &DRAGGED, "How far anchors drag."),
+        CLEARANCE: TableOf<ScoreKey> = limit(
+            "clearance",
+            &CLEARANCE,
+            "Distance from structures other than the berth.",
+        ),
+        UNDER_KEEL: TableOf<ScoreKey> = limit("under_keel", &UNDER_KEEL, "Water under the keel."),
+        TOUCH: TableOf<ScoreKey> = limit("touch", &TOUCH, "Touches without a fender."),
+        TIME: TableOf<ScoreKey> = limit("time", &TIME, "Time until the goal is reached."),
+    }
+}
+
 const fn limit(name: &'static str, table: &'static TableSpec, doc: &'static str) -> KeySpec {
     key(name, Kind::Table(table), Means("no such limit"), doc, &[])
+}
+
+/// The key of a measure in the limits of an exercise.
+pub fn limit_key(measure: Measure) -> Key<ExerciseLimitKey, TableOf<ScoreKey>> {
+    match measure {
+        Measure::ApproachSpeed => ExerciseLimitKey::APPROACH_SPEED,
+        Measure::AheadSpeed => ExerciseLimitKey::AHEAD_SPEED,
+        Measure::Angle => ExerciseLimitKey::ANGLE,
+        Measure::Engine => ExerciseLimitKey::ENGINE,
+        Measure::Fender => ExerciseLimitKey::FENDER,
+        Measure::Line => ExerciseLimitKey::LINE,
+        Measure::Chain => ExerciseLimitKey::CHAIN,
+        Measure::Dragged => ExerciseLimitKey::DRAGGED,
+        Measure::Clearance => ExerciseLimitKey::CLEARANCE,
+        Measure::UnderKeel => ExerciseLimitKey::UNDER_KEEL,
+        Measure::Touch => ExerciseLimitKey::TOUCH,
+        Measure::Time => ExerciseLimitKey::TIME,
+    }
 }

@@ -4,8 +4,10 @@ use fenderline_sim::factors::LineCapacity;
 use serde_json::json;
 
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf, Text};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 10.0 };
@@ -15,51 +17,7 @@ pub(super) static FACTORS: TableSpec = TableSpec {
     doc: "Partial factors on the results of the run, with their source. fenderline has no factors \
         of any guideline, and claims no conformity: take the factors of your guideline. Report, \
         summary and verdict show the factors with the source.",
-    keys: &[
-        key(
-            "source",
-            Kind::Text,
-            Refused,
-            "Source of the factors, in your words.",
-            &["\"design basis 4711, table 3\""],
-        ),
-        key(
-            "energy",
-            Kind::Quantity(FACTOR),
-            Means("energies have no factor"),
-            "Factor on the energy that a fender absorbs. The product is compared with the rated \
-             energy.",
-            &["1.25"],
-        ),
-        key(
-            "reaction",
-            Kind::Quantity(FACTOR),
-            Means("reactions have no factor"),
-            "Factor on the reaction of a fender. The product is compared with `reaction_limit`.",
-            &["1.1"],
-        ),
-        key(
-            "reaction_limit",
-            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e10 }),
-            Means("factored reactions are shown, and compared with nothing"),
-            "Reaction that the structure behind a fender can resist.",
-            &["\"1.8 MN\""],
-        ),
-        key(
-            "line_load",
-            Kind::Quantity(FACTOR),
-            Means("line loads have no factor"),
-            "Factor on the tension of a line. The product is compared with `line_capacity`.",
-            &["1.3"],
-        ),
-        key(
-            "line_capacity",
-            Kind::Choice(&CAPACITIES),
-            Is("\"working_load\""),
-            "Capacity with which a factored tension is compared.",
-            &["\"break_load\""],
-        ),
-    ],
+    keys: FactorsKey::ALL,
     rules: Some(|| {
         json!({
             "anyOf": [
@@ -69,6 +27,55 @@ pub(super) static FACTORS: TableSpec = TableSpec {
         })
     }),
 };
+
+table_keys! {
+    /// Keys of a table of partial factors.
+    pub FactorsKey {
+        SOURCE: Text = key(
+            "source",
+            Kind::Text,
+            Refused,
+            "Source of the factors, in your words.",
+            &["\"design basis 4711, table 3\""],
+        ),
+        ENERGY: Number = key(
+            "energy",
+            Kind::Quantity(FACTOR),
+            Means("energies have no factor"),
+            "Factor on the energy that a fender absorbs. The product is compared with the rated \
+             energy.",
+            &["1.25"],
+        ),
+        REACTION: Number = key(
+            "reaction",
+            Kind::Quantity(FACTOR),
+            Means("reactions have no factor"),
+            "Factor on the reaction of a fender. The product is compared with `reaction_limit`.",
+            &["1.1"],
+        ),
+        REACTION_LIMIT: Number = key(
+            "reaction_limit",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e10 }),
+            Means("factored reactions are shown, and compared with nothing"),
+            "Reaction that the structure behind a fender can resist.",
+            &["\"1.8 MN\""],
+        ),
+        LINE_LOAD: Number = key(
+            "line_load",
+            Kind::Quantity(FACTOR),
+            Means("line loads have no factor"),
+            "Factor on the tension of a line. The product is compared with `line_capacity`.",
+            &["1.3"],
+        ),
+        LINE_CAPACITY: OneOf<LineCapacity> = key(
+            "line_capacity",
+            Kind::Choice(&CAPACITIES),
+            Is("\"working_load\""),
+            "Capacity with which a factored tension is compared.",
+            &["\"break_load\""],
+        ),
+    }
+}
 
 static CAPACITIES: Choices<LineCapacity> = Choices(&[
     Choice {

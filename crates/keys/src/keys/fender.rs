@@ -3,9 +3,11 @@
 use serde_json::json;
 
 use super::quantities::{DIRECTION, FENDER_HEIGHT, FENDER_SIZE, POSITION};
+use crate::held::{Curve, Flag, ListOf, Name, Number, TableOf, Text, Vector};
 use crate::keys::quantities::RETURNED_ENERGY;
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 const STIFFNESS: Quantity = Quantity { measure: &unit::STIFFNESS, low: 0.0, high: 1e15 };
@@ -18,259 +20,7 @@ pub static FENDER: TableSpec = TableSpec {
         describes the solid structure behind the fender. The law of the fender comes from a `type` \
         of the fender data, a `stiffness` or a `curve`. Without these three it is the paper's law: \
         reaction by overlap area with the material's stiffness.",
-    keys: &[
-        key("on", Kind::BodyName, Refused, "The body that carries the fender.", &["\"quay\""]),
-        key(
-            "position",
-            Kind::Point(POSITION),
-            Unless("`belting` is given"),
-            "Middle of the line where the fender is mounted: forward, starboard of the body's \
-             origin.",
-            &["[-60, 0]"],
-        ),
-        key(
-            "facing",
-            Kind::Quantity(DIRECTION),
-            Unless(
-                "`belting` is given, or `position` lies on an edge or at a corner of the body's \
-                 outline",
-            ),
-            "Direction in which the fender faces, clockwise from the body's forward direction. By \
-             default the fender faces out at right angles to the edge on which it stands; at a \
-             corner it faces midway between the two edges.",
-            &["\"-90 deg\""],
-        ),
-        key(
-            "belting",
-            Kind::Text,
-            Unless("`position` and `width` are given"),
-            "Name of a belting of the vessel that carries the fender. Position, facing, width, \
-             face height and height above the water come from the belting.",
-            &["\"bow\""],
-        ),
-        key(
-            "width",
-            Kind::Quantity(FENDER_SIZE),
-            Unless("`belting` is given"),
-            "Width of the fender's face (of the panel, if there is a panel).",
-            &["\"2.4 m\""],
-        ),
-        key(
-            "face_height",
-            Kind::Quantity(FENDER_SIZE),
-            Means("the width; for a pneumatic fender the diameter"),
-            "Height of the fender's face. Width times height is the area for the hull pressure. \
-             Hull pressure is computed only if `face_height`, `hull` or `hull_pressure_limit` is \
-             given.",
-            &["\"3 m\""],
-        ),
-        key(
-            "above_water",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
-            Means("at the waterline; on a fixed body at datum"),
-            "Middle of the fender's face above the still waterline, or above datum on a fixed \
-             body: the height at which the fender force heels a vessel. A hull with one outline \
-             has a side at any height; a hull with `outlines` has a side only between the lowest \
-             and the highest outline.",
-            &["\"2 m\""],
-        ),
-        key(
-            "floating",
-            Kind::Flag,
-            Is("false"),
-            "True for a fender that floats, such as a pneumatic fender, and rises with the tide: \
-             `above_water` is then above the present water level, also on a fixed body.",
-            &["true"],
-        ),
-        key(
-            "projection",
-            Kind::Quantity(FENDER_HEIGHT),
-            Means("the height of the fender's type"),
-            "Distance from the mounting to the face, uncompressed.",
-            &["\"1.5 m\""],
-        ),
-        key(
-            "material",
-            Kind::MaterialName,
-            Refused,
-            "Material of the fender: friction and damping; restitution if `unloading_law` is \
-             false; stiffness if the fender has no other law.",
-            &["\"facing\""],
-        ),
-        key(
-            "rolling_resistance",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
-            Means("the face slides, with the friction of the material"),
-            "For a roller or wheel fender: resistance along the berth over reaction, instead of \
-             the friction of the material.",
-            &["0.05"],
-        ),
-        key(
-            "type",
-            Kind::Text,
-            Means("no type"),
-            "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or a \
-             family of `fender_files`.",
-            &["\"cone\""],
-        ),
-        key(
-            "size",
-            Kind::Text,
-            Unless("`height` is given, or the fender has no `type`"),
-            "Size of the type, by its designation.",
-            &["\"3300x6500 50kPa\""],
-        ),
-        key(
-            "height",
-            Kind::Quantity(FENDER_HEIGHT),
-            Unless("`size` is given, or the fender has no `type`"),
-            "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
-            &["\"1.2 m\""],
-        ),
-        key(
-            "rated_reaction",
-            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
-            Means("scaled from the type's reference size, R ~ height squared"),
-            "Rated reaction of one fender of this type and height.",
-            &["\"900 kN\""],
-        ),
-        key(
-            "count",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
-            Means("one"),
-            "Number of fenders of this type behind the one face.",
-            &["2"],
-        ),
-        key(
-            "cones",
-            Kind::List(&super::panel::CONE),
-            Means("one fender, or `count` behind a face that does not turn"),
-            "Several equal fenders (\"cones\") at places behind one panel, which turns about the \
-             vertical axis under their reactions. `width` is the width of the panel. Shares of \
-             rated values refer to the most compressed cone. Of an unloading curve, only the share \
-             of the energy that the curve returns from the rated deflection is used.",
-            &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
-        ),
-        key(
-            "chains",
-            Kind::List(&super::panel::CHAIN),
-            Means("no chains"),
-            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the \
-             engine; the forces of shear and weight chains follow from statics.",
-            &[
-                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
-            ],
-        ),
-        key(
-            "panel_mass",
-            Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
-            Unless("no weight chain is given"),
-            "Mass that the weight chains carry: the panel with everything that hangs on it.",
-            &["\"2.5 t\""],
-        ),
-        key(
-            "stiffness",
-            Kind::Quantity(STIFFNESS),
-            Means("no linear law"),
-            "Reaction over deflection.",
-            &["\"2 MN/m\""],
-        ),
-        key(
-            "curve",
-            Kind::Curve(&CURVE),
-            Means("no curve of its own"),
-            "Rows of deflection and reaction, the first [0, 0], with straight lines between.",
-            &["[[0, 0], [\"0.3 m\", \"600 kN\"], [\"0.8 m\", \"650 kN\"]]"],
-        ),
-        key(
-            "returned_energy",
-            Kind::Quantity(RETURNED_ENERGY),
-            Means("the share of the type; if the type has none, 55 %, assumed for solid rubber"),
-            "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
-                  and restitution has no effect. Coupled method only.",
-            &["\"55 %\""],
-        ),
-        key(
-            "unloading",
-            Kind::Curve(&CURVE),
-            Means("by `returned_energy` or the type"),
-            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight \
-             lines between; nowhere above the `curve` or `stiffness` of the fender. The reaction \
-             comes down to the unloading curve within the first tenth of the difference in energy, \
-             so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
-            &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
-        ),
-        key(
-            "unloading_law",
-            Kind::Flag,
-            Means("true"),
-            "Whether the reaction falls by an unloading law when the hull retreats. If false, the \
-             reaction falls by the restitution of the material; the fenders of a ship at rest then \
-             chatter.",
-            &["false"],
-        ),
-        key(
-            "rated_deflection",
-            Kind::Quantity(FENDER_HEIGHT),
-            Means("the rated deflection of the type, or the end of the curve"),
-            "Rated deflection of a fender with a `stiffness` or a `curve`.",
-            &["\"0.8 m\""],
-        ),
-        key(
-            "stop",
-            Kind::Table(&STOP),
-            Means(
-                "a stop at the end of the curve or of the projection, 50 times as stiff as the \
-                 mean stiffness of the fender",
-            ),
-            "Stop at the end of the fender's travel, where the fender stiffens.",
-            &[],
-        ),
-        key(
-            "temperature",
-            Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
-            Means("no correction"),
-            "Temperature; a plain number is in degrees Celsius. For types with temperature factors.",
-            &["10", "\"40 degC\"", "\"104 degF\""],
-        ),
-        key(
-            "tolerance",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.5 }),
-            Is("0"),
-            "Deviation of this fender's reaction from the rated reaction.",
-            &["\"-10 %\""],
-        ),
-        key(
-            "velocity_factor",
-            Kind::Flag,
-            Means("true"),
-            "Whether to use the factor of the type by speed of approach, if the type has this \
-             factor.",
-            &["false"],
-        ),
-        key(
-            "angle_factor",
-            Kind::Flag,
-            Means("true"),
-            "Whether to use the factors of the type by angle, if the type has these factors.",
-            &["false"],
-        ),
-        key(
-            "hull_pressure_limit",
-            Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
-            Means("the limit of `hull`, or no limit"),
-            "Hull pressure that the ship's side can bear.",
-            &["\"200 kN/m^2\""],
-        ),
-        key(
-            "hull",
-            Kind::Text,
-            Means("`hull_pressure_limit`, or no limit"),
-            "Type of ship; the fender data give the hull pressure that the side of this type can \
-             bear.",
-            &["\"container ship\""],
-        ),
-    ],
+    keys: FenderKey::ALL,
     rules: Some(|| {
         let both = |one: &str, two: &str| json!({ "not": { "required": [one, two] } });
         json!({
@@ -328,6 +78,269 @@ pub static FENDER: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a fender.
+    pub FenderKey {
+        ON: Name = key(
+            "on",
+            Kind::BodyName,
+            Refused,
+            "The body that carries the fender.",
+            &["\"quay\""],
+        ),
+        POSITION: Vector = key(
+            "position",
+            Kind::Point(POSITION),
+            Unless("`belting` is given"),
+            "Middle of the line where the fender is mounted: forward, starboard of the body's \
+             origin.",
+            &["[-60, 0]"],
+        ),
+        FACING: Number = key(
+            "facing",
+            Kind::Quantity(DIRECTION),
+            Unless(
+                "`belting` is given, or `position` lies on an edge or at a corner of the body's \
+                 outline",
+            ),
+            "Direction in which the fender faces, clockwise from the body's forward direction. By \
+             default the fender faces out at right angles to the edge on which it stands; at a \
+             corner it faces midway between the two edges.",
+            &["\"-90 deg\""],
+        ),
+        BELTING: Text = key(
+            "belting",
+            Kind::Text,
+            Unless("`position` and `width` are given"),
+            "Name of a belting of the vessel that carries the fender. Position, facing, width, \
+             face height and height above the water come from the belting.",
+            &["\"bow\""],
+        ),
+        WIDTH: Number = key(
+            "width",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`belting` is given"),
+            "Width of the fender's face (of the panel, if there is a panel).",
+            &["\"2.4 m\""],
+        ),
+        FACE_HEIGHT: Number = key(
+            "face_height",
+            Kind::Quantity(FENDER_SIZE),
+            Means("the width; for a pneumatic fender the diameter"),
+            "Height of the fender's face. Width times height is the area for the hull pressure. \
+             Hull pressure is computed only if `face_height`, `hull` or `hull_pressure_limit` is \
+             given.",
+            &["\"3 m\""],
+        ),
+        ABOVE_WATER: Number = key(
+            "above_water",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
+            Means("at the waterline; on a fixed body at datum"),
+            "Middle of the fender's face above the still waterline, or above datum on a fixed \
+             body: the height at which the fender force heels a vessel. A hull with one outline \
+             has a side at any height; a hull with `outlines` has a side only between the lowest \
+             and the highest outline.",
+            &["\"2 m\""],
+        ),
+        FLOATING: Flag = key(
+            "floating",
+            Kind::Flag,
+            Is("false"),
+            "True for a fender that floats, such as a pneumatic fender, and rises with the tide: \
+             `above_water` is then above the present water level, also on a fixed body.",
+            &["true"],
+        ),
+        PROJECTION: Number = key(
+            "projection",
+            Kind::Quantity(FENDER_HEIGHT),
+            Means("the height of the fender's type"),
+            "Distance from the mounting to the face, uncompressed.",
+            &["\"1.5 m\""],
+        ),
+        MATERIAL: Name = key(
+            "material",
+            Kind::MaterialName,
+            Refused,
+            "Material of the fender: friction and damping; restitution if `unloading_law` is \
+             false; stiffness if the fender has no other law.",
+            &["\"facing\""],
+        ),
+        ROLLING_RESISTANCE: Number = key(
+            "rolling_resistance",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("the face slides, with the friction of the material"),
+            "For a roller or wheel fender: resistance along the berth over reaction, instead of \
+             the friction of the material.",
+            &["0.05"],
+        ),
+        TYPE: Text = key(
+            "type",
+            Kind::Text,
+            Means("no type"),
+            "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or a \
+             family of `fender_files`.",
+            &["\"cone\""],
+        ),
+        SIZE: Text = key(
+            "size",
+            Kind::Text,
+            Unless("`height` is given, or the fender has no `type`"),
+            "Size of the type, by its designation.",
+            &["\"3300x6500 50kPa\""],
+        ),
+        HEIGHT: Number = key(
+            "height",
+            Kind::Quantity(FENDER_HEIGHT),
+            Unless("`size` is given, or the fender has no `type`"),
+            "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
+            &["\"1.2 m\""],
+        ),
+        RATED_REACTION: Number = key(
+            "rated_reaction",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Means("scaled from the type's reference size, R ~ height squared"),
+            "Rated reaction of one fender of this type and height.",
+            &["\"900 kN\""],
+        ),
+        COUNT: Number = key(
+            "count",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
+            Means("one"),
+            "Number of fenders of this type behind the one face.",
+            &["2"],
+        ),
+        CONES: ListOf<super::panel::ConeKey> = key(
+            "cones",
+            Kind::List(&super::panel::CONE),
+            Means("one fender, or `count` behind a face that does not turn"),
+            "Several equal fenders (\"cones\") at places behind one panel, which turns about the \
+             vertical axis under their reactions. `width` is the width of the panel. Shares of \
+             rated values refer to the most compressed cone. Of an unloading curve, only the share \
+             of the energy that the curve returns from the rated deflection is used.",
+            &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
+        ),
+        CHAINS: ListOf<super::panel::ChainKey> = key(
+            "chains",
+            Kind::List(&super::panel::CHAIN),
+            Means("no chains"),
+            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the \
+             engine; the forces of shear and weight chains follow from statics.",
+            &[
+                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
+            ],
+        ),
+        PANEL_MASS: Number = key(
+            "panel_mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
+            Unless("no weight chain is given"),
+            "Mass that the weight chains carry: the panel with everything that hangs on it.",
+            &["\"2.5 t\""],
+        ),
+        STIFFNESS: Number = key(
+            "stiffness",
+            Kind::Quantity(STIFFNESS),
+            Means("no linear law"),
+            "Reaction over deflection.",
+            &["\"2 MN/m\""],
+        ),
+        CURVE: Curve = key(
+            "curve",
+            Kind::Curve(&CURVE),
+            Means("no curve of its own"),
+            "Rows of deflection and reaction, the first [0, 0], with straight lines between.",
+            &["[[0, 0], [\"0.3 m\", \"600 kN\"], [\"0.8 m\", \"650 kN\"]]"],
+        ),
+        RETURNED_ENERGY: Number = key(
+            "returned_energy",
+            Kind::Quantity(RETURNED_ENERGY),
+            Means("the share of the type; if the type has none, 55 %, assumed for solid rubber"),
+            "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
+                  and restitution has no effect. Coupled method only.",
+            &["\"55 %\""],
+        ),
+        UNLOADING: Curve = key(
+            "unloading",
+            Kind::Curve(&CURVE),
+            Means("by `returned_energy` or the type"),
+            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight \
+             lines between; nowhere above the `curve` or `stiffness` of the fender. The reaction \
+             comes down to the unloading curve within the first tenth of the difference in energy, \
+             so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
+            &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
+        ),
+        UNLOADING_LAW: Flag = key(
+            "unloading_law",
+            Kind::Flag,
+            Means("true"),
+            "Whether the reaction falls by an unloading law when the hull retreats. If false, the \
+             reaction falls by the restitution of the material; the fenders of a ship at rest then \
+             chatter.",
+            &["false"],
+        ),
+        RATED_DEFLECTION: Number = key(
+            "rated_deflection",
+            Kind::Quantity(FENDER_HEIGHT),
+            Means("the rated deflection of the type, or the end of the curve"),
+            "Rated deflection of a fender with a `stiffness` or a `curve`.",
+            &["\"0.8 m\""],
+        ),
+        STOP: TableOf<StopKey> = key(
+            "stop",
+            Kind::Table(&STOP),
+            Means(
+                "a stop at the end of the curve or of the projection, 50 times as stiff as the \
+                 mean stiffness of the fender",
+            ),
+            "Stop at the end of the fender's travel, where the fender stiffens.",
+            &[],
+        ),
+        TEMPERATURE: Number = key(
+            "temperature",
+            Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
+            Means("no correction"),
+            "Temperature; a plain number is in degrees Celsius. For types with temperature factors.",
+            &["10", "\"40 degC\"", "\"104 degF\""],
+        ),
+        TOLERANCE: Number = key(
+            "tolerance",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.5 }),
+            Is("0"),
+            "Deviation of this fender's reaction from the rated reaction.",
+            &["\"-10 %\""],
+        ),
+        VELOCITY_FACTOR: Flag = key(
+            "velocity_factor",
+            Kind::Flag,
+            Means("true"),
+            "Whether to use the factor of the type by speed of approach, if the type has this \
+             factor.",
+            &["false"],
+        ),
+        ANGLE_FACTOR: Flag = key(
+            "angle_factor",
+            Kind::Flag,
+            Means("true"),
+            "Whether to use the factors of the type by angle, if the type has these factors.",
+            &["false"],
+        ),
+        HULL_PRESSURE_LIMIT: Number = key(
+            "hull_pressure_limit",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
+            Means("the limit of `hull`, or no limit"),
+            "Hull pressure that the ship's side can bear.",
+            &["\"200 kN/m^2\""],
+        ),
+        HULL: Text = key(
+            "hull",
+            Kind::Text,
+            Means("`hull_pressure_limit`, or no limit"),
+            "Type of ship; the fender data give the hull pressure that the side of this type can \
+             bear.",
+            &["\"container ship\""],
+        ),
+    }
+}
+
 static CURVE: CurveSpec = CurveSpec {
     from: ("deflection", Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e3 }),
     to: ("reaction", Quantity { measure: &unit::FORCE, low: 0.0, high: 1e12 }),
@@ -337,15 +350,26 @@ static CURVE: CurveSpec = CurveSpec {
 static STOP: TableSpec = TableSpec {
     what: "a stop",
     doc: "A second spring at the end of a fender's travel.",
-    keys: &[
-        key(
+    keys: StopKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a stop.
+    pub StopKey {
+        FROM: Number = key(
             "from",
             Kind::Quantity(FENDER_HEIGHT),
             Refused,
             "Deflection at which the stop begins.",
             &["\"0.9 m\""],
         ),
-        key("stiffness", Kind::Quantity(STIFFNESS), Refused, "Its stiffness.", &["\"50 MN/m\""]),
-    ],
-    rules: None,
-};
+        STIFFNESS: Number = key(
+            "stiffness",
+            Kind::Quantity(STIFFNESS),
+            Refused,
+            "Its stiffness.",
+            &["\"50 MN/m\""],
+        ),
+    }
+}

@@ -2,11 +2,14 @@
 
 use serde_json::{Value as Json, json};
 
-use super::dolphin::DOLPHIN;
-use super::fender::FENDER;
+use super::dolphin::{DOLPHIN, DolphinKey};
+use super::fender::{FENDER, FenderKey};
 use super::quantities::{DIRECTION, FENDER_SIZE, POSITION};
+use crate::held::{Name, NamedOf, Number, Points, TableOf, Vector};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Absent, KeySpec, Kind, Quantity, TableSpec, key};
+use crate::table_keys;
+use crate::typed_key::is_same;
 use crate::units::measures as unit;
 
 /// Most fenders of a row.
@@ -21,12 +24,18 @@ pub(super) static FENDER_ROW: TableSpec = TableSpec {
     rules: Some(row_rules),
 };
 
-/// The keys of a fender that a row has too, unchanged. The others are in [`OWN`].
+/// The keys of a fender that a row has too, unchanged. The others are in [`FenderRowKey`].
 const fn is_shared(name: &str) -> bool {
-    let own = ["on", "position", "facing", "belting", "width"];
+    let own = [
+        FenderKey::ON.name(),
+        FenderKey::POSITION.name(),
+        FenderKey::FACING.name(),
+        FenderKey::BELTING.name(),
+        FenderKey::WIDTH.name(),
+    ];
     let mut index = 0;
     while index < own.len() {
-        if same(own[index], name) {
+        if is_same(own[index], name) {
             return false;
         }
         index += 1;
@@ -34,119 +43,123 @@ const fn is_shared(name: &str) -> bool {
     true
 }
 
-static OWN: [KeySpec; 13] = [
-    key(
-        "on",
-        Kind::BodyName,
-        Unless("`dolphins` is given"),
-        "The body that carries the row.",
-        &["\"quay\""],
-    ),
-    key(
-        "first",
-        Kind::Point(POSITION),
-        Unless("`wall` or `dolphins` is given"),
-        "Middle of the line where the first fender is mounted: forward, starboard of the body's \
-         origin. On dolphins, the same for each fender; [0, 0] unless given.",
-        &["[-70, 0]"],
-    ),
-    key(
-        "last",
-        Kind::Point(POSITION),
-        Unless("`spacing` and `number` are given"),
-        "Middle of the line where the last fender is mounted. Without `last`, the row runs along \
-         the edge on which `first` lies, or at right angles to `facing`; it runs forward, or to \
-         starboard if it lies straight across.",
-        &["[70, 0]"],
-    ),
-    key(
-        "spacing",
-        Kind::Quantity(FENDER_SIZE),
-        Unless("`last` and `number` are given"),
-        "Distance from the middle of a fender to the middle of the next fender.",
-        &["\"20 m\""],
-    ),
-    key(
-        "number",
-        Kind::Quantity(Quantity {
-            measure: &unit::PLAIN_NUMBER,
-            low: 1.0,
-            high: MOST_IN_ROW as f64,
-        }),
-        Unless("`last` and `spacing` are given"),
-        "Number of fenders.",
-        &["8"],
-    ),
-    key(
-        "wall",
-        Kind::Points(POSITION, 2, 2),
-        Means("the row begins at `first`"),
-        "Two corners of the body between which the row stands, from the first to the second, along \
-         an edge of the outline.",
-        &["[[-100, 0], [100, 0]]"],
-    ),
-    key(
-        "from_corner",
-        Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
-        Means("the row stands in the middle of the wall"),
-        "Distance from the first corner of the `wall` to the middle of the first fender.",
-        &["\"5 m\""],
-    ),
-    key(
-        "dolphins",
-        Kind::Points(POSITION, 1, MOST_IN_ROW),
-        Means("the row stands on one body"),
-        "Places of dolphins: north, east of each dolphin. The dolphins are bodies NAME_1, NAME_2 \
-         and so on, with one fender each. A pair that names NAME is a pair with each dolphin.",
-        &["[[-60, 20], [60, 20]]"],
-    ),
-    key(
-        "outline",
-        Kind::Outline(POSITION),
-        Unless("the row has no `dolphins`"),
-        "Outline of each dolphin, about the place of the dolphin.",
-        &["[[-2, 0], [2, 0], [2, 4], [-2, 4]]"],
-    ),
-    key(
-        "dolphin",
-        Kind::Table(&DOLPHIN),
-        Means("fixed dolphins"),
-        "Makes each of the `dolphins` a flexible dolphin: piles that bend, with their mass.",
-        &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
-    ),
-    key(
-        "heading",
-        Kind::Quantity(DIRECTION),
-        Means("north"),
-        "Heading of the dolphins.",
-        &["\"30 deg\""],
-    ),
-    key(
-        "facing",
-        Kind::Quantity(DIRECTION),
-        Unless("the row stands along an edge of the body's outline"),
-        "Direction in which the fenders face, clockwise from the body's forward direction. By \
-         default the fenders face out at right angles to the edge on which they stand.",
-        &["\"-90 deg\""],
-    ),
-    key(
-        "width",
-        Kind::Quantity(FENDER_SIZE),
-        Refused,
-        "Width of the face of each fender (of the panel, if there is a panel).",
-        &["\"2.4 m\""],
-    ),
-];
+table_keys! {
+    /// Keys of a row of fenders that a fender does not have, or has with another meaning. The exceptions come last.
+    pub FenderRowKey of &ROW_KEYS; {
+        ON: Name = key(
+            "on",
+            Kind::BodyName,
+            Unless("`dolphins` is given"),
+            "The body that carries the row.",
+            &["\"quay\""],
+        ),
+        FIRST: Vector = key(
+            "first",
+            Kind::Point(POSITION),
+            Unless("`wall` or `dolphins` is given"),
+            "Middle of the line where the first fender is mounted: forward, starboard of the body's \
+             origin. On dolphins, the same for each fender; [0, 0] unless given.",
+            &["[-70, 0]"],
+        ),
+        LAST: Vector = key(
+            "last",
+            Kind::Point(POSITION),
+            Unless("`spacing` and `number` are given"),
+            "Middle of the line where the last fender is mounted. Without `last`, the row runs along \
+             the edge on which `first` lies, or at right angles to `facing`; it runs forward, or to \
+             starboard if it lies straight across.",
+            &["[70, 0]"],
+        ),
+        SPACING: Number = key(
+            "spacing",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`last` and `number` are given"),
+            "Distance from the middle of a fender to the middle of the next fender.",
+            &["\"20 m\""],
+        ),
+        NUMBER: Number = key(
+            "number",
+            Kind::Quantity(Quantity {
+                measure: &unit::PLAIN_NUMBER,
+                low: 1.0,
+                high: MOST_IN_ROW as f64,
+            }),
+            Unless("`last` and `spacing` are given"),
+            "Number of fenders.",
+            &["8"],
+        ),
+        WALL: Points = key(
+            "wall",
+            Kind::Points(POSITION, 2, 2),
+            Means("the row begins at `first`"),
+            "Two corners of the body between which the row stands, from the first to the second, along \
+             an edge of the outline.",
+            &["[[-100, 0], [100, 0]]"],
+        ),
+        FROM_CORNER: Number = key(
+            "from_corner",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
+            Means("the row stands in the middle of the wall"),
+            "Distance from the first corner of the `wall` to the middle of the first fender.",
+            &["\"5 m\""],
+        ),
+        DOLPHINS: Points = key(
+            "dolphins",
+            Kind::Points(POSITION, 1, MOST_IN_ROW),
+            Means("the row stands on one body"),
+            "Places of dolphins: north, east of each dolphin. The dolphins are bodies NAME_1, NAME_2 \
+             and so on, with one fender each. A pair that names NAME is a pair with each dolphin.",
+            &["[[-60, 20], [60, 20]]"],
+        ),
+        OUTLINE: Points = key(
+            "outline",
+            Kind::Outline(POSITION),
+            Unless("the row has no `dolphins`"),
+            "Outline of each dolphin, about the place of the dolphin.",
+            &["[[-2, 0], [2, 0], [2, 4], [-2, 4]]"],
+        ),
+        DOLPHIN: TableOf<DolphinKey> = key(
+            "dolphin",
+            Kind::Table(&DOLPHIN),
+            Means("fixed dolphins"),
+            "Makes each of the `dolphins` a flexible dolphin: piles that bend, with their mass.",
+            &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
+        ),
+        HEADING: Number = key(
+            "heading",
+            Kind::Quantity(DIRECTION),
+            Means("north"),
+            "Heading of the dolphins.",
+            &["\"30 deg\""],
+        ),
+        FACING: Number = key(
+            "facing",
+            Kind::Quantity(DIRECTION),
+            Unless("the row stands along an edge of the body's outline"),
+            "Direction in which the fenders face, clockwise from the body's forward direction. By \
+             default the fenders face out at right angles to the edge on which they stand.",
+            &["\"-90 deg\""],
+        ),
+        WIDTH: Number = key(
+            "width",
+            Kind::Quantity(FENDER_SIZE),
+            Refused,
+            "Width of the face of each fender (of the panel, if there is a panel).",
+            &["\"2.4 m\""],
+        ),
+        EXCEPTION: NamedOf<FenderKey> = key(
+            "exception",
+            Kind::Named(&EXCEPTION),
+            Is("{}"),
+            "Keys of single fenders of the row, by their names: [fender_row.NAME.exception.NAME_3]. A `*` in the name stands for \
+                  any text. `--set fender.NAME_3.KEY=VALUE` does the same.",
+            &[],
+        ),
+    }
+}
 
-/// The key of exceptions, which comes last.
-static EXCEPTIONS: KeySpec = key(
-    "exception",
-    Kind::Named(&EXCEPTION),
-    Is("{}"),
-    "Keys of single fenders of the row, by their names: [fender_row.NAME.exception.NAME_3]. A `*` in the name stands for \
-          any text. `--set fender.NAME_3.KEY=VALUE` does the same.",
-    &[],
-);
+/// How many keys of [`FenderRowKey`] come before the keys of a fender.
+const OWN: usize = FenderRowKey::ALL.len() - 1;
 
 static EXCEPTION: TableSpec = TableSpec {
     what: "an exception of a row of fenders",
@@ -165,13 +178,13 @@ const fn count_shared() -> usize {
     count
 }
 
-static ROW_KEYS: [KeySpec; OWN.len() + SHARED + 1] = row_keys();
+static ROW_KEYS: [KeySpec; OWN + SHARED + 1] = row_keys();
 
-const fn row_keys() -> [KeySpec; OWN.len() + SHARED + 1] {
-    let mut keys = [EXCEPTIONS; OWN.len() + SHARED + 1];
+const fn row_keys() -> [KeySpec; OWN + SHARED + 1] {
+    let mut keys = [FenderRowKey::ALL[OWN]; OWN + SHARED + 1];
     let (mut at, mut index) = (0, 0);
-    while index < OWN.len() {
-        keys[at] = OWN[index];
+    while index < OWN {
+        keys[at] = FenderRowKey::ALL[index];
         (at, index) = (at + 1, index + 1);
     }
     index = 0;
@@ -189,33 +202,18 @@ const fn row_keys() -> [KeySpec; OWN.len() + SHARED + 1] {
 static EXCEPTION_KEYS: [KeySpec; FENDER.keys.len() - 2] = exception_keys();
 
 const fn exception_keys() -> [KeySpec; FENDER.keys.len() - 2] {
-    let mut keys = [EXCEPTIONS; FENDER.keys.len() - 2];
+    let mut keys = [FENDER.keys[0]; FENDER.keys.len() - 2];
     let (mut at, mut index) = (0, 0);
     while index < FENDER.keys.len() {
         let key = FENDER.keys[index];
-        if !same(key.name, "on") && !same(key.name, "belting") {
+        if !is_same(key.name, FenderKey::ON.name()) && !is_same(key.name, FenderKey::BELTING.name())
+        {
             keys[at] = KeySpec { absent: Absent::Means("as the row"), ..key };
             at += 1;
         }
         index += 1;
     }
     keys
-}
-
-/// Whether two names are the same. `==` of texts cannot be computed while compiling.
-const fn same(one: &str, other: &str) -> bool {
-    let (one, other) = (one.as_bytes(), other.as_bytes());
-    if one.len() != other.len() {
-        return false;
-    }
-    let mut index = 0;
-    while index < one.len() {
-        if one[index] != other[index] {
-            return false;
-        }
-        index += 1;
-    }
-    true
 }
 
 /// The rules of a fender without the rule of beltings, and the rules for the place of the row.

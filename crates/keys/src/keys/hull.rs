@@ -1,8 +1,10 @@
 //! Keys of outlines by height.
 
 use super::quantities::POSITION;
+use crate::held::{Number, Points};
 use crate::spec::Absent::Refused;
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
@@ -11,8 +13,14 @@ pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
         the side is straight, from each vertex of one outline to the same vertex of the next. \
         Outlines with different numbers of vertices are resampled at common stations from stern to \
         bow.",
-    keys: &[
-        key(
+    keys: OutlineAtHeightKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an outline at a height.
+    pub OutlineAtHeightKey {
+        HEIGHT: Number = key(
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -200.0, high: 200.0 }),
             Refused,
@@ -20,13 +28,12 @@ pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
              body. The height must rise from outline to outline.",
             &["\"4 m\""],
         ),
-        key(
+        OUTLINE: Points = key(
             "outline",
             Kind::Outline(POSITION),
             Refused,
             "Vertices, forward and to starboard of the centre of gravity; the same vertex first in each outline.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
-    ],
-    rules: None,
-};
+    }
+}

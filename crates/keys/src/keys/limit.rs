@@ -5,66 +5,38 @@ use serde_json::json;
 
 use super::quantities::TIME;
 use crate::choices::{Choice, Choices};
+use crate::held::{Name, Number, OneOf};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static STATISTICS: TableSpec = TableSpec {
     what: "a table of statistics",
     doc: "Statistics of the motions of vessels in six degrees of freedom, and cycles of the tension of lines.",
-    keys: &[key(
+    keys: StatisticsKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a table of statistics.
+    pub StatisticsKey {
+        FROM: Number = key(
         "from",
         Kind::Quantity(TIME),
         Is("0"),
         "Time from which motions count. Leave out the time in which the ship comes to rest.",
         &["\"5 min\""],
-    )],
-    rules: None,
-};
+    ),
+    }
+}
 
 pub(super) static LIMIT: TableSpec = TableSpec {
     what: "a limit",
     doc: "Largest permissible value of a motion, a line or a fender. If the limit is exceeded, the \
         verdict says so. fenderline has no limits of its own: take the limits of your terminal, \
         and look whether they mean amplitudes or ranges, largest or significant values.",
-    keys: &[
-        key("of", Kind::Choice(&SUBJECTS), Refused, "What is limited.", &["\"surge\""]),
-        key(
-            "vessel",
-            Kind::BodyName,
-            Means("the first vessel; lines and fenders have none"),
-            "The body of the vessel that moves.",
-            &["\"d\""],
-        ),
-        key(
-            "statistic",
-            Kind::Choice(&MEASURES),
-            Unless("lines or fenders are limited"),
-            "Which statistic of the motion, about its mean.",
-            &["\"significant range\""],
-        ),
-        key(
-            "distance",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
-            Unless("an angle or a share is limited"),
-            "Limit of surge, sway or heave.",
-            &["\"0.8 m\""],
-        ),
-        key(
-            "angle",
-            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 6.3 }),
-            Unless("a distance or a share is limited"),
-            "Limit of roll, pitch or yaw.",
-            &["\"2 deg\""],
-        ),
-        key(
-            "share",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
-            Unless("a motion is limited"),
-            "Limit as a share of a line's break load or of a fender's rating.",
-            &["0.5"],
-        ),
-    ],
+    keys: LimitKey::ALL,
     rules: Some(|| {
         let words = |words: &[&str]| json!({ "enum": words });
         json!({ "oneOf": [
@@ -86,6 +58,54 @@ pub(super) static LIMIT: TableSpec = TableSpec {
         ] })
     }),
 };
+
+table_keys! {
+    /// Keys of a limit.
+    pub LimitKey {
+        OF: OneOf<Subject> = key(
+            "of",
+            Kind::Choice(&SUBJECTS),
+            Refused,
+            "What is limited.",
+            &["\"surge\""],
+        ),
+        VESSEL: Name = key(
+            "vessel",
+            Kind::BodyName,
+            Means("the first vessel; lines and fenders have none"),
+            "The body of the vessel that moves.",
+            &["\"d\""],
+        ),
+        STATISTIC: OneOf<Measure> = key(
+            "statistic",
+            Kind::Choice(&MEASURES),
+            Unless("lines or fenders are limited"),
+            "Which statistic of the motion, about its mean.",
+            &["\"significant range\""],
+        ),
+        DISTANCE: Number = key(
+            "distance",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
+            Unless("an angle or a share is limited"),
+            "Limit of surge, sway or heave.",
+            &["\"0.8 m\""],
+        ),
+        ANGLE: Number = key(
+            "angle",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 6.3 }),
+            Unless("a distance or a share is limited"),
+            "Limit of roll, pitch or yaw.",
+            &["\"2 deg\""],
+        ),
+        SHARE: Number = key(
+            "share",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
+            Unless("a motion is limited"),
+            "Limit as a share of a line's break load or of a fender's rating.",
+            &["0.5"],
+        ),
+    }
+}
 
 /// What a limit is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

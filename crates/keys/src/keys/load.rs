@@ -4,8 +4,10 @@ use serde_json::json;
 
 use super::quantities::TIME;
 
+use crate::held::{Name, Number, Vector};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 /// The key by which loads and providers name a body.
@@ -20,30 +22,41 @@ pub(super) const FLOATING_BODY: KeySpec = key(
 pub(super) static LOAD: TableSpec = TableSpec {
     what: "a load",
     doc: "An external load at a body's centre of gravity; give a force or a moment or both.",
-    keys: &[
-        FLOATING_BODY,
-        key(
+    keys: LoadKey::ALL,
+    rules: Some(|| json!({ "anyOf": [{ "required": ["force"] }, { "required": ["moment"] }] })),
+};
+
+table_keys! {
+    /// Keys of a load.
+    pub LoadKey {
+        BODY: Name = FLOATING_BODY,
+        FORCE: Vector = key(
             "force",
             Kind::Vector(Quantity { measure: &unit::FORCE, low: -1e15, high: 1e15 }),
             Means("no force"),
             "Force: north, east.",
             &["[\"0 kN\", \"-500 kN\"]"],
         ),
-        key(
+        MOMENT: Number = key(
             "moment",
             Kind::Quantity(Quantity { measure: &unit::MOMENT, low: -1e20, high: 1e20 }),
             Means("no moment"),
             "Moment about the vertical, positive to starboard.",
             &["\"1.2e3 kN.m\""],
         ),
-        key("from", Kind::Quantity(TIME), Is("0"), "When the load starts.", &["\"10 s\""]),
-        key(
+        FROM: Number = key(
+            "from",
+            Kind::Quantity(TIME),
+            Is("0"),
+            "When the load starts.",
+            &["\"10 s\""],
+        ),
+        UNTIL: Number = key(
             "until",
             Kind::Quantity(TIME),
             Means("the end of the run"),
             "When the load ends, later than `from`.",
             &["\"5 min\""],
         ),
-    ],
-    rules: Some(|| json!({ "anyOf": [{ "required": ["force"] }, { "required": ["moment"] }] })),
-};
+    }
+}

@@ -3,8 +3,10 @@
 use serde_json::json;
 
 use super::quantities::{DIRECTION, SEED};
+use crate::held::{Flag, Number, Text};
 use crate::spec::Absent::{Is, Means, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 /// A period of long waves.
@@ -20,89 +22,7 @@ pub(super) static LONG_WAVES: TableSpec = TableSpec {
           spectrum and a regular wave have the velocities of linear waves in the depth at the \
           start, so they need `environment.depth`. Hull forces and added mass follow the depth of \
           the tide, without the level of long waves.",
-    keys: &[
-        key(
-            "height",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 20.0 }),
-            Unless("`file` is given"),
-            "Significant height, or height of the regular wave from trough to crest; with \
-             `wall_distance` the height at the wall. Waves break at 0.78 of the depth; a greater \
-             height is refused.",
-            &["\"0.15 m\""],
-        ),
-        key(
-            "period",
-            Kind::Quantity(PERIOD),
-            Unless("`file` is given"),
-            "Peak period, or period of the regular wave. The shortest wave must be ten depths \
-             long, because the velocity of shorter waves varies over the depth.",
-            &["\"100 s\""],
-        ),
-        key(
-            "towards",
-            Kind::Quantity(DIRECTION),
-            Unless("`file` is given"),
-            "Direction in which the waves run, clockwise from north. With `wall_distance`: the \
-             direction of the wall.",
-            &["\"0 deg\""],
-        ),
-        key(
-            "wall_distance",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
-            Means("the waves run on"),
-            "Distance from the berth to a wall that reflects the waves completely, so the waves \
-             stand, like a seiche in a basin: level without velocity at the wall, velocity without \
-             level a quarter of a wave length from the wall.",
-            &["\"350 m\""],
-        ),
-        key(
-            "regular",
-            Kind::Flag,
-            Is("false"),
-            "One regular wave instead of a spectrum; its crest is at the berth at the start.",
-            &["true"],
-        ),
-        key(
-            "shortest_period",
-            Kind::Quantity(PERIOD),
-            Means("half of `period`, 25 s at least"),
-            "Shortest period of the spectrum. It must be longer than the longest period of \
-             `waves`, or energy would be counted twice.",
-            &["\"50 s\""],
-        ),
-        key(
-            "longest_period",
-            Kind::Quantity(PERIOD),
-            Means("twice `period`"),
-            "Longest period of the spectrum.",
-            &["\"200 s\""],
-        ),
-        key(
-            "peakedness",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
-            Means("3.3"),
-            "Peak enhancement of the spectrum, which has the shape of JONSWAP: our assumption, as \
-             we know of no standard shape.",
-            &["1"],
-        ),
-        key(
-            "seed",
-            Kind::Quantity(SEED),
-            Means("1"),
-            "Seed of the phases: the same seed gives the same waves.",
-            &["7"],
-        ),
-        key(
-            "file",
-            Kind::FileName,
-            Unless("`height`, `period` and `towards` are given"),
-            "Level and velocity in time: a CSV file beside the scenario with the columns t_s, \
-             level_m, north_mps and east_mps, in the order of time, from the start of the run to \
-             its end, without gaps. Linear between the rows: take steps of a twentieth of the \
-             shortest period or less.",
-            &["\"long_waves.csv\""],
-        ),
-    ],
+    keys: LongWavesKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
             { "required": ["height", "period", "towards"], "properties": { "file": false } },
@@ -117,3 +37,90 @@ pub(super) static LONG_WAVES: TableSpec = TableSpec {
         } } })
     }),
 };
+
+table_keys! {
+    /// Keys of long waves.
+    pub LongWavesKey {
+        HEIGHT: Number = key(
+            "height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 20.0 }),
+            Unless("`file` is given"),
+            "Significant height, or height of the regular wave from trough to crest; with \
+             `wall_distance` the height at the wall. Waves break at 0.78 of the depth; a greater \
+             height is refused.",
+            &["\"0.15 m\""],
+        ),
+        PERIOD: Number = key(
+            "period",
+            Kind::Quantity(PERIOD),
+            Unless("`file` is given"),
+            "Peak period, or period of the regular wave. The shortest wave must be ten depths \
+             long, because the velocity of shorter waves varies over the depth.",
+            &["\"100 s\""],
+        ),
+        TOWARDS: Number = key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Unless("`file` is given"),
+            "Direction in which the waves run, clockwise from north. With `wall_distance`: the \
+             direction of the wall.",
+            &["\"0 deg\""],
+        ),
+        WALL_DISTANCE: Number = key(
+            "wall_distance",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
+            Means("the waves run on"),
+            "Distance from the berth to a wall that reflects the waves completely, so the waves \
+             stand, like a seiche in a basin: level without velocity at the wall, velocity without \
+             level a quarter of a wave length from the wall.",
+            &["\"350 m\""],
+        ),
+        REGULAR: Flag = key(
+            "regular",
+            Kind::Flag,
+            Is("false"),
+            "One regular wave instead of a spectrum; its crest is at the berth at the start.",
+            &["true"],
+        ),
+        SHORTEST_PERIOD: Number = key(
+            "shortest_period",
+            Kind::Quantity(PERIOD),
+            Means("half of `period`, 25 s at least"),
+            "Shortest period of the spectrum. It must be longer than the longest period of \
+             `waves`, or energy would be counted twice.",
+            &["\"50 s\""],
+        ),
+        LONGEST_PERIOD: Number = key(
+            "longest_period",
+            Kind::Quantity(PERIOD),
+            Means("twice `period`"),
+            "Longest period of the spectrum.",
+            &["\"200 s\""],
+        ),
+        PEAKEDNESS: Number = key(
+            "peakedness",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
+            Means("3.3"),
+            "Peak enhancement of the spectrum, which has the shape of JONSWAP: our assumption, as \
+             we know of no standard shape.",
+            &["1"],
+        ),
+        SEED: Number = key(
+            "seed",
+            Kind::Quantity(SEED),
+            Means("1"),
+            "Seed of the phases: the same seed gives the same waves.",
+            &["7"],
+        ),
+        FILE: Text = key(
+            "file",
+            Kind::FileName,
+            Unless("`height`, `period` and `towards` are given"),
+            "Level and velocity in time: a CSV file beside the scenario with the columns t_s, \
+             level_m, north_mps and east_mps, in the order of time, from the start of the run to \
+             its end, without gaps. Linear between the rows: take steps of a twentieth of the \
+             shortest period or less.",
+            &["\"long_waves.csv\""],
+        ),
+    }
+}

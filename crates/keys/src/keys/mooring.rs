@@ -5,155 +5,22 @@ use serde_json::json;
 
 use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
 use crate::choices::{Choice, Choices};
+use crate::held::{Flag, Name, Number, OneOf, TableOf, Text, Vector};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::typed_key::AnyKey;
 use crate::units::measures as unit;
+use crate::{any_keys, shared_keys, table_keys};
 
 /// The keys of the far end of a line that is fast from the start. A line without `to` has none of these keys.
-pub const AT_THE_FAR_END: [&str; 6] =
-    ["bollard", "bollard_height", "bitts", "length", "pretension", "made_fast"];
+pub const AT_THE_FAR_END: &[AnyKey<LineKey>] =
+    any_keys![LineKey: BOLLARD, BOLLARD_HEIGHT, BITTS, LENGTH, PRETENSION, MADE_FAST];
 
 pub(super) static LINE: TableSpec = TableSpec {
     what: "a line",
     doc: "A mooring line from a body to a bollard or to another body. The weight of the line is \
         neglected, unless `mass` is given.",
-    keys: &[
-        key(
-            "from",
-            Kind::BodyName,
-            Refused,
-            "The body that holds the line, with a winch or bitts.",
-            &["\"ship\""],
-        ),
-        key(
-            "fairlead",
-            Kind::Point(POSITION),
-            Unless("`chock` is given"),
-            "Fairlead, forward and starboard of the body's origin.",
-            &["[140, 5]"],
-        ),
-        key(
-            "fairlead_height",
-            Kind::Quantity(PLACE),
-            Is("0"),
-            "Fairlead above the still water; on a fixed body above datum.",
-            &["\"12 m\""],
-        ),
-        key(
-            "chock",
-            Kind::Text,
-            Unless("`fairlead` is given"),
-            "Name of a chock of the vessel `from`, instead of `fairlead` and `fairlead_height`.",
-            &["\"head\""],
-        ),
-        key(
-            "to",
-            Kind::BodyName,
-            Means("on board until an order sends it to a bollard"),
-            "The body at the other end: a quay, a ship.",
-            &["\"quay\""],
-        ),
-        key(
-            "bollard",
-            Kind::Point(POSITION),
-            Unless("`bitts` is given, or the line is on board"),
-            "Bollard, forward and starboard of the origin of the body `to`.",
-            &["[170, 4]"],
-        ),
-        key(
-            "bollard_height",
-            Kind::Quantity(PLACE),
-            Is("0"),
-            "Bollard above the still water; on a fixed body above datum.",
-            &["\"4 m\""],
-        ),
-        key(
-            "bitts",
-            Kind::Text,
-            Unless("`bollard` is given, or the line is on board"),
-            "Name of bitts of the vessel `to`, instead of `bollard` and `bollard_height`.",
-            &["\"fore\""],
-        ),
-        key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
-        AXIAL_STIFFNESS,
-        LOAD_EXTENSION,
-        key(
-            "break_load",
-            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
-            Refused,
-            "Line design break force.",
-            &["\"1200 kN\""],
-        ),
-        key(
-            "working_load",
-            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
-            Means(
-                "55 % of the rope's break load for wire, 50 % for other ropes (MEG4, from public summaries)",
-            ),
-            "Working load of the rope, which the verdict compares with its tension.",
-            &["\"600 kN\""],
-        ),
-        key(
-            "mass",
-            Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
-            Means("the rope has no weight and is straight"),
-            "Mass of the rope and its tail per metre. By its weight in air the rope sags as a flat \
-             parabola, and each end bears half of the weight.",
-            &["\"7.2 kg/m\""],
-        ),
-        key(
-            "on_deck",
-            Kind::Table(&ON_DECK),
-            Means("the rope ends at the chock or fairlead"),
-            "Rope on deck between winch or bitts and the chock, which stretches too.",
-            &[],
-        ),
-        key(
-            "tail",
-            Kind::Table(&TAIL),
-            Means("no tail"),
-            "A softer tail in series at the far end.",
-            &[],
-        ),
-        key(
-            "length",
-            Kind::Quantity(LENGTH),
-            Unless("`pretension` is given, or the line is on board"),
-            "Unstretched length outboard, tail included.",
-            &["\"45 m\""],
-        ),
-        key(
-            "pretension",
-            Kind::Quantity(FORCE),
-            Unless("`length` is given, or the line is on board"),
-            "Tension with which the line is made fast.",
-            &["\"100 kN\""],
-        ),
-        key(
-            "winch",
-            Kind::Flag,
-            Is("false"),
-            "True for a line on a winch, whose brake renders at 60 % of the break load; false for \
-             a line on bitts.",
-            &["true"],
-        ),
-        key(
-            "constant_tension",
-            Kind::Table(&CONSTANT_TENSION),
-            Means("the brake holds the line"),
-            "The winch holds a constant tension by itself; needs `winch = true`.",
-            &[],
-        ),
-        key(
-            "rope_length",
-            Kind::Quantity(LENGTH),
-            Is("220"),
-            "Length of rope of a line that an order sends to a bollard. 220 m is from memory, not \
-             from a source.",
-            &["\"200 m\""],
-        ),
-        key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
-    ],
+    keys: LineKey::ALL,
     rules: Some(|| {
         let either = |place: &str, height: &str, name: &str| {
             let refused: serde_json::Map<String, serde_json::Value> =
@@ -173,12 +40,165 @@ pub(super) static LINE: TableSpec = TableSpec {
                 "allOf": [either("bollard", "bollard_height", "bitts")]
             },
             "else": {
-                "properties": AT_THE_FAR_END.iter().map(|key| ((*key).to_owned(), json!(false)))
+                "properties": AT_THE_FAR_END.iter().map(|key| (key.name().to_owned(), json!(false)))
                     .collect::<serde_json::Map<String, serde_json::Value>>()
             }
         })
     }),
 };
+
+table_keys! {
+    /// Keys of a line.
+    pub LineKey {
+        FROM: Name = key(
+            "from",
+            Kind::BodyName,
+            Refused,
+            "The body that holds the line, with a winch or bitts.",
+            &["\"ship\""],
+        ),
+        FAIRLEAD: Vector = key(
+            "fairlead",
+            Kind::Point(POSITION),
+            Unless("`chock` is given"),
+            "Fairlead, forward and starboard of the body's origin.",
+            &["[140, 5]"],
+        ),
+        FAIRLEAD_HEIGHT: Number = key(
+            "fairlead_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Fairlead above the still water; on a fixed body above datum.",
+            &["\"12 m\""],
+        ),
+        CHOCK: Text = key(
+            "chock",
+            Kind::Text,
+            Unless("`fairlead` is given"),
+            "Name of a chock of the vessel `from`, instead of `fairlead` and `fairlead_height`.",
+            &["\"head\""],
+        ),
+        TO: Name = key(
+            "to",
+            Kind::BodyName,
+            Means("on board until an order sends it to a bollard"),
+            "The body at the other end: a quay, a ship.",
+            &["\"quay\""],
+        ),
+        BOLLARD: Vector = key(
+            "bollard",
+            Kind::Point(POSITION),
+            Unless("`bitts` is given, or the line is on board"),
+            "Bollard, forward and starboard of the origin of the body `to`.",
+            &["[170, 4]"],
+        ),
+        BOLLARD_HEIGHT: Number = key(
+            "bollard_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Bollard above the still water; on a fixed body above datum.",
+            &["\"4 m\""],
+        ),
+        BITTS: Text = key(
+            "bitts",
+            Kind::Text,
+            Unless("`bollard` is given, or the line is on board"),
+            "Name of bitts of the vessel `to`, instead of `bollard` and `bollard_height`.",
+            &["\"fore\""],
+        ),
+        ROPE: OneOf<BuiltIn> = key(
+            "rope",
+            Kind::Choice(&ROPES),
+            Refused,
+            "Material of the rope.",
+            &["\"hmpe\""],
+        ),
+        AXIAL_STIFFNESS: Number = AXIAL_STIFFNESS,
+        LOAD_EXTENSION: Text = LOAD_EXTENSION,
+        BREAK_LOAD: Number = key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Line design break force.",
+            &["\"1200 kN\""],
+        ),
+        WORKING_LOAD: Number = key(
+            "working_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Means(
+                "55 % of the rope's break load for wire, 50 % for other ropes (MEG4, from public summaries)",
+            ),
+            "Working load of the rope, which the verdict compares with its tension.",
+            &["\"600 kN\""],
+        ),
+        MASS: Number = key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
+            Means("the rope has no weight and is straight"),
+            "Mass of the rope and its tail per metre. By its weight in air the rope sags as a flat \
+             parabola, and each end bears half of the weight.",
+            &["\"7.2 kg/m\""],
+        ),
+        ON_DECK: TableOf<OnDeckKey> = key(
+            "on_deck",
+            Kind::Table(&ON_DECK),
+            Means("the rope ends at the chock or fairlead"),
+            "Rope on deck between winch or bitts and the chock, which stretches too.",
+            &[],
+        ),
+        TAIL: TableOf<TailKey> = key(
+            "tail",
+            Kind::Table(&TAIL),
+            Means("no tail"),
+            "A softer tail in series at the far end.",
+            &[],
+        ),
+        LENGTH: Number = key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Unless("`pretension` is given, or the line is on board"),
+            "Unstretched length outboard, tail included.",
+            &["\"45 m\""],
+        ),
+        PRETENSION: Number = key(
+            "pretension",
+            Kind::Quantity(FORCE),
+            Unless("`length` is given, or the line is on board"),
+            "Tension with which the line is made fast.",
+            &["\"100 kN\""],
+        ),
+        WINCH: Flag = key(
+            "winch",
+            Kind::Flag,
+            Is("false"),
+            "True for a line on a winch, whose brake renders at 60 % of the break load; false for \
+             a line on bitts.",
+            &["true"],
+        ),
+        CONSTANT_TENSION: TableOf<ConstantTensionKey> = key(
+            "constant_tension",
+            Kind::Table(&CONSTANT_TENSION),
+            Means("the brake holds the line"),
+            "The winch holds a constant tension by itself; needs `winch = true`.",
+            &[],
+        ),
+        ROPE_LENGTH: Number = key(
+            "rope_length",
+            Kind::Quantity(LENGTH),
+            Is("220"),
+            "Length of rope of a line that an order sends to a bollard. 220 m is from memory, not \
+             from a source.",
+            &["\"200 m\""],
+        ),
+        MADE_FAST: Number = key(
+            "made_fast",
+            Kind::Quantity(TIME),
+            Is("0"),
+            "When it is made fast.",
+            &["\"25 min\""],
+        ),
+    }
+}
 
 static CONSTANT_TENSION: TableSpec = TableSpec {
     what: "a constant-tension winch",
@@ -186,15 +206,21 @@ static CONSTANT_TENSION: TableSpec = TableSpec {
           The brake renders at 60 % of the break load, as on other winches. Orders to heave or to \
           pay out come first, until the order to hold. The default values are assumptions, not \
           from a source.",
-    keys: &[
-        key(
+    keys: ConstantTensionKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a constant-tension winch.
+    pub ConstantTensionKey {
+        TENSION: Number = key(
             "tension",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
             "The set tension.",
             &["\"150 kN\""],
         ),
-        key(
+        BAND: Number = key(
             "band",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
             Is("0.1"),
@@ -202,23 +228,22 @@ static CONSTANT_TENSION: TableSpec = TableSpec {
              tension.",
             &["0.2"],
         ),
-        key(
+        HEAVING_SPEED: Number = key(
             "heaving_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
             Is("0.25"),
             "The largest speed of heaving in.",
             &["\"0.2 m/s\""],
         ),
-        key(
+        PAYING_OUT_SPEED: Number = key(
             "paying_out_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
             Is("0.25"),
             "The largest speed of paying out.",
             &["\"0.3 m/s\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static ON_DECK: TableSpec = TableSpec {
     what: "a rope on deck",
@@ -226,9 +251,21 @@ static ON_DECK: TableSpec = TableSpec {
         that reaches it over the chock, T e^(−μφ) by the capstan equation for a rope that is \
         hauled outboard. We assume the same share when the tension falls, so the rope is elastic. \
         Brake and stall of a winch are compared with the outboard tension.",
-    keys: &[
-        key("length", Kind::Quantity(LENGTH), Refused, "Its unstretched length.", &["\"25 m\""]),
-        key(
+    keys: OnDeckKey::ALL,
+    rules: Some(|| json!({ "dependentRequired": { "wrap": ["friction"] } })),
+};
+
+table_keys! {
+    /// Keys of a rope on deck.
+    pub OnDeckKey {
+        LENGTH: Number = key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Refused,
+            "Its unstretched length.",
+            &["\"25 m\""],
+        ),
+        FRICTION: Number = key(
             "friction",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 2.0 }),
             Is("0"),
@@ -236,7 +273,7 @@ static ON_DECK: TableSpec = TableSpec {
              turns, the whole tension reaches the rope on deck.",
             &["0.2"],
         ),
-        key(
+        WRAP: Number = key(
             "wrap",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 12.6 }),
             Is("\"90 deg\""),
@@ -244,9 +281,8 @@ static ON_DECK: TableSpec = TableSpec {
              touches on deck.",
             &["\"60 deg\""],
         ),
-    ],
-    rules: Some(|| json!({ "dependentRequired": { "wrap": ["friction"] } })),
-};
+    }
+}
 
 const AXIAL_STIFFNESS: KeySpec = key(
     "axial_stiffness",
@@ -279,21 +315,48 @@ fn rope_rules() -> serde_json::Value {
 static TAIL: TableSpec = TableSpec {
     what: "a tail",
     doc: "A softer tail in series.",
-    keys: &[
-        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "Material of the rope.", &["\"nylon\""]),
-        AXIAL_STIFFNESS,
-        LOAD_EXTENSION,
-        key(
+    keys: TailKey::ALL,
+    rules: Some(rope_rules),
+};
+
+table_keys! {
+    /// Keys of a tail.
+    pub TailKey {
+        ROPE: OneOf<BuiltIn> = key(
+            "rope",
+            Kind::Choice(&ROPES),
+            Is("\"nylon\""),
+            "Material of the rope.",
+            &["\"nylon\""],
+        ),
+        AXIAL_STIFFNESS: Number = AXIAL_STIFFNESS,
+        LOAD_EXTENSION: Text = LOAD_EXTENSION,
+        BREAK_LOAD: Number = key(
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
             "Its break force.",
             &["\"1500 kN\""],
         ),
-        key("length", Kind::Quantity(LENGTH), Is("11"), "Its length.", &["\"11 m\""]),
-    ],
-    rules: Some(rope_rules),
-};
+        LENGTH: Number = key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Is("11"),
+            "Its length.",
+            &["\"11 m\""],
+        ),
+    }
+}
+
+shared_keys! {
+    /// Keys of a rope: of a line or of its tail.
+    pub RopeKey of LineKey and TailKey {
+        ROPE: OneOf<BuiltIn>,
+        AXIAL_STIFFNESS: Number,
+        LOAD_EXTENSION: Text,
+        BREAK_LOAD: Number,
+    }
+}
 
 /// The curve of each material; `None`: the curve comes from the file.
 pub type BuiltIn = Option<fn() -> RopeCurve>;
@@ -309,77 +372,93 @@ static ROPES: Choices<BuiltIn> = Choices(&[
 pub(super) static BOLLARD: TableSpec = TableSpec {
     what: "a bollard",
     doc: "A bollard to which the order `send` sends lines.",
-    keys: &[
-        key(
+    keys: BollardKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a bollard.
+    pub BollardKey {
+        ON: Name = key(
             "on",
             Kind::BodyName,
             Refused,
             "The body on which the bollard stands: a quay, a dolphin, another ship.",
             &["\"quay\""],
         ),
-        key(
+        AT: Vector = key(
             "at",
             Kind::Point(POSITION),
             Refused,
             "Place of the bollard, forward and starboard of the body's origin.",
             &["[60, 2]"],
         ),
-        key(
+        HEIGHT: Number = key(
             "height",
             Kind::Quantity(PLACE),
             Is("0"),
             "Height of the bollard above the still water; on a fixed body above datum.",
             &["\"4 m\""],
         ),
-        key(
+        LINES: Number = key(
             "lines",
             Kind::Quantity(COUNT),
             Is("4"),
             "How many lines the bollard takes at once.",
             &["2"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 pub(super) static LINE_HANDLING: TableSpec = TableSpec {
     what: "the handling of lines",
     doc: "How line handlers bring lines to a bollard when an order sends them. A gang takes one \
           line at a time; further lines wait. The default values are assumptions, not from a \
           source.",
-    keys: &[
-        key("gangs", Kind::Quantity(COUNT), Is("2"), "Number of gangs of line handlers.", &["1"]),
-        key(
+    keys: LineHandlingKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of the handling of lines.
+    pub LineHandlingKey {
+        GANGS: Number = key(
+            "gangs",
+            Kind::Quantity(COUNT),
+            Is("2"),
+            "Number of gangs of line handlers.",
+            &["1"],
+        ),
+        HEAVING_LINE: Number = key(
             "heaving_line",
             Kind::Quantity(LENGTH),
             Is("30"),
             "Farthest distance from fairlead to bollard that a heaving line reaches.",
             &["\"25 m\""],
         ),
-        key(
+        TIME: Number = key(
             "time",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e5 }),
             Is("60"),
             "Time with a heaving line, until the eye is over the bollard.",
             &["\"90 s\""],
         ),
-        key(
+        BOAT: Flag = key(
             "boat",
             Kind::Flag,
             Is("true"),
             "Whether a boat carries lines to bollards that a heaving line does not reach.",
             &["false"],
         ),
-        key(
+        BOAT_SPEED: Number = key(
             "boat_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 20.0 }),
             Is("1"),
             "Speed of the boat with a line; the time of the boat is added to the other time.",
             &["\"2 kn\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 /// A number of gangs, or of lines at a bollard.
 pub(super) const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };

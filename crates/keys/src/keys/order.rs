@@ -9,16 +9,12 @@ use serde_json::{Value as Json, json};
 
 use super::quantities::TIME;
 use crate::choices::{Choice, Choices};
+use crate::held::{Flag, Held, Name, Number, OneOf, TableOf, Text};
 use crate::spec::Absent::{self, Is, Means, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
-use crate::units::Measure;
-use crate::units::measures as unit;
-
-/// An order to a vessel's engine in a word of the telegraph.
-pub const TELEGRAPH: &str = "telegraph";
-
-/// The argument of a tug's push or pull that is a key beside the order.
-pub const DIRECTION: &str = "direction";
+use crate::spec::{KeySpec, Kind, Quantity, TableKeys, TableSpec, key};
+use crate::table_keys;
+use crate::typed_key::{AnyKey, Key, is_same};
+use crate::units::{Measure, measures as unit};
 
 /// An order.
 pub static ORDER: TableSpec = TableSpec {
@@ -37,55 +33,65 @@ const ANOTHER: Absent = Means("another order");
 /// Fills an array until its keys are known.
 const PLACEHOLDER: KeySpec = key("", Kind::Flag, ANOTHER, "", &[]);
 
-/// The keys that come before the orders: time, target, telegraph, and the direction of a push or pull.
-const HEAD: &[KeySpec] = &[
-    key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
-    key(
-        "vessel",
-        Kind::BodyName,
-        Means("the order is for a tug, a line or an anchor"),
-        "The body of the vessel.",
-        &["\"ship\""],
-    ),
-    key(
-        "tug",
-        Kind::Text,
-        Means("the order is for a vessel, a line or an anchor"),
-        "The tug.",
-        &["\"bow tug\""],
-    ),
-    key(
-        "line",
-        Kind::Text,
-        Means("the order is for a vessel, a tug or an anchor"),
-        "The line.",
-        &["\"head line\""],
-    ),
-    key(
-        "anchor",
-        Kind::Text,
-        Means("the order is for a vessel, a tug or a line"),
-        "The anchor.",
-        &["\"port\""],
-    ),
-    key(
-        TELEGRAPH,
-        Kind::Choice(&TELEGRAPH_WORDS),
-        ANOTHER,
-        "Engine order in the words of the telegraph.",
-        &["\"slow astern\""],
-    ),
-    argument_key(argument(OrderName::Push, DIRECTION)),
-];
+table_keys! {
+    /// Keys of an order that come before the orders: time, target, telegraph, and the direction of a push or pull.
+    pub OrderKey of &KEYS; {
+        AT: Number = key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
+        VESSEL: Name = key(
+            "vessel",
+            Kind::BodyName,
+            Means("the order is for a tug, a line or an anchor"),
+            "The body of the vessel.",
+            &["\"ship\""],
+        ),
+        TUG: Text = key(
+            "tug",
+            Kind::Text,
+            Means("the order is for a vessel, a line or an anchor"),
+            "The tug.",
+            &["\"bow tug\""],
+        ),
+        LINE: Text = key(
+            "line",
+            Kind::Text,
+            Means("the order is for a vessel, a tug or an anchor"),
+            "The line.",
+            &["\"head line\""],
+        ),
+        ANCHOR: Text = key(
+            "anchor",
+            Kind::Text,
+            Means("the order is for a vessel, a tug or a line"),
+            "The anchor.",
+            &["\"port\""],
+        ),
+        TELEGRAPH: OneOf<Telegraph> = key(
+            "telegraph",
+            Kind::Choice(&TELEGRAPH_WORDS),
+            ANOTHER,
+            "Engine order in the words of the telegraph.",
+            &["\"slow astern\""],
+        ),
+        DIRECTION: Number = argument_spec(argument(OrderName::Push, "direction")),
+    }
+}
 
-static KEYS: [KeySpec; HEAD.len() + ORDERS] = {
-    let mut keys = [PLACEHOLDER; HEAD.len() + ORDERS];
+/// Keys of the arguments in the table of an order.
+#[derive(Debug)]
+pub enum ArgumentKey {}
+
+impl TableKeys for ArgumentKey {
+    const KEYS: &'static [KeySpec] = ARGUMENTS.as_flattened();
+}
+
+static KEYS: [KeySpec; OrderKey::ALL.len() + ORDERS] = {
+    let mut keys = [PLACEHOLDER; OrderKey::ALL.len() + ORDERS];
     let mut index = 0;
     while index < keys.len() {
-        keys[index] = if index < HEAD.len() {
-            HEAD[index]
+        keys[index] = if index < OrderKey::ALL.len() {
+            OrderKey::ALL[index]
         } else {
-            key_of(OrderName::ALL[index - HEAD.len()])
+            key_of(OrderName::ALL[index - OrderKey::ALL.len()])
         };
         index += 1;
     }
@@ -105,16 +111,6 @@ const fn argument(order: OrderName, name: &str) -> &'static Argument {
     panic!("the order has no argument of this name")
 }
 
-/// Equality of texts at compile time.
-const fn is_same(one: &str, other: &str) -> bool {
-    let (one, other) = (one.as_bytes(), other.as_bytes());
-    let mut index = 0;
-    while index < one.len() && index < other.len() && one[index] == other[index] {
-        index += 1;
-    }
-    index == one.len() && index == other.len()
-}
-
 /// The keys of the arguments of each order.
 static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
     let mut all = [[PLACEHOLDER; MOST_ARGUMENTS]; ORDERS];
@@ -123,7 +119,7 @@ static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
         let arguments = OrderName::ALL[order].spec().arguments;
         let mut index = 0;
         while index < arguments.len() {
-            all[order][index] = argument_key(&arguments[index]);
+            all[order][index] = argument_spec(&arguments[index]);
             index += 1;
         }
         order += 1;
@@ -175,8 +171,47 @@ pub const fn form(order: OrderName) -> Form {
 /// The words of all orders to a kind of target.
 pub fn words(target: TargetKind) -> Vec<&'static str> {
     let specs = OrderName::ALL.iter().map(|order| order.spec());
-    let telegraph = (target == TargetKind::Vessel).then_some(TELEGRAPH);
+    let telegraph = (target == TargetKind::Vessel).then_some(OrderKey::TELEGRAPH.name());
     specs.filter(|spec| spec.target == target).map(|spec| spec.word).chain(telegraph).collect()
+}
+
+/// The key of a target.
+pub fn target_key(kind: TargetKind) -> AnyKey<OrderKey> {
+    match kind {
+        TargetKind::Vessel => OrderKey::VESSEL.any(),
+        TargetKind::Tug => OrderKey::TUG.any(),
+        TargetKind::Line => OrderKey::LINE.any(),
+        TargetKind::Anchor => OrderKey::ANCHOR.any(),
+    }
+}
+
+/// The key of an order, by what the key holds.
+#[derive(Clone, Copy, Debug)]
+pub enum OrderKind {
+    /// `true`: the order has no arguments.
+    Flag(Key<OrderKey, Flag>),
+    /// The first argument. The others are keys beside the order.
+    Number(Key<OrderKey, Number>),
+    /// A table of all arguments.
+    Table(Key<OrderKey, TableOf<ArgumentKey>>),
+}
+
+/// The key of an order.
+pub fn order_key(order: OrderName) -> OrderKind {
+    let spec = key_of(order);
+    match form(order) {
+        Form::Flag => OrderKind::Flag(Key::of(&spec)),
+        Form::Number => OrderKind::Number(Key::of(&spec)),
+        Form::Table => OrderKind::Table(Key::of(&spec)),
+    }
+}
+
+/// The key of an argument: beside the order, or in the table of the order.
+///
+/// # Panics
+/// If the argument is not a `V`.
+pub fn argument_key<T, V: Held>(argument: &Argument) -> Key<T, V> {
+    Key::of(&argument_spec(argument))
 }
 
 const fn key_of(order: OrderName) -> KeySpec {
@@ -189,7 +224,7 @@ const fn key_of(order: OrderName) -> KeySpec {
     key(spec.word, kind, ANOTHER, spec.meaning, examples)
 }
 
-const fn argument_key(argument: &Argument) -> KeySpec {
+const fn argument_spec(argument: &Argument) -> KeySpec {
     let absent = match argument.absent {
         Default::Refused => Refused,
         Default::Is(_, words) | Default::Means(words) => Means(words),
@@ -260,7 +295,7 @@ fn rules() -> Json {
             .map(|word| (word.to_owned(), json!(false)))
             .collect();
         if kind != TargetKind::Tug {
-            refused.insert(DIRECTION.to_owned(), json!(false));
+            refused.insert(OrderKey::DIRECTION.name().to_owned(), json!(false));
         }
         json!({ "allOf": [{ "required": [kind.word()], "oneOf": own }, { "properties": refused }] })
     };

@@ -1,14 +1,22 @@
 //! Keys of the result tables.
 
+use crate::held::{Number, Texts};
 use crate::spec::Absent::Means;
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static OUTPUT: TableSpec = TableSpec {
     what: "an output table",
     doc: "Which result tables a run writes, and how often. Summary, verdict and report always use every step.",
-    keys: &[
-        key(
+    keys: OutputKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an output table.
+    pub OutputKey {
+        INTERVAL: Number = key(
             "interval",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 }),
             Means(
@@ -20,7 +28,7 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
              columns with `peak_` hold the largest value of any step, works are sums.",
             &["\"1 s\"", "0"],
         ),
-        key(
+        TABLES: Texts = key(
             "tables",
             Kind::Texts,
             Means(
@@ -31,6 +39,5 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
              energy. An empty list writes none.",
             &["[\"fenders\", \"lines\"]"],
         ),
-    ],
-    rules: None,
-};
+    }
+}

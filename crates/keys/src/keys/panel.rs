@@ -5,8 +5,10 @@ use serde_json::json;
 
 use super::quantities::{FENDER_SIZE, FORCE, PLACE_ON_FACE};
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf};
 use crate::spec::Absent::{Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static CONE: TableSpec = TableSpec {
@@ -14,15 +16,21 @@ pub(super) static CONE: TableSpec = TableSpec {
     doc: "One of several equal fenders behind one panel. The panel moves inwards and turns about \
         the vertical axis, so each cone has another deflection. `type`, `stiffness` or `curve`, \
         `stop` and `rated_deflection` hold for each cone.",
-    keys: &[
-        key(
+    keys: ConeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a cone behind a panel.
+    pub ConeKey {
+        AT: Number = key(
             "at",
             Kind::Quantity(PLACE_ON_FACE),
             Refused,
             "Place along the panel from its middle, positive to the right as you look at the face.",
             &["\"-1.2 m\""],
         ),
-        key(
+        HEIGHT: Number = key(
             "height",
             Kind::Quantity(PLACE_ON_FACE),
             Means("at the middle"),
@@ -30,9 +38,8 @@ pub(super) static CONE: TableSpec = TableSpec {
              reaction above the middle of the panel.",
             &["\"0.6 m\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 pub(super) static CHAIN: TableSpec = TableSpec {
     what: "a chain of a fender",
@@ -40,73 +47,7 @@ pub(super) static CHAIN: TableSpec = TableSpec {
         spring, which parts at its break load. Slack, stiffness and break load are along the \
         direction in which the chain holds the panel. For a chain at an angle to this direction, \
         give the stiffness times the squared cosine and the break load times the cosine.",
-    keys: &[
-        key("kind", Kind::Choice(&KINDS), Refused, "What it holds.", &["\"tension\""]),
-        key(
-            "at",
-            Kind::Quantity(PLACE_ON_FACE),
-            Unless("`kind` is shear or weight"),
-            "Place of a tension chain along the panel from its middle, positive to the right as \
-             you look at the face.",
-            &["\"-1.2 m\""],
-        ),
-        key(
-            "slack",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
-            Unless("`length` and `span` are given, or `kind` is weight"),
-            "How far the panel moves before the chain holds.",
-            &["\"20 mm\""],
-        ),
-        key(
-            "length",
-            Kind::Quantity(FENDER_SIZE),
-            Unless("`slack` is given, or `kind` is weight"),
-            "Length of the chain with its shackles; the slack is this length less the `span`.",
-            &["\"1.25 m\""],
-        ),
-        key(
-            "span",
-            Kind::Quantity(FENDER_SIZE),
-            Unless("`slack` is given, or `kind` is weight"),
-            "Distance between the fastenings of the chain on the undeflected fender.",
-            &["\"1.2 m\""],
-        ),
-        key(
-            "stiffness",
-            Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1.0, high: 1e12 }),
-            Unless("`diameter` is given, or `kind` is weight"),
-            "Tension over stretch.",
-            &["\"40 MN/m\""],
-        ),
-        key(
-            "break_load",
-            Kind::Quantity(FORCE),
-            Unless("`diameter` is given"),
-            "Tension at which the chain parts.",
-            &["\"500 kN\""],
-        ),
-        key(
-            "diameter",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 6e-3, high: 0.162 }),
-            Unless("`break_load` is given"),
-            "Diameter of the bar of a link. With `grade` it gives the break load, and with `link` and `length` the stiffness.",
-            &["\"28 mm\""],
-        ),
-        key(
-            "grade",
-            Kind::Choice(&GRADES),
-            Unless("`diameter` is not given"),
-            "Grade of the chain.",
-            &["\"u2\""],
-        ),
-        key(
-            "link",
-            Kind::Choice(&LINKS),
-            Means("open"),
-            "Form of the links, for the stiffness.",
-            &["\"stud\""],
-        ),
-    ],
+    keys: ChainKey::ALL,
     rules: Some(|| {
         let weight = json!({ "kind": { "const": "weight" } });
         let tension = json!({ "kind": { "const": "tension" } });
@@ -145,6 +86,83 @@ pub(super) static CHAIN: TableSpec = TableSpec {
         })
     }),
 };
+
+table_keys! {
+    /// Keys of a chain of a fender.
+    pub ChainKey {
+        KIND: OneOf<ChainKind> = key(
+            "kind",
+            Kind::Choice(&KINDS),
+            Refused,
+            "What it holds.",
+            &["\"tension\""],
+        ),
+        AT: Number = key(
+            "at",
+            Kind::Quantity(PLACE_ON_FACE),
+            Unless("`kind` is shear or weight"),
+            "Place of a tension chain along the panel from its middle, positive to the right as \
+             you look at the face.",
+            &["\"-1.2 m\""],
+        ),
+        SLACK: Number = key(
+            "slack",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
+            Unless("`length` and `span` are given, or `kind` is weight"),
+            "How far the panel moves before the chain holds.",
+            &["\"20 mm\""],
+        ),
+        LENGTH: Number = key(
+            "length",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`slack` is given, or `kind` is weight"),
+            "Length of the chain with its shackles; the slack is this length less the `span`.",
+            &["\"1.25 m\""],
+        ),
+        SPAN: Number = key(
+            "span",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`slack` is given, or `kind` is weight"),
+            "Distance between the fastenings of the chain on the undeflected fender.",
+            &["\"1.2 m\""],
+        ),
+        STIFFNESS: Number = key(
+            "stiffness",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1.0, high: 1e12 }),
+            Unless("`diameter` is given, or `kind` is weight"),
+            "Tension over stretch.",
+            &["\"40 MN/m\""],
+        ),
+        BREAK_LOAD: Number = key(
+            "break_load",
+            Kind::Quantity(FORCE),
+            Unless("`diameter` is given"),
+            "Tension at which the chain parts.",
+            &["\"500 kN\""],
+        ),
+        DIAMETER: Number = key(
+            "diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 6e-3, high: 0.162 }),
+            Unless("`break_load` is given"),
+            "Diameter of the bar of a link. With `grade` it gives the break load, and with `link` and `length` the stiffness.",
+            &["\"28 mm\""],
+        ),
+        GRADE: OneOf<ChainGrade> = key(
+            "grade",
+            Kind::Choice(&GRADES),
+            Unless("`diameter` is not given"),
+            "Grade of the chain.",
+            &["\"u2\""],
+        ),
+        LINK: OneOf<ChainLink> = key(
+            "link",
+            Kind::Choice(&LINKS),
+            Means("open"),
+            "Form of the links, for the stiffness.",
+            &["\"stud\""],
+        ),
+    }
+}
 
 static GRADES: Choices<ChainGrade> = Choices(&[
     Choice {

@@ -5,102 +5,18 @@ use serde_json::json;
 
 use super::quantities::{DIRECTION, LENGTH, POSITION};
 use crate::choices::{Choice, Choices};
+use crate::held::{Curve, Flag, Number, OneOf, Points, Text, Vector};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
+use crate::{shared_keys, table_keys};
 
 pub(super) static PASSING: TableSpec = TableSpec {
     what: "a passing ship",
     doc: "A ship that passes on a track; no force acts on her. The flow about the passing ship \
         pushes the vessels, by Wang's (1975) method for slender ships. The passing ship touches \
         nothing.",
-    keys: &[
-        key(
-            "vessel",
-            Kind::Text,
-            Unless("`length`, `beam` and `draught` are given"),
-            "A vessel of the library, of `vessel_files` or of this scenario.",
-            &["\"kcs\""],
-        ),
-        key("length", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Length.", &["\"185 m\""]),
-        key("beam", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Beam.", &["\"26 m\""]),
-        key("draught", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Draught.", &["7"]),
-        key("midship_coefficient", Kind::Quantity(COEFFICIENT), Is("0.98"), MIDSHIP, &["0.95"]),
-        key("sections", Kind::Choice(&SECTIONS), Is("\"parabola\""), AREAS, &["\"outline\""]),
-        key(
-            "outline",
-            Kind::Outline(POSITION),
-            Means("the outline of `vessel`, or a rectangle"),
-            "Waterline of the passing ship about midship, for `sections = \"outline\"` and for the \
-             plan.",
-            &["[[-92, -13], [70, -13], [92, 0], [70, 13], [-92, 13]]"],
-        ),
-        key(
-            "position",
-            Kind::Vector(POSITION),
-            Unless("`waypoints` are given"),
-            "A point on the straight track: north, east.",
-            &["[0, 9000]"],
-        ),
-        key(
-            "heading",
-            Kind::Quantity(DIRECTION),
-            Unless("`waypoints` are given"),
-            "Direction of the straight track.",
-            &["\"90 deg\""],
-        ),
-        key(
-            "waypoints",
-            Kind::Points(POSITION, 2, 1000),
-            Means("the track is straight, through `position`"),
-            "The track: north, east of each waypoint. Before the first and after the last waypoint \
-             the track is straight.",
-            &["[[-2000, 9000], [0, 9000], [2000, 9900]]"],
-        ),
-        key(
-            "turning_radius",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e5 }),
-            Means("three of her lengths"),
-            "Radius of the bends at the waypoints.",
-            &["\"600 m\""],
-        ),
-        key(
-            "speed",
-            Kind::Quantity(PACE),
-            Unless("`speeds` are given"),
-            "Speed of the passing ship over the ground.",
-            &["\"8 kn\""],
-        ),
-        key(
-            "speeds",
-            Kind::Curve(&PACES),
-            Means("`speed` throughout"),
-            "Speed of the passing ship by time: rows of time and speed; linear between the rows, \
-             constant before the first and after the last row.",
-            &["[[0, \"8 kn\"], [\"5 min\", \"5 kn\"]]"],
-        ),
-        key(
-            "time",
-            Kind::Quantity(MOMENT),
-            Is("0"),
-            "Time at which the passing ship is at `position`, or at the first of `waypoints`.",
-            &["\"5 min\""],
-        ),
-        key(
-            "depth_factors",
-            Kind::Choice(&DEPTHS),
-            Refused,
-            "How the forces of deep water are corrected for the depth.",
-            &["\"kriebel\""],
-        ),
-        key(
-            "berth",
-            Kind::Choice(&BERTHS),
-            Is("\"open\""),
-            "What is behind the vessels that the ship passes.",
-            &["\"quay\""],
-        ),
-    ],
+    keys: PassingKey::ALL,
     rules: Some(|| {
         json!({ "allOf": [
             { "oneOf": [
@@ -122,11 +38,138 @@ pub(super) static PASSING: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a passing ship.
+    pub PassingKey {
+        VESSEL: Text = key(
+            "vessel",
+            Kind::Text,
+            Unless("`length`, `beam` and `draught` are given"),
+            "A vessel of the library, of `vessel_files` or of this scenario.",
+            &["\"kcs\""],
+        ),
+        LENGTH: Number = key(
+            "length",
+            Kind::Quantity(SHIP),
+            Unless("`vessel` is given"),
+            "Length.",
+            &["\"185 m\""],
+        ),
+        BEAM: Number = key(
+            "beam",
+            Kind::Quantity(SHIP),
+            Unless("`vessel` is given"),
+            "Beam.",
+            &["\"26 m\""],
+        ),
+        DRAUGHT: Number = key(
+            "draught",
+            Kind::Quantity(SHIP),
+            Unless("`vessel` is given"),
+            "Draught.",
+            &["7"],
+        ),
+        MIDSHIP_COEFFICIENT: Number = key(
+            "midship_coefficient",
+            Kind::Quantity(COEFFICIENT),
+            Is("0.98"),
+            MIDSHIP,
+            &["0.95"],
+        ),
+        SECTIONS: OneOf<SectionsBy> = key(
+            "sections",
+            Kind::Choice(&SECTIONS),
+            Is("\"parabola\""),
+            AREAS,
+            &["\"outline\""],
+        ),
+        OUTLINE: Points = key(
+            "outline",
+            Kind::Outline(POSITION),
+            Means("the outline of `vessel`, or a rectangle"),
+            "Waterline of the passing ship about midship, for `sections = \"outline\"` and for the \
+             plan.",
+            &["[[-92, -13], [70, -13], [92, 0], [70, 13], [-92, 13]]"],
+        ),
+        POSITION: Vector = key(
+            "position",
+            Kind::Vector(POSITION),
+            Unless("`waypoints` are given"),
+            "A point on the straight track: north, east.",
+            &["[0, 9000]"],
+        ),
+        HEADING: Number = key(
+            "heading",
+            Kind::Quantity(DIRECTION),
+            Unless("`waypoints` are given"),
+            "Direction of the straight track.",
+            &["\"90 deg\""],
+        ),
+        WAYPOINTS: Points = key(
+            "waypoints",
+            Kind::Points(POSITION, 2, 1000),
+            Means("the track is straight, through `position`"),
+            "The track: north, east of each waypoint. Before the first and after the last waypoint \
+             the track is straight.",
+            &["[[-2000, 9000], [0, 9000], [2000, 9900]]"],
+        ),
+        TURNING_RADIUS: Number = key(
+            "turning_radius",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e5 }),
+            Means("three of her lengths"),
+            "Radius of the bends at the waypoints.",
+            &["\"600 m\""],
+        ),
+        SPEED: Number = key(
+            "speed",
+            Kind::Quantity(PACE),
+            Unless("`speeds` are given"),
+            "Speed of the passing ship over the ground.",
+            &["\"8 kn\""],
+        ),
+        SPEEDS: Curve = key(
+            "speeds",
+            Kind::Curve(&PACES),
+            Means("`speed` throughout"),
+            "Speed of the passing ship by time: rows of time and speed; linear between the rows, \
+             constant before the first and after the last row.",
+            &["[[0, \"8 kn\"], [\"5 min\", \"5 kn\"]]"],
+        ),
+        TIME: Number = key(
+            "time",
+            Kind::Quantity(MOMENT),
+            Is("0"),
+            "Time at which the passing ship is at `position`, or at the first of `waypoints`.",
+            &["\"5 min\""],
+        ),
+        DEPTH_FACTORS: OneOf<DepthFactors> = key(
+            "depth_factors",
+            Kind::Choice(&DEPTHS),
+            Refused,
+            "How the forces of deep water are corrected for the depth.",
+            &["\"kriebel\""],
+        ),
+        BERTH: OneOf<Berth> = key(
+            "berth",
+            Kind::Choice(&BERTHS),
+            Is("\"open\""),
+            "What is behind the vessels that the ship passes.",
+            &["\"quay\""],
+        ),
+    }
+}
+
 pub(super) static INTERACTION: TableSpec = TableSpec {
     what: "an interaction",
     doc: "How the flow about vessels and passing ships pushes vessels.",
-    keys: &[
-        key(
+    keys: InteractionKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an interaction.
+    pub InteractionKey {
+        BETWEEN_VESSELS: Flag = key(
             "between_vessels",
             Kind::Flag,
             Is("false"),
@@ -136,11 +179,30 @@ pub(super) static INTERACTION: TableSpec = TableSpec {
              than a quarter of the mean beam.",
             &["true"],
         ),
-        key("midship_coefficient", Kind::Quantity(COEFFICIENT), Is("0.98"), MIDSHIP, &["0.95"]),
-        key("sections", Kind::Choice(&SECTIONS), Is("\"parabola\""), AREAS, &["\"outline\""]),
-    ],
-    rules: None,
-};
+        MIDSHIP_COEFFICIENT: Number = key(
+            "midship_coefficient",
+            Kind::Quantity(COEFFICIENT),
+            Is("0.98"),
+            MIDSHIP,
+            &["0.95"],
+        ),
+        SECTIONS: OneOf<SectionsBy> = key(
+            "sections",
+            Kind::Choice(&SECTIONS),
+            Is("\"parabola\""),
+            AREAS,
+            &["\"outline\""],
+        ),
+    }
+}
+
+shared_keys! {
+    /// Keys by which the sections of a ship are found.
+    pub SectionsKey of PassingKey and InteractionKey {
+        MIDSHIP_COEFFICIENT: Number,
+        SECTIONS: OneOf<SectionsBy>,
+    }
+}
 
 const MIDSHIP: &str = "Area of the midship section over beam and draught. 0.98 is an assumption.";
 const AREAS: &str = "The areas of the sections along the length.";

@@ -1,7 +1,10 @@
 //! Keys of the title page of reports.
 
+use crate::held::Text;
 use crate::spec::Absent::Means;
 use crate::spec::{KeySpec, Kind, TableSpec, key};
+use crate::table_keys;
+use crate::typed_key::Key;
 
 const ABSENT: crate::spec::Absent = Means("not shown");
 
@@ -16,20 +19,45 @@ pub(super) static REPORT: TableSpec = TableSpec {
     doc: "Texts for title page and page footers of the report and for the workbook. The texts \
         change no result. Each text is also an option of `fenderline run` and `fenderline report`, \
         such as `--client`.",
-    keys: &[
-        line("project", "Project.", &["\"Container terminal, berth 4\""]),
-        line("client", "Client.", &["\"Port of Example\""]),
-        line("number", "Number of the document.", &["\"1042-REP-007\""]),
-        line("revision", "Revision of the document.", &["\"B\""]),
-        line("status", "Status of the document.", &["\"for review\""]),
-        line("date", "Date of the document, as the report shall print it.", &["\"2026-11-23\""]),
-        line("author", "Author of the document.", &["\"A. Engineer\""]),
-        line("checked_by", "Person who checked the document.", &["\"B. Reviewer\""]),
-    ],
+    keys: ReportKey::ALL,
     rules: None,
 };
 
+table_keys! {
+    /// Keys of the title page of a report.
+    pub ReportKey {
+        PROJECT: Text = line("project", "Project.", &["\"Container terminal, berth 4\""]),
+        CLIENT: Text = line("client", "Client.", &["\"Port of Example\""]),
+        NUMBER: Text = line("number", "Number of the document.", &["\"1042-REP-007\""]),
+        REVISION: Text = line("revision", "Revision of the document.", &["\"B\""]),
+        STATUS: Text = line("status", "Status of the document.", &["\"for review\""]),
+        DATE: Text = line(
+            "date",
+            "Date of the document, as the report shall print it.",
+            &["\"2026-11-23\""],
+        ),
+        AUTHOR: Text = line("author", "Author of the document.", &["\"A. Engineer\""]),
+        CHECKED_BY: Text = line(
+            "checked_by",
+            "Person who checked the document.",
+            &["\"B. Reviewer\""],
+        ),
+    }
+}
+
+/// The keys, in the order of the title page.
+pub const KEYS: [Key<ReportKey, Text>; ReportKey::ALL.len()] = [
+    ReportKey::PROJECT,
+    ReportKey::CLIENT,
+    ReportKey::NUMBER,
+    ReportKey::REVISION,
+    ReportKey::STATUS,
+    ReportKey::DATE,
+    ReportKey::AUTHOR,
+    ReportKey::CHECKED_BY,
+];
+
 /// Names of the keys, in the order of the title page.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    REPORT.keys.iter().map(|key| key.name)
+    KEYS.into_iter().map(Key::name)
 }

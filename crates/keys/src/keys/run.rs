@@ -3,38 +3,45 @@
 use fenderline_sim::{Integrator, Method};
 
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf};
 use crate::spec::Absent::{Is, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static TIME: TableSpec = TableSpec {
     what: "a time table",
     doc: "Time step and length of the run.",
-    keys: &[
-        key(
+    keys: TimeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a time table.
+    pub TimeKey {
+        STEP: Number = key(
             "step",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e4 }),
             Refused,
             "Time step.",
             &["\"0.1 s\"", "0.1"],
         ),
-        key(
+        DURATION: Number = key(
             "duration",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e9 }),
             Refused,
             "Length of the run: at most 1e9 steps.",
             &["\"20 s\"", "\"15 min\""],
         ),
-        key(
+        INTEGRATOR: OneOf<Integrator> = key(
             "integrator",
             Kind::Choice(&INTEGRATORS),
             Is("\"semi_implicit\""),
             "How states advance from step to step.",
             &["\"euler\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static INTEGRATORS: Choices<Integrator> = Choices(&[
     Choice {
@@ -53,15 +60,22 @@ static INTEGRATORS: Choices<Integrator> = Choices(&[
 pub(super) static CONTACT: TableSpec = TableSpec {
     what: "a contact table",
     doc: "How contact forces are computed.",
-    keys: &[key(
+    keys: ContactKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a contact table.
+    pub ContactKey {
+        METHOD: OneOf<Method> = key(
         "method",
         Kind::Choice(&METHODS),
         Is("\"coupled\""),
         "Method for contact forces.",
         &["\"coupled\""],
-    )],
-    rules: None,
-};
+    ),
+    }
+}
 
 pub(super) static METHODS: Choices<Method> = Choices(&[
     Choice {

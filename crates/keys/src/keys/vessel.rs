@@ -2,14 +2,18 @@
 
 use serde_json::json;
 
-use super::azimuth::AZIMUTH;
-use super::coefficients::{CURRENT_COEFFICIENTS, WIND_COEFFICIENTS};
+use super::azimuth::{AZIMUTH, AzimuthKey};
+use super::coefficients::{
+    CURRENT_COEFFICIENTS, CurrentCoefficientsKey, WIND_COEFFICIENTS, WindCoefficientsKey,
+};
 use super::environment::{HYDRODYNAMICS_DOC, WAVE_RESPONSE_DOC};
 use super::quantities::{FORCE, LENGTH, PLACE};
-use super::windage::WINDAGE;
+use super::windage::{WINDAGE, WindageKey};
 
+use crate::held::{NamedOf, Number, TableOf, Text};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::table_keys;
 use crate::units::measures as unit;
 
 pub(super) static VESSEL: TableSpec = TableSpec {
@@ -18,117 +22,7 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         and reported as an estimate; or a vessel of the library gets other machinery, wind areas \
         or stability. Bodies name the kind by their key `vessel`; several bodies may be of one \
         kind.",
-    keys: &[
-        key(
-            "from",
-            Kind::Text,
-            Means("the vessel has particulars of its own"),
-            "A vessel of the library or of `vessel_files`. The hull, propeller and rudder of that \
-             vessel stay the same; thrusters, azimuth units, wind areas and stability given in \
-             this table replace those of that vessel.",
-            &["\"kvlcc2\""],
-        ),
-        key(
-            "length_bp",
-            Kind::Quantity(LENGTH),
-            Means("that of `from`"),
-            "Length between perpendiculars.",
-            &["\"285 m\""],
-        ),
-        key("beam", Kind::Quantity(LENGTH), Means("that of `from`"), "Beam.", &["\"46 m\""]),
-        key("draught", Kind::Quantity(LENGTH), Means("that of `from`"), "Draught.", &["\"9 m\""]),
-        key(
-            "block_coefficient",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("that of `from`"),
-            "Volume over length, beam and draught.",
-            &["0.71"],
-        ),
-        key(
-            "centre_of_gravity",
-            Kind::Quantity(PLACE),
-            Means("amidships, or the centre of gravity of `from`"),
-            "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
-            &["\"-3.4 m\""],
-        ),
-        key(
-            "gyradius",
-            Kind::Quantity(LENGTH),
-            Means("a quarter of the length"),
-            "Radius of gyration in yaw, without added mass.",
-            &["\"72 m\""],
-        ),
-        key(
-            "propeller",
-            Kind::Table(&PROPELLER),
-            Means("that of `from`, or none"),
-            "Propeller and shaft.",
-            &[],
-        ),
-        key("rudder", Kind::Table(&RUDDER), Means("that of `from`, or none"), "Rudder.", &[]),
-        key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
-        key(
-            "azimuth",
-            Kind::Named(&AZIMUTH),
-            Is("{}"),
-            "Azimuth units, by name. A vessel without a propeller moves and steers by azimuth \
-             units.",
-            &[],
-        ),
-        key(
-            "windage",
-            Kind::Table(&WINDAGE),
-            Means("the wind areas of `from`, or no wind forces"),
-            "Wind areas.",
-            &[],
-        ),
-        key(
-            "wind_coefficients",
-            Kind::Table(&WIND_COEFFICIENTS),
-            Means("those of `windage`"),
-            "Your wind coefficients.",
-            &[],
-        ),
-        key(
-            "current_coefficients",
-            Kind::Table(&CURRENT_COEFFICIENTS),
-            Means("the manoeuvring model gives the hull force"),
-            "Your current coefficients.",
-            &[],
-        ),
-        key(
-            "wave_response",
-            Kind::FileName,
-            Means("an estimate of a box-shaped hull, where `stability` is given"),
-            WAVE_RESPONSE_DOC,
-            &["\"response.csv\""],
-        ),
-        key(
-            "hydrodynamics",
-            Kind::FileName,
-            Means(
-                "heave, roll and pitch are oscillators that do not act on the motion in the \
-                plane",
-            ),
-            HYDRODYNAMICS_DOC,
-            &["\"ship.hydro\""],
-        ),
-        key(
-            "roll_damping",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
-            Means("0.05 with `hydrodynamics` (our assumption for a hull with bilge keels)"),
-            "Viscous damping of roll as a share of the critical damping, in addition to the \
-             damping of `hydrodynamics`.",
-            &["0.04"],
-        ),
-        key(
-            "stability",
-            Kind::Table(&STABILITY),
-            Means("the data of `from`, or no heave, roll or pitch"),
-            "Data for heave, roll and pitch.",
-            &[],
-        ),
-    ],
+    keys: VesselKey::ALL,
     rules: Some(|| {
         json!({
             "not": { "required": ["hydrodynamics", "wave_response"] },
@@ -154,121 +48,286 @@ pub(super) static VESSEL: TableSpec = TableSpec {
     }),
 };
 
+table_keys! {
+    /// Keys of a vessel.
+    pub VesselKey {
+        FROM: Text = key(
+            "from",
+            Kind::Text,
+            Means("the vessel has particulars of its own"),
+            "A vessel of the library or of `vessel_files`. The hull, propeller and rudder of that \
+             vessel stay the same; thrusters, azimuth units, wind areas and stability given in \
+             this table replace those of that vessel.",
+            &["\"kvlcc2\""],
+        ),
+        LENGTH_BP: Number = key(
+            "length_bp",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Length between perpendiculars.",
+            &["\"285 m\""],
+        ),
+        BEAM: Number = key(
+            "beam",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Beam.",
+            &["\"46 m\""],
+        ),
+        DRAUGHT: Number = key(
+            "draught",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Draught.",
+            &["\"9 m\""],
+        ),
+        BLOCK_COEFFICIENT: Number = key(
+            "block_coefficient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
+            Means("that of `from`"),
+            "Volume over length, beam and draught.",
+            &["0.71"],
+        ),
+        CENTRE_OF_GRAVITY: Number = key(
+            "centre_of_gravity",
+            Kind::Quantity(PLACE),
+            Means("amidships, or the centre of gravity of `from`"),
+            "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
+            &["\"-3.4 m\""],
+        ),
+        GYRADIUS: Number = key(
+            "gyradius",
+            Kind::Quantity(LENGTH),
+            Means("a quarter of the length"),
+            "Radius of gyration in yaw, without added mass.",
+            &["\"72 m\""],
+        ),
+        PROPELLER: TableOf<PropellerKey> = key(
+            "propeller",
+            Kind::Table(&PROPELLER),
+            Means("that of `from`, or none"),
+            "Propeller and shaft.",
+            &[],
+        ),
+        RUDDER: TableOf<RudderKey> = key(
+            "rudder",
+            Kind::Table(&RUDDER),
+            Means("that of `from`, or none"),
+            "Rudder.",
+            &[],
+        ),
+        THRUSTER: NamedOf<ThrusterKey> = key(
+            "thruster",
+            Kind::Named(&THRUSTER),
+            Is("{}"),
+            "Tunnel thrusters, by name.",
+            &[],
+        ),
+        AZIMUTH: NamedOf<AzimuthKey> = key(
+            "azimuth",
+            Kind::Named(&AZIMUTH),
+            Is("{}"),
+            "Azimuth units, by name. A vessel without a propeller moves and steers by azimuth \
+             units.",
+            &[],
+        ),
+        WINDAGE: TableOf<WindageKey> = key(
+            "windage",
+            Kind::Table(&WINDAGE),
+            Means("the wind areas of `from`, or no wind forces"),
+            "Wind areas.",
+            &[],
+        ),
+        WIND_COEFFICIENTS: TableOf<WindCoefficientsKey> = key(
+            "wind_coefficients",
+            Kind::Table(&WIND_COEFFICIENTS),
+            Means("those of `windage`"),
+            "Your wind coefficients.",
+            &[],
+        ),
+        CURRENT_COEFFICIENTS: TableOf<CurrentCoefficientsKey> = key(
+            "current_coefficients",
+            Kind::Table(&CURRENT_COEFFICIENTS),
+            Means("the manoeuvring model gives the hull force"),
+            "Your current coefficients.",
+            &[],
+        ),
+        WAVE_RESPONSE: Text = key(
+            "wave_response",
+            Kind::FileName,
+            Means("an estimate of a box-shaped hull, where `stability` is given"),
+            WAVE_RESPONSE_DOC,
+            &["\"response.csv\""],
+        ),
+        HYDRODYNAMICS: Text = key(
+            "hydrodynamics",
+            Kind::FileName,
+            Means(
+                "heave, roll and pitch are oscillators that do not act on the motion in the \
+                plane",
+            ),
+            HYDRODYNAMICS_DOC,
+            &["\"ship.hydro\""],
+        ),
+        ROLL_DAMPING: Number = key(
+            "roll_damping",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("0.05 with `hydrodynamics` (our assumption for a hull with bilge keels)"),
+            "Viscous damping of roll as a share of the critical damping, in addition to the \
+             damping of `hydrodynamics`.",
+            &["0.04"],
+        ),
+        STABILITY: TableOf<StabilityKey> = key(
+            "stability",
+            Kind::Table(&STABILITY),
+            Means("the data of `from`, or no heave, roll or pitch"),
+            "Data for heave, roll and pitch.",
+            &[],
+        ),
+    }
+}
+
 static PROPELLER: TableSpec = TableSpec {
     what: "a propeller",
     doc: "Propeller and shaft.",
-    keys: &[
-        key(
+    keys: PropellerKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a propeller.
+    pub PropellerKey {
+        DIAMETER: Number = key(
             "diameter",
             Kind::Quantity(LENGTH),
             Means("that of `from`"),
             "Diameter.",
             &["\"8.5 m\""],
         ),
-        key(
+        FULL: Number = key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
             Means("that of `from`"),
             "Full revolutions.",
             &["\"95 rpm\""],
         ),
-        key(
+        REVERSAL: Number = key(
             "reversal",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
             Means("the time of `from`, or 40 s"),
             "Time from full ahead to full astern.",
             &["\"60 s\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static RUDDER: TableSpec = TableSpec {
     what: "a rudder",
     doc: "Rudder and steering gear.",
-    keys: &[
-        key(
+    keys: RudderKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a rudder.
+    pub RudderKey {
+        AREA: Number = key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e4 }),
             Means("that of `from`"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
-        key("span", Kind::Quantity(LENGTH), Means("that of `from`"), "Span.", &["\"9 m\""]),
-        key(
+        SPAN: Number = key(
+            "span",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Span.",
+            &["\"9 m\""],
+        ),
+        RATE: Number = key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
             Means("the rate of `from`, or 2.32 deg/s"),
             "Rate of the steering gear.",
             &["\"2.5 deg/s\""],
         ),
-        key(
+        STOP: Number = key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
             Means("the angle of `from`, or 35 deg"),
             "Largest rudder angle to either side.",
             &["\"35 deg\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 /// A tunnel thruster.
 pub static THRUSTER: TableSpec = TableSpec {
     what: "a thruster",
     doc: "A tunnel thruster.",
-    keys: &[
-        key(
+    keys: ThrusterKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a thruster.
+    pub ThrusterKey {
+        ALONG: Number = key(
             "along",
             Kind::Quantity(PLACE),
             Refused,
             "Place of the thruster forward of midship.",
             &["\"60 m\""],
         ),
-        key(
+        FORCE: Number = key(
             "force",
             Kind::Quantity(FORCE),
             Refused,
             "Thrust at rest and full power.",
             &["\"250 kN\""],
         ),
-        key(
+        LAG: Number = key(
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
             Is("8"),
             "Time constant.",
             &["\"10 s\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 /// Heave, roll and pitch.
 pub static STABILITY: TableSpec = TableSpec {
     what: "a stability",
     doc: "Data for heave, roll and pitch.",
-    keys: &[
-        key(
+    keys: StabilityKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a stability.
+    pub StabilityKey {
+        GM: Number = key(
             "gm",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
             Refused,
             "Metacentric height GM.",
             &["\"2 m\""],
         ),
-        key(
+        GRAVITY_ABOVE_KEEL: Number = key(
             "gravity_above_keel",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 200.0 }),
             Refused,
             "Centre of gravity above the keel, KG.",
             &["\"10 m\""],
         ),
-        key(
+        WATERPLANE_AREA: Number = key(
             "waterplane_area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-3, high: 1e6 }),
             Refused,
             "Waterplane area.",
             &["\"3000 m^2\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}

@@ -5,9 +5,12 @@ use serde_json::{Value as Json, json};
 use super::quantities::{LENGTH, PLACE};
 
 use crate::choices::{Choice, Choices};
+use crate::held::{Number, OneOf, Text};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::typed_key::AnyKey;
 use crate::units::measures as unit;
+use crate::{any_keys, table_keys};
 
 const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
 
@@ -15,109 +18,16 @@ const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
 pub static WINDAGE: TableSpec = TableSpec {
     what: "a windage",
     doc: "Wind areas, and the method that computes wind forces from them.",
-    keys: &[
-        key(
-            "method",
-            Kind::Choice(&METHODS),
-            Is("\"blendermann\""),
-            "Method for the wind coefficients. Each method needs other particulars.",
-            &["\"blendermann\""],
-        ),
-        key(
-            "frontal_area",
-            Kind::Quantity(AREA),
-            Refused,
-            "Area above the water seen from ahead.",
-            &["\"1700 m^2\""],
-        ),
-        key(
-            "lateral_area",
-            Kind::Quantity(AREA),
-            Refused,
-            "Area above the water seen from the side.",
-            &["\"9000 m^2\""],
-        ),
-        key(
-            "length_overall",
-            Kind::Quantity(LENGTH),
-            Means("the length between perpendiculars"),
-            "Length overall, to which the coefficients refer.",
-            &["\"298 m\""],
-        ),
-        key(
-            "centroid_forward",
-            Kind::Quantity(PLACE),
-            Is("0"),
-            "Centroid of the lateral area forward of midship.",
-            &["\"-5 m\""],
-        ),
-        key(
-            "centroid_height",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
-            Refused,
-            "Height of the centroid of the lateral area above the water.",
-            &["\"16 m\""],
-        ),
-        key(
-            "type",
-            Kind::Text,
-            Means("`method` does not need this key"),
-            "Blendermann: type of ship in his table.",
-            &["\"container ship, loaded\""],
-        ),
-        key(
-            "perimeter",
-            Kind::Quantity(LENGTH),
-            Means("`method` does not need this key"),
-            "Isherwood: length of the side view's outline, from the waterline at the bow over everything to the \
-             waterline at the stern, without masts and ventilators.",
-            &["\"700 m\""],
-        ),
-        key(
-            "superstructure_area",
-            Kind::Quantity(Quantity { measure: &unit::AREA, low: 0.0, high: 1e6 }),
-            Means("`method` does not need this key"),
-            "Isherwood: area of the superstructure seen from the side; a part of `lateral_area`.",
-            &["\"1500 m^2\""],
-        ),
-        key(
-            "mast_groups",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 50.0 }),
-            Means("`method` does not need this key"),
-            "Isherwood: groups of masts or king posts seen from the side.",
-            &["1"],
-        ),
-        key(
-            "deck_area",
-            Kind::Quantity(AREA),
-            Means("`method` does not need this key"),
-            "Fujiwara: area of superstructures, tanks and containers on deck seen from the side; a part of \
-             `lateral_area`.",
-            &["\"1500 m^2\""],
-        ),
-        key(
-            "deck_centroid_forward",
-            Kind::Quantity(PLACE),
-            Means("`method` does not need this key"),
-            "Fujiwara: centroid of this deck area forward of midship.",
-            &["\"0 m\""],
-        ),
-        key(
-            "top_height",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 300.0 }),
-            Means("`method` does not need this key"),
-            "Fujiwara: top of the superstructure above the water.",
-            &["\"45 m\""],
-        ),
-    ],
+    keys: WindageKey::ALL,
     rules: Some(|| {
         let with = |method: WindageMethod| {
             let foreign = METHODS.0.iter().filter(|other| other.value != method);
             let refused: serde_json::Map<String, Json> = foreign
                 .flat_map(|other| other.value.keys())
-                .map(|key| ((*key).to_owned(), json!(false)))
+                .map(|key| (key.name().to_owned(), json!(false)))
                 .collect();
-            json!({ "required": method.keys(), "properties": refused })
+            let needed: Vec<&str> = method.keys().iter().map(|key| key.name()).collect();
+            json!({ "required": needed, "properties": refused })
         };
         let others = METHODS.0.iter().rev().filter(|other| other.value != DEFAULT_METHOD);
         others.fold(with(DEFAULT_METHOD), |otherwise, method| {
@@ -131,6 +41,105 @@ pub static WINDAGE: TableSpec = TableSpec {
         })
     }),
 };
+
+table_keys! {
+    /// Keys of a windage.
+    pub WindageKey {
+        METHOD: OneOf<WindageMethod> = key(
+            "method",
+            Kind::Choice(&METHODS),
+            Is("\"blendermann\""),
+            "Method for the wind coefficients. Each method needs other particulars.",
+            &["\"blendermann\""],
+        ),
+        FRONTAL_AREA: Number = key(
+            "frontal_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from ahead.",
+            &["\"1700 m^2\""],
+        ),
+        LATERAL_AREA: Number = key(
+            "lateral_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from the side.",
+            &["\"9000 m^2\""],
+        ),
+        LENGTH_OVERALL: Number = key(
+            "length_overall",
+            Kind::Quantity(LENGTH),
+            Means("the length between perpendiculars"),
+            "Length overall, to which the coefficients refer.",
+            &["\"298 m\""],
+        ),
+        CENTROID_FORWARD: Number = key(
+            "centroid_forward",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Centroid of the lateral area forward of midship.",
+            &["\"-5 m\""],
+        ),
+        CENTROID_HEIGHT: Number = key(
+            "centroid_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
+            Refused,
+            "Height of the centroid of the lateral area above the water.",
+            &["\"16 m\""],
+        ),
+        TYPE: Text = key(
+            "type",
+            Kind::Text,
+            Means("`method` does not need this key"),
+            "Blendermann: type of ship in his table.",
+            &["\"container ship, loaded\""],
+        ),
+        PERIMETER: Number = key(
+            "perimeter",
+            Kind::Quantity(LENGTH),
+            Means("`method` does not need this key"),
+            "Isherwood: length of the side view's outline, from the waterline at the bow over everything to the \
+             waterline at the stern, without masts and ventilators.",
+            &["\"700 m\""],
+        ),
+        SUPERSTRUCTURE_AREA: Number = key(
+            "superstructure_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 0.0, high: 1e6 }),
+            Means("`method` does not need this key"),
+            "Isherwood: area of the superstructure seen from the side; a part of `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        MAST_GROUPS: Number = key(
+            "mast_groups",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 50.0 }),
+            Means("`method` does not need this key"),
+            "Isherwood: groups of masts or king posts seen from the side.",
+            &["1"],
+        ),
+        DECK_AREA: Number = key(
+            "deck_area",
+            Kind::Quantity(AREA),
+            Means("`method` does not need this key"),
+            "Fujiwara: area of superstructures, tanks and containers on deck seen from the side; a part of \
+             `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        DECK_CENTROID_FORWARD: Number = key(
+            "deck_centroid_forward",
+            Kind::Quantity(PLACE),
+            Means("`method` does not need this key"),
+            "Fujiwara: centroid of this deck area forward of midship.",
+            &["\"0 m\""],
+        ),
+        TOP_HEIGHT: Number = key(
+            "top_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 300.0 }),
+            Means("`method` does not need this key"),
+            "Fujiwara: top of the superstructure above the water.",
+            &["\"45 m\""],
+        ),
+    }
+}
 
 /// How wind forces are computed from the areas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,11 +157,15 @@ const DEFAULT_METHOD: WindageMethod = WindageMethod::Blendermann;
 
 impl WindageMethod {
     /// The keys that this method needs and no other method may have.
-    pub fn keys(self) -> &'static [&'static str] {
+    pub fn keys(self) -> &'static [AnyKey<WindageKey>] {
         match self {
-            WindageMethod::Blendermann => &["type"],
-            WindageMethod::Isherwood => &["perimeter", "superstructure_area", "mast_groups"],
-            WindageMethod::Fujiwara => &["deck_area", "deck_centroid_forward", "top_height"],
+            WindageMethod::Blendermann => any_keys![WindageKey: TYPE],
+            WindageMethod::Isherwood => {
+                any_keys![WindageKey: PERIMETER, SUPERSTRUCTURE_AREA, MAST_GROUPS]
+            }
+            WindageMethod::Fujiwara => {
+                any_keys![WindageKey: DECK_AREA, DECK_CENTROID_FORWARD, TOP_HEIGHT]
+            }
         }
     }
 }

@@ -2,15 +2,17 @@
 
 use fenderline_contact::number::lesser;
 use fenderline_contact::vec2;
-use fenderline_sim::anchor::{AnchorGear, AnchorType, Windlass};
+use fenderline_sim::anchor::{AnchorGear, Windlass};
 use fenderline_sim::{
     AnchorSetup, AnchorStart, BodySetup, ChainLink, ChainSize, Environment, VesselSetup,
 };
 
 use super::assembly::{Assembly, Checked, Names};
 use super::orders::places;
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::anchor::BowSide;
+use fenderline_keys::checked::{Entry, Of, Tables};
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::anchor::{AnchorKey, BowSide};
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// Place of a hawse pipe over length and beam, from midship: our assumption.
 const HAWSE: (f64, f64) = (0.45, 0.1);
@@ -18,7 +20,7 @@ const HAWSE: (f64, f64) = (0.45, 0.1);
 impl Assembly<'_, '_> {
     pub(super) fn anchors(
         &self,
-        anchors: &[(String, Table)],
+        anchors: Tables<'_, AnchorKey>,
         ships: (&[BodySetup], &[VesselSetup]),
         environment: &Environment,
         names: &Names,
@@ -32,57 +34,57 @@ impl Assembly<'_, '_> {
     fn anchor(
         &self,
         name: &str,
-        table: &Table,
+        table: Of<'_, AnchorKey>,
         (bodies, vessels): (&[BodySetup], &[VesselSetup]),
         environment: &Environment,
         names: &Names,
     ) -> Checked<AnchorSetup> {
-        let number = |name: &str| *table.given(name).number();
-        let optional = |name: &str| table.item(name).map(|item| *item.number());
+        let number = |name: Key<_, Number>| *table.given(name).number();
+        let optional = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
         let of_body = places(vessels.iter().map(|vessel| vessel.body));
-        let index = self.vessel_named(table, table.given("on"), &of_body, names)?;
+        let index = self.vessel_named(table, table.given(AnchorKey::ON), &of_body, names)?;
         let ship = &vessels[index];
         let hull = &ship.ship.particulars;
-        let side = match table.given("side").choice::<BowSide>() {
+        let side = match table.given(AnchorKey::SIDE).choice() {
             BowSide::Port => -1.0,
             BowSide::Starboard => 1.0,
         };
-        let hawse_m = table.item("hawse").map_or_else(
+        let hawse_m = table.item(AnchorKey::HAWSE).map_or_else(
             || {
                 let ahead_m = HAWSE.0 * hull.length_m - hull.centre_of_gravity_m;
                 vec2(ahead_m, side * HAWSE.1 * hull.beam_m)
             },
             |item| *item.vector(),
         );
-        let factor = table.given("type").choice::<AnchorType>().holding_factor();
-        let holding_factor = optional("holding_factor").unwrap_or(factor);
-        let dragging_factor = optional("dragging_factor")
+        let factor = table.given(AnchorKey::TYPE).choice().holding_factor();
+        let holding_factor = optional(AnchorKey::HOLDING_FACTOR).unwrap_or(factor);
+        let dragging_factor = optional(AnchorKey::DRAGGING_FACTOR)
             .unwrap_or_else(|| lesser(AnchorGear::DRAGGING_FACTOR, holding_factor));
         if dragging_factor > holding_factor
-            && let Some(item) = table.item("dragging_factor")
+            && let Some(item) = table.item(AnchorKey::DRAGGING_FACTOR)
         {
-            let path = table.path_of("dragging_factor");
+            let path = table.path_of(AnchorKey::DRAGGING_FACTOR);
             let message =
                 format!("`{path}` is more than the holding factor, which is {holding_factor}");
             return Err(self.sources.error(&item.span, &path, message));
         }
         let chain = ChainSize {
-            diameter_m: number("chain_diameter"),
-            grade: table.given("grade").choice(),
+            diameter_m: number(AnchorKey::CHAIN_DIAMETER),
+            grade: table.given(AnchorKey::GRADE).choice(),
             link: ChainLink::Stud,
         };
         let windlass = Windlass::of_rules(&chain);
         let gear = AnchorGear {
             name: name.to_owned(),
-            mass_kg: number("mass"),
+            mass_kg: number(AnchorKey::MASS),
             chain_diameter_m: chain.diameter_m,
             chain_grade: chain.grade,
-            chain_length_m: number("chain_length"),
+            chain_length_m: number(AnchorKey::CHAIN_LENGTH),
             holding_factor,
             dragging_factor,
-            chain_friction: number("chain_friction"),
+            chain_friction: number(AnchorKey::CHAIN_FRICTION),
             windlass: Windlass {
-                brake_n: optional("brake").unwrap_or(windlass.brake_n),
+                brake_n: optional(AnchorKey::BRAKE).unwrap_or(windlass.brake_n),
                 ..windlass
             },
         };
@@ -91,7 +93,7 @@ impl Assembly<'_, '_> {
             gear,
             vessel: index,
             hawse_m,
-            hawse_above_water_m: number("hawse_height"),
+            hawse_above_water_m: number(AnchorKey::HAWSE_HEIGHT),
             start,
         };
         let body = &bodies[ship.body];
@@ -100,10 +102,10 @@ impl Assembly<'_, '_> {
     }
 
     /// Where an anchor is at the start: `placed` and `chain_out` go together.
-    fn anchor_start(&self, table: &Table) -> Checked<Option<AnchorStart>> {
-        let (placed, chain_out) = (table.item("placed"), table.item("chain_out"));
-        let alone = |item: &Item, other: &str| {
-            let path = table.path_of(item.name);
+    fn anchor_start(&self, table: Of<'_, AnchorKey>) -> Checked<Option<AnchorStart>> {
+        let (placed, chain_out) = (table.item(AnchorKey::PLACED), table.item(AnchorKey::CHAIN_OUT));
+        let alone = |item: Entry<'_, _>, other: AnyKey<AnchorKey>| {
+            let path = table.path_to(item);
             let message = format!("`{path}` needs `{other}`");
             self.sources.error(&item.key_span, &path, message)
         };
@@ -112,8 +114,8 @@ impl Assembly<'_, '_> {
             (Some(at), Some(out)) => {
                 Ok(Some(AnchorStart { at_m: *at.vector(), chain_m: *out.number() }))
             }
-            (Some(at), None) => Err(alone(at, "chain_out")),
-            (None, Some(out)) => Err(alone(out, "placed")),
+            (Some(at), None) => Err(alone(at.any(), AnchorKey::CHAIN_OUT.any())),
+            (None, Some(out)) => Err(alone(out.any(), AnchorKey::PLACED.any())),
         }
     }
 }

@@ -11,11 +11,16 @@ use super::assembly::listed;
 use super::assembly::{Assembly, Checked, Names};
 use super::pairs::Pairs;
 use super::rows::rounded;
-use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of, Tables, Value};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::approach::{AbnormalKey, ApproachKey};
+use fenderline_keys::keys::body::BodyKey;
 use fenderline_keys::row_names::number_in_row;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::Key;
 
 /// A fender met this much before the intended one is worth a notice (m).
 const EARLIER_M: f64 = 0.01;
@@ -36,10 +41,10 @@ struct Target {
 
 impl Assembly<'_, '_> {
     /// Notes approaches that take longer than the run.
-    pub(super) fn note_late_arrivals(&mut self, bodies: &[(String, Table)], setup: &Setup) {
+    pub(super) fn note_late_arrivals(&mut self, bodies: Tables<'_, BodyKey>, setup: &Setup) {
         for approach in &setup.approaches {
             let needs_s = approach.distance_m / approach.speed_mps();
-            let Some(item) = bodies[approach.body].1.item("approach") else { continue };
+            let Some(item) = bodies.at(approach.body).item(BodyKey::APPROACH) else { continue };
             if needs_s < setup.duration_s {
                 continue;
             }
@@ -52,16 +57,17 @@ impl Assembly<'_, '_> {
                 rounded(approach.speed_mps()),
                 rounded(setup.duration_s)
             );
-            let [distance, speed] = ["distance", "speed_normal"].map(|key| table.given(key));
+            let [distance, speed] =
+                [ApproachKey::DISTANCE, ApproachKey::SPEED_NORMAL].map(|key| table.given(key));
             let given = if distance.is_default { speed } else { distance };
-            self.note_at(&given.span, table.path_of(given.name), message);
+            self.note_at(&given.span, table.path_to(given), message);
         }
     }
 
     /// Sets the start of every body with an approach.
     pub(super) fn approaches(
         &mut self,
-        tables: &[(String, Table)],
+        tables: Tables<'_, BodyKey>,
         bodies: &mut [BodySetup],
         fenders: &[FenderSetup],
         pairs: &Pairs,
@@ -69,7 +75,7 @@ impl Assembly<'_, '_> {
     ) -> Checked<Vec<Approach>> {
         let mut approaches = Vec::new();
         for (index, (_, body)) in tables.iter().enumerate() {
-            let Some(item) = body.item("approach") else { continue };
+            let Some(item) = body.item(BodyKey::APPROACH) else { continue };
             self.refuse_a_start_beside_the_approach(body)?;
             let table = item.table();
             let berth = self.berth(table, index, bodies, pairs, names)?;
@@ -82,11 +88,11 @@ impl Assembly<'_, '_> {
         Ok(approaches)
     }
 
-    fn refuse_a_start_beside_the_approach(&self, body: &Table) -> Checked<()> {
-        let starts = ["position", "heading", "velocity"];
-        let start = starts.iter().find_map(|name| body.item(name).filter(|item| !item.is_default));
+    fn refuse_a_start_beside_the_approach(&self, body: Of<'_, BodyKey>) -> Checked<()> {
+        let starts = any_keys![BodyKey: POSITION, HEADING, VELOCITY];
+        let start = starts.iter().find_map(|key| body.item(*key).filter(|item| !item.is_default));
         let Some(item) = start else { return Ok(()) };
-        let path = body.path_of(item.name);
+        let path = body.path_to(item);
         let message = format!(
             "`{path}` does not go together with `approach`, which gives the \
             start"
@@ -98,13 +104,13 @@ impl Assembly<'_, '_> {
     /// The bodies of the berth: the body that `to` names, or the dolphins of a row.
     fn berth(
         &self,
-        table: &Table,
+        table: Of<'_, ApproachKey>,
         ship: usize,
         bodies: &[BodySetup],
         pairs: &Pairs,
         names: &Names,
     ) -> Checked<Vec<usize>> {
-        let to = table.given("to");
+        let to = table.given(ApproachKey::TO);
         let row = to.name();
         let in_row = |body: &BodySetup| body.is_fixed() && number_in_row(row, &body.name).is_some();
         let dolphins: Vec<usize> =
@@ -113,7 +119,7 @@ impl Assembly<'_, '_> {
             true => vec![self.body_named(table, to, row, names)?],
             false => dolphins,
         };
-        let path = table.path_of("to");
+        let path = table.path_of(ApproachKey::TO);
         if berth.contains(&ship) {
             let message = format!("`{path}`: a ship does not come alongside herself");
             return Err(self.sources.error(&to.span, &path, message));
@@ -133,15 +139,16 @@ impl Assembly<'_, '_> {
     /// The approach, and position, heading and velocity at its start.
     fn approach(
         &self,
-        table: &Table,
+        table: Of<'_, ApproachKey>,
         ship: usize,
         berth: &[usize],
         bodies: &[BodySetup],
         fenders: &[FenderSetup],
     ) -> Checked<(Approach, (Vec2, f64, BodyVelocity))> {
-        let number = |name: &str| *table.given(name).number();
-        let (angle_rad, distance_m) = (number("angle"), number("distance"));
-        let (along_mps, side) = (number("along"), table.given("side").choice::<Side>());
+        let number = |name: Key<_, Number>| *table.given(name).number();
+        let (angle_rad, distance_m) = (number(ApproachKey::ANGLE), number(ApproachKey::DISTANCE));
+        let (along_mps, side) =
+            (number(ApproachKey::ALONG), table.given(ApproachKey::SIDE).choice());
         let targets = targets(berth, bodies, fenders);
         let (target, by_fender) = self.fender_met(table, &targets, fenders)?;
 
@@ -162,8 +169,8 @@ impl Assembly<'_, '_> {
         } else {
             let x_m = midship_m + self.contact_m(table, high.x - low.x, angle_rad)?;
             side_point(outline, x_m, side).ok_or_else(|| {
-                let item = table.given("contact");
-                let path = table.path_of("contact");
+                let item = table.given(ApproachKey::CONTACT);
+                let path = table.path_of(ApproachKey::CONTACT);
                 let message = format!(
                     "`{path}`: {} m forward of midship is off the hull, which reaches from {} to {} m",
                     rounded(x_m - midship_m),
@@ -178,7 +185,7 @@ impl Assembly<'_, '_> {
             fender: target.fender,
             side,
             contact_m: point_m.x - midship_m,
-            normal_speed_mps: number("speed_normal"),
+            normal_speed_mps: number(ApproachKey::SPEED_NORMAL),
             along_mps,
             angle_rad,
             distance_m,
@@ -202,23 +209,23 @@ impl Assembly<'_, '_> {
     /// The fender that the ship meets, and whether `contact` names it.
     fn fender_met<'t>(
         &self,
-        table: &Table,
+        table: Of<'_, ApproachKey>,
         targets: &'t [Target],
         fenders: &[FenderSetup],
     ) -> Checked<(&'t Target, bool)> {
         if targets.is_empty() {
-            let to = table.given("to");
-            let path = table.path_of("to");
+            let to = table.given(ApproachKey::TO);
+            let path = table.path_of(ApproachKey::TO);
             let message = format!("`{path}`: {} has no fenders to meet", quoted(to.name()));
             return Err(self.sources.error(&to.span, &path, message));
         }
         let named = |name: &str| targets.iter().find(|t| fenders[t.fender].name == name);
-        let contact = table.given("contact");
+        let contact = table.given(ApproachKey::CONTACT);
         if let Value::Text(text) = &contact.value
             && point(text).is_none()
         {
-            if let Some(item) = table.item("fender") {
-                let path = table.path_of("fender");
+            if let Some(item) = table.item(ApproachKey::FENDER) {
+                let path = table.path_of(ApproachKey::FENDER);
                 let message = format!("`{path}` does not go together with a fender in `contact`");
                 let error = self.sources.error(&item.key_span, &path, message);
                 return Err(error.with_help("keep one of the two"));
@@ -227,7 +234,7 @@ impl Assembly<'_, '_> {
                 .ok_or_else(|| self.no_fender(table, contact, text, targets, fenders))?;
             return Ok((target, true));
         }
-        if let Some(item) = table.item("fender") {
+        if let Some(item) = table.item(ApproachKey::FENDER) {
             let target = named(item.text())
                 .ok_or_else(|| self.no_fender(table, item, item.text(), targets, fenders))?;
             return Ok((target, false));
@@ -239,23 +246,23 @@ impl Assembly<'_, '_> {
         Ok((nearest.expect("there is a fender"), false))
     }
 
-    fn no_fender(
+    fn no_fender<V>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, ApproachKey>,
+        item: Entry<'_, V>,
         name: &str,
         targets: &[Target],
         fenders: &[FenderSetup],
     ) -> ScenarioError {
-        let path = table.path_of(item.name);
-        let to = quoted(table.given("to").name());
+        let path = table.path_to(item);
+        let to = quoted(table.given(ApproachKey::TO).name());
         let message = format!("`{path}`: {to} has no fender {}", quoted(name));
         let known = || targets.iter().map(|target| fenders[target.fender].name.as_str());
-        let words = POINTS.iter().map(|(word, _)| *word).filter(|_| item.name == "contact");
+        let words = POINTS.iter().map(|(word, _)| *word).filter(|_| item.is(ApproachKey::CONTACT));
         let error = self.sources.error(&item.span, &path, message);
         error.with_help(match nearest(name, words.chain(known())) {
             Some(near) => format!("did you mean \"{near}\"?"),
-            None if item.name == "contact" => format!(
+            None if item.is(ApproachKey::CONTACT) => format!(
                 "write \"quarter point\", \"third point\", \"midship\", a distance forward of midship, or one of {}",
                 listed(known())
             ),
@@ -264,8 +271,8 @@ impl Assembly<'_, '_> {
     }
 
     /// The contact point forward of midship (m).
-    fn contact_m(&self, table: &Table, length_m: f64, angle_rad: f64) -> Checked<f64> {
-        Ok(match &table.given("contact").value {
+    fn contact_m(&self, table: Of<'_, ApproachKey>, length_m: f64, angle_rad: f64) -> Checked<f64> {
+        Ok(match &table.given(ApproachKey::CONTACT).value {
             Value::Number(along_m) => *along_m,
             Value::Text(text) => {
                 let share = point(text).unwrap_or_else(|| unreachable!("{text} is a fender"));
@@ -276,13 +283,16 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn energy_factor(&self, table: &Table) -> Checked<f64> {
-        let Some(abnormal) = table.item("abnormal").map(Item::table) else { return Ok(1.0) };
-        match (abnormal.item("energy_factor"), abnormal.item("speed_factor")) {
+    fn energy_factor(&self, table: Of<'_, ApproachKey>) -> Checked<f64> {
+        let Some(abnormal) = table.item(ApproachKey::ABNORMAL).map(Entry::table) else {
+            return Ok(1.0);
+        };
+        match (abnormal.item(AbnormalKey::ENERGY_FACTOR), abnormal.item(AbnormalKey::SPEED_FACTOR))
+        {
             (Some(energy), None) => Ok(*energy.number()),
             (None, Some(speed)) => Ok(speed.number() * speed.number()),
             (Some(_), Some(speed)) => {
-                let path = abnormal.path_of("speed_factor");
+                let path = abnormal.path_of(AbnormalKey::SPEED_FACTOR);
                 let message = format!("`{path}` does not go together with `energy_factor`");
                 let error = self.sources.error(&speed.key_span, &path, message);
                 Err(error
@@ -290,7 +300,7 @@ impl Assembly<'_, '_> {
             }
             (None, None) => {
                 let help = "write energy_factor = 1.5, or speed_factor = 1.25";
-                Err(self.missing(abnormal, "energy_factor", help))
+                Err(self.missing(abnormal, AbnormalKey::ENERGY_FACTOR, help))
             }
         }
     }
@@ -298,7 +308,7 @@ impl Assembly<'_, '_> {
     /// Refuses a start inside the berth, and notes what the hull meets before the fender.
     fn check_way(
         &mut self,
-        table: &Table,
+        table: Of<'_, ApproachKey>,
         approach: &Approach,
         berth: &[usize],
         bodies: &[BodySetup],
@@ -317,9 +327,10 @@ impl Assembly<'_, '_> {
         // A hull that touches a face from outside does not start inside.
         let clear: Vec<Vec2> = hull.iter().map(|point| *point + target.out * EARLIER_M).collect();
         let inside = |what: &str, name: &str| {
-            let path = table.path_of("distance");
+            let path = table.path_of(ApproachKey::DISTANCE);
             let message = format!("`{path}`: the ship starts inside {what} {}", quoted(name));
-            let error = self.sources.error(&table.given("distance").span, &path, message);
+            let error =
+                self.sources.error(&table.given(ApproachKey::DISTANCE).span, &path, message);
             let smaller = if approach.angle_rad == 0.0 { "" } else { "; or take a smaller angle" };
             Err(error.with_help(format!(
                 "from {} m on she starts clear of the berth{smaller}",
@@ -356,7 +367,8 @@ impl Assembly<'_, '_> {
         }
         let ends_m = target.face.ends_m;
         let at_m = travel_m(&hull, &ends_m, false, way);
-        let (path, span) = (table.path_of("contact"), table.given("contact").span.clone());
+        let (path, span) =
+            (table.path_of(ApproachKey::CONTACT), table.given(ApproachKey::CONTACT).span.clone());
         let name = quoted(&fenders[approach.fender].name);
         match (at_m, first) {
             (None, _) => {

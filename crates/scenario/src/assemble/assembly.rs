@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::error::{Notice, ScenarioError};
-use fenderline_keys::sources::{Sources, quoted};
-use fenderline_keys::suggest::nearest;
 use fenderline_sim::{BodySetup, NamedMaterial};
 
 use crate::files::Files;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::held::Name;
+use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::Key;
 
 pub(super) type Checked<T> = Result<T, ScenarioError>;
 
@@ -37,10 +39,10 @@ pub(super) struct Assembly<'s, 'a> {
 }
 
 impl Assembly<'_, '_> {
-    pub(super) fn body_named(
+    pub(super) fn body_named<T, V>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
         name: &str,
         names: &Names,
     ) -> Checked<usize> {
@@ -48,10 +50,10 @@ impl Assembly<'_, '_> {
     }
 
     /// The floating body that a key names; `why` says in an error what a fixed body cannot do.
-    pub(super) fn floating_body(
+    pub(super) fn floating_body<T>(
         &self,
-        table: &Table,
-        key: &str,
+        table: Of<'_, T>,
+        key: Key<T, Name>,
         bodies: &[BodySetup],
         names: &Names,
         why: &str,
@@ -66,26 +68,26 @@ impl Assembly<'_, '_> {
         Ok(body)
     }
 
-    pub(super) fn material_named(
+    pub(super) fn material_named<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Name>,
         names: &Names,
     ) -> Checked<usize> {
         self.reference("material", "materials", &names.materials, table, item, item.name())
     }
 
-    pub(super) fn reference(
+    pub(super) fn reference<T, V>(
         &self,
         kind: &str,
         kinds: &str,
         known: &BTreeMap<String, usize>,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
         name: &str,
     ) -> Checked<usize> {
         known.get(name).copied().ok_or_else(|| {
-            let path = table.path_of(item.name);
+            let path = table.path_to(item);
             let message = format!("`{path}`: there is no {kind} {}", quoted(name));
             let error = self.sources.error(&item.span, &path, message);
             error.with_help(match nearest(name, known.keys().map(String::as_str)) {

@@ -5,24 +5,26 @@ use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup
 
 use super::particulars::Taken;
 use crate::assemble::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Of;
 use fenderline_keys::error::NO_EFFECT;
+use fenderline_keys::keys::berthing::BerthingKey;
 
 impl Assembly<'_, '_> {
     pub(super) fn berthing(
         &mut self,
-        table: Option<&Table>,
+        table: Option<Of<'_, BerthingKey>>,
         (bodies, vessels, fenders): (&[BodySetup], &[VesselSetup], &[FenderSetup]),
         approaches: &[Approach],
         environment: &Environment,
         names: &Names,
     ) -> Checked<Option<BerthingSetup>> {
         let Some(table) = table else { return Ok(None) };
-        let ship = self.floating_body(table, "ship", bodies, names, "it does not berth")?;
-        let added_mass = match table.item("added_mass_factor") {
-            None => AddedMass::By(table.given("added_mass").choice()),
-            Some(factor) if !table.given("added_mass").is_default => {
-                let path = table.path_of(factor.name);
+        let ship =
+            self.floating_body(table, BerthingKey::SHIP, bodies, names, "it does not berth")?;
+        let added_mass = match table.item(BerthingKey::ADDED_MASS_FACTOR) {
+            None => AddedMass::By(table.given(BerthingKey::ADDED_MASS).choice()),
+            Some(factor) if !table.given(BerthingKey::ADDED_MASS).is_default => {
+                let path = table.path_to(factor);
                 let message = format!("`{path}` does not go together with `added_mass`");
                 let error = self.sources.error(&factor.key_span, &path, message);
                 return Err(error.with_help("keep one of the two"));
@@ -31,7 +33,7 @@ impl Assembly<'_, '_> {
         };
         let Taken { length_bp_m, beam_m, draught_m, under_keel_clearance_m, block_coefficient } =
             self.particulars(table, ship, (bodies, vessels), environment)?;
-        let mut abnormal = table.item("abnormal_factor");
+        let mut abnormal = table.item(BerthingKey::ABNORMAL_FACTOR);
         // If the berth moves, the approach does not give the closing speed.
         let is_at_rest = |approach: &Approach| {
             let berth = &bodies[fenders[approach.fender].body];
@@ -41,7 +43,7 @@ impl Assembly<'_, '_> {
         if let (Some(item), true) = (abnormal, approaches.iter().any(is_abnormal)) {
             // The formula takes the speed of the run, which includes the factor.
             let message = format!("{NO_EFFECT}the run itself is already an abnormal berthing");
-            self.note_at(&item.span, table.path_of(item.name), message);
+            self.note_at(&item.span, table.path_to(item), message);
             abnormal = None;
         }
         Ok(Some(BerthingSetup {
@@ -56,8 +58,8 @@ impl Assembly<'_, '_> {
                 .find(|approach| approach.body == ship && is_at_rest(approach))
                 .map(Approach::speed_mps),
             added_mass,
-            softness: table.given("softness").choice(),
-            configuration: table.given("configuration").choice(),
+            softness: table.given(BerthingKey::SOFTNESS).choice(),
+            configuration: table.given(BerthingKey::CONFIGURATION).choice(),
             abnormal_factor: abnormal.map(|item| *item.number()),
         }))
     }

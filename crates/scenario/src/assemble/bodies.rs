@@ -6,20 +6,29 @@ use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
 use super::assembly::{Assembly, Checked};
 use super::vessel;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::Notice;
+use fenderline_keys::held::{NamedOf, Number, TableOf};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::body::{AddedMassKey, BodyKey, VelocityKey};
 use fenderline_keys::sources::Span;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 impl Assembly<'_, '_> {
     pub(super) fn bodies(
         &mut self,
-        item: &Item,
+        item: Entry<'_, NamedOf<BodyKey>>,
         kinds: &vessel::Kinds,
         chart: &Chart,
     ) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
-            let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
+            let error = self.sources.error(
+                &item.span,
+                ScenarioKey::BODY.name(),
+                "the scenario has no bodies",
+            );
             return Err(error.with_help("write [body.NAME] with its keys below"));
         }
         let with_kinds = bodies.iter().zip(kinds.of_bodies());
@@ -29,7 +38,7 @@ impl Assembly<'_, '_> {
     pub(super) fn body(
         &mut self,
         name: &str,
-        table: &Table,
+        table: Of<'_, BodyKey>,
         kind: Option<&vessel::Kind>,
         chart: &Chart,
     ) -> Checked<BodySetup> {
@@ -46,10 +55,10 @@ impl Assembly<'_, '_> {
         };
         let dolphin = self.dolphin(table)?;
         let mass = if dolphin.is_some() {
-            self.refuse_keys_of_floating_bodies(table, "stands on piles", "dolphin")?;
+            self.refuse_keys_of_floating_bodies(table, "stands on piles", BodyKey::DOLPHIN.any())?;
             None
-        } else if *table.given("fixed").flag() {
-            self.refuse_keys_of_floating_bodies(table, "is fixed", "fixed")?;
+        } else if *table.given(BodyKey::FIXED).flag() {
+            self.refuse_keys_of_floating_bodies(table, "is fixed", BodyKey::FIXED.any())?;
             None
         } else if let Some(kind) = kind {
             self.refuse_keys_of_plain_bodies(table)?;
@@ -63,35 +72,35 @@ impl Assembly<'_, '_> {
             outline,
             hull,
             mass,
-            position_m: *table.given("position").vector(),
-            heading_rad: *table.given("heading").number(),
+            position_m: *table.given(BodyKey::POSITION).vector(),
+            heading_rad: *table.given(BodyKey::HEADING).number(),
             dolphin,
-            velocity: table.item("velocity").map_or(BodyVelocity::default(), velocity),
+            velocity: table.item(BodyKey::VELOCITY).map_or(BodyVelocity::default(), velocity),
         })
     }
 
     /// The body's outline: from the body's table, or from the vessel.
     pub(super) fn outline(
         &mut self,
-        table: &Table,
+        table: Of<'_, BodyKey>,
         kind: Option<&vessel::Kind>,
         chart: &Chart,
     ) -> Checked<Outline> {
-        let of_chart = table.item("chart_outline");
-        let path = table.path_of(of_chart.map_or("outline", |item| item.name));
-        let own = table.item("outline");
+        let of_chart = table.item(BodyKey::CHART_OUTLINE);
+        let path =
+            of_chart.map_or_else(|| table.path_of(BodyKey::OUTLINE), |item| table.path_to(item));
+        let own = table.item(BodyKey::OUTLINE);
         if let (Some(item), Some(_)) = (of_chart, own) {
             let message = format!("`{path}` and `outline` both give the body's shape");
             let error = self.sources.error(&item.key_span, &path, message);
             return Err(error.with_help("keep one of the two"));
         }
-        let (points, span) = match (own.or(of_chart), kind.and_then(vessel::Kind::outline_m)) {
-            (Some(item), _) if of_chart.is_some() => {
-                (self.chart_outline(table, item, chart)?, &item.span)
-            }
-            (Some(item), _) => (item.outline().to_vec(), &item.span),
-            (None, Some(points)) => (points, &table.given("vessel").span),
-            (None, None) => {
+        let of_kind = kind.and_then(vessel::Kind::outline_m);
+        let (points, span) = match (own, of_chart, of_kind) {
+            (_, Some(item), _) => (self.chart_outline(table, item, chart)?, &item.item().span),
+            (Some(item), ..) => (item.outline().to_vec(), &item.item().span),
+            (None, None, Some(points)) => (points, &table.given(BodyKey::VESSEL).item().span),
+            (None, None, None) => {
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
                 return Err(error.with_help(match kind {
                     Some(_) => "the vessel has no outline: give one here",
@@ -115,11 +124,11 @@ impl Assembly<'_, '_> {
     /// The outline at the waterline of a body with outlines by height.
     fn at_waterline(
         &mut self,
-        table: &Table,
+        table: Of<'_, BodyKey>,
         kind: Option<&vessel::Kind>,
         hull: &HullByHeight,
     ) -> Checked<Outline> {
-        let (path, span) = (table.path_of("outlines"), &table.given("outlines").span);
+        let (path, span) = (table.path_of(BodyKey::OUTLINES), &table.given(BodyKey::OUTLINES).span);
         let outline = hull.at_waterline().map_err(|error| {
             let message = format!("`{path}`: the outline at the waterline is not valid: {error}");
             self.sources.error(span, &path, message)
@@ -152,21 +161,19 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn refuse_keys_of_floating_bodies(&self, table: &Table, is: &str, by: &str) -> Checked<()> {
-        const FLOATING: [&str; 8] = [
-            "vessel",
-            "running",
-            "mass",
-            "gyradius",
-            "yaw_inertia",
-            "added_mass",
-            "velocity",
-            "approach",
+    fn refuse_keys_of_floating_bodies<T>(
+        &self,
+        table: Of<'_, T>,
+        is: &str,
+        by: AnyKey<BodyKey>,
+    ) -> Checked<()> {
+        const FLOATING: &[AnyKey<BodyKey>] = any_keys![
+            BodyKey: VESSEL, RUNNING, MASS, GYRADIUS, YAW_INERTIA, ADDED_MASS, VELOCITY, APPROACH
         ];
-        match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
+        match table.entries().find(|item| FLOATING.iter().any(|key| item.is(*key))) {
             None => Ok(()),
             Some(item) => {
-                let path = table.path_of(item.name);
+                let path = table.path_to(item);
                 let message = format!("`{path}` is for floating bodies, but this body {is}");
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `{by}`", item.name)))
@@ -174,19 +181,20 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn refuse_keys_of_vessels(&self, table: &Table) -> Checked<()> {
-        let Some(item) = table.item("running") else { return Ok(()) };
-        let path = table.path_of(item.name);
+    fn refuse_keys_of_vessels(&self, table: Of<'_, BodyKey>) -> Checked<()> {
+        let Some(item) = table.item(BodyKey::RUNNING) else { return Ok(()) };
+        let path = table.path_to(item);
         let message = format!("`{path}` is for a body with a `vessel`");
         Err(self.sources.error(&item.key_span, &path, message))
     }
 
-    fn refuse_keys_of_plain_bodies(&self, table: &Table) -> Checked<()> {
-        const PLAIN: [&str; 4] = ["mass", "gyradius", "yaw_inertia", "added_mass"];
-        match table.items.iter().find(|item| PLAIN.contains(&item.name)) {
+    fn refuse_keys_of_plain_bodies<T>(&self, table: Of<'_, T>) -> Checked<()> {
+        const PLAIN: &[AnyKey<BodyKey>] =
+            any_keys![BodyKey: MASS, GYRADIUS, YAW_INERTIA, ADDED_MASS];
+        match table.entries().find(|item| PLAIN.iter().any(|key| item.is(*key))) {
             None => Ok(()),
             Some(item) => {
-                let path = table.path_of(item.name);
+                let path = table.path_to(item);
                 let message = format!(
                     "`{path}` does not go together with `vessel`, whose model gives this \
                         value"
@@ -197,49 +205,55 @@ impl Assembly<'_, '_> {
         }
     }
 
-    pub(super) fn mass(&self, table: &Table) -> Checked<MassProperties> {
-        let missing = |name: &str, help: &str| {
-            let path = table.path_of(name);
+    pub(super) fn mass(&self, table: Of<'_, BodyKey>) -> Checked<MassProperties> {
+        let missing = |key: AnyKey<BodyKey>, help: &str| {
+            let path = table.path_of(key);
             let message = format!("`{path}` is missing");
             self.sources.error(&table.span, &path, message).with_help(help)
         };
         let mass_kg = *table
-            .item("mass")
-            .ok_or_else(|| missing("mass", "write mass = \"87800 t\", or fixed = true for a quay"))?
+            .item(BodyKey::MASS)
+            .ok_or_else(|| {
+                missing(BodyKey::MASS.any(), "write mass = \"87800 t\", or fixed = true for a quay")
+            })?
             .number();
-        let yaw_inertia_kgm2 = match (table.item("gyradius"), table.item("yaw_inertia")) {
-            (Some(gyradius), None) => mass_kg * gyradius.number() * gyradius.number(),
-            (None, Some(inertia)) => *inertia.number(),
-            (Some(_), Some(inertia)) => {
-                let path = table.path_of("yaw_inertia");
-                let message = format!("`{path}` and `gyradius` both give the yaw inertia");
-                let error = self.sources.error(&inertia.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
-            }
-            (None, None) => {
-                return Err(missing("gyradius", "write gyradius = \"74.5 m\", or yaw_inertia"));
-            }
-        };
-        let added = |name: &str| {
-            let fractions = table.item("added_mass").map(Item::table);
-            fractions.map_or(0.0, |fractions| *fractions.given(name).number())
+        let yaw_inertia_kgm2 =
+            match (table.item(BodyKey::GYRADIUS), table.item(BodyKey::YAW_INERTIA)) {
+                (Some(gyradius), None) => mass_kg * gyradius.number() * gyradius.number(),
+                (None, Some(inertia)) => *inertia.number(),
+                (Some(_), Some(inertia)) => {
+                    let path = table.path_of(BodyKey::YAW_INERTIA);
+                    let message = format!("`{path}` and `gyradius` both give the yaw inertia");
+                    let error = self.sources.error(&inertia.key_span, &path, message);
+                    return Err(error.with_help("keep one of the two"));
+                }
+                (None, None) => {
+                    return Err(missing(
+                        BodyKey::GYRADIUS.any(),
+                        "write gyradius = \"74.5 m\", or yaw_inertia",
+                    ));
+                }
+            };
+        let added = |key: Key<AddedMassKey, Number>| {
+            let fractions = table.item(BodyKey::ADDED_MASS).map(Entry::table);
+            fractions.map_or(0.0, |fractions| *fractions.given(key).number())
         };
         Ok(MassProperties {
             mass_kg,
             yaw_inertia_kgm2,
-            added_surge_kg: added("surge") * mass_kg,
-            added_sway_kg: added("sway") * mass_kg,
-            added_yaw_kgm2: added("yaw") * yaw_inertia_kgm2,
+            added_surge_kg: added(AddedMassKey::SURGE) * mass_kg,
+            added_sway_kg: added(AddedMassKey::SWAY) * mass_kg,
+            added_yaw_kgm2: added(AddedMassKey::YAW) * yaw_inertia_kgm2,
         })
     }
 }
 
 /// The velocity of a body at its start.
-pub(crate) fn velocity(item: &Item) -> BodyVelocity {
+pub(crate) fn velocity(item: Entry<'_, TableOf<VelocityKey>>) -> BodyVelocity {
     let table = item.table();
     BodyVelocity {
-        surge_mps: *table.given("surge").number(),
-        sway_mps: *table.given("sway").number(),
-        yaw_radps: *table.given("yaw").number(),
+        surge_mps: *table.given(VelocityKey::SURGE).number(),
+        sway_mps: *table.given(VelocityKey::SWAY).number(),
+        yaw_radps: *table.given(VelocityKey::YAW).number(),
     }
 }

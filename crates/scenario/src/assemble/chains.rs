@@ -5,33 +5,42 @@ use fenderline_sim::{ChainGrade, ChainKind, ChainLink, ChainSetup, ChainSize};
 
 use super::assembly::{Assembly, Checked};
 use crate::vessels::Belting;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::panel::ChainKey;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 impl Assembly<'_, '_> {
     /// The chains of a fender, and the mass that its weight chains carry (kg).
-    pub(super) fn chains(&self, table: &Table, face: &Belting) -> Checked<(Vec<ChainSetup>, f64)> {
-        let panel_mass = table.item("panel_mass").map(|item| *item.number());
-        let Some(item) = table.item("chains") else {
+    pub(super) fn chains(
+        &self,
+        table: Of<'_, FenderKey>,
+        face: &Belting,
+    ) -> Checked<(Vec<ChainSetup>, f64)> {
+        let panel_mass = table.item(FenderKey::PANEL_MASS).map(|item| *item.number());
+        let Some(item) = table.item(FenderKey::CHAINS) else {
             return Ok((vec![], panel_mass.unwrap_or(0.0)));
         };
         let read = item.list().iter().map(|chain| self.chain(chain, face));
         let chains: Vec<ChainSetup> = read.collect::<Checked<_>>()?;
         let has = |kind: ChainKind| chains.iter().filter(|chain| chain.kind == kind).count();
         let refused = |message: String, help: &str| {
-            let path = table.path_of("chains");
+            let path = table.path_of(FenderKey::CHAINS);
             Err(self.sources.error(&item.span, &path, message).with_help(help))
         };
-        if has(ChainKind::Tension) > 0 && table.item("cones").is_none() {
+        if has(ChainKind::Tension) > 0 && table.item(FenderKey::CONES).is_none() {
             let message = format!(
                 "`{}`: a tension chain holds a panel that turns, and this fender has no `cones`",
-                table.path_of("chains")
+                table.path_of(FenderKey::CHAINS)
             );
             return refused(message, "give the panel its `cones`, or leave the chain out");
         }
         if has(ChainKind::Tension) > Panel::MOST_CHAINS {
             let message = format!(
                 "`{}` must have at most {} tension chains",
-                table.path_of("chains"),
+                table.path_of(FenderKey::CHAINS),
                 Panel::MOST_CHAINS
             );
             return refused(
@@ -43,24 +52,24 @@ impl Assembly<'_, '_> {
         if has(ChainKind::Weight) > 0 && panel_mass.is_none() {
             return Err(self.missing(
                 table,
-                "panel_mass",
+                FenderKey::PANEL_MASS,
                 "a weight chain carries the panel's mass",
             ));
         }
         Ok((chains, panel_mass.unwrap_or(0.0)))
     }
 
-    fn chain(&self, chain: &Table, face: &Belting) -> Checked<ChainSetup> {
-        let kind: ChainKind = chain.given("kind").choice();
-        let given = |name: &str| chain.item(name).map(|item| *item.number());
-        let unwanted: &[&str] = match kind {
+    fn chain(&self, chain: Of<'_, ChainKey>, face: &Belting) -> Checked<ChainSetup> {
+        let kind: ChainKind = chain.given(ChainKey::KIND).choice();
+        let given = |name: Key<_, Number>| chain.item(name).map(|item| *item.number());
+        let unwanted: &[AnyKey<ChainKey>] = match kind {
             ChainKind::Tension => &[],
-            ChainKind::Shear => &["at"],
-            ChainKind::Weight => &["at", "slack", "length", "span", "stiffness"],
+            ChainKind::Shear => any_keys![ChainKey: AT],
+            ChainKind::Weight => any_keys![ChainKey: AT, SLACK, LENGTH, SPAN, STIFFNESS],
         };
-        for name in unwanted {
-            if let Some(item) = chain.item(name) {
-                let path = chain.path_of(name);
+        for &key in unwanted {
+            if let Some(item) = chain.item(key) {
+                let path = chain.path_of(key);
                 let message = format!("`{path}` is not for {} chains", kind.word());
                 return Err(self.sources.error(&item.key_span, &path, message));
             }
@@ -68,8 +77,12 @@ impl Assembly<'_, '_> {
         let size = self.chain_size(chain)?;
         let break_load_n = match &size {
             Some(size) => size.break_load_n(),
-            None => given("break_load").ok_or_else(|| {
-                self.missing(chain, "break_load", "give it, or the chain's `diameter` and `grade`")
+            None => given(ChainKey::BREAK_LOAD).ok_or_else(|| {
+                self.missing(
+                    chain,
+                    ChainKey::BREAK_LOAD,
+                    "give it, or the chain's `diameter` and `grade`",
+                )
             })?,
         };
         if kind == ChainKind::Weight {
@@ -78,61 +91,65 @@ impl Assembly<'_, '_> {
             return Ok(ChainSetup { kind, at_m: 0.0, slack_m, stiffness_npm, break_load_n });
         }
         if kind == ChainKind::Tension {
-            self.within(chain, "at", face.width_m, "width")?;
+            self.within(chain, ChainKey::AT, face.width_m, "width")?;
         }
-        let at_m = match (kind, given("at")) {
+        let at_m = match (kind, given(ChainKey::AT)) {
             (ChainKind::Tension, None) => {
                 return Err(self.missing(
                     chain,
-                    "at",
+                    ChainKey::AT,
                     "write at = \"-1.5 m\", from the panel's middle",
                 ));
             }
             (_, at_m) => at_m.unwrap_or(0.0),
         };
         let stiffness_npm = match &size {
-            Some(size) => size.stiffness_npm(given("length").ok_or_else(|| {
+            Some(size) => size.stiffness_npm(given(ChainKey::LENGTH).ok_or_else(|| {
                 self.missing(
                     chain,
-                    "length",
+                    ChainKey::LENGTH,
                     "a chain's stiffness by its `diameter` goes with its length",
                 )
             })?),
-            None => given("stiffness")
-                .ok_or_else(|| self.missing(chain, "stiffness", "write stiffness = \"40 MN/m\""))?,
+            None => given(ChainKey::STIFFNESS).ok_or_else(|| {
+                self.missing(chain, ChainKey::STIFFNESS, "write stiffness = \"40 MN/m\"")
+            })?,
         };
         let slack_m = self.slack_m(chain)?;
         Ok(ChainSetup { kind, at_m, slack_m, stiffness_npm, break_load_n })
     }
 
     /// The chain's size; `None` without a `diameter`.
-    fn chain_size(&self, chain: &Table) -> Checked<Option<ChainSize>> {
-        let refuse = |names: &[&str], why: &str| match names.iter().find_map(|n| chain.item(n)) {
+    fn chain_size(&self, chain: Of<'_, ChainKey>) -> Checked<Option<ChainSize>> {
+        let refuse = |keys: &[AnyKey<ChainKey>], why: &str| match keys
+            .iter()
+            .find_map(|key| chain.item(*key))
+        {
             None => Ok(()),
             Some(item) => {
-                let path = chain.path_of(item.name);
+                let path = chain.path_to(item);
                 let message = format!("`{path}` {why}");
                 Err(self.sources.error(&item.key_span, &path, message))
             }
         };
-        let Some(diameter) = chain.item("diameter") else {
-            refuse(&["grade", "link"], "is for chains with a `diameter`")?;
+        let Some(diameter) = chain.item(ChainKey::DIAMETER) else {
+            refuse(any_keys![ChainKey: GRADE, LINK], "is for chains with a `diameter`")?;
             return Ok(None);
         };
         refuse(
-            &["break_load", "stiffness"],
+            any_keys![ChainKey: BREAK_LOAD, STIFFNESS],
             "does not go together with `diameter`, which gives this value",
         )?;
-        let grade: ChainGrade = match chain.item("grade") {
+        let grade: ChainGrade = match chain.item(ChainKey::GRADE) {
             Some(item) => item.choice(),
-            None => return Err(self.missing(chain, "grade", "write grade = \"u2\"")),
+            None => return Err(self.missing(chain, ChainKey::GRADE, "write grade = \"u2\"")),
         };
-        let link = chain.item("link").map_or(ChainLink::Open, Item::choice);
-        if let Some(item) = chain.item("link")
+        let link = chain.item(ChainKey::LINK).map_or(ChainLink::Open, Entry::choice);
+        if let Some(item) = chain.item(ChainKey::LINK)
             && link == ChainLink::Stud
             && grade.is_short_link()
         {
-            let path = chain.path_of("link");
+            let path = chain.path_of(ChainKey::LINK);
             let message = format!("`{path}`: chains of grade 30, 40 and 80 have no studs");
             return Err(self.sources.error(&item.span, &path, message));
         }
@@ -140,24 +157,25 @@ impl Assembly<'_, '_> {
     }
 
     /// Slack of a chain: its length less its span.
-    fn slack_m(&self, chain: &Table) -> Checked<f64> {
-        let [slack, length, span] = ["slack", "length", "span"].map(|name| chain.item(name));
+    fn slack_m(&self, chain: Of<'_, ChainKey>) -> Checked<f64> {
+        let [slack, length, span] =
+            [ChainKey::SLACK, ChainKey::LENGTH, ChainKey::SPAN].map(|name| chain.item(name));
         if let Some(slack) = slack {
             let Some(other) = length.or(span) else { return Ok(*slack.number()) };
-            let path = chain.path_of(other.name);
+            let path = chain.path_to(other);
             let message = format!("`{path}` does not go together with `slack`");
             let error = self.sources.error(&other.key_span, &path, message);
             return Err(error.with_help("keep one of the two"));
         }
-        let need = |name: &str| {
-            chain.item(name).ok_or_else(|| {
-                self.missing(chain, name, "give `slack`, or the chain's `length` and its `span`")
+        let need = |key: Key<ChainKey, Number>| {
+            chain.item(key).ok_or_else(|| {
+                self.missing(chain, key, "give `slack`, or the chain's `length` and its `span`")
             })
         };
-        let (length, span) = (need("length")?, need("span")?);
+        let (length, span) = (need(ChainKey::LENGTH)?, need(ChainKey::SPAN)?);
         let (length_m, span_m) = (*length.number(), *span.number());
         if length_m < span_m {
-            let path = chain.path_of("length");
+            let path = chain.path_of(ChainKey::LENGTH);
             let message = format!(
                 "`{path}` of {length_m} m is shorter than the `span` of {span_m} m between its fastenings"
             );

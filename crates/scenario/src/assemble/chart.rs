@@ -6,23 +6,26 @@ use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 use super::assembly::{Assembly, Checked};
 use crate::chart::projection::Projected;
 use crate::chart::{Budget, Placing, read};
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::chart::Coordinates;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::Text;
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::chart::{ChartKey, ChartOriginKey, Coordinates};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     /// The chart; empty without its table.
-    pub(super) fn chart(&self, table: Option<&Table>) -> Checked<Chart> {
+    pub(super) fn chart(&self, table: Option<Of<'_, ChartKey>>) -> Checked<Chart> {
         let Some(table) = table else { return Ok(Chart::default()) };
         let (placing, origin) = self.placing(table)?;
-        let files = table.given("files");
+        let files = table.given(ChartKey::FILES);
         if files.texts().is_empty() {
-            let path = table.path_of("files");
+            let path = table.path_of(ChartKey::FILES);
             let message = format!("`{path}` is empty: it must name a GeoJSON file");
             return Err(self.sources.error(&files.span, &path, message));
         }
-        let key = table.path_of("files");
+        let key = table.path_of(ChartKey::FILES);
         let mut budget = Budget::OF_CHART;
         let mut features = Vec::new();
         for name in files.texts() {
@@ -33,12 +36,12 @@ impl Assembly<'_, '_> {
 
     /// The conversion from the coordinates of the files to those of the scenario, and the place of the scenario's
     /// origin on the earth.
-    fn placing(&self, table: &Table) -> Checked<(Placing, Option<GeographicPlace>)> {
-        let [projection, origin] = ["projection", "origin"].map(|key| table.item(key));
-        let coordinates = table.given("coordinates");
-        if coordinates.choice::<Coordinates>() == Coordinates::Metres {
-            if let Some(item) = projection.or(origin) {
-                let path = table.path_of(item.name);
+    fn placing(&self, table: Of<'_, ChartKey>) -> Checked<(Placing, Option<GeographicPlace>)> {
+        let (projection, origin) = (table.item(ChartKey::PROJECTION), table.item(ChartKey::ORIGIN));
+        let coordinates = table.given(ChartKey::COORDINATES);
+        if coordinates.choice() == Coordinates::Metres {
+            if let Some(item) = table.first_of(any_keys![ChartKey: PROJECTION, ORIGIN]) {
+                let path = table.path_to(item);
                 let message = format!("`{path}` is for a chart in longitude and latitude");
                 let error = self.sources.error(&item.key_span, &path, message);
                 return Err(
@@ -48,7 +51,10 @@ impl Assembly<'_, '_> {
             return Ok((Placing::Metres, None));
         }
         let (Some(projection), Some(origin)) = (projection, origin) else {
-            let missing = if projection.is_none() { "projection" } else { "origin" };
+            let missing = match projection {
+                None => ChartKey::PROJECTION.any(),
+                Some(_) => ChartKey::ORIGIN.any(),
+            };
             let path = table.path_of(missing);
             let message = format!(
                 "`{path}` is missing: longitude and latitude become metres only by a projection about an origin"
@@ -60,22 +66,24 @@ impl Assembly<'_, '_> {
             ));
         };
         let angle = |key| *origin.table().given(key).number();
-        let origin =
-            GeographicPlace { latitude_rad: angle("latitude"), longitude_rad: angle("longitude") };
+        let origin = GeographicPlace {
+            latitude_rad: angle(ChartOriginKey::LATITUDE),
+            longitude_rad: angle(ChartOriginKey::LONGITUDE),
+        };
         Ok((Placing::Degrees(Projected::about(origin, projection.choice())), Some(origin)))
     }
 
     /// The corners of the area of the chart that `chart_outline` names, in the body's axes.
     pub(super) fn chart_outline(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, BodyKey>,
+        item: Entry<'_, Text>,
         chart: &Chart,
     ) -> Checked<Vec<Vec2>> {
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let wanted = item.text();
         let complain = |message: String| self.sources.error(&item.span, &path, message);
-        if !*table.given("fixed").flag() {
+        if !*table.given(BodyKey::FIXED).flag() {
             let message = format!("`{path}` is for a fixed body");
             return Err(complain(message).with_help("write fixed = true"));
         }
@@ -91,8 +99,8 @@ impl Assembly<'_, '_> {
             [rings] => match rings.as_slice() {
                 [ring] => {
                     let pose = Pose::new(
-                        *table.given("position").vector(),
-                        *table.given("heading").number(),
+                        *table.given(BodyKey::POSITION).vector(),
+                        *table.given(BodyKey::HEADING).number(),
                     );
                     Ok(ring.iter().map(|corner| pose.apply_inverse(*corner)).collect())
                 }

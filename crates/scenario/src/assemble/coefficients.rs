@@ -16,10 +16,16 @@ use fenderline_sim::{CurrentTable, Environment};
 use self::angles::{Angles, angles};
 use self::row::{Flow, Row};
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::csv::{Csv, Layout};
 use fenderline_keys::error::Notice;
-use fenderline_keys::keys::coefficients::{Convention, Held, OF_FORCES, OF_OWN};
+use fenderline_keys::held::{Number, OneOf};
+use fenderline_keys::keys::coefficients::{
+    CoefficientsKey, Convention, CurrentCoefficientsKey, Held, OF_FORCES, OF_OWN,
+    WindCoefficientsKey,
+};
+use fenderline_keys::keys::vessel::VesselKey;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// Bounds of coefficients: beyond anything that a ship has.
 const COEFFICIENT: [f64; 2] = [-20.0, 20.0];
@@ -50,24 +56,26 @@ impl Assembly<'_, '_> {
     /// The windage of a vessel with the user's wind coefficients, if the vessel's table has them.
     pub(super) fn own_wind(
         &mut self,
-        vessel: &Table,
+        vessel: Of<'_, VesselKey>,
         ship: &Particulars,
         windage: Option<&ShipWindage>,
     ) -> Checked<Option<ShipWindage>> {
-        let Some(item) = vessel.item("wind_coefficients") else { return Ok(None) };
+        let Some(item) = vessel.item(VesselKey::WIND_COEFFICIENTS) else { return Ok(None) };
         let of = item.table();
-        let loads = self.load_table(of, ship, Flow::Wind)?;
-        let number = |name: &str| *of.given(name).number();
-        let (length_m, lateral_m2) = (number("yaw_length"), number("sway_area"));
-        let height_m = match (of.item("centroid_height"), windage) {
+        let shared = of.read_as::<CoefficientsKey>();
+        let loads = self.load_table(shared, ship, Flow::Wind)?;
+        let number = |name: Key<_, Number>| *shared.given(name).number();
+        let (length_m, lateral_m2) =
+            (number(CoefficientsKey::YAW_LENGTH), number(CoefficientsKey::SWAY_AREA));
+        let height_m = match (of.item(WindCoefficientsKey::CENTROID_HEIGHT), windage) {
             (Some(item), _) => *item.number(),
             (None, Some(windage)) => windage.centroid_height_m,
             (None, None) => 0.5 * lateral_m2 / length_m,
         };
-        if let Some(other) = vessel.item("windage") {
+        if let Some(other) = vessel.item(VesselKey::WINDAGE) {
             self.notices.push(Notice {
                 place: self.sources.place(&other.key_span),
-                key: vessel.path_of("windage"),
+                key: vessel.path_of(VesselKey::WINDAGE),
                 message: "only the height of its centroid is used: areas and coefficients come \
                     from `wind_coefficients`"
                     .to_owned(),
@@ -76,14 +84,14 @@ impl Assembly<'_, '_> {
         let windage = ShipWindage {
             length_m,
             beam_m: ship.beam_m,
-            frontal_m2: number("surge_area"),
+            frontal_m2: number(CoefficientsKey::SURGE_AREA),
             lateral_m2,
             centroid_forward_m: 0.0,
             centroid_height_m: height_m,
             method: WindMethod::Own(OwnWindTable {
                 loads: Arc::new(loads),
-                reference_height_m: number("reference_height"),
-                source: of.given("source").text().into(),
+                reference_height_m: *of.given(WindCoefficientsKey::REFERENCE_HEIGHT).number(),
+                source: shared.given(CoefficientsKey::SOURCE).text().into(),
             }),
         };
         windage.check().map_err(|error| self.refused(vessel, item, &error))?;
@@ -93,17 +101,21 @@ impl Assembly<'_, '_> {
     /// The current coefficients of a vessel, if the vessel's table has them.
     pub(super) fn own_current(
         &mut self,
-        vessel: &Table,
+        vessel: Of<'_, VesselKey>,
         ship: &Particulars,
         environment: &Environment,
     ) -> Checked<Option<CurrentTable>> {
-        let Some(item) = vessel.item("current_coefficients") else { return Ok(None) };
+        let Some(item) = vessel.item(VesselKey::CURRENT_COEFFICIENTS) else { return Ok(None) };
         let of = item.table();
-        let loads = self.load_table(of, ship, Flow::Current)?;
-        self.note_depths(of, &loads, ship, environment);
-        let number = |name: &str| *of.given(name).number();
-        let speeds_mps = [number("alone_until"), number("gone_from")];
-        CurrentTable::new(loads, speeds_mps, of.given("source").text())
+        let shared = of.read_as::<CoefficientsKey>();
+        let loads = self.load_table(shared, ship, Flow::Current)?;
+        self.note_depths(shared, &loads, ship, environment);
+        let number = |name: Key<_, Number>| *of.given(name).number();
+        let speeds_mps = [
+            number(CurrentCoefficientsKey::ALONE_UNTIL),
+            number(CurrentCoefficientsKey::GONE_FROM),
+        ];
+        CurrentTable::new(loads, speeds_mps, shared.given(CoefficientsKey::SOURCE).text())
             .map(Some)
             .map_err(|error| self.refused(vessel, item, &error))
     }
@@ -111,7 +123,7 @@ impl Assembly<'_, '_> {
     /// Notes depths of the run that are outside the depths of the table.
     fn note_depths(
         &mut self,
-        of: &Table,
+        of: Of<'_, CoefficientsKey>,
         loads: &LoadTable,
         ship: &Particulars,
         environment: &Environment,
@@ -123,8 +135,8 @@ impl Assembly<'_, '_> {
         }
         let mut note = |words: String| {
             self.notices.push(Notice {
-                place: self.sources.place(&of.given("file").span),
-                key: of.path_of("file"),
+                place: self.sources.place(&of.given(CoefficientsKey::FILE).span),
+                key: of.path_of(CoefficientsKey::FILE),
                 message: words,
             });
         };
@@ -151,16 +163,23 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn load_table(&mut self, of: &Table, ship: &Particulars, flow: Flow) -> Checked<LoadTable> {
+    fn load_table(
+        &mut self,
+        of: Of<'_, CoefficientsKey>,
+        ship: &Particulars,
+        flow: Flow,
+    ) -> Checked<LoadTable> {
         let convention = self.convention(of)?;
-        self.only_with(of, "quantity", "forces", &OF_FORCES)?;
-        let held: Held = of.given("quantity").choice();
-        let file = of.given("file");
-        let key = of.path_of("file");
+        self.only_with(of, CoefficientsKey::QUANTITY, "forces", OF_FORCES)?;
+        let held: Held = of.given(CoefficientsKey::QUANTITY).choice();
+        let file = of.given(CoefficientsKey::FILE);
+        let key = of.path_of(CoefficientsKey::FILE);
         let known = known(held, flow);
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let skip_lines = of.item("skip_lines").map_or(0.0, |item| *item.number());
-        if let Some(item) = of.item("skip_lines").filter(|_| skip_lines.fract() != 0.0) {
+        let skip_lines = of.item(CoefficientsKey::SKIP_LINES).map_or(0.0, |item| *item.number());
+        if let Some(item) =
+            of.item(CoefficientsKey::SKIP_LINES).filter(|_| skip_lines.fract() != 0.0)
+        {
             return Err(self.refused(
                 of,
                 item,
@@ -169,15 +188,15 @@ impl Assembly<'_, '_> {
         }
         let layout = Layout {
             skip_lines: skip_lines as usize,
-            columns: of.item("columns").map(Item::texts),
+            columns: of.item(CoefficientsKey::COLUMNS).map(Entry::texts),
         };
         let text = self.files.text(file.text());
         let csv = Csv::parse_laid_out(text, file.text(), &key, &known, layout)?;
         let columns = columns(&csv, held)?;
         if let Across::AtPerpendiculars(_) = columns.across {
-            let about = of.given("moment_about");
+            let about = of.given(CoefficientsKey::MOMENT_ABOUT);
             if !about.is_default {
-                let path = of.path_of("moment_about");
+                let path = of.path_of(CoefficientsKey::MOMENT_ABOUT);
                 let message = format!(
                     "`{path}` does nothing: forces at the perpendiculars have no separate moment"
                 );
@@ -264,7 +283,7 @@ impl Assembly<'_, '_> {
     /// The tables of all depths at the vessel's draught.
     fn at_draught(
         &mut self,
-        of: &Table,
+        of: Of<'_, CoefficientsKey>,
         draughts: &[f64],
         depths: usize,
         tables: Vec<Vec<[f64; 3]>>,
@@ -274,8 +293,8 @@ impl Assembly<'_, '_> {
         let last = draughts.len() - 1;
         if draughts.len() > 1 && (draught_m < draughts[0] || draught_m > draughts[last]) {
             self.notices.push(Notice {
-                place: self.sources.place(&of.given("file").span),
-                key: of.path_of("file"),
+                place: self.sources.place(&of.given(CoefficientsKey::FILE).span),
+                key: of.path_of(CoefficientsKey::FILE),
                 message: format!(
                     "her draught of {draught_m} m is outside the draughts of the table, {} to {} \
                      m: the nearest draught is used",
@@ -297,20 +316,26 @@ impl Assembly<'_, '_> {
         low.iter().zip(&high).map(mixed).collect()
     }
 
-    fn convention(&self, of: &Table) -> Checked<Convention> {
-        self.only_with(of, "convention", "own", &OF_OWN)?;
-        let is = |key: &str| of.given(key).choice::<bool>();
-        Ok(of.given("convention").choice::<Option<Convention>>().unwrap_or_else(|| Convention {
-            zero_is_ahead: is("angle_zero"),
-            side_is_port: is("angle_side"),
-            surge_forward: is("surge_positive"),
-            sway_to_starboard: is("sway_positive"),
-            yaw_to_starboard: is("yaw_positive"),
+    fn convention(&self, of: Of<'_, CoefficientsKey>) -> Checked<Convention> {
+        self.only_with(of, CoefficientsKey::CONVENTION, "own", OF_OWN)?;
+        let is = |key: Key<_, OneOf<bool>>| of.given(key).choice();
+        Ok(of.given(CoefficientsKey::CONVENTION).choice().unwrap_or_else(|| Convention {
+            zero_is_ahead: is(CoefficientsKey::ANGLE_ZERO),
+            side_is_port: is(CoefficientsKey::ANGLE_SIDE),
+            surge_forward: is(CoefficientsKey::SURGE_POSITIVE),
+            sway_to_starboard: is(CoefficientsKey::SWAY_POSITIVE),
+            yaw_to_starboard: is(CoefficientsKey::YAW_POSITIVE),
         }))
     }
 
     /// Checks that some keys are given where another key has a word, and not otherwise.
-    fn only_with(&self, of: &Table, key: &str, word: &str, keys: &[&str]) -> Checked<()> {
+    fn only_with<T, C>(
+        &self,
+        of: Of<'_, T>,
+        key: Key<T, OneOf<C>>,
+        word: &str,
+        keys: &[AnyKey<T>],
+    ) -> Checked<()> {
         let given = of.given(key);
         for &other in keys {
             let path = of.path_of(other);
@@ -450,16 +475,20 @@ fn axis(csv: &Csv<'_>, column: usize, bounds: [f64; 2]) -> Checked<Vec<f64>> {
 }
 
 /// What a number of the table is times, for X, Y and N over dynamic pressure (m², m², m³).
-fn scales(of: &Table, held: Held) -> [f64; 3] {
-    let number = |name: &str| *of.given(name).number();
+fn scales(of: Of<'_, CoefficientsKey>, held: Held) -> [f64; 3] {
+    let number = |name: Key<_, Number>| *of.given(name).number();
     match held {
         Held::Coefficients => {
-            let lateral_m2 = number("sway_area");
-            [number("surge_area"), lateral_m2, lateral_m2 * number("yaw_length")]
+            let lateral_m2 = number(CoefficientsKey::SWAY_AREA);
+            [
+                number(CoefficientsKey::SURGE_AREA),
+                lateral_m2,
+                lateral_m2 * number(CoefficientsKey::YAW_LENGTH),
+            ]
         }
         Held::Forces => {
-            let speed_mps = number("at_speed");
-            [1.0 / (0.5 * number("at_density") * speed_mps * speed_mps); 3]
+            let speed_mps = number(CoefficientsKey::AT_SPEED);
+            [1.0 / (0.5 * number(CoefficientsKey::AT_DENSITY) * speed_mps * speed_mps); 3]
         }
     }
 }
@@ -470,7 +499,7 @@ fn own_row(
     columns: &Columns,
     row: usize,
     (convention, held, scales): (&Convention, Held, [f64; 3]),
-    of: &Table,
+    of: Of<'_, CoefficientsKey>,
     ship: &Particulars,
 ) -> Checked<Row> {
     let bounds = if held == Held::Coefficients { COEFFICIENT } else { FORCE };
@@ -483,7 +512,7 @@ fn own_row(
             let sway = to_starboard * scales[1] * number(sway)?;
             let yaw = sign(convention.yaw_to_starboard) * scales[2] * number(yaw)?;
             // From the table's point to midship.
-            (sway, yaw + of.given("moment_about").number() * sway)
+            (sway, yaw + of.given(CoefficientsKey::MOMENT_ABOUT).number() * sway)
         }
         Across::AtPerpendiculars([fore, aft]) => {
             let [fore, aft] = [number(fore)?, number(aft)?].map(|y| to_starboard * scales[1] * y);

@@ -5,8 +5,11 @@ use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile}
 
 use super::assembly::{Assembly, Checked};
 use super::environment::{DIRECTIONS_DEG, TIMES_S, along};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::csv::Csv;
+use fenderline_keys::held::{Number, TableOf, Text};
+use fenderline_keys::keys::environment::{CurrentKey, LayerKey};
 
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =
@@ -17,31 +20,41 @@ const PLACES_OR_TIMES: [f64; 2] = TIMES_S;
 const FASTEST_MPS: f64 = 15.0;
 
 impl Assembly<'_, '_> {
-    pub(super) fn current(&self, table: &Table, item: &Item) -> Checked<Current> {
+    pub(super) fn current<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, TableOf<CurrentKey>>,
+    ) -> Checked<Current> {
         let of = item.table();
-        let velocity =
-            |of: &Table| along(*of.given("towards").number()) * *of.given("speed").number();
-        if let Some(file) = of.item("file") {
-            self.none_of(of, &["speed", "towards", "profile"], "file")?;
+        let velocity = |towards: Entry<'_, Number>, speed: Entry<'_, Number>| {
+            along(*towards.number()) * *speed.number()
+        };
+        if let Some(file) = of.item(CurrentKey::FILE) {
+            self.none_of(of, any_keys![CurrentKey: SPEED, TOWARDS, PROFILE], "file")?;
             return self.grid(of, file).map(Current::Grid);
         }
-        if let Some(profile) = of.item("profile") {
-            self.none_of(of, &["speed", "towards"], "profile")?;
+        if let Some(profile) = of.item(CurrentKey::PROFILE) {
+            self.none_of(of, any_keys![CurrentKey: SPEED, TOWARDS], "profile")?;
             let layers = profile.list().iter();
-            let layers = layers.map(|layer| (*layer.given("depth").number(), velocity(layer)));
+            let layers = layers.map(|layer| {
+                let (towards, speed) =
+                    (layer.given(LayerKey::TOWARDS), layer.given(LayerKey::SPEED));
+                (*layer.given(LayerKey::DEPTH).number(), velocity(towards, speed))
+            });
             let profile_read = CurrentProfile::new(layers.collect());
             return profile_read
                 .map(Current::Layered)
                 .map_err(|error| self.refused(of, profile, &error));
         }
         let help = "a current has a `speed` and a `towards`, a `profile`, or a `file`";
-        self.all_of(of, &["speed", "towards"], help)?;
-        Current::uniform(velocity(of)).map_err(|error| self.refused(table, item, &error))
+        self.all_of(of, any_keys![CurrentKey: SPEED, TOWARDS], help)?;
+        Current::uniform(velocity(of.given(CurrentKey::TOWARDS), of.given(CurrentKey::SPEED)))
+            .map_err(|error| self.refused(table, item, &error))
     }
 
     /// A file of currents. Without columns of time or place the current does not depend on them.
-    fn grid(&self, of: &Table, file: &Item) -> Checked<CurrentGrid> {
-        let key = of.path_of("file");
+    fn grid(&self, of: Of<'_, CurrentKey>, file: Entry<'_, Text>) -> Checked<CurrentGrid> {
+        let key = of.path_of(CurrentKey::FILE);
         let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &COLUMNS)?;
         let by_place = csv.has("north_m") || csv.has("east_m");
         let by_time = csv.has("t_s");

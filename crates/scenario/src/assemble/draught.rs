@@ -5,7 +5,10 @@ use fenderline_sim::{BodySetup, FenderSetup, Setup};
 use super::assembly::Assembly;
 use super::plausible::FAR_FROM_WATER_M;
 use super::rows::rounded;
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::{Of, Tables};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::environment::EnvironmentKey;
+use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 
 /// A fender whose lower edge is no higher above the water than this meets most ships (m). Our choice.
@@ -26,8 +29,8 @@ impl Assembly<'_, '_> {
     /// this draught.
     pub(super) fn note_draughts(
         &mut self,
-        file: &Table,
-        fenders: &[(String, Table)],
+        file: Of<'_, ScenarioKey>,
+        fenders: Tables<'_, FenderKey>,
         setup: &Setup,
     ) {
         let draughts = draughts(setup);
@@ -39,13 +42,19 @@ impl Assembly<'_, '_> {
         self.note_high_faces(fenders, setup, &draughts);
     }
 
-    fn note_little_water(&mut self, file: &Table, setup: &Setup, body: usize, draught: &Draught) {
+    fn note_little_water(
+        &mut self,
+        file: Of<'_, ScenarioKey>,
+        setup: &Setup,
+        body: usize,
+        draught: &Draught,
+    ) {
         let Some([least_m, _]) = setup.world.environment.depth_range_m() else { return };
         if least_m >= draught.at_least_m {
             return;
         }
-        let environment = file.given("environment").table();
-        let item = environment.given("depth");
+        let environment = file.given(ScenarioKey::ENVIRONMENT).table();
+        let item = environment.given(EnvironmentKey::DEPTH);
         let message = format!(
             "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was expected",
             rounded(least_m),
@@ -53,12 +62,12 @@ impl Assembly<'_, '_> {
             rounded(draught.at_least_m),
             draught.from
         );
-        self.note_at(&item.span, environment.path_of("depth"), message);
+        self.note_at(&item.span, environment.path_of(EnvironmentKey::DEPTH), message);
     }
 
     fn note_high_faces(
         &mut self,
-        tables: &[(String, Table)],
+        tables: Tables<'_, FenderKey>,
         setup: &Setup,
         draughts: &[Option<Draught>],
     ) {
@@ -74,7 +83,7 @@ impl Assembly<'_, '_> {
             lower_m(fender) > LOW_M && fender.above_water_m <= FAR_FROM_WATER_M
         });
         for ((_, table), fender) in high {
-            let Some(item) = table.item_if_any("above_water") else { continue };
+            let Some(item) = table.item_if_any(FenderKey::ABOVE_WATER) else { continue };
             let lower_m = lower_m(fender);
             let met = match setup.all_other_pairs {
                 Some(_) => &floating,
@@ -95,7 +104,7 @@ impl Assembly<'_, '_> {
                     rounded(draught.at_least_m),
                     draught.from
                 );
-                self.note_at(&item.span, table.path_of(item.name), message);
+                self.note_at(&item.span, table.path_to(item), message);
             }
         }
     }

@@ -14,9 +14,16 @@ use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 use super::assembly::{Assembly, Checked};
 use super::vessel::Kinds;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::held::{Number, TableOf, Text};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::environment::{
+    BankKey, ConstituentKey, EnvironmentKey, TideKey, WavesKey, WindKey,
+};
+use fenderline_keys::typed_key::AnyKey;
 
 /// Number of harmonics of a sea or a gusty wind.
 const HARMONICS: usize = 200;
@@ -28,33 +35,37 @@ pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
 impl Assembly<'_, '_> {
-    pub(super) fn environment(&self, table: &Table, duration_s: f64) -> Checked<Environment> {
-        let depth_m = table.item("depth").map(|item| *item.number());
-        let tide = match table.item("tide") {
+    pub(super) fn environment(
+        &self,
+        table: Of<'_, EnvironmentKey>,
+        duration_s: f64,
+    ) -> Checked<Environment> {
+        let depth_m = table.item(EnvironmentKey::DEPTH).map(|item| *item.number());
+        let tide = match table.item(EnvironmentKey::TIDE) {
             None => Tide::default(),
             Some(item) => self.tide(item)?,
         };
         let start_m = depth_m.map(|depth_m: f64| depth_m + tide.level_m(0.0));
-        let wind = match table.item("wind") {
+        let wind = match table.item(EnvironmentKey::WIND) {
             None => None,
             Some(item) => Some(self.wind(table, item)?),
         };
-        let current = match table.item("current") {
+        let current = match table.item(EnvironmentKey::CURRENT) {
             None => None,
             Some(item) => Some(self.current(table, item)?),
         };
-        let sea = match table.item("waves") {
+        let sea = match table.item(EnvironmentKey::WAVES) {
             None => None,
             Some(item) => {
                 let waves = item.table();
-                if *waves.given("regular").flag() {
-                    self.none_of(waves, &["spreading"], "regular")?;
+                if *waves.given(WavesKey::REGULAR).flag() {
+                    self.none_of(waves, any_keys![WavesKey: SPREADING], "regular")?;
                 }
                 let sea = sea(waves, start_m.unwrap_or(DEEP_M));
                 Some(sea.map_err(|error| self.refused(table, item, &error))?)
             }
         };
-        let long_waves = match table.item("long_waves") {
+        let long_waves = match table.item(EnvironmentKey::LONG_WAVES) {
             None => None,
             Some(item) => {
                 Some(self.long_waves((table, item), start_m, sea.as_ref(), duration_s)?)
@@ -69,25 +80,33 @@ impl Assembly<'_, '_> {
             tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,
-            visibility_m: table.item("visibility").map(|item| *item.number()),
-            water_density_kgpm3: *table.given("water_density").number(),
-            air_density_kgpm3: *table.given("air_density").number(),
+            visibility_m: table.item(EnvironmentKey::VISIBILITY).map(|item| *item.number()),
+            water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
+            air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };
         if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
             let message = "the bottom is above the water throughout the run";
-            return Err(self.refused(table, table.given("depth"), &message));
+            return Err(self.refused(table, table.given(EnvironmentKey::DEPTH), &message));
         }
         Ok(environment)
     }
 
-    pub(super) fn wind(&self, table: &Table, item: &Item) -> Checked<Wind> {
+    pub(super) fn wind<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, TableOf<WindKey>>,
+    ) -> Checked<Wind> {
         let of = item.table();
-        let Some(file) = of.item("file") else {
-            self.all_of(of, &["speed", "from"], "a wind has a `speed` and a `from`, or a `file`")?;
+        let Some(file) = of.item(WindKey::FILE) else {
+            self.all_of(
+                of,
+                any_keys![WindKey: SPEED, FROM],
+                "a wind has a `speed` and a `from`, or a `file`",
+            )?;
             return wind(of).map_err(|error| self.refused(table, item, &error));
         };
-        self.none_of(of, &["speed", "from", "gusts", "gust_admittance", "seed"], "file")?;
-        let key = of.path_of("file");
+        self.none_of(of, any_keys![WindKey: SPEED, FROM, GUSTS, GUST_ADMITTANCE, SEED], "file")?;
+        let key = of.path_of(WindKey::FILE);
         let (csv, [time, speed, from]) =
             self.csv_of(file, &key, ["t_s", "speed_mps", "from_deg"])?;
         let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
@@ -101,18 +120,18 @@ impl Assembly<'_, '_> {
         Ok(Wind::series(series.map_err(|error| self.refused(of, file, &error))?))
     }
 
-    fn tide(&self, item: &Item) -> Checked<Tide> {
+    fn tide(&self, item: Entry<'_, TableOf<TideKey>>) -> Checked<Tide> {
         let of = item.table();
-        let constituents = of.given("constituent").list();
-        let Some(file) = of.item("file") else {
-            self.all_of(of, &["level"], "a tide has a `level` or a `file`")?;
-            let mean_m = *of.given("level").number();
+        let constituents = of.given(TideKey::CONSTITUENT).list();
+        let Some(file) = of.item(TideKey::FILE) else {
+            self.all_of(of, any_keys![TideKey: LEVEL], "a tide has a `level` or a `file`")?;
+            let mean_m = *of.given(TideKey::LEVEL).number();
             let constituents: Vec<TideConstituent> = constituents
                 .iter()
                 .map(|of| TideConstituent {
-                    amplitude_m: *of.given("amplitude").number(),
-                    period_s: *of.given("period").number(),
-                    lag_rad: *of.given("lag").number(),
+                    amplitude_m: *of.given(ConstituentKey::AMPLITUDE).number(),
+                    period_s: *of.given(ConstituentKey::PERIOD).number(),
+                    lag_rad: *of.given(ConstituentKey::LAG).number(),
                 })
                 .collect();
             return Ok(match constituents.is_empty() {
@@ -120,11 +139,11 @@ impl Assembly<'_, '_> {
                 false => Tide::Harmonic { mean_m, constituents },
             });
         };
-        self.none_of(of, &["level"], "file")?;
+        self.none_of(of, any_keys![TideKey: LEVEL], "file")?;
         if !constituents.is_empty() {
-            return Err(self.not_together(of, of.given("constituent"), "file"));
+            return Err(self.not_together(of, of.given(TideKey::CONSTITUENT), "file"));
         }
-        let key = of.path_of("file");
+        let key = of.path_of(TideKey::FILE);
         let (csv, [time, level]) = self.csv_of(file, &key, ["t_s", "level_m"])?;
         let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
             Ok([csv.number(row, time, TIMES_S)?, csv.number(row, level, [-30.0, 30.0])?])
@@ -137,7 +156,7 @@ impl Assembly<'_, '_> {
     /// A file that must have all of these columns and no others, with the index of each column.
     pub(super) fn csv_of<'c, const N: usize>(
         &'c self,
-        file: &'c Item,
+        file: Entry<'c, Text>,
         key: &'c str,
         columns: [&str; N],
     ) -> Checked<(Csv<'c>, [usize; N])> {
@@ -149,22 +168,24 @@ impl Assembly<'_, '_> {
         Ok((csv, indices))
     }
 
-    fn squat(&self, table: &Table) -> Checked<Option<Squat>> {
-        let Some(item) = table.item("squat") else { return Ok(Some(Squat::default())) };
-        if table.item("depth").is_none() {
-            let path = table.path_of("squat");
+    fn squat(&self, table: Of<'_, EnvironmentKey>) -> Checked<Option<Squat>> {
+        let Some(item) = table.item(EnvironmentKey::SQUAT) else {
+            return Ok(Some(Squat::default()));
+        };
+        if table.item(EnvironmentKey::DEPTH).is_none() {
+            let path = table.path_of(EnvironmentKey::SQUAT);
             let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
             return Err(self.sources.error(&item.key_span, &path, message));
         }
         Ok(item.choice())
     }
 
-    fn banks(&self, table: &Table) -> Checked<Vec<Bank>> {
-        let banks = table.given("bank").list().iter();
-        let bank = |of: &Table| {
-            let [from_m, to_m] = ["from", "to"].map(|end| *of.given(end).vector());
-            let bank = Bank::new(from_m, to_m, of.given("method").choice());
-            bank.map_err(|error| self.refused(of, of.given("to"), &error))
+    fn banks(&self, table: Of<'_, EnvironmentKey>) -> Checked<Vec<Bank>> {
+        let banks = table.given(EnvironmentKey::BANK).list().iter();
+        let bank = |of: Of<'_, BankKey>| {
+            let [from_m, to_m] = [BankKey::FROM, BankKey::TO].map(|end| *of.given(end).vector());
+            let bank = Bank::new(from_m, to_m, of.given(BankKey::METHOD).choice());
+            bank.map_err(|error| self.refused(of, of.given(BankKey::TO), &error))
         };
         banks.map(bank).collect()
     }
@@ -172,12 +193,13 @@ impl Assembly<'_, '_> {
     /// Adds notices if a part of the environment is unvalidated, or a formula is used outside its range.
     pub(super) fn note_unvalidated(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         environment: &Environment,
         kinds: &Kinds,
     ) {
-        let surroundings = file.given("environment").table();
-        let mut banks = surroundings.given("bank").list().iter().zip(&environment.banks);
+        let surroundings = file.given(ScenarioKey::ENVIRONMENT).table();
+        let mut banks =
+            surroundings.given(EnvironmentKey::BANK).list().iter().zip(&environment.banks);
         if let Some((first, _)) = banks.find(|(_, bank)| bank.method() == BankMethod::Norrbin) {
             self.note(
                 first,
@@ -229,11 +251,11 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses a table that lacks one of several keys that belong together.
-    pub(super) fn all_of(&self, of: &Table, keys: &[&str], help: &str) -> Checked<()> {
-        match keys.iter().find(|key| of.item(key).is_none()) {
+    pub(super) fn all_of<T>(&self, of: Of<'_, T>, keys: &[AnyKey<T>], help: &str) -> Checked<()> {
+        match keys.iter().find(|key| of.item(**key).is_none()) {
             None => Ok(()),
             Some(key) => {
-                let path = of.path_of(key);
+                let path = of.path_of(*key);
                 let error = self.sources.error(&of.span, &path, format!("`{path}` is missing"));
                 Err(error.with_help(help))
             }
@@ -241,55 +263,67 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses keys that would have no effect beside another key.
-    pub(super) fn none_of(&self, of: &Table, keys: &[&str], beside: &str) -> Checked<()> {
-        match keys.iter().find_map(|key| of.item(key)) {
+    pub(super) fn none_of<T>(
+        &self,
+        of: Of<'_, T>,
+        keys: &[AnyKey<T>],
+        beside: &str,
+    ) -> Checked<()> {
+        match keys.iter().find_map(|key| of.item(*key)) {
             None => Ok(()),
             Some(item) => Err(self.not_together(of, item, beside)),
         }
     }
 
-    pub(super) fn not_together(&self, of: &Table, item: &Item, beside: &str) -> ScenarioError {
-        let path = of.path_of(item.name);
+    pub(super) fn not_together<T, V>(
+        &self,
+        of: Of<'_, T>,
+        item: Entry<'_, V>,
+        beside: &str,
+    ) -> ScenarioError {
+        let path = of.path_to(item);
         let message = format!("`{path}` does not go together with `{beside}`");
         self.sources.error(&item.key_span, &path, message)
     }
 }
 
-fn wind(table: &Table) -> Result<Wind, EnvironmentError> {
+fn wind(table: Of<'_, WindKey>) -> Result<Wind, EnvironmentError> {
     let mean = MeanWind {
-        speed_mps: *table.given("speed").number(),
-        from_rad: *table.given("from").number(),
+        speed_mps: *table.given(WindKey::SPEED).number(),
+        from_rad: *table.given(WindKey::FROM).number(),
         profile: WindProfile::Uniform,
     };
-    if !table.item("gusts").is_some_and(|item| *item.flag()) {
+    if !table.item(WindKey::GUSTS).is_some_and(|item| *item.flag()) {
         return Wind::steady(mean);
     }
-    let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table))?;
-    let is_averaged = table.item("gust_admittance").is_none_or(|item| *item.flag());
+    let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table.item(WindKey::SEED)))?;
+    let is_averaged = table.item(WindKey::GUST_ADMITTANCE).is_none_or(|item| *item.flag());
     Wind::with_gusts(mean, if is_averaged { gusts } else { gusts.uniform() })
 }
 
-fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {
-    let (height_m, period_s) = (*table.given("height").number(), *table.given("period").number());
-    let towards_rad = table.given("from").number() + PI;
-    if *table.given("regular").flag() {
+fn sea(table: Of<'_, WavesKey>, depth_m: f64) -> Result<Sea, EnvironmentError> {
+    let (height_m, period_s) =
+        (*table.given(WavesKey::HEIGHT).number(), *table.given(WavesKey::PERIOD).number());
+    let towards_rad = table.given(WavesKey::FROM).number() + PI;
+    if *table.given(WavesKey::REGULAR).flag() {
         let wave = RegularWave { height_m, period_s, phase_rad: 0.0 };
         return Sea::regular(wave, towards_rad, depth_m);
     }
     let spectrum = Jonswap {
         height_m,
         peak_period_s: period_s,
-        peak_enhancement: *table.given("peakedness").number(),
+        peak_enhancement: *table.given(WavesKey::PEAKEDNESS).number(),
     };
-    let sea = Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))?;
-    match table.item("spreading") {
+    let sea =
+        Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table.item(WavesKey::SEED)))?;
+    match table.item(WavesKey::SPREADING) {
         None => Ok(sea),
         Some(item) => sea.short_crested(*item.number()),
     }
 }
 
-fn realisation(table: &Table) -> Realisation {
-    let seed = table.item("seed").map_or(1.0, |item| *item.number());
+fn realisation(seed: Option<Entry<'_, Number>>) -> Realisation {
+    let seed = seed.map_or(1.0, |item| *item.number());
     Realisation { harmonics: HARMONICS, seed: seed as u64 }
 }
 

@@ -2,17 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_sim::{Change, Fault, PlannedChange, Setup, VesselSetup};
+use fenderline_sim::{Change, PlannedChange, Setup, VesselSetup};
 
 use super::assembly::{Assembly, Checked, Names};
 use super::orders::places;
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::event::{CAN_END, OF_VESSEL, WHAT};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, List, Of};
+use fenderline_keys::held::Text;
+use fenderline_keys::keys::event::{
+    CAN_END, CurrentChangeKey, EventKey, OF_VESSEL, VisibilityChangeKey, WHAT, WindChangeKey,
+};
+use fenderline_keys::typed_key::Anything;
 
 impl Assembly<'_, '_> {
     pub(super) fn events(
         &self,
-        events: &[Table],
+        events: List<'_, EventKey>,
         setup: &Setup,
         names: &Names,
     ) -> Checked<Vec<PlannedChange>> {
@@ -22,51 +27,48 @@ impl Assembly<'_, '_> {
 
     fn event(
         &self,
-        table: &Table,
+        table: Of<'_, EventKey>,
         setup: &Setup,
         (names, vessels): (&Names, &BTreeMap<usize, usize>),
     ) -> Checked<PlannedChange> {
         let what = self.what_happens(table)?;
         self.check_beside(table, what)?;
-        let on = !*table.given("ends").flag();
+        let on = !*table.given(EventKey::ENDS).flag();
         let world = &setup.world;
-        let vessel = || match table.item("vessel") {
+        let vessel = || match table.item(EventKey::VESSEL) {
             Some(item) => self.vessel_named(table, item, vessels, names),
             None => {
-                let path = table.path_of("vessel");
+                let path = table.path_of(EventKey::VESSEL);
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
                 Err(error.with_help("name the body of the vessel"))
             }
         };
-        let change = match what.name {
-            "wind" | "current" | "visibility" => of_weather(what),
-            "fault" => Change::Fault { vessel: vessel()?, fault: what.choice::<Fault>(), on },
-            "thruster_out" => {
-                let vessel = vessel()?;
-                let unit = self.thruster(table, what, &world.vessels[vessel])?;
-                Change::Thruster { vessel, unit, on }
-            }
-            "line_parts" => {
-                let known = || world.lines.iter().map(|line| line.line.name.as_str());
-                Change::PartLine(self.numbered("line", table, what, known())?)
-            }
-            _ => {
-                debug_assert_eq!(what.name, "tug_out", "all other words are above");
-                let known = || world.tugs.iter().map(|tug| tug.tug.name.as_str());
-                Change::TugOut { tug: self.numbered("tug", table, what, known())?, on }
-            }
+        let change = if let Some(fault) = table.item(EventKey::FAULT) {
+            Change::Fault { vessel: vessel()?, fault: fault.choice(), on }
+        } else if let Some(unit) = table.item(EventKey::THRUSTER_OUT) {
+            let vessel = vessel()?;
+            let unit = self.thruster(table, unit, &world.vessels[vessel])?;
+            Change::Thruster { vessel, unit, on }
+        } else if let Some(line) = table.item(EventKey::LINE_PARTS) {
+            let known = || world.lines.iter().map(|line| line.line.name.as_str());
+            Change::PartLine(self.numbered("line", table, line, known())?)
+        } else if let Some(tug) = table.item(EventKey::TUG_OUT) {
+            let known = || world.tugs.iter().map(|tug| tug.tug.name.as_str());
+            Change::TugOut { tug: self.numbered("tug", table, tug, known())?, on }
+        } else {
+            of_weather(table)
         };
         change.check(setup).map_err(|error| self.refused(table, what, &error))?;
-        Ok(PlannedChange { at_s: *table.given("at").number(), change })
+        Ok(PlannedChange { at_s: *table.given(EventKey::AT).number(), change })
     }
 
     /// The one key that says what happens.
-    fn what_happens<'t>(&self, table: &'t Table) -> Checked<&'t Item> {
-        let mut given = WHAT.iter().filter_map(|key| table.item(key));
+    fn what_happens<'t>(&self, table: Of<'t, EventKey>) -> Checked<Entry<'t, Anything>> {
+        let mut given = WHAT.iter().filter_map(|key| table.item(*key));
         match (given.next(), given.next()) {
             (Some(what), None) => Ok(what),
             (Some(_), Some(second)) => {
-                let path = table.path_of(second.name);
+                let path = table.path_to(second);
                 let message = format!("`{path}`: a second event in one table");
                 let error = self.sources.error(&second.key_span, &path, message);
                 Err(error.with_help("write a second [[event]]"))
@@ -74,19 +76,20 @@ impl Assembly<'_, '_> {
             (None, _) => {
                 let message = format!("in `{}` nothing happens", table.path);
                 let error = self.sources.error(&table.span, &table.path, message);
-                Err(error.with_help(format!("there are {}", WHAT.join(", "))))
+                let words: Vec<&str> = WHAT.iter().map(|key| key.name()).collect();
+                Err(error.with_help(format!("there are {}", words.join(", "))))
             }
         }
     }
 
     /// Refuses keys that the event does not use.
-    fn check_beside(&self, table: &Table, what: &Item) -> Checked<()> {
-        if !OF_VESSEL.contains(&what.name) {
-            self.none_of(table, &["vessel"], what.name)?;
+    fn check_beside<V>(&self, table: Of<'_, EventKey>, what: Entry<'_, V>) -> Checked<()> {
+        if !OF_VESSEL.iter().any(|key| what.is(*key)) {
+            self.none_of(table, any_keys![EventKey: VESSEL], what.name)?;
         }
-        let ends = table.given("ends");
-        if *ends.flag() && !CAN_END.contains(&what.name) {
-            let path = table.path_of("ends");
+        let ends = table.given(EventKey::ENDS);
+        if *ends.flag() && !CAN_END.iter().any(|key| what.is(*key)) {
+            let path = table.path_of(EventKey::ENDS);
             let message = format!("`{path}` does not go together with `{}`", what.name);
             return Err(self.sources.error(&ends.key_span, &path, message));
         }
@@ -94,15 +97,20 @@ impl Assembly<'_, '_> {
     }
 
     /// The number of a thruster or an azimuth unit.
-    fn thruster(&self, table: &Table, what: &Item, of: &VesselSetup) -> Checked<usize> {
+    fn thruster<T>(
+        &self,
+        table: Of<'_, T>,
+        what: Entry<'_, Text>,
+        of: &VesselSetup,
+    ) -> Checked<usize> {
         self.numbered("thruster", table, what, of.unit_names())
     }
 
-    fn numbered<'n>(
+    fn numbered<'n, T>(
         &self,
         kind: &str,
-        table: &Table,
-        what: &Item,
+        table: Of<'_, T>,
+        what: Entry<'_, Text>,
         mut known: impl Iterator<Item = &'n str> + Clone,
     ) -> Checked<usize> {
         let all = known.clone();
@@ -112,18 +120,26 @@ impl Assembly<'_, '_> {
 }
 
 /// A change of wind, current or visibility.
-fn of_weather(what: &Item) -> Change {
-    let of = what.table();
-    let number = |key: &str| *of.given(key).number();
-    let over_s = number("over");
-    match what.name {
-        "wind" => Change::Wind { speed_mps: number("speed"), from_rad: number("from"), over_s },
-        "current" => Change::Current {
-            speed_mps: number("speed"),
-            to_rad: number("towards"),
-            over_s,
+fn of_weather(event: Of<'_, EventKey>) -> Change {
+    if let Some(wind) = event.item(EventKey::WIND).map(Entry::table) {
+        return Change::Wind {
+            speed_mps: *wind.given(WindChangeKey::SPEED).number(),
+            from_rad: *wind.given(WindChangeKey::FROM).number(),
+            over_s: *wind.given(WindChangeKey::OVER).number(),
+        };
+    }
+    if let Some(current) = event.item(EventKey::CURRENT).map(Entry::table) {
+        return Change::Current {
+            speed_mps: *current.given(CurrentChangeKey::SPEED).number(),
+            to_rad: *current.given(CurrentChangeKey::TOWARDS).number(),
+            over_s: *current.given(CurrentChangeKey::OVER).number(),
             at: None,
-        },
-        _ => Change::Visibility { distance_m: of.item("distance").map(|of| *of.number()), over_s },
+        };
+    }
+    let visibility = event.item(EventKey::VISIBILITY).map(Entry::table);
+    let visibility = visibility.unwrap_or_else(|| unreachable!("all other words are above"));
+    Change::Visibility {
+        distance_m: visibility.item(VisibilityChangeKey::DISTANCE).map(|of| *of.number()),
+        over_s: *visibility.given(VisibilityChangeKey::OVER).number(),
     }
 }

@@ -7,10 +7,14 @@ use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Mea
 
 use super::assembly::listed;
 use super::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::exercise::GoalWord;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::{Number, Texts};
+use fenderline_keys::keys::exercise::{
+    ExerciseKey, ExerciseLimitKey, GoalWord, ScoreKey, limit_key,
+};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::Key;
 
 /// Largest distance from the fenders at which a ship counts as alongside, unless the scenario gives another
 /// distance (m); our choice.
@@ -26,7 +30,7 @@ const AT_PLACE_M: f64 = 50.0;
 impl Assembly<'_, '_> {
     pub(super) fn exercise(
         &mut self,
-        table: Option<&Table>,
+        table: Option<Of<'_, ExerciseKey>>,
         setup: &Setup,
         names: &Names,
     ) -> Checked<Option<ExerciseSetup>> {
@@ -34,33 +38,42 @@ impl Assembly<'_, '_> {
         let vessel = self.vessel_of_exercise(table, setup, names)?;
         let berth = self.berth_of_exercise(table, setup, vessel, names)?;
         let goal = self.goal(table, setup, vessel)?;
-        let limits = self.limits(table.given("limit").table(), setup, berth)?;
+        let limits = self.limits(table.given(ExerciseKey::LIMIT).table(), setup, berth)?;
         let needs_berth = goal.iter().any(Condition::needs_berth)
             || limits.iter().any(|limit| limit.measure.needs_berth());
         if needs_berth && berth.is_none() {
-            let path = table.path_of("berth");
+            let path = table.path_of(ExerciseKey::BERTH);
             let message = format!("`{path}`: no body without a vessel has fenders");
             let error = self.sources.error(&table.span, &path, message);
             return Err(error.with_help("name the body whose fenders are the berth"));
         }
         Ok(Some(ExerciseSetup {
-            task: table.item("task").map_or_else(String::new, |item| item.text().to_owned()),
+            task: table
+                .item(ExerciseKey::TASK)
+                .map_or_else(String::new, |item| item.text().to_owned()),
             vessel,
             berth,
             goal,
-            hold_s: *table.given("hold").number(),
-            time_limit_s: table.item("time_limit").map_or(f64::INFINITY, |item| *item.number()),
-            pass_mark: *table.given("pass_mark").number(),
+            hold_s: *table.given(ExerciseKey::HOLD).number(),
+            time_limit_s: table
+                .item(ExerciseKey::TIME_LIMIT)
+                .map_or(f64::INFINITY, |item| *item.number()),
+            pass_mark: *table.given(ExerciseKey::PASS_MARK).number(),
             limits,
         }))
     }
 
-    fn vessel_of_exercise(&self, table: &Table, setup: &Setup, names: &Names) -> Checked<usize> {
-        let item = table.given("vessel");
+    fn vessel_of_exercise(
+        &self,
+        table: Of<'_, ExerciseKey>,
+        setup: &Setup,
+        names: &Names,
+    ) -> Checked<usize> {
+        let item = table.given(ExerciseKey::VESSEL);
         let body = self.body_named(table, item, item.name(), names)?;
         let found = setup.world.vessels.iter().position(|vessel| vessel.body == body);
         found.ok_or_else(|| {
-            let path = table.path_of(item.name);
+            let path = table.path_to(item);
             let message = format!("`{path}`: body {} is no vessel", quoted(item.name()));
             self.sources.error(&item.span, &path, message)
         })
@@ -68,18 +81,18 @@ impl Assembly<'_, '_> {
 
     fn berth_of_exercise(
         &self,
-        table: &Table,
+        table: Of<'_, ExerciseKey>,
         setup: &Setup,
         vessel: usize,
         names: &Names,
     ) -> Checked<Option<Berth>> {
         let vessels = &setup.world.vessels;
         let own = vessels[vessel].body;
-        let Some(item) = table.item("berth") else {
+        let Some(item) = table.item(ExerciseKey::BERTH) else {
             let is_vessel = |body: usize| vessels.iter().any(|other| other.body == body);
             return Ok(Berth::of(setup, own, |body| !is_vessel(body)));
         };
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let body = self.body_named(table, item, item.name(), names)?;
         if body == own {
             let message = format!("`{path}`: a ship cannot be her own berth");
@@ -93,11 +106,18 @@ impl Assembly<'_, '_> {
     }
 
     /// The conditions that the word of the goal stands for.
-    fn goal(&self, table: &Table, setup: &Setup, vessel: usize) -> Checked<Vec<Condition>> {
-        let word: GoalWord = table.given("goal").choice();
+    fn goal(
+        &self,
+        table: Of<'_, ExerciseKey>,
+        setup: &Setup,
+        vessel: usize,
+    ) -> Checked<Vec<Condition>> {
+        let word: GoalWord = table.given(ExerciseKey::GOAL).choice();
         self.check_keys_of_goal(table, word)?;
-        let distance_m = |default_m: f64| table.item("distance").map_or(default_m, |d| *d.number());
-        let at_rest = Condition::AtRest { at_most_mps: *table.given("rest_speed").number() };
+        let distance_m =
+            |default_m: f64| table.item(ExerciseKey::DISTANCE).map_or(default_m, |d| *d.number());
+        let at_rest =
+            Condition::AtRest { at_most_mps: *table.given(ExerciseKey::REST_SPEED).number() };
         let alongside = || Condition::Alongside { within_m: distance_m(ALONGSIDE_M) };
         Ok(match word {
             GoalWord::AllFast => vec![alongside(), at_rest, self.lines_fast(table, setup, vessel)?],
@@ -114,47 +134,65 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses keys that the goal does not use.
-    fn check_keys_of_goal(&self, table: &Table, word: GoalWord) -> Checked<()> {
+    fn check_keys_of_goal(&self, table: Of<'_, ExerciseKey>, word: GoalWord) -> Checked<()> {
         let unused = word.unused().iter();
-        let given = unused.filter_map(|name| table.item(name)).find(|item| !item.is_default);
+        let given = unused.filter_map(|key| table.item(*key)).find(|item| !item.is_default);
         given.map_or(Ok(()), |item| {
-            let path = table.path_of(item.name);
-            let goal = table.given("goal").word();
+            let path = table.path_to(item);
+            let goal = table.given(ExerciseKey::GOAL).word();
             let message = format!("`{path}` does not go together with the goal \"{goal}\"");
             Err(self.sources.error(&item.key_span, &path, message))
         })
     }
 
-    fn lines_fast(&self, table: &Table, setup: &Setup, vessel: usize) -> Checked<Condition> {
+    fn lines_fast(
+        &self,
+        table: Of<'_, ExerciseKey>,
+        setup: &Setup,
+        vessel: usize,
+    ) -> Checked<Condition> {
         let all: Vec<usize> = own_lines(setup, vessel).collect();
-        let lines = match table.item("lines") {
+        let lines = match table.item(ExerciseKey::LINES) {
             Some(item) => {
                 let names = setup.world.lines.iter().map(|line| line.line.name.as_str());
                 self.named(table, item, "line", &names.collect::<Vec<_>>())?
             }
             None => all,
         };
-        let path = table.path_of("lines");
+        let path = table.path_of(ExerciseKey::LINES);
         if lines.is_empty() {
-            let span = table.item("lines").map_or(&table.span, |item| &item.span);
+            let span = table.item(ExerciseKey::LINES).map_or(&table.span, |item| &item.item().span);
             let message = format!("`{path}`: the ship has no lines");
             return Err(self.sources.error(span, &path, message));
         }
         let at_least = self.at_least(table, lines.len(), "lines")?.unwrap_or(lines.len());
-        let number = |name: &str, without: f64| table.item(name).map_or(without, |i| *i.number());
-        let tension_n = [number("least_tension", 0.0), number("most_tension", f64::INFINITY)];
+        let number =
+            |name: Key<_, Number>, without: f64| table.item(name).map_or(without, |i| *i.number());
+        let tension_n = [
+            number(ExerciseKey::LEAST_TENSION, 0.0),
+            number(ExerciseKey::MOST_TENSION, f64::INFINITY),
+        ];
         if tension_n[0] > tension_n[1] {
-            let path = table.path_of("most_tension");
+            let path = table.path_of(ExerciseKey::MOST_TENSION);
             let message = format!("`{path}` is less than `least_tension`");
-            return Err(self.sources.error(&table.given("most_tension").span, &path, message));
+            return Err(self.sources.error(
+                &table.given(ExerciseKey::MOST_TENSION).span,
+                &path,
+                message,
+            ));
         }
         Ok(Condition::LinesFast { lines, at_least, tension_n })
     }
 
     /// How many of the lines or anchors that count are needed; `None` without a number.
-    fn at_least(&self, table: &Table, of: usize, what: &str) -> Checked<Option<usize>> {
-        let Some(item) = table.item("at_least") else { return Ok(None) };
-        let (number, path) = (*item.number(), table.path_of("at_least"));
+    fn at_least(
+        &self,
+        table: Of<'_, ExerciseKey>,
+        of: usize,
+        what: &str,
+    ) -> Checked<Option<usize>> {
+        let Some(item) = table.item(ExerciseKey::AT_LEAST) else { return Ok(None) };
+        let (number, path) = (*item.number(), table.path_of(ExerciseKey::AT_LEAST));
         if number.fract() != 0.0 || number > of as f64 {
             let message = format!("`{path}`: {number} is not a whole number of up to {of} {what}");
             return Err(self.sources.error(&item.span, &path, message));
@@ -162,17 +200,22 @@ impl Assembly<'_, '_> {
         Ok(Some(number as usize))
     }
 
-    fn anchors_hold(&self, table: &Table, setup: &Setup, vessel: usize) -> Checked<Condition> {
+    fn anchors_hold(
+        &self,
+        table: Of<'_, ExerciseKey>,
+        setup: &Setup,
+        vessel: usize,
+    ) -> Checked<Condition> {
         let all = || setup.world.anchors.iter().enumerate();
         let own = || all().filter(|(_, anchor)| anchor.vessel == vessel);
-        let anchors: Vec<usize> = match table.item("anchors") {
+        let anchors: Vec<usize> = match table.item(ExerciseKey::ANCHORS) {
             Some(item) => {
                 let names: Vec<&str> = all().map(|(_, of)| of.gear.name.as_str()).collect();
                 let given = self.named(table, item, "anchor", &names)?;
                 if let Some(other) =
                     given.iter().find(|&&of| setup.world.anchors[of].vessel != vessel)
                 {
-                    let path = table.path_of("anchors");
+                    let path = table.path_of(ExerciseKey::ANCHORS);
                     let message = format!("`{path}`: {} is on another ship", quoted(names[*other]));
                     return Err(self.sources.error(&item.span, &path, message));
                 }
@@ -181,18 +224,19 @@ impl Assembly<'_, '_> {
             None => own().map(|(index, _)| index).collect(),
         };
         if anchors.is_empty() {
-            let path = table.path_of("anchors");
-            let span = table.item("anchors").map_or(&table.span, |item| &item.span);
+            let path = table.path_of(ExerciseKey::ANCHORS);
+            let span =
+                table.item(ExerciseKey::ANCHORS).map_or(&table.span, |item| &item.item().span);
             let message = format!("`{path}`: the ship has no anchors");
             return Err(self.sources.error(span, &path, message));
         }
         let at_least = self.at_least(table, anchors.len(), "anchors")?.unwrap_or(1);
-        let chain_m = table.item("chain_out").map_or(0.0, |item| *item.number());
-        if let Some(item) = table.item("chain_out") {
+        let chain_m = table.item(ExerciseKey::CHAIN_OUT).map_or(0.0, |item| *item.number());
+        if let Some(item) = table.item(ExerciseKey::CHAIN_OUT) {
             let lengths = anchors.iter().map(|&of| setup.world.anchors[of].gear.chain_length_m);
             let enough = lengths.filter(|&length_m| length_m >= chain_m).count();
             if enough < at_least {
-                let path = table.path_of("chain_out");
+                let path = table.path_of(ExerciseKey::CHAIN_OUT);
                 let message = format!(
                     "`{path}`: {enough} of the anchors have a chain of {chain_m} m, but {at_least} are needed"
                 );
@@ -203,16 +247,16 @@ impl Assembly<'_, '_> {
     }
 
     /// Where anchors must lie: `distance` goes with `position`.
-    fn anchor_place(&self, table: &Table) -> Checked<Option<AnchorPlace>> {
-        let within_m = table.item("distance").map(|item| *item.number());
-        match (table.item("position"), table.item("distance")) {
+    fn anchor_place(&self, table: Of<'_, ExerciseKey>) -> Checked<Option<AnchorPlace>> {
+        let within_m = table.item(ExerciseKey::DISTANCE).map(|item| *item.number());
+        match (table.item(ExerciseKey::POSITION), table.item(ExerciseKey::DISTANCE)) {
             (Some(at), _) => {
                 let within_m = within_m.unwrap_or(AT_PLACE_M);
                 Ok(Some(AnchorPlace { at_m: *at.vector(), within_m }))
             }
             (None, None) => Ok(None),
             (None, Some(distance)) => {
-                let path = table.path_of("distance");
+                let path = table.path_of(ExerciseKey::DISTANCE);
                 let message = format!("`{path}` needs `position` with the goal \"anchored\"");
                 Err(self.sources.error(&distance.key_span, &path, message))
             }
@@ -220,8 +264,14 @@ impl Assembly<'_, '_> {
     }
 
     /// Things of the scenario by their names, each once: `what` is their kind, `all` the names.
-    fn named(&self, table: &Table, item: &Item, what: &str, all: &[&str]) -> Checked<Vec<usize>> {
-        let path = table.path_of(item.name);
+    fn named<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, Texts>,
+        what: &str,
+        all: &[&str],
+    ) -> Checked<Vec<usize>> {
+        let path = table.path_to(item);
         let names = || all.iter().copied();
         let mut found = Vec::new();
         for name in item.texts() {
@@ -244,20 +294,20 @@ impl Assembly<'_, '_> {
 
     fn limits(
         &mut self,
-        table: &Table,
+        table: Of<'_, ExerciseLimitKey>,
         setup: &Setup,
         berth: Option<Berth>,
     ) -> Checked<Vec<Limit>> {
-        let given = Measure::ALL
-            .into_iter()
-            .filter_map(|measure| table.item(measure.key()).map(|item| (measure, item.table())));
+        let given = Measure::ALL.into_iter().filter_map(|measure| {
+            table.item(limit_key(measure)).map(|item| (measure, item.table()))
+        });
         given.map(|(measure, limit)| self.limit(measure, limit, setup, berth)).collect()
     }
 
     fn limit(
         &mut self,
         measure: Measure,
-        table: &Table,
+        table: Of<'_, ScoreKey>,
         setup: &Setup,
         berth: Option<Berth>,
     ) -> Checked<Limit> {
@@ -270,34 +320,34 @@ impl Assembly<'_, '_> {
         if measure == Measure::UnderKeel && setup.world.environment.depth_m.is_none() {
             self.note(table, "no effect: never exceeded, as `[environment]` has no `depth`");
         }
-        let number = |name: &str| table.item_if_any(name).map(|item| *item.number());
+        let number = |name: Key<_, Number>| table.item_if_any(name).map(|item| *item.number());
         let (bound, worst) = match measure {
             Measure::Touch => (0.0, 1.0),
             _ if measure.is_least() => {
-                (*table.given("least").number(), *table.given("worst").number())
+                (*table.given(ScoreKey::LEAST).number(), *table.given(ScoreKey::WORST).number())
             }
             _ => {
-                let most = *table.given("most").number();
-                (most, number("worst").unwrap_or(2.0 * most))
+                let most = *table.given(ScoreKey::MOST).number();
+                (most, number(ScoreKey::WORST).unwrap_or(2.0 * most))
             }
         };
         let is_beyond = if measure.is_least() { worst <= bound } else { worst >= bound };
         if !is_beyond {
-            let path = table.path_of("worst");
+            let path = table.path_of(ScoreKey::WORST);
             let side = if measure.is_least() { "above `least`" } else { "below `most`" };
             let message = format!(
                 "`{path}` is {side}: the value that costs all points must be the worse \
                     value"
             );
-            return Err(self.sources.error(&table.given("worst").span, &path, message));
+            return Err(self.sources.error(&table.given(ScoreKey::WORST).span, &path, message));
         }
         Ok(Limit {
             measure,
             bound,
             worst,
-            points: *table.given("points").number(),
-            fails: *table.given("fails").flag(),
-            within_m: lesser(number("within").unwrap_or(f64::INFINITY), f64::INFINITY),
+            points: *table.given(ScoreKey::POINTS).number(),
+            fails: *table.given(ScoreKey::FAILS).flag(),
+            within_m: lesser(number(ScoreKey::WITHIN).unwrap_or(f64::INFINITY), f64::INFINITY),
         })
     }
 }

@@ -3,14 +3,21 @@
 use fenderline_sim::factors::PartialFactors;
 
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::factors::FactorsKey;
+use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
     /// The factors of a scenario; none without its table.
-    pub(super) fn factors(&self, table: Option<&Table>) -> Checked<PartialFactors> {
+    pub(super) fn factors(&self, table: Option<Of<'_, FactorsKey>>) -> Checked<PartialFactors> {
         let Some(table) = table else { return Ok(PartialFactors::default()) };
-        let number = |key: &str| table.item(key).map(|item| *item.number());
-        for (key, other) in [("reaction_limit", "reaction"), ("line_capacity", "line_load")] {
+        let number = |key: Key<_, Number>| table.item(key).map(|item| *item.number());
+        let pairs = [
+            (FactorsKey::REACTION_LIMIT.any(), FactorsKey::REACTION),
+            (FactorsKey::LINE_CAPACITY.any(), FactorsKey::LINE_LOAD),
+        ];
+        for (key, other) in pairs {
             let given = table.item(key).filter(|item| !item.is_default);
             if let (Some(item), None) = (given, table.item(other)) {
                 let path = table.path_of(key);
@@ -20,12 +27,12 @@ impl Assembly<'_, '_> {
             }
         }
         let factors = PartialFactors {
-            source: table.given("source").text().to_owned(),
-            energy: number("energy"),
-            reaction: number("reaction"),
-            reaction_limit_n: number("reaction_limit"),
-            line_load: number("line_load"),
-            line_capacity: table.given("line_capacity").choice(),
+            source: table.given(FactorsKey::SOURCE).text().to_owned(),
+            energy: number(FactorsKey::ENERGY),
+            reaction: number(FactorsKey::REACTION),
+            reaction_limit_n: number(FactorsKey::REACTION_LIMIT),
+            line_load: number(FactorsKey::LINE_LOAD),
+            line_capacity: table.given(FactorsKey::LINE_CAPACITY).choice(),
         };
         if factors.is_empty() {
             let error = self.sources.error(
@@ -42,15 +49,15 @@ impl Assembly<'_, '_> {
     /// Notes factors without a fender or line to which they could apply.
     pub(super) fn note_factors(
         &mut self,
-        table: Option<&Table>,
+        table: Option<Of<'_, FactorsKey>>,
         factors: &PartialFactors,
         (fenders, lines): (usize, usize),
     ) {
         let Some(table) = table else { return };
         for (key, is_given, count, what) in [
-            ("energy", factors.energy.is_some(), fenders, "fenders"),
-            ("reaction", factors.reaction.is_some(), fenders, "fenders"),
-            ("line_load", factors.line_load.is_some(), lines, "lines"),
+            (FactorsKey::ENERGY, factors.energy.is_some(), fenders, "fenders"),
+            (FactorsKey::REACTION, factors.reaction.is_some(), fenders, "fenders"),
+            (FactorsKey::LINE_LOAD, factors.line_load.is_some(), lines, "lines"),
         ] {
             if let (true, 0, Some(item)) = (is_given, count, table.item(key)) {
                 self.note_item(
@@ -62,10 +69,10 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn note_item(&mut self, table: &Table, item: &Item, message: &str) {
+    fn note_item<T, V>(&mut self, table: Of<'_, T>, item: Entry<'_, V>, message: &str) {
         self.notices.push(fenderline_keys::error::Notice {
             place: self.sources.place(&item.span),
-            key: table.path_of(item.name),
+            key: table.path_to(item),
             message: message.to_owned(),
         });
     }

@@ -4,12 +4,18 @@ use fenderline_sim::{DolphinSetup, SteelPiles};
 
 use super::assembly::{Assembly, Checked};
 use super::plausible::figures;
-use fenderline_keys::checked::Table;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::Of;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::dolphin::DolphinKey;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// Keys of steel piles, and keys whose values follow from them.
-const OF_PILES: [&str; 7] =
-    ["diameter", "wall", "length", "piles", "modulus", "yield_stress", "head_mass"];
-const GIVEN_BY_PILES: [&str; 2] = ["mass", "yield_load"];
+const OF_PILES: &[AnyKey<DolphinKey>] = any_keys![
+    DolphinKey: DIAMETER, WALL, LENGTH, PILES, MODULUS, YIELD_STRESS, HEAD_MASS
+];
+const GIVEN_BY_PILES: &[AnyKey<DolphinKey>] = any_keys![DolphinKey: MASS, YIELD_LOAD];
 
 /// Plausible periods (s). A slender monopile with a heavy head has some 2 s.
 const PERIODS_S: [f64; 2] = [0.05, 20.0];
@@ -18,29 +24,29 @@ const SOFTEST_NPM: f64 = 1e5;
 
 impl Assembly<'_, '_> {
     /// The pile of a body that is a flexible dolphin.
-    pub(super) fn dolphin(&mut self, body: &Table) -> Checked<Option<DolphinSetup>> {
-        let Some(item) = body.item("dolphin") else { return Ok(None) };
-        let fixed = body.given("fixed");
+    pub(super) fn dolphin(&mut self, body: Of<'_, BodyKey>) -> Checked<Option<DolphinSetup>> {
+        let Some(item) = body.item(BodyKey::DOLPHIN) else { return Ok(None) };
+        let fixed = body.given(BodyKey::FIXED);
         if *fixed.flag() && !fixed.is_default {
-            let path = body.path_of("fixed");
+            let path = body.path_of(BodyKey::FIXED);
             let message = format!("`{path}` does not go together with `dolphin`, which bends");
             let error = self.sources.error(&fixed.key_span, &path, message);
             return Err(error.with_help("remove one of the two"));
         }
         let table = item.table();
-        let damping_ratio = *table.given("damping").number();
-        let given = |name: &str| table.item(name).map(|item| *item.number());
-        let dolphin = if let Some(stiffness_npm) = given("stiffness") {
-            self.refuse(table, &OF_PILES, "`stiffness`, which they would give")?;
-            let mass_kg = given("mass")
-                .ok_or_else(|| self.missing(table, "mass", "write mass = \"60 t\""))?;
-            let yield_load_n = given("yield_load");
+        let damping_ratio = *table.given(DolphinKey::DAMPING).number();
+        let given = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
+        let dolphin = if let Some(stiffness_npm) = given(DolphinKey::STIFFNESS) {
+            self.refuse(table, OF_PILES, "`stiffness`, which they would give")?;
+            let mass_kg = given(DolphinKey::MASS)
+                .ok_or_else(|| self.missing(table, DolphinKey::MASS, "write mass = \"60 t\""))?;
+            let yield_load_n = given(DolphinKey::YIELD_LOAD);
             DolphinSetup { mass_kg, stiffness_npm, damping_ratio, yield_load_n }
         } else {
             let piles = self.steel_piles(table)?;
-            self.refuse(table, &GIVEN_BY_PILES, "`diameter`: it follows from the piles")?;
+            self.refuse(table, GIVEN_BY_PILES, "`diameter`: it follows from the piles")?;
             DolphinSetup {
-                mass_kg: given("head_mass").unwrap_or(0.0) + piles.moving_mass_kg(),
+                mass_kg: given(DolphinKey::HEAD_MASS).unwrap_or(0.0) + piles.moving_mass_kg(),
                 stiffness_npm: piles.stiffness_npm(),
                 damping_ratio,
                 yield_load_n: piles.yield_load_n(),
@@ -50,39 +56,39 @@ impl Assembly<'_, '_> {
         Ok(Some(dolphin))
     }
 
-    fn steel_piles(&self, table: &Table) -> Checked<SteelPiles> {
-        let given = |name: &str| table.item(name).map(|item| *item.number());
-        let need = |name: &str| {
+    fn steel_piles(&self, table: Of<'_, DolphinKey>) -> Checked<SteelPiles> {
+        let given = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
+        let need = |name: Key<DolphinKey, Number>| {
             let help =
                 "give `stiffness` and `mass`, or `diameter`, `wall` and `length` of the piles";
             given(name).ok_or_else(|| self.missing(table, name, help))
         };
-        let any_of_piles = OF_PILES.iter().any(|name| table.item(name).is_some());
+        let any_of_piles = OF_PILES.iter().any(|key| table.item(*key).is_some());
         if !any_of_piles {
-            need("stiffness")?;
+            need(DolphinKey::STIFFNESS)?;
         }
         let piles = SteelPiles {
-            diameter_m: need("diameter")?,
-            wall_m: need("wall")?,
-            length_m: need("length")?,
-            number: self.whole(table, "piles")?,
-            modulus_npm2: given("modulus").unwrap_or(210e9),
-            yield_stress_npm2: given("yield_stress"),
+            diameter_m: need(DolphinKey::DIAMETER)?,
+            wall_m: need(DolphinKey::WALL)?,
+            length_m: need(DolphinKey::LENGTH)?,
+            number: self.whole(table, DolphinKey::PILES)?,
+            modulus_npm2: given(DolphinKey::MODULUS).unwrap_or(210e9),
+            yield_stress_npm2: given(DolphinKey::YIELD_STRESS),
         };
         if 2.0 * piles.wall_m > piles.diameter_m {
-            let path = table.path_of("wall");
+            let path = table.path_of(DolphinKey::WALL);
             let message = format!(
                 "`{path}` of {} m is more than half of the `diameter` of {} m",
                 piles.wall_m, piles.diameter_m
             );
-            let error = self.sources.error(&table.given("wall").span, &path, message);
+            let error = self.sources.error(&table.given(DolphinKey::WALL).span, &path, message);
             return Err(error.with_help("the wall of a tube, as \"40 mm\""));
         }
         Ok(piles)
     }
 
     /// A whole number; 1 unless given.
-    fn whole(&self, table: &Table, name: &str) -> Checked<u32> {
+    fn whole(&self, table: Of<'_, DolphinKey>, name: Key<DolphinKey, Number>) -> Checked<u32> {
         let Some(item) = table.item(name) else { return Ok(1) };
         let number = *item.number();
         if libm::rint(number) != number {
@@ -93,17 +99,23 @@ impl Assembly<'_, '_> {
         Ok(number as u32)
     }
 
-    fn refuse(&self, table: &Table, names: &[&str], with: &str) -> Checked<()> {
-        let Some(item) = names.iter().find_map(|name| table.item(name)) else { return Ok(()) };
-        let path = table.path_of(item.name);
+    fn refuse(
+        &self,
+        table: Of<'_, DolphinKey>,
+        keys: &[AnyKey<DolphinKey>],
+        with: &str,
+    ) -> Checked<()> {
+        let Some(item) = keys.iter().find_map(|key| table.item(*key)) else { return Ok(()) };
+        let path = table.path_to(item);
         let message = format!("`{path}` does not go together with {with}");
         let error = self.sources.error(&item.key_span, &path, message);
         Err(error.with_help("give `stiffness` and `mass`, or `diameter`, `wall` and `length`"))
     }
 
     /// Notes a stiffness or mass that does not fit a dolphin.
-    fn note_dolphin(&mut self, table: &Table, dolphin: &DolphinSetup) {
-        let key = if table.item("stiffness").is_some() { "stiffness" } else { "diameter" };
+    fn note_dolphin(&mut self, table: Of<'_, DolphinKey>, dolphin: &DolphinSetup) {
+        let is_by_stiffness = table.item(DolphinKey::STIFFNESS).is_some();
+        let key = if is_by_stiffness { DolphinKey::STIFFNESS } else { DolphinKey::DIAMETER };
         let span = table.given(key).span.clone();
         let period_s = dolphin.period_s();
         if dolphin.stiffness_npm < SOFTEST_NPM {

@@ -5,8 +5,13 @@ use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Set
 
 use super::assembly::{Assembly, Checked};
 use super::vessel;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::held::ListOf;
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::hull::OutlineAtHeightKey;
 use fenderline_keys::sources::quoted;
 
 /// How far above the water the sides of a vessel with one outline reach (m): higher than any fender.
@@ -16,11 +21,11 @@ impl Assembly<'_, '_> {
     /// The body's outlines by height; `None` for a body with one outline.
     pub(super) fn hull(
         &self,
-        table: &Table,
+        table: Of<'_, BodyKey>,
         kind: Option<&vessel::Kind>,
     ) -> Checked<Option<HullByHeight>> {
-        let draught = table.item("draught");
-        let Some(item) = table.item("outlines") else {
+        let draught = table.item(BodyKey::DRAUGHT);
+        let Some(item) = table.item(BodyKey::OUTLINES) else {
             return match draught {
                 None => Ok(None),
                 Some(draught) => {
@@ -28,13 +33,13 @@ impl Assembly<'_, '_> {
                 }
             };
         };
-        if let Some(outline) = table.item("outline").or_else(|| table.item("chart_outline")) {
-            let path = table.path_of(outline.name);
+        if let Some(outline) = table.first_of(any_keys![BodyKey: OUTLINE, CHART_OUTLINE]) {
+            let path = table.path_to(outline);
             let message = format!("`{path}` does not go together with `outlines`");
             let error = self.sources.error(&outline.key_span, &path, message);
             return Err(error.with_help("keep one of the two"));
         }
-        let fixed = *table.given("fixed").flag();
+        let fixed = *table.given(BodyKey::FIXED).flag();
         let draught_m = match (fixed, kind, draught) {
             (true, _, Some(draught)) => {
                 let why = "is for floating bodies: heights on a fixed one are above datum";
@@ -49,12 +54,12 @@ impl Assembly<'_, '_> {
             (false, None, Some(draught)) => *draught.number(),
             (false, None, None) => {
                 let help = "write draught = \"9 m\": heights of `outlines` are above the keel";
-                return Err(self.missing(table, "draught", help));
+                return Err(self.missing(table, BodyKey::DRAUGHT, help));
             }
         };
         let levels = item.list().iter().map(|level| Level {
-            height_m: *level.given("height").number(),
-            vertices_m: level.given("outline").outline().to_vec(),
+            height_m: *level.given(OutlineAtHeightKey::HEIGHT).number(),
+            vertices_m: level.given(OutlineAtHeightKey::OUTLINE).outline().to_vec(),
         });
         let hull = HullByHeight::new(levels.collect(), draught_m);
         hull.map(Some).map_err(|error| self.no_hull(table, item, fixed, &error))
@@ -62,9 +67,9 @@ impl Assembly<'_, '_> {
 
     /// Vertical sides with one outline, for a vessel whose heave, roll and pitch move the sides at fenders. The
     /// upper end of the sides is not known, so the sides are taken to be high.
-    pub(super) fn vertical_sides(
+    pub(super) fn vertical_sides<T>(
         &self,
-        table: &Table,
+        table: Of<'_, T>,
         kind: &vessel::Kind,
         outline: &Outline,
     ) -> Checked<HullByHeight> {
@@ -74,26 +79,39 @@ impl Assembly<'_, '_> {
         HullByHeight::new(levels, draught_m).map_err(|error| self.wrong(table, &error))
     }
 
-    fn draught_refused(&self, table: &Table, draught: &Item, why: &str) -> ScenarioError {
-        let path = table.path_of(draught.name);
+    fn draught_refused<T, V>(
+        &self,
+        table: Of<'_, T>,
+        draught: Entry<'_, V>,
+        why: &str,
+    ) -> ScenarioError {
+        let path = table.path_to(draught);
         self.sources.error(&draught.key_span, &path, format!("`{path}` {why}"))
     }
 
     /// The error for outlines that do not form a hull, at the outline that causes the error.
-    fn no_hull(&self, table: &Table, item: &Item, fixed: bool, error: &HullError) -> ScenarioError {
+    fn no_hull<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, ListOf<OutlineAtHeightKey>>,
+        fixed: bool,
+        error: &HullError,
+    ) -> ScenarioError {
         let (level, key) = match *error {
             HullError::TooFew { .. }
             | HullError::TooMany { .. }
-            | HullError::WaterlineOutside { .. } => (None, ""),
-            HullError::NotAscending { level, .. } => (Some(level), "height"),
+            | HullError::WaterlineOutside { .. } => (None, OutlineAtHeightKey::OUTLINE.any()),
+            HullError::NotAscending { level, .. } => {
+                (Some(level), OutlineAtHeightKey::HEIGHT.any())
+            }
             HullError::BadOutline { level, .. }
             | HullError::TooManyVertices { level, .. }
             | HullError::TurnsBack { level }
-            | HullError::Crossing { level, .. } => (Some(level), "outline"),
+            | HullError::Crossing { level, .. } => (Some(level), OutlineAtHeightKey::OUTLINE.any()),
         };
-        let (span, path) = match level.map(|level| &item.list()[level]) {
-            Some(at) => (&at.given(key).span, at.path_of(key)),
-            None => (&item.span, table.path_of(item.name)),
+        let (span, path) = match level.map(|level| item.list().at(level)) {
+            Some(at) => (&at.given(key).item().span, at.path_of(key)),
+            None => (&item.item().span, table.path_to(item)),
         };
         let complaint = self.sources.error(span, &path, format!("`{path}`: {error}"));
         complaint.with_help(match error {
@@ -114,7 +132,7 @@ impl Assembly<'_, '_> {
     }
 
     /// Notices about fenders that lie outside the heights of a hull, at some level of the water.
-    pub(super) fn note_outside_hulls(&mut self, fenders: &[(String, Table)], setup: &Setup) {
+    pub(super) fn note_outside_hulls(&mut self, fenders: Tables<'_, FenderKey>, setup: &Setup) {
         let levels_m = setup.world.environment.level_range_m();
         // First of all the few bodies with a hull by height: fenders times bodies times pairs may be very many.
         let bodies = setup.bodies.iter().enumerate();
@@ -126,9 +144,9 @@ impl Assembly<'_, '_> {
                     continue;
                 }
                 let Some(outside) = outside(fender, host, body, levels_m) else { continue };
-                let above = table.item_if_any("above_water");
+                let above = table.item_if_any(FenderKey::ABOVE_WATER);
                 let (span, key) = match above {
-                    Some(item) => (&item.span, table.path_of(item.name)),
+                    Some(item) => (&item.item().span, table.path_to(item)),
                     None => (&table.span, table.path.clone()),
                 };
                 let message = format!(

@@ -8,17 +8,31 @@ use fenderline_sim::statistics::Limited;
 use fenderline_sim::{ChainKind, Change, FenderSetup, Setup};
 
 use super::assembly::Assembly;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::NO_EFFECT;
-use fenderline_keys::keys::anchor::BowSide;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::anchor::{AnchorKey, BowSide};
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::environment::{EnvironmentKey, WavesKey, WindKey};
+use fenderline_keys::keys::event::EventKey;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::load::LoadKey;
+use fenderline_keys::keys::material::MaterialKey;
+use fenderline_keys::keys::mooring::LineKey;
+use fenderline_keys::keys::order::OrderKey;
+use fenderline_keys::keys::passing::{InteractionKey, PassingKey};
+use fenderline_keys::keys::vessel::VesselKey;
+use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
     /// Notices of all keys that the set-up does not use.
     pub(super) fn note_idle_keys(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         setup: &Setup,
-        fender_tables: &[(String, Table)],
+        fender_tables: Tables<'_, FenderKey>,
     ) {
         self.note_idle_weather(file, setup);
         self.note_idle_flow(file, setup);
@@ -30,135 +44,138 @@ impl Assembly<'_, '_> {
     }
 
     /// A notice that a key has no effect, if the file gives the key.
-    pub(super) fn note_idle(&mut self, table: &Table, key: &str, why: &str) {
+    pub(super) fn note_idle<T, V>(&mut self, table: Of<'_, T>, key: Key<T, V>, why: &str) {
         if let Some(item) = table.item_if_any(key).filter(|item| !item.is_default) {
             self.note_at(&item.span, table.path_of(key), format!("{NO_EFFECT}{why}"));
         }
     }
 
     /// A notice that a table has no effect.
-    pub(super) fn note_idle_table(&mut self, table: &Table, why: &str) {
+    pub(super) fn note_idle_table<T>(&mut self, table: Of<'_, T>, why: &str) {
         self.note_at(&table.span, table.path.clone(), format!("{NO_EFFECT}{why}"));
     }
 
     /// Notes numbers of materials that pairs and fenders do not use.
     pub(super) fn note_idle_materials(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         used_by_pairs: &BTreeSet<usize>,
-        (fenders, fender_tables): (&[FenderSetup], &[(String, Table)]),
+        (fenders, fender_tables): (&[FenderSetup], Tables<'_, FenderKey>),
     ) {
-        for (index, (name, table)) in file.given("material").named().iter().enumerate() {
-            let is_of = |(_, of): &&(&FenderSetup, &Table)| of.given("material").name() == name;
+        for (index, (name, table)) in file.given(ScenarioKey::MATERIAL).named().iter().enumerate() {
             let with_tables = fenders.iter().zip(fender_tables.iter().map(|(_, table)| table));
-            let own: Vec<(&FenderSetup, &Table)> =
-                with_tables.filter(|pair| is_of(&pair)).collect();
+            let own: Vec<(&FenderSetup, Of<'_, FenderKey>)> = with_tables
+                .filter(|(_, of)| of.given(FenderKey::MATERIAL).name() == name)
+                .collect();
             let is_of_pair = used_by_pairs.contains(&index);
             if !is_of_pair && own.is_empty() {
                 self.note_idle_table(table, "no pair or fender uses this material");
                 continue;
             }
             let has_area_law = own.iter().any(|(fender, _)| fender.law == FenderLaw::Area);
-            if !is_of_pair && !has_area_law && *table.given("stiffness").number() > 0.0 {
+            if !is_of_pair && !has_area_law && *table.given(MaterialKey::STIFFNESS).number() > 0.0 {
                 let why = "the fenders of this material have laws of their own, and no pair uses it; write stiffness = 0";
-                self.note_idle(table, "stiffness", why);
+                self.note_idle(table, MaterialKey::STIFFNESS, why);
             }
-            let resistance = |of: &Table| of.item("rolling_resistance").map(|item| *item.number());
-            let slides = is_of_pair || own.iter().any(|(_, of)| resistance(of).is_none());
+            let resistance = |of: Of<'_, FenderKey>| {
+                of.item(FenderKey::ROLLING_RESISTANCE).map(|item| *item.number())
+            };
+            let slides = is_of_pair || own.iter().any(|(_, of)| resistance(*of).is_none());
             if !slides {
                 let why = "all fenders of this material have a `rolling_resistance` instead";
-                self.note_idle(table, "friction_static", why);
-                self.note_idle(table, "friction_dynamic", why);
+                self.note_idle(table, MaterialKey::FRICTION_STATIC, why);
+                self.note_idle(table, MaterialKey::FRICTION_DYNAMIC, why);
             }
-            let friction = *table.given("friction_static").number();
-            let rolls = own.iter().filter_map(|(_, of)| resistance(of)).any(|of| of > 0.0);
+            let friction = *table.given(MaterialKey::FRICTION_STATIC).number();
+            let rolls = own.iter().filter_map(|(_, of)| resistance(*of)).any(|of| of > 0.0);
             if !(rolls || slides && friction > 0.0) {
                 let why = "the material has no `friction_static`, and the shear spring carries no more than friction allows";
-                self.note_idle(table, "shear_stiffness", why);
+                self.note_idle(table, MaterialKey::SHEAR_STIFFNESS, why);
             }
         }
     }
 
     /// Notes wind, current and waves that act on nothing, and numbers of them that are not used.
-    fn note_idle_weather(&mut self, file: &Table, setup: &Setup) {
-        let environment = file.given("environment").table();
+    fn note_idle_weather(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
+        let environment = file.given(ScenarioKey::ENVIRONMENT).table();
         let vessels = &setup.world.vessels;
         if vessels.is_empty() {
             let why = "it acts on vessels, and no body has a `vessel`";
-            for key in ["wind", "air_density", "current", "waves", "squat", "bank"] {
+            let keys = any_keys![EnvironmentKey: WIND, AIR_DENSITY, CURRENT, WAVES, SQUAT, BANK];
+            for &key in keys {
                 self.note_idle(environment, key, why);
             }
         } else if vessels.iter().all(|vessel| vessel.windage.is_none()) {
             let why = "no vessel has wind areas (`windage`)";
-            self.note_idle(environment, "wind", why);
-            self.note_idle(environment, "air_density", why);
+            self.note_idle(environment, EnvironmentKey::WIND, why);
+            self.note_idle(environment, EnvironmentKey::AIR_DENSITY, why);
         } else if setup.world.environment.wind.is_none() && !has_wind_event(setup) {
             let why = "there is no wind, and no event that lets it blow";
-            self.note_idle(environment, "air_density", why);
+            self.note_idle(environment, EnvironmentKey::AIR_DENSITY, why);
         }
-        if let Some(wind) = environment.item("wind").map(Item::table)
-            && !wind.item("gusts").is_some_and(|item| *item.flag())
+        if let Some(wind) = environment.item(EnvironmentKey::WIND).map(Entry::table)
+            && !wind.item(WindKey::GUSTS).is_some_and(|item| *item.flag())
         {
             let why = "the wind has no gusts; write gusts = true";
-            self.note_idle(wind, "gust_admittance", why);
-            self.note_idle(wind, "seed", why);
+            self.note_idle(wind, WindKey::GUST_ADMITTANCE, why);
+            self.note_idle(wind, WindKey::SEED, why);
         }
-        if let Some(waves) = environment.item("waves").map(Item::table)
-            && *waves.given("regular").flag()
+        if let Some(waves) = environment.item(EnvironmentKey::WAVES).map(Entry::table)
+            && *waves.given(WavesKey::REGULAR).flag()
         {
-            self.note_idle(waves, "peakedness", "a regular wave has no spectrum");
-            self.note_idle(waves, "seed", "a regular wave has no random phases");
+            self.note_idle(waves, WavesKey::PEAKEDNESS, "a regular wave has no spectrum");
+            self.note_idle(waves, WavesKey::SEED, "a regular wave has no random phases");
         }
     }
 
     /// Notes numbers of the flow about ships that no flow uses.
-    fn note_idle_flow(&mut self, file: &Table, setup: &Setup) {
-        let interaction = file.given("environment").table().given("interaction").table();
+    fn note_idle_flow(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
+        let interaction =
+            file.given(ScenarioKey::ENVIRONMENT).table().given(EnvironmentKey::INTERACTION).table();
         if setup.world.flow.hulls.is_empty() {
             let why =
                 "there are no passing ships, no bank by \"image\", and `between_vessels` is false";
-            self.note_idle(interaction, "midship_coefficient", why);
-            self.note_idle(interaction, "sections", why);
+            self.note_idle(interaction, InteractionKey::MIDSHIP_COEFFICIENT, why);
+            self.note_idle(interaction, InteractionKey::SECTIONS, why);
         }
         if setup.world.vessels.len() < 2 {
             let why = "interaction needs two vessels, and there are fewer";
-            self.note_idle(interaction, "between_vessels", why);
+            self.note_idle(interaction, InteractionKey::BETWEEN_VESSELS, why);
         }
-        for (_, ship) in file.given("passing").named() {
-            if ship.item("waypoints").is_some_and(|item| item.outline().len() == 2) {
+        for (_, ship) in file.given(ScenarioKey::PASSING).named() {
+            if ship.item(PassingKey::WAYPOINTS).is_some_and(|item| item.outline().len() == 2) {
                 let why = "a track of two waypoints has no bend";
-                self.note_idle(ship, "turning_radius", why);
+                self.note_idle(ship, PassingKey::TURNING_RADIUS, why);
             }
         }
     }
 
     /// Notes kinds of vessels that no body has, and numbers that other numbers replace.
-    fn note_idle_vessels(&mut self, file: &Table, setup: &Setup) {
+    fn note_idle_vessels(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let has_waves = setup.world.environment.sea.is_some();
-        let of_bodies = file.given("body").named().iter().map(|(_, body)| body);
-        let of_passing = file.given("passing").named().iter().map(|(_, ship)| ship);
-        let named: BTreeSet<&str> = of_bodies
-            .chain(of_passing)
-            .filter_map(|table| Some(table.item("vessel")?.text()))
-            .collect();
-        for (name, table) in file.given("vessel").named() {
+        let bodies = file.given(ScenarioKey::BODY).named().iter();
+        let of_bodies = bodies.filter_map(|(_, body)| body.item(BodyKey::VESSEL));
+        let passing = file.given(ScenarioKey::PASSING).named().iter();
+        let of_passing = passing.filter_map(|(_, ship)| ship.item(PassingKey::VESSEL));
+        let named: BTreeSet<&str> = of_bodies.chain(of_passing).map(Entry::text).collect();
+        for (name, table) in file.given(ScenarioKey::VESSEL).named() {
             if !named.contains(name.as_str()) {
                 self.note_idle_table(table, "no body and no passing ship is of this kind");
                 continue;
             }
-            if table.item("hydrodynamics").is_some() {
+            if table.item(VesselKey::HYDRODYNAMICS).is_some() {
                 self.note_idle(
                     table,
-                    "stability",
+                    VesselKey::STABILITY,
                     "the stability data of `hydrodynamics` are used",
                 );
             }
             if !has_waves {
-                self.note_idle(table, "wave_response", "`[environment]` has no `waves`");
+                self.note_idle(table, VesselKey::WAVE_RESPONSE, "`[environment]` has no `waves`");
             }
         }
         if setup.fenders.is_empty()
-            && let Some(study) = file.item("berthing")
+            && let Some(study) = file.item(ScenarioKey::BERTHING)
         {
             self.note_idle_table(
                 study.table(),
@@ -168,13 +185,13 @@ impl Assembly<'_, '_> {
     }
 
     /// Notes keys of anchors that other keys replace.
-    fn note_idle_anchors(&mut self, file: &Table) {
-        for (_, anchor) in file.given("anchor").named() {
-            if anchor.item("holding_factor").is_some() {
-                self.note_idle(anchor, "type", "`holding_factor` gives the holding power");
+    fn note_idle_anchors(&mut self, file: Of<'_, ScenarioKey>) {
+        for (_, anchor) in file.given(ScenarioKey::ANCHOR).named() {
+            if anchor.item(AnchorKey::HOLDING_FACTOR).is_some() {
+                self.note_idle(anchor, AnchorKey::TYPE, "`holding_factor` gives the holding power");
             }
-            let side: BowSide = anchor.given("side").choice();
-            if let Some(hawse) = anchor.item("hawse") {
+            let side: BowSide = anchor.given(AnchorKey::SIDE).choice();
+            if let Some(hawse) = anchor.item(AnchorKey::HAWSE) {
                 let across_m = hawse.vector().y;
                 let is_other = match side {
                     BowSide::Port => across_m > 0.0,
@@ -182,35 +199,36 @@ impl Assembly<'_, '_> {
                 };
                 if is_other {
                     let why = "the hawse pipe of `hawse` is on the other side";
-                    self.note_idle(anchor, "side", why);
+                    self.note_idle(anchor, AnchorKey::SIDE, why);
                 }
             }
         }
     }
 
     /// Notes keys of fenders for parts that the fender does not have.
-    fn note_idle_fenders(&mut self, tables: &[(String, Table)], setup: &Setup) {
+    fn note_idle_fenders(&mut self, tables: Tables<'_, FenderKey>, setup: &Setup) {
         let level_m = setup.world.environment.level_range_m();
         for ((_, table), fender) in tables.iter().zip(&setup.fenders) {
             let has_weight_chain =
                 fender.chains.iter().any(|chain| chain.kind == ChainKind::Weight);
             if !has_weight_chain {
-                self.note_idle(table, "panel_mass", "no weight chain carries the panel");
+                self.note_idle(table, FenderKey::PANEL_MASS, "no weight chain carries the panel");
             }
-            if *table.given("floating").flag() {
+            if *table.given(FenderKey::FLOATING).flag() {
                 if !setup.bodies[fender.body].is_fixed() {
                     let why = "the body that carries the fender floats";
-                    self.note_idle(table, "floating", why);
+                    self.note_idle(table, FenderKey::FLOATING, why);
                 } else if level_m == [0.0, 0.0] {
-                    self.note_idle(table, "floating", "the water stays at datum");
+                    self.note_idle(table, FenderKey::FLOATING, "the water stays at datum");
                 }
             }
         }
     }
 
     /// Notes limits of things that the scenario does not have.
-    fn note_idle_limits(&mut self, file: &Table, setup: &Setup) {
-        let limits = file.given("limit").named().iter().zip(&setup.world.statistics.limits);
+    fn note_idle_limits(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
+        let limits =
+            file.given(ScenarioKey::LIMIT).named().iter().zip(&setup.world.statistics.limits);
         for ((_, table), limit) in limits {
             match limit.what {
                 Limited::Lines if setup.world.lines.is_empty() => {
@@ -225,25 +243,28 @@ impl Assembly<'_, '_> {
     }
 
     /// What is planned for a time after the end of the run.
-    fn note_after_the_end(&mut self, file: &Table, duration_s: f64) {
+    fn note_after_the_end(&mut self, file: Of<'_, ScenarioKey>, duration_s: f64) {
         let why = format!("the run ends before, at {duration_s} s");
-        for load in file.given("load").list() {
-            if load.item("until").is_some_and(|item| *item.number() >= duration_s) {
-                self.note_idle(load, "until", &why);
+        for load in file.given(ScenarioKey::LOAD).list() {
+            if load.item(LoadKey::UNTIL).is_some_and(|item| *item.number() >= duration_s) {
+                self.note_idle(load, LoadKey::UNTIL, &why);
             }
         }
-        let lists = [("order", "at"), ("event", "at"), ("load", "from")];
-        for (list, key) in lists {
-            for table in file.given(list).list() {
-                self.note_late(table, key, duration_s, &why);
-            }
+        for order in file.given(ScenarioKey::ORDER).list() {
+            self.note_late(order, OrderKey::AT, duration_s, &why);
         }
-        for (_, line) in file.given("line").named() {
-            self.note_late(line, "made_fast", duration_s, &why);
+        for event in file.given(ScenarioKey::EVENT).list() {
+            self.note_late(event, EventKey::AT, duration_s, &why);
+        }
+        for load in file.given(ScenarioKey::LOAD).list() {
+            self.note_late(load, LoadKey::FROM, duration_s, &why);
+        }
+        for (_, line) in file.given(ScenarioKey::LINE).named() {
+            self.note_late(line, LineKey::MADE_FAST, duration_s, &why);
         }
     }
 
-    fn note_late(&mut self, table: &Table, key: &str, duration_s: f64, why: &str) {
+    fn note_late<T>(&mut self, table: Of<'_, T>, key: Key<T, Number>, duration_s: f64, why: &str) {
         if *table.given(key).number() >= duration_s {
             self.note_idle_table(table, why);
         }

@@ -4,21 +4,27 @@ use fenderline_sim::VesselSetup;
 use fenderline_sim::statistics::{LimitSetup, Limited, StatisticsSetup};
 
 use super::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::limit::Subject;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::limit::{LimitKey, StatisticsKey, Subject};
+use fenderline_keys::keys::run::TimeKey;
 
 impl Assembly<'_, '_> {
     pub(super) fn statistics(
         &self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         vessels: &[VesselSetup],
         names: &Names,
     ) -> Checked<StatisticsSetup> {
-        let limits = file.given("limit").named();
-        let from_s = file.item("statistics").map(|item| *item.table().given("from").number());
-        if let Some(item) = file.item("statistics") {
-            let from = item.table().given("from");
-            let duration_s = *file.given("time").table().given("duration").number();
+        let limits = file.given(ScenarioKey::LIMIT).named();
+        let from_s = file
+            .item(ScenarioKey::STATISTICS)
+            .map(|item| *item.table().given(StatisticsKey::FROM).number());
+        if let Some(item) = file.item(ScenarioKey::STATISTICS) {
+            let from = item.table().given(StatisticsKey::FROM);
+            let duration_s =
+                *file.given(ScenarioKey::TIME).table().given(TimeKey::DURATION).number();
             if *from.number() >= duration_s {
                 return Err(self.refused(item.table(), from, &"the run has ended by then"));
             }
@@ -33,43 +39,47 @@ impl Assembly<'_, '_> {
     fn motion_limit(
         &self,
         name: &str,
-        table: &Table,
+        table: Of<'_, LimitKey>,
         vessels: &[VesselSetup],
         names: &Names,
     ) -> Checked<LimitSetup> {
-        let subject = table.given("of");
+        let subject = table.given(LimitKey::OF);
         let motion = match subject.choice() {
             Subject::Motion(motion) => motion,
             others => {
                 let word = subject.word();
-                self.none_of(table, &["vessel", "statistic", "distance", "angle"], word)?;
-                self.all_of(table, &["share"], "a limit of lines or fenders has a `share`")?;
+                self.none_of(table, any_keys![LimitKey: VESSEL, STATISTIC, DISTANCE, ANGLE], word)?;
+                self.all_of(
+                    table,
+                    any_keys![LimitKey: SHARE],
+                    "a limit of lines or fenders has a `share`",
+                )?;
                 let what = if others == Subject::Lines { Limited::Lines } else { Limited::Fenders };
-                let most = *table.given("share").number();
+                let most = *table.given(LimitKey::SHARE).number();
                 return Ok(LimitSetup { name: name.to_owned(), what, most });
             }
         };
         let (key, others) = match motion.is_angle() {
-            true => ("angle", ["distance", "share"]),
-            false => ("distance", ["angle", "share"]),
+            true => (LimitKey::ANGLE, any_keys![LimitKey: DISTANCE, SHARE]),
+            false => (LimitKey::DISTANCE, any_keys![LimitKey: ANGLE, SHARE]),
         };
-        self.none_of(table, &others, subject.word())?;
+        self.none_of(table, others, subject.word())?;
         let help = "a limit of a motion has a `statistic`, and a `distance` or an `angle`";
-        self.all_of(table, &["statistic", key], help)?;
+        self.all_of(table, &[LimitKey::STATISTIC.any(), key.any()], help)?;
         let vessel = self.vessel_that_moves(table, subject, vessels, names)?;
-        let measure = table.given("statistic").choice();
+        let measure = table.given(LimitKey::STATISTIC).choice();
         let what = Limited::Motion { vessel, motion, measure };
         Ok(LimitSetup { name: name.to_owned(), what, most: *table.given(key).number() })
     }
 
-    fn vessel_that_moves(
+    fn vessel_that_moves<V>(
         &self,
-        table: &Table,
-        subject: &Item,
+        table: Of<'_, LimitKey>,
+        subject: Entry<'_, V>,
         vessels: &[VesselSetup],
         names: &Names,
     ) -> Checked<usize> {
-        let Some(item) = table.item("vessel") else {
+        let Some(item) = table.item(LimitKey::VESSEL) else {
             if !vessels.is_empty() {
                 return Ok(0);
             }

@@ -4,32 +4,38 @@ use fenderline_contact::Vec2;
 use fenderline_sim::{BodySetup, Load};
 
 use super::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::{List, Of};
+use fenderline_keys::keys::load::LoadKey;
 
 impl Assembly<'_, '_> {
     pub(super) fn loads(
         &self,
-        loads: &[Table],
+        loads: List<'_, LoadKey>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Vec<Load>> {
         loads.iter().map(|table| self.load(table, bodies, names)).collect()
     }
 
-    pub(super) fn load(&self, table: &Table, bodies: &[BodySetup], names: &Names) -> Checked<Load> {
-        let body = self.floating_body(table, "body", bodies, names, "no load moves it")?;
-        let (force, moment) = (table.item("force"), table.item("moment"));
+    pub(super) fn load(
+        &self,
+        table: Of<'_, LoadKey>,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Load> {
+        let body = self.floating_body(table, LoadKey::BODY, bodies, names, "no load moves it")?;
+        let (force, moment) = (table.item(LoadKey::FORCE), table.item(LoadKey::MOMENT));
         if force.is_none() && moment.is_none() {
-            let path = table.path_of("force");
+            let path = table.path_of(LoadKey::FORCE);
             let message = format!("`{path}` is missing, and so is `moment`");
             let error = self.sources.error(&table.span, &path, message);
             return Err(error.with_help("write force = [\"0 kN\", \"-500 kN\"]"));
         }
-        let from_s = *table.given("from").number();
-        let until = table.item("until");
+        let from_s = *table.given(LoadKey::FROM).number();
+        let until = table.item(LoadKey::UNTIL);
         let until_s = until.map_or(f64::INFINITY, |item| *item.number());
         if let Some(item) = until.filter(|_| until_s <= from_s) {
-            let path = table.path_of("until");
+            let path = table.path_of(LoadKey::UNTIL);
             let message = format!(
                 "`{path}` must be later than `from`, which is {from_s} s, but is {until_s} s"
             );

@@ -9,13 +9,20 @@ use fenderline_sim::environment::{LongWaveSite, LongWaveSpectrum, LongWaves};
 use super::assembly::{Assembly, Checked};
 use super::environment::TIMES_S;
 use super::vessel::Kinds;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::{Number, TableOf, Text};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::environment::EnvironmentKey;
+use fenderline_keys::keys::long_waves::LongWavesKey;
 use fenderline_keys::printable::printable_number;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// Harmonics of a spectrum of long waves.
 const HARMONICS: usize = 40;
 /// The keys of a spectrum that a regular wave does not have.
-const OF_SPECTRUM: [&str; 4] = ["shortest_period", "longest_period", "peakedness", "seed"];
+const OF_SPECTRUM: &[AnyKey<LongWavesKey>] =
+    any_keys![LongWavesKey: SHORTEST_PERIOD, LONGEST_PERIOD, PEAKEDNESS, SEED];
 /// The shortest period of a spectrum (s), if half the peak's is less.
 const SHORTEST_S: f64 = 25.0;
 /// Bounds of level (m) and velocity (m/s) in a file.
@@ -31,45 +38,49 @@ impl Assembly<'_, '_> {
     /// The long waves of a table in water of a depth at the start (m), beside a sea, for a run of a duration (s).
     pub(super) fn long_waves(
         &self,
-        (table, item): (&Table, &Item),
+        (table, item): (Of<'_, EnvironmentKey>, Entry<'_, TableOf<LongWavesKey>>),
         start_m: Option<f64>,
         sea: Option<&Sea>,
         duration_s: f64,
     ) -> Checked<LongWaves> {
         let of = item.table();
-        if let Some(file) = of.item("file") {
-            self.none_of(of, &["height", "period", "towards", "wall_distance"], "file")?;
-            self.none_of(of, &OF_SPECTRUM, "file")?;
-            if *of.given("regular").flag() {
-                return Err(self.not_together(of, of.given("regular"), "file"));
+        if let Some(file) = of.item(LongWavesKey::FILE) {
+            self.none_of(
+                of,
+                any_keys![LongWavesKey: HEIGHT, PERIOD, TOWARDS, WALL_DISTANCE],
+                "file",
+            )?;
+            self.none_of(of, OF_SPECTRUM, "file")?;
+            if *of.given(LongWavesKey::REGULAR).flag() {
+                return Err(self.not_together(of, of.given(LongWavesKey::REGULAR), "file"));
             }
             return self.long_wave_file(of, file, duration_s);
         }
         let help = "long waves have a `height`, a `period` and a `towards`, or a `file`";
-        self.all_of(of, &["height", "period", "towards"], help)?;
+        self.all_of(of, any_keys![LongWavesKey: HEIGHT, PERIOD, TOWARDS], help)?;
         let Some(depth_m) = start_m else {
-            let path = table.path_of("long_waves");
+            let path = table.path_of(EnvironmentKey::LONG_WAVES);
             let message = format!(
                 "`{path}` needs a `depth` beside it: the depth decides the velocity of the \
                     water"
             );
             return Err(self.sources.error(&item.key_span, &path, message));
         };
-        let number = |name: &str| of.item(name).map(|item| *item.number());
-        let (height, period) = (of.given("height"), of.given("period"));
+        let number = |name: Key<_, Number>| of.item(name).map(|item| *item.number());
+        let (height, period) = (of.given(LongWavesKey::HEIGHT), of.given(LongWavesKey::PERIOD));
         let (height_m, period_s) = (*height.number(), *period.number());
         let site = LongWaveSite {
-            towards_rad: *of.given("towards").number(),
+            towards_rad: *of.given(LongWavesKey::TOWARDS).number(),
             depth_m,
-            wall_m: number("wall_distance"),
+            wall_m: number(LongWavesKey::WALL_DISTANCE),
         };
         site.check_height(height_m).map_err(|error| self.refused(of, height, &error))?;
-        let is_regular = *of.given("regular").flag();
+        let is_regular = *of.given(LongWavesKey::REGULAR).flag();
         if is_regular {
-            self.none_of(of, &OF_SPECTRUM, "regular")?;
+            self.none_of(of, OF_SPECTRUM, "regular")?;
         }
-        let shortest = of.item("shortest_period").unwrap_or(period);
-        let shortest_s = match (is_regular, of.item("shortest_period")) {
+        let shortest = of.item(LongWavesKey::SHORTEST_PERIOD).unwrap_or(period);
+        let shortest_s = match (is_regular, of.item(LongWavesKey::SHORTEST_PERIOD)) {
             (true, _) => period_s,
             (false, Some(item)) => *item.number(),
             (false, None) => greater(0.5 * period_s, SHORTEST_S),
@@ -86,7 +97,7 @@ impl Assembly<'_, '_> {
         if let Some(of_sea_s) = sea.map(Sea::longest_period_s)
             && of_sea_s >= shortest_s
         {
-            let path = of.path_of(shortest.name);
+            let path = of.path_to(shortest);
             let message = format!(
                 "`{path}`: the shortest long wave, of {} s, is not longer than the longest of \
                  `environment.waves`, of {:.1} s: energy between the two would be counted twice",
@@ -104,16 +115,21 @@ impl Assembly<'_, '_> {
         let spectrum = LongWaveSpectrum {
             height_m,
             peak_period_s: period_s,
-            periods_s: [shortest_s, number("longest_period").unwrap_or(2.0 * period_s)],
-            peak_enhancement: number("peakedness").unwrap_or(3.3),
+            periods_s: [shortest_s, number(LongWavesKey::LONGEST_PERIOD).unwrap_or(2.0 * period_s)],
+            peak_enhancement: number(LongWavesKey::PEAKEDNESS).unwrap_or(3.3),
         };
-        let seed = number("seed").unwrap_or(1.0) as u64;
+        let seed = number(LongWavesKey::SEED).unwrap_or(1.0) as u64;
         let draw = Realisation { harmonics: HARMONICS, seed };
         LongWaves::of_spectrum(&spectrum, &site, draw).map_err(refused)
     }
 
-    fn long_wave_file(&self, of: &Table, file: &Item, duration_s: f64) -> Checked<LongWaves> {
-        let key = of.path_of("file");
+    fn long_wave_file(
+        &self,
+        of: Of<'_, LongWavesKey>,
+        file: Entry<'_, Text>,
+        duration_s: f64,
+    ) -> Checked<LongWaves> {
+        let key = of.path_of(LongWavesKey::FILE);
         let columns = ["t_s", "level_m", "north_mps", "east_mps"];
         let (csv, [time, level, north, east]) = self.csv_of(file, &key, columns)?;
         let rows = (0..csv.row_count()).map(|row| {
@@ -159,12 +175,14 @@ impl Assembly<'_, '_> {
     /// Notices about a ship that is too long for the waves, or that touches the bottom in a trough.
     pub(super) fn note_long_waves(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         environment: &Environment,
         kinds: &Kinds,
     ) {
-        let table = file.given("environment").table();
-        let (Some(item), Some(waves)) = (table.item("long_waves"), &environment.long_waves) else {
+        let table = file.given(ScenarioKey::ENVIRONMENT).table();
+        let (Some(item), Some(waves)) =
+            (table.item(EnvironmentKey::LONG_WAVES), &environment.long_waves)
+        else {
             return;
         };
         let of = item.table();
@@ -184,9 +202,10 @@ impl Assembly<'_, '_> {
                 depth_m + lowest_m,
                 draught_m
             );
-            self.note_at(&item.key_span, table.path_of("long_waves"), message);
+            self.note_at(&item.key_span, table.path_of(EnvironmentKey::LONG_WAVES), message);
         }
-        let (Some(period), Some(depth_m)) = (of.item("period"), environment.still_depth_at_m(0.0))
+        let (Some(period), Some(depth_m)) =
+            (of.item(LongWavesKey::PERIOD), environment.still_depth_at_m(0.0))
         else {
             return;
         };
@@ -201,7 +220,7 @@ impl Assembly<'_, '_> {
                 wave_m,
                 longest_m
             );
-            self.note_at(&period.span, of.path_of("period"), message);
+            self.note_at(&period.span, of.path_of(LongWavesKey::PERIOD), message);
         }
     }
 }

@@ -4,8 +4,10 @@ use fenderline_contact::Material;
 use fenderline_sim::NamedMaterial;
 
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::Notice;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::material::MaterialKey;
 
 /// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
 /// about 0.2 (from memory, no source read); the margin is for rough surfaces.
@@ -14,32 +16,32 @@ const HIGHEST_USUAL_FRICTION: f64 = 1.5;
 impl Assembly<'_, '_> {
     pub(super) fn materials(
         &mut self,
-        materials: &[(String, Table)],
+        materials: Tables<'_, MaterialKey>,
     ) -> Checked<Vec<NamedMaterial>> {
-        let mut read = |(name, table): &(String, Table)| {
+        let mut read = |(name, table): (&String, Of<'_, _>)| {
             Ok(NamedMaterial { name: name.clone(), material: self.material(table)? })
         };
         materials.iter().map(&mut read).collect()
     }
 
-    pub(super) fn material(&mut self, table: &Table) -> Checked<Material> {
-        let friction_static = *table.given("friction_static").number();
-        let dynamic = table.item("friction_dynamic");
+    pub(super) fn material(&mut self, table: Of<'_, MaterialKey>) -> Checked<Material> {
+        let friction_static = *table.given(MaterialKey::FRICTION_STATIC).number();
+        let dynamic = table.item(MaterialKey::FRICTION_DYNAMIC);
         let friction_dynamic = dynamic.map_or(friction_static, |item| *item.number());
         if let Some(item) = dynamic.filter(|_| friction_dynamic > friction_static) {
-            let path = table.path_of("friction_dynamic");
+            let path = table.path_of(MaterialKey::FRICTION_DYNAMIC);
             let message = format!(
                 "`{path}` must be at most `friction_static`, which is {friction_static}, but is \
                  {friction_dynamic}"
             );
             return Err(self.sources.error(&item.span, &path, message));
         }
-        let item = table.given("friction_static");
+        let item = table.given(MaterialKey::FRICTION_STATIC);
         self.need_shear_stiffness(table, item, table)?;
         if friction_static > HIGHEST_USUAL_FRICTION {
             self.notices.push(Notice {
                 place: self.sources.place(&item.span),
-                key: table.path_of("friction_static"),
+                key: table.path_of(MaterialKey::FRICTION_STATIC),
                 message: format!(
                     "{friction_static} is more than {HIGHEST_USUAL_FRICTION}, and facings, rubber, steel and concrete \
                      mostly have 0.1 to 1 on each other: hulls will stick rather than slide"
@@ -47,12 +49,12 @@ impl Assembly<'_, '_> {
             });
         }
         Ok(Material {
-            stiffness_npm2: *table.given("stiffness").number(),
-            damping_nspm2: *table.given("damping").number(),
-            shear_stiffness_npm: *table.given("shear_stiffness").number(),
+            stiffness_npm2: *table.given(MaterialKey::STIFFNESS).number(),
+            damping_nspm2: *table.given(MaterialKey::DAMPING).number(),
+            shear_stiffness_npm: *table.given(MaterialKey::SHEAR_STIFFNESS).number(),
             friction_static,
             friction_dynamic,
-            restitution: *table.given("restitution").number(),
+            restitution: *table.given(MaterialKey::RESTITUTION).number(),
         })
     }
 
@@ -60,17 +62,18 @@ impl Assembly<'_, '_> {
     /// force of a shear spring (eq. 4). The stiffness of this spring is a parameter of the fender (Table 1) and does
     /// not follow from other parameters; without a stiffness there is no friction at any slip. A default would be wrong
     /// without a message: how far a hull moves before it slides, and how it surges alongside, depend on the stiffness.
-    pub(super) fn need_shear_stiffness(
+    pub(super) fn need_shear_stiffness<T>(
         &self,
-        of: &Table,
-        friction: &Item,
-        material: &Table,
+        of: Of<'_, T>,
+        friction: Entry<'_, Number>,
+        material: Of<'_, MaterialKey>,
     ) -> Checked<()> {
-        if *friction.number() == 0.0 || *material.given("shear_stiffness").number() > 0.0 {
+        if *friction.number() == 0.0 || *material.given(MaterialKey::SHEAR_STIFFNESS).number() > 0.0
+        {
             return Ok(());
         }
-        let path = of.path_of(friction.name);
-        let key = material.path_of("shear_stiffness");
+        let path = of.path_to(friction);
+        let key = material.path_of(MaterialKey::SHEAR_STIFFNESS);
         let message = format!(
             "`{path}` needs `{key}`: friction acts through a shear spring, and is zero without a \
              stiffness"

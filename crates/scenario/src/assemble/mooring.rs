@@ -10,10 +10,14 @@ use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetu
 
 use super::assembly::{Assembly, Checked, Names};
 use super::vessel::Decks;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::ScenarioError;
-use fenderline_keys::keys::mooring::AT_THE_FAR_END;
+use fenderline_keys::held::{Name, Number, Text, Vector};
+use fenderline_keys::keys::mooring::{
+    AT_THE_FAR_END, BollardKey, ConstantTensionKey, LineHandlingKey, LineKey, OnDeckKey, TailKey,
+};
 use fenderline_keys::sources::quoted;
+use fenderline_keys::typed_key::{AnyKey, Anything, Key};
 
 /// The far end of a line that is fast from the start, and the length of the line.
 struct FarEnd {
@@ -24,7 +28,7 @@ struct FarEnd {
 impl Assembly<'_, '_> {
     pub(super) fn lines(
         &mut self,
-        lines: &[(String, Table)],
+        lines: Tables<'_, LineKey>,
         start: (&[BodySetup], f64),
         decks: &Decks<'_>,
         names: &Names,
@@ -35,40 +39,45 @@ impl Assembly<'_, '_> {
     fn line(
         &mut self,
         name: &str,
-        table: &Table,
+        table: Of<'_, LineKey>,
         (bodies, level_m): (&[BodySetup], f64),
         decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<MooringSetup> {
-        let number = |name: &str| *table.given(name).number();
-        let from = table.given("from");
+        let number = |name: Key<_, Number>| *table.given(name).number();
+        let from = table.given(LineKey::FROM);
         let ship = self.body_named(table, from, from.name(), names)?;
-        let (fairlead_m, fairlead_above_water_m) =
-            match self.one_of(table, "fairlead", "fairlead_height", "chock")? {
-                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
-                LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
-            };
-        let far = match table.item("to") {
+        let (fairlead_m, fairlead_above_water_m) = match self.one_of(
+            table,
+            LineKey::FAIRLEAD,
+            LineKey::FAIRLEAD_HEIGHT,
+            LineKey::CHOCK,
+        )? {
+            LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+            LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
+        };
+        let far = match table.item(LineKey::TO) {
             Some(to) => Some(self.far_end(table, to, (ship, decks), names)?),
             None => {
                 self.check_on_board(table)?;
                 None
             }
         };
-        let break_load_n = number("break_load");
-        let main = self.rope(table)?;
-        let tail = match table.item("tail").map(Item::table) {
-            Some(tail) => {
-                Some(Tail { rope: self.rope(tail)?, length_m: *tail.given("length").number() })
-            }
+        let break_load_n = number(LineKey::BREAK_LOAD);
+        let main = self.rope(table.read_as())?;
+        let tail = match table.item(LineKey::TAIL).map(Entry::table) {
+            Some(tail) => Some(Tail {
+                rope: self.rope(tail.read_as())?,
+                length_m: *tail.given(TailKey::LENGTH).number(),
+            }),
             None => None,
         };
         let details = LineDetails {
             on_deck: self.on_deck(table)?,
             weight_npm: table
-                .item("mass")
+                .item(LineKey::MASS)
                 .map_or(0.0, |item| STANDARD_GRAVITY_MPS2 * item.number()),
-            working_load_n: table.item("working_load").map(|item| *item.number()),
+            working_load_n: table.item(LineKey::WORKING_LOAD).map(|item| *item.number()),
         };
         let winch = Winch {
             constant_tension: self.constant_tension(table)?,
@@ -78,7 +87,7 @@ impl Assembly<'_, '_> {
             line: LineSetup {
                 name: name.to_owned(),
                 kind: LineKind::Light { main, tail, details },
-                inboard_end: match table.given("winch").flag() {
+                inboard_end: match table.given(LineKey::WINCH).flag() {
                     true => InboardEnd::Winch(winch),
                     false => InboardEnd::Bitts,
                 },
@@ -91,8 +100,8 @@ impl Assembly<'_, '_> {
             fairlead_m,
             fairlead_above_water_m,
             end: far.map(|far| far.end),
-            from_s: number("made_fast"),
-            rope_m: number("rope_length"),
+            from_s: number(LineKey::MADE_FAST),
+            rope_m: number(LineKey::ROPE_LENGTH),
         };
         if setup.from_s <= 0.0 {
             setup.check_at_start(bodies, level_m).map_err(|error| self.wrong(table, &error))?;
@@ -100,59 +109,59 @@ impl Assembly<'_, '_> {
         Ok(setup)
     }
 
-    fn on_deck(&self, table: &Table) -> Checked<Option<OnDeck>> {
-        let Some(of) = table.item("on_deck").map(Item::table) else { return Ok(None) };
-        let (friction, wrap) = (of.given("friction"), of.given("wrap"));
+    fn on_deck(&self, table: Of<'_, LineKey>) -> Checked<Option<OnDeck>> {
+        let Some(of) = table.item(LineKey::ON_DECK).map(Entry::table) else { return Ok(None) };
+        let (friction, wrap) = (of.given(OnDeckKey::FRICTION), of.given(OnDeckKey::WRAP));
         if friction.is_default && !wrap.is_default {
-            let path = of.path_of("wrap");
+            let path = of.path_of(OnDeckKey::WRAP);
             let message = format!("`{path}` needs `friction`: without friction it does nothing");
             return Err(self.sources.error(&wrap.key_span, &path, message));
         }
-        let length_m = *of.given("length").number();
+        let length_m = *of.given(OnDeckKey::LENGTH).number();
         Ok(Some(OnDeck::behind_chock(length_m, *friction.number(), *wrap.number())))
     }
 
-    fn constant_tension(&self, table: &Table) -> Checked<Option<ConstantTension>> {
-        let Some(item) = table.item("constant_tension") else { return Ok(None) };
-        if !table.given("winch").flag() {
-            let path = table.path_of("constant_tension");
+    fn constant_tension(&self, table: Of<'_, LineKey>) -> Checked<Option<ConstantTension>> {
+        let Some(item) = table.item(LineKey::CONSTANT_TENSION) else { return Ok(None) };
+        if !table.given(LineKey::WINCH).flag() {
+            let path = table.path_of(LineKey::CONSTANT_TENSION);
             let error =
                 self.sources.error(&item.key_span, &path, format!("`{path}` needs `winch = true`"));
             return Err(error.with_help("a line on bitts is held until it parts"));
         }
-        let number = |name: &str| *item.table().given(name).number();
+        let number = |name: Key<_, Number>| *item.table().given(name).number();
         Ok(Some(ConstantTension {
-            tension_n: number("tension"),
-            band: number("band"),
-            heave_mps: number("heaving_speed"),
-            pay_out_mps: number("paying_out_speed"),
+            tension_n: number(ConstantTensionKey::TENSION),
+            band: number(ConstantTensionKey::BAND),
+            heave_mps: number(ConstantTensionKey::HEAVING_SPEED),
+            pay_out_mps: number(ConstantTensionKey::PAYING_OUT_SPEED),
         }))
     }
 
     /// The far end of a line that is fast from the start.
     fn far_end(
         &self,
-        table: &Table,
-        to: &Item,
+        table: Of<'_, LineKey>,
+        to: Entry<'_, Name>,
         (ship, decks): (usize, &Decks<'_>),
         names: &Names,
     ) -> Checked<FarEnd> {
         let body = self.body_named(table, to, to.name(), names)?;
         if ship == body {
-            let path = table.path_of("to");
+            let path = table.path_of(LineKey::TO);
             let message = format!("`{path}`: both ends are on body {}", quoted(to.name()));
             return Err(self.sources.error(&to.span, &path, message));
         }
         let (at_m, above_water_m) =
-            match self.one_of(table, "bollard", "bollard_height", "bitts")? {
+            match self.one_of(table, LineKey::BOLLARD, LineKey::BOLLARD_HEIGHT, LineKey::BITTS)? {
                 LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
                 LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
             };
-        let initial_length = match (table.item("length"), table.item("pretension")) {
+        let initial_length = match (table.item(LineKey::LENGTH), table.item(LineKey::PRETENSION)) {
             (Some(length), None) => InitialLength::Outboard(*length.number()),
             (None, Some(tension)) => InitialLength::FromPretension(*tension.number()),
             (given, _) => {
-                let path = table.path_of("pretension");
+                let path = table.path_of(LineKey::PRETENSION);
                 let both = given.is_some();
                 let message = if both {
                     format!("`{path}` does not go together with `length`")
@@ -167,12 +176,11 @@ impl Assembly<'_, '_> {
     }
 
     /// A line on board has no key that says where or how it is made fast.
-    fn check_on_board(&self, table: &Table) -> Checked<()> {
-        let given = AT_THE_FAR_END
-            .iter()
-            .find_map(|key| table.item_if_any(key).filter(|item| !item.is_default));
+    fn check_on_board(&self, table: Of<'_, LineKey>) -> Checked<()> {
+        let given =
+            AT_THE_FAR_END.iter().find_map(|key| table.item(*key).filter(|item| !item.is_default));
         let Some(item) = given else { return Ok(()) };
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let message = format!("`{path}` needs `to`: a line without `to` is on board");
         let error = self.sources.error(&item.key_span, &path, message);
         Err(error.with_help("name the body at the other end in `to`, or remove this key"))
@@ -180,40 +188,41 @@ impl Assembly<'_, '_> {
 
     pub(super) fn bollards(
         &self,
-        bollards: &[(String, Table)],
+        bollards: Tables<'_, BollardKey>,
         names: &Names,
     ) -> Checked<Vec<BollardSetup>> {
-        let bollard = |(name, table): &(String, Table)| {
-            let on = table.given("on");
+        let bollard = |(name, table): (&String, Of<'_, _>)| {
+            let on = table.given(BollardKey::ON);
             Ok(BollardSetup {
                 name: name.clone(),
                 body: self.body_named(table, on, on.name(), names)?,
-                at_m: *table.given("at").vector(),
-                above_water_m: *table.given("height").number(),
-                most_lines: self.count(table, "lines")?,
+                at_m: *table.given(BollardKey::AT).vector(),
+                above_water_m: *table.given(BollardKey::HEIGHT).number(),
+                most_lines: self.count(table, BollardKey::LINES)?,
             })
         };
         bollards.iter().map(bollard).collect()
     }
 
-    pub(super) fn line_handling(&self, table: &Table) -> Checked<LineHandling> {
-        let number = |name: &str| *table.given(name).number();
-        let (boat, speed) = (table.given("boat").flag(), table.given("boat_speed"));
+    pub(super) fn line_handling(&self, table: Of<'_, LineHandlingKey>) -> Checked<LineHandling> {
+        let number = |name: Key<_, Number>| *table.given(name).number();
+        let (boat, speed) =
+            (table.given(LineHandlingKey::BOAT).flag(), table.given(LineHandlingKey::BOAT_SPEED));
         if !boat && !speed.is_default {
-            let path = table.path_of("boat_speed");
+            let path = table.path_of(LineHandlingKey::BOAT_SPEED);
             let message = format!("`{path}` does not go together with `boat = false`");
             return Err(self.sources.error(&speed.key_span, &path, message));
         }
         Ok(LineHandling {
-            gangs: self.count(table, "gangs")?,
-            heaving_line_m: number("heaving_line"),
-            heaving_line_s: number("time"),
+            gangs: self.count(table, LineHandlingKey::GANGS)?,
+            heaving_line_m: number(LineHandlingKey::HEAVING_LINE),
+            heaving_line_s: number(LineHandlingKey::TIME),
             boat_mps: boat.then(|| *speed.number()),
         })
     }
 
     /// A whole number.
-    fn count(&self, table: &Table, key: &str) -> Checked<usize> {
+    fn count<T>(&self, table: Of<'_, T>, key: Key<T, Number>) -> Checked<usize> {
         let item = table.given(key);
         let value = *item.number();
         if value.fract() != 0.0 {
@@ -227,17 +236,17 @@ impl Assembly<'_, '_> {
     /// A line's end, by coordinates or by the name of a point of the vessel.
     fn one_of<'t>(
         &self,
-        table: &'t Table,
-        place: &str,
-        height: &str,
-        name: &str,
+        table: Of<'t, LineKey>,
+        place: Key<LineKey, Vector>,
+        height: Key<LineKey, Number>,
+        name: Key<LineKey, Text>,
     ) -> Checked<LinePoint<'t>> {
         let height = table.given(height);
         match (table.item(place), table.item(name)) {
             (Some(at), None) => Ok(LinePoint::At(*at.vector(), *height.number())),
             (None, Some(item)) if height.is_default => Ok(LinePoint::Named(item)),
-            (None, Some(_)) => Err(self.beside(table, height, name)),
-            (Some(_), Some(item)) => Err(self.beside(table, item, place)),
+            (None, Some(_)) => Err(self.beside(table, height.any(), name.any())),
+            (Some(_), Some(item)) => Err(self.beside(table, item.any(), place.any())),
             (None, None) => {
                 let path = table.path_of(place);
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
@@ -246,8 +255,13 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn beside(&self, table: &Table, item: &Item, other: &str) -> ScenarioError {
-        let path = table.path_of(item.name);
+    fn beside(
+        &self,
+        table: Of<'_, LineKey>,
+        item: Entry<'_, Anything>,
+        other: AnyKey<LineKey>,
+    ) -> ScenarioError {
+        let path = table.path_to(item);
         let message = format!("`{path}` does not go together with `{other}`");
         let error = self.sources.error(&item.key_span, &path, message);
         error.with_help("keep one of the two")
@@ -259,5 +273,5 @@ enum LinePoint<'t> {
     /// From the body's origin, and above the water (m).
     At(Vec2, f64),
     /// A chock or bitts.
-    Named(&'t Item),
+    Named(Entry<'t, Text>),
 }

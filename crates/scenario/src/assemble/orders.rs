@@ -3,14 +3,17 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{ArgumentKind, Arguments, Named, OrderName, TargetKind, Value};
 use fenderline_sim::{Order, OrderError, Setup};
 
 use super::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, List, Of};
 use fenderline_keys::error::ScenarioError;
-use fenderline_keys::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};
+use fenderline_keys::held::{Flag, Name, Number, Text, Vector};
+use fenderline_keys::keys::order::{
+    ArgumentKey, OrderKey, OrderKind, argument_key, order_key, target_key, words,
+};
+use fenderline_keys::typed_key::{Anything, Key};
 
 /// The names that orders refer to.
 pub(super) struct OrderNames<'w> {
@@ -49,23 +52,32 @@ const TARGETS: [TargetKind; 4] =
     [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line, TargetKind::Anchor];
 
 impl Assembly<'_, '_> {
-    pub(super) fn orders(&self, orders: &[Table], of: &OrderNames<'_>) -> Checked<Vec<Order>> {
+    pub(super) fn orders(
+        &self,
+        orders: List<'_, OrderKey>,
+        of: &OrderNames<'_>,
+    ) -> Checked<Vec<Order>> {
         orders.iter().map(|table| self.order(table, of)).collect()
     }
 
-    pub(super) fn order(&self, table: &Table, of: &OrderNames<'_>) -> Checked<Order> {
-        let at_s = *table.given("at").number();
-        let (kind, item) = self.target(table)?;
-        let what = self.what(table, kind, item)?;
+    pub(super) fn order(&self, table: Of<'_, OrderKey>, of: &OrderNames<'_>) -> Checked<Order> {
+        let at_s = *table.given(OrderKey::AT).number();
+        let kind = self.target(table)?;
+        let what = self.what(table, kind)?;
         let target = match kind {
-            TargetKind::Vessel => self.vessel_named(table, item, &of.vessels, of.names)?,
+            TargetKind::Vessel => {
+                let item = table.given(OrderKey::VESSEL);
+                self.vessel_named(table, item, &of.vessels, of.names)?
+            }
             TargetKind::Tug => {
+                let item = table.given(OrderKey::TUG);
                 let known = || of.setup.world.tugs.iter().map(|tug| tug.tug.name.as_str());
                 let index = of.tugs.get(item.text()).copied();
                 index.ok_or_else(|| self.unknown("tug", table, item, item.text(), known()))?
             }
-            TargetKind::Line => self.line_named(table, item, of)?,
+            TargetKind::Line => self.line_named(table, table.given(OrderKey::LINE), of)?,
             TargetKind::Anchor => {
+                let item = table.given(OrderKey::ANCHOR);
                 let known = || of.setup.world.anchors.iter().map(|own| own.gear.name.as_str());
                 let index = of.anchors.get(item.text()).copied();
                 index.ok_or_else(|| self.unknown("anchor", table, item, item.text(), known()))?
@@ -78,10 +90,9 @@ impl Assembly<'_, '_> {
         Ok(Order { at_s, action })
     }
 
-    /// The one target that an order names.
-    fn target<'t>(&self, table: &'t Table) -> Checked<(TargetKind, &'t Item)> {
-        let named = TARGETS.map(|kind| table.item(kind.word()).map(|item| (kind, item)));
-        let mut named = named.into_iter().flatten();
+    /// The kind of the one target that an order names.
+    fn target(&self, table: Of<'_, OrderKey>) -> Checked<TargetKind> {
+        let mut named = TARGETS.into_iter().filter(|kind| table.item(target_key(*kind)).is_some());
         match (named.next(), named.next()) {
             (Some(one), None) => Ok(one),
             _ => {
@@ -95,22 +106,24 @@ impl Assembly<'_, '_> {
     }
 
     /// The one key of the table that is an order.
-    fn what<'t>(&self, table: &'t Table, kind: TargetKind, target: &Item) -> Checked<&'t Item> {
+    fn what<'t>(&self, table: Of<'t, OrderKey>, kind: TargetKind) -> Checked<Entry<'t, Anything>> {
         let known = words(kind);
-        let others = [target.name, "at", DIRECTION];
-        let given: Vec<&Item> =
-            table.items.iter().filter(|item| !others.contains(&item.name)).collect();
+        let target = target_key(kind);
+        let others = [target, OrderKey::AT.any(), OrderKey::DIRECTION.any()];
+        let is_other = |item: &Entry<'_, Anything>| others.iter().any(|key| item.is(*key));
+        let given: Vec<Entry<'_, Anything>> =
+            table.entries().filter(|item| !is_other(item)).collect();
         let what = match given.as_slice() {
             [what] if known.contains(&what.name) => *what,
             [what, ..] if !known.contains(&what.name) => {
-                let path = table.path_of(what.name);
+                let path = table.path_to(*what);
                 let article = if kind == TargetKind::Anchor { "an" } else { "a" };
-                let message = format!("`{path}` is not an order to {article} {}", target.name);
+                let message = format!("`{path}` is not an order to {article} {target}");
                 let error = self.sources.error(&what.key_span, &path, message);
                 return Err(error.with_help(format!("there are {}", known.join(", "))));
             }
             [_, second, ..] => {
-                let path = table.path_of(second.name);
+                let path = table.path_to(*second);
                 let message = format!("`{path}`: a second order in one table");
                 let error = self.sources.error(&second.key_span, &path, message);
                 return Err(error.with_help("write a second [[order]]"));
@@ -121,8 +134,9 @@ impl Assembly<'_, '_> {
                 return Err(error.with_help(format!("there are {}", known.join(", "))));
             }
         };
-        if let Some(direction) = table.item(DIRECTION).filter(|_| kind != TargetKind::Tug) {
-            let path = table.path_of(DIRECTION);
+        if let Some(direction) = table.item(OrderKey::DIRECTION).filter(|_| kind != TargetKind::Tug)
+        {
+            let path = table.path_of(OrderKey::DIRECTION);
             let message = format!("`{path}` is for tugs");
             return Err(self.sources.error(&direction.key_span, &path, message));
         }
@@ -132,57 +146,82 @@ impl Assembly<'_, '_> {
     /// The order and its arguments.
     fn arguments(
         &self,
-        table: &Table,
-        what: &Item,
+        table: Of<'_, OrderKey>,
+        what: Entry<'_, Anything>,
         target: usize,
         of: &OrderNames<'_>,
     ) -> Checked<(OrderName, Arguments)> {
         let none = Arguments::new();
         let Some(order) = OrderName::of_word(what.name) else {
-            debug_assert_eq!(what.name, TELEGRAPH, "all other words are in the table of orders");
-            let share = what.choice::<Telegraph>().revolutions_ratio();
-            return Ok((OrderName::Engine, none.number("share", share)));
+            // All other words are in the table of orders.
+            let word = table.given(OrderKey::TELEGRAPH).choice();
+            return Ok((OrderName::Engine, none.number("share", word.revolutions_ratio())));
         };
-        let arguments = match form(order) {
-            Form::Flag => {
-                self.only_true(table, what)?;
+        let all = order.spec().arguments;
+        let arguments = match order_key(order) {
+            OrderKind::Flag(key) => {
+                self.only_true(table, key)?;
                 none
             }
-            Form::Number => {
-                let mut own = order.spec().arguments.iter();
-                let first = own.next().map(|first| (first.name, *what.number()));
+            OrderKind::Number(key) => {
+                let mut own = all.iter();
+                let first = own.next().map(|first| (first.name, *table.given(key).number()));
                 let beside = own.filter_map(|argument| {
-                    Some((argument.name, *table.item(argument.name)?.number()))
+                    let key = argument_key::<OrderKey, Number>(argument);
+                    Some((argument.name, *table.item(key)?.number()))
                 });
                 let all = first.into_iter().chain(beside);
                 all.fold(none, |all, (name, value)| all.number(name, value))
             }
-            Form::Table => {
-                let given = what.table();
-                let mut all = none;
-                for argument in order.spec().arguments {
-                    let Some(item) = given.item(argument.name) else { continue };
+            OrderKind::Table(key) => {
+                let given = table.given(key).table();
+                let mut found = none;
+                for argument in all {
                     let value = match argument.kind {
-                        ArgumentKind::Number { .. } => Value::Number(*item.number()),
-                        ArgumentKind::Place { .. } => Value::Place(*item.vector()),
+                        ArgumentKind::Number { .. } => {
+                            let item = given.item(argument_key::<_, Number>(argument));
+                            item.map(|item| Value::Number(*item.number()))
+                        }
+                        ArgumentKind::Place { .. } => {
+                            let item = given.item(argument_key::<_, Vector>(argument));
+                            item.map(|item| Value::Place(*item.vector()))
+                        }
+                        ArgumentKind::Name(Named::Body) => {
+                            match given.item(argument_key::<_, Name>(argument)) {
+                                None => None,
+                                Some(item) => Some(Value::Index(self.body_named(
+                                    given,
+                                    item,
+                                    item.name(),
+                                    of.names,
+                                )?)),
+                            }
+                        }
                         ArgumentKind::Name(named) => {
-                            Value::Index(self.index_named(named, given, item, target, of)?)
+                            match given.item(argument_key::<_, Text>(argument)) {
+                                None => None,
+                                Some(item) => Some(Value::Index(
+                                    self.index_named(named, given, item, target, of)?,
+                                )),
+                            }
                         }
                     };
-                    all = all.with(argument.name, value);
+                    if let Some(value) = value {
+                        found = found.with(argument.name, value);
+                    }
                 }
-                all
+                found
             }
         };
         Ok((order, arguments))
     }
 
-    /// The index of what an argument names.
+    /// The index of what an argument names, other than a body.
     fn index_named(
         &self,
         named: Named,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, ArgumentKey>,
+        item: Entry<'_, Text>,
         target: usize,
         of: &OrderNames<'_>,
     ) -> Checked<usize> {
@@ -200,44 +239,59 @@ impl Assembly<'_, '_> {
                 let index = known().position(|known| known == item.text());
                 index.ok_or_else(|| self.unknown("azimuth unit", table, item, item.text(), known()))
             }
-            Named::Body => self.body_named(table, item, item.name(), of.names),
             Named::Line => self.line_named(table, item, of),
             Named::Bollard => {
                 let known = || of.setup.world.bollards.iter().map(|bollard| bollard.name.as_str());
                 let index = known().position(|known| known == item.text());
                 index.ok_or_else(|| self.unknown("bollard", table, item, item.text(), known()))
             }
+            Named::Body => unreachable!("a body's name is not a text"),
         }
     }
 
-    fn line_named(&self, table: &Table, item: &Item, of: &OrderNames<'_>) -> Checked<usize> {
+    fn line_named<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
+        of: &OrderNames<'_>,
+    ) -> Checked<usize> {
         let known = || of.setup.world.lines.iter().map(|line| line.line.name.as_str());
         let index = of.lines.get(item.text()).copied();
         index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))
     }
 
     /// The simulation's error about an order, at the key with the mistake.
-    fn refused_order(&self, table: &Table, what: &Item, error: &OrderError) -> ScenarioError {
-        let tables = match &what.value {
+    fn refused_order(
+        &self,
+        table: Of<'_, OrderKey>,
+        what: Entry<'_, Anything>,
+        error: &OrderError,
+    ) -> ScenarioError {
+        let table = table.table();
+        let tables = match &what.item().value {
             fenderline_keys::checked::Value::Table(own) => [own, table],
             _ => [table, table],
         };
         let about = error.argument().and_then(|name| {
-            tables.into_iter().find_map(|table| Some((table, table.item_if_any(name)?)))
+            tables.into_iter().find_map(|table| {
+                let item = table.items.iter().find(|item| item.name == name)?;
+                Some((table, item))
+            })
         });
         let (path, span) = match about {
-            Some((table, item)) => (table.path_of(item.name), &item.span),
-            None => (table.path_of(what.name), &what.key_span),
+            Some((table, item)) => (table.path_to(item), &item.span),
+            None => (table.path_to(what.item()), &what.item().key_span),
         };
         self.sources.error(span, &path, format!("`{path}`: {error}"))
     }
 
     /// `let_go = false` would order nothing.
-    fn only_true(&self, table: &Table, what: &Item) -> Checked<()> {
+    fn only_true(&self, table: Of<'_, OrderKey>, key: Key<OrderKey, Flag>) -> Checked<()> {
+        let what = table.given(key);
         if *what.flag() {
             return Ok(());
         }
-        let path = table.path_of(what.name);
+        let path = table.path_of(key);
         Err(self.sources.error(&what.span, &path, format!("`{path}` can only be true")))
     }
 }

@@ -1,7 +1,9 @@
 //! What a run writes.
 
 use crate::assemble::assembly::{Assembly, Checked};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::{Number, Texts};
+use fenderline_keys::keys::output::OutputKey;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 use fenderline_sim::{OutputPlan, OutputTable};
@@ -13,27 +15,27 @@ impl Assembly<'_, '_> {
     /// The plan of the table `[output]` for a run of `duration_s` in steps of `step_s`.
     pub(super) fn output(
         &self,
-        table: Option<&Table>,
+        table: Option<Of<'_, OutputKey>>,
         step_s: f64,
         duration_s: f64,
     ) -> Checked<OutputPlan> {
         let by_default = OutputPlan::of_steps(libm::ceil(duration_s / step_s));
         let Some(table) = table else { return Ok(by_default) };
-        let steps_per_row = match table.item("interval") {
+        let steps_per_row = match table.item(OutputKey::INTERVAL) {
             None => by_default.steps_per_row,
             Some(item) => self.steps_per_row(table, item, step_s, duration_s)?,
         };
-        let tables = match table.item("tables") {
+        let tables = match table.item(OutputKey::TABLES) {
             None => OutputPlan::default_tables(steps_per_row),
             Some(item) => self.output_tables(table, item)?,
         };
         Ok(OutputPlan { steps_per_row, tables })
     }
 
-    fn steps_per_row(
+    fn steps_per_row<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Number>,
         step_s: f64,
         duration_s: f64,
     ) -> Checked<u64> {
@@ -41,7 +43,7 @@ impl Assembly<'_, '_> {
         if interval_s == 0.0 {
             return Ok(1);
         }
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let refused = |why: String, help: String| {
             let message = format!("`{path}` of {interval_s} s {why}");
             Err(self.sources.error(&item.span, &path, message).with_help(help))
@@ -65,12 +67,16 @@ impl Assembly<'_, '_> {
         Ok(steps as u64)
     }
 
-    fn output_tables(&self, table: &Table, item: &Item) -> Checked<Vec<OutputTable>> {
+    fn output_tables<T>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, Texts>,
+    ) -> Checked<Vec<OutputTable>> {
         let mut tables = Vec::new();
         for name in item.texts() {
             let known = OutputTable::ALL.into_iter().find(|table| table.name() == name);
             let Some(known) = known else {
-                let path = table.path_of(item.name);
+                let path = table.path_to(item);
                 let message = format!("`{path}`: there is no result table {}", quoted(name));
                 let error = self.sources.error(&item.span, &path, message);
                 let names = || OutputTable::ALL.into_iter().map(OutputTable::name);

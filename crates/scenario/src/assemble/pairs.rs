@@ -5,8 +5,10 @@ use std::collections::BTreeSet;
 use fenderline_sim::{BodySetup, PairSetup};
 
 use super::assembly::{Assembly, Checked, Names};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, List, Of};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::TwoNames;
+use fenderline_keys::keys::material::PairKey;
 use fenderline_keys::sources::quoted;
 
 pub(super) struct Pairs {
@@ -37,14 +39,14 @@ fn ordered([one, other]: [usize; 2]) -> [usize; 2] {
 impl Assembly<'_, '_> {
     pub(super) fn pairs(
         &self,
-        pairs: &[Table],
+        pairs: List<'_, PairKey>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Pairs> {
         let mut read = Pairs::new(Vec::with_capacity(pairs.len()), None);
         for table in pairs {
-            let item = table.given("bodies");
-            let material_item = table.given("material");
+            let item = table.given(PairKey::BODIES);
+            let material_item = table.given(PairKey::MATERIAL);
             let two = item.two_names();
             if let [true, true] = two.each_ref().map(|name| name == "*") {
                 let material = self.material_named(table, material_item, names)?;
@@ -68,10 +70,10 @@ impl Assembly<'_, '_> {
         Ok(read)
     }
 
-    fn two_bodies(
+    fn two_bodies<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, TwoNames>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<[usize; 2]> {
@@ -97,8 +99,13 @@ impl Assembly<'_, '_> {
         Ok([one, other])
     }
 
-    fn pair_error(&self, table: &Table, item: &Item, message: &str) -> ScenarioError {
-        let path = table.path_of(item.name);
+    fn pair_error<T, V>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
+        message: &str,
+    ) -> ScenarioError {
+        let path = table.path_to(item);
         self.sources.error(&item.span, &path, format!("`{path}`: {message}"))
     }
 }

@@ -7,7 +7,11 @@ use fenderline_sim::Rated;
 use super::assembly::{Assembly, Checked};
 use super::performance::Performance;
 use crate::vessels::Belting;
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Of;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::panel::ConeKey;
+use fenderline_keys::typed_key::Key;
 
 /// A panel, and the height of the reaction above the middle of the face (m).
 pub(super) struct PanelParts {
@@ -19,13 +23,13 @@ impl Assembly<'_, '_> {
     /// The panel of a fender with `cones`; `None` without.
     pub(super) fn panel(
         &self,
-        table: &Table,
+        table: Of<'_, FenderKey>,
         face: &Belting,
         performance: &Performance,
     ) -> Checked<Option<PanelParts>> {
-        let Some(item) = table.item("cones") else { return Ok(None) };
+        let Some(item) = table.item(FenderKey::CONES) else { return Ok(None) };
         let cones = item.list();
-        let path = table.path_of("cones");
+        let path = table.path_of(FenderKey::CONES);
         let refused = |message: String, help: &str| {
             Err(self.sources.error(&item.span, &path, message).with_help(help))
         };
@@ -43,10 +47,11 @@ impl Assembly<'_, '_> {
             return refused(message, "a panel on one cone is a fender without `cones`");
         }
         for cone in cones {
-            self.within(cone, "at", face.width_m, "width")?;
-            self.within(cone, "height", face.extent_m, "face_height")?;
+            self.within(cone, ConeKey::AT, face.width_m, "width")?;
+            self.within(cone, ConeKey::HEIGHT, face.extent_m, "face_height")?;
         }
-        let cones_m: Vec<f64> = cones.iter().map(|cone| *cone.given("at").number()).collect();
+        let cones_m: Vec<f64> =
+            cones.iter().map(|cone| *cone.given(ConeKey::AT).number()).collect();
         let (low_m, high_m) =
             cones_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &at| {
                 (lesser(low, at), greater(high, at))
@@ -70,7 +75,8 @@ impl Assembly<'_, '_> {
                 "behind a panel its slope is the stiffness of a stretched cone",
             );
         }
-        let height_m = |cone: &Table| cone.item("height").map_or(0.0, |item| *item.number());
+        let height_m =
+            |cone: Of<'_, ConeKey>| cone.item(ConeKey::HEIGHT).map_or(0.0, |item| *item.number());
         let reaction_above_m = cones.iter().map(height_m).sum::<f64>() / cones.len() as f64;
         Ok(Some(PanelParts {
             panel: Panel { cones_m, tension_chains: Vec::new() },
@@ -79,7 +85,13 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses a place outside the panel.
-    pub(super) fn within(&self, cone: &Table, name: &str, size_m: f64, of: &str) -> Checked<()> {
+    pub(super) fn within<T>(
+        &self,
+        cone: Of<'_, T>,
+        name: Key<T, Number>,
+        size_m: f64,
+        of: &str,
+    ) -> Checked<()> {
         let Some(item) = cone.item(name) else { return Ok(()) };
         let at_m = *item.number();
         let most_m = 0.5 * size_m;

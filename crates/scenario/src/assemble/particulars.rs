@@ -6,8 +6,11 @@ use fenderline_sim::{BodySetup, Environment, VesselSetup};
 
 use super::assembly::{Assembly, Checked};
 use crate::assemble::plausible::figures;
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Of;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::berthing::BerthingKey;
 use fenderline_keys::sources::quoted;
+use fenderline_keys::typed_key::Key;
 
 /// If length, beam, draught or block coefficient in the table differ from the vessel's values by more than this share,
 /// a notice says so.
@@ -38,7 +41,7 @@ impl Assembly<'_, '_> {
     /// A particular that neither has; a ship that is aground.
     pub(super) fn particulars(
         &mut self,
-        table: &Table,
+        table: Of<'_, BerthingKey>,
         ship: usize,
         (bodies, vessels): (&[BodySetup], &[VesselSetup]),
         environment: &Environment,
@@ -55,25 +58,32 @@ impl Assembly<'_, '_> {
             from: format!("the hull of {}", quoted(&body.name)),
         });
         let why = format!("{} is no vessel: give its own", quoted(&body.name));
-        let length_bp_m =
-            self.particular(table, "length_bp", of_vessel(|ship| ship.length_m), " m", &why)?;
-        let beam_m = self.particular(table, "beam", of_vessel(|ship| ship.beam_m), " m", &why)?;
+        let length_bp_m = self.particular(
+            table,
+            BerthingKey::LENGTH_BP,
+            of_vessel(|ship| ship.length_m),
+            " m",
+            &why,
+        )?;
+        let beam_m =
+            self.particular(table, BerthingKey::BEAM, of_vessel(|ship| ship.beam_m), " m", &why)?;
         let draught = of_vessel(|ship| ship.draught_m).or(of_hull);
-        let draught_m = self.particular(table, "draught", draught, " m", &why)?;
+        let draught_m = self.particular(table, BerthingKey::DRAUGHT, draught, " m", &why)?;
         let block = of_vessel(Particulars::block_coefficient);
-        let block_coefficient = self.particular(table, "block_coefficient", block, "", &why)?;
+        let block_coefficient =
+            self.particular(table, BerthingKey::BLOCK_COEFFICIENT, block, "", &why)?;
         let under_keel_clearance_m = self.clearance_m(table, body, draught_m, environment)?;
         Ok(Taken { length_bp_m, beam_m, draught_m, under_keel_clearance_m, block_coefficient })
     }
 
     fn clearance_m(
         &mut self,
-        table: &Table,
+        table: Of<'_, BerthingKey>,
         body: &BodySetup,
         draught_m: f64,
         environment: &Environment,
     ) -> Checked<f64> {
-        let key = "under_keel_clearance";
+        let key = BerthingKey::UNDER_KEEL_CLEARANCE;
         let depth_m = environment.depth_at_m(0.0);
         if let (Some(depth_m), None) = (depth_m, table.item(key))
             && depth_m < draught_m
@@ -116,8 +126,8 @@ impl Assembly<'_, '_> {
     /// The number of the table, else the known number.
     fn particular(
         &mut self,
-        table: &Table,
-        key: &'static str,
+        table: Of<'_, BerthingKey>,
+        key: Key<BerthingKey, Number>,
         known: Option<Known>,
         unit: &str,
         why: &str,

@@ -14,9 +14,14 @@ use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
 use super::vessel::Kinds;
 use crate::vessels::{VesselData, VesselLibrary};
-use fenderline_keys::checked::Table;
-use fenderline_keys::keys::passing::SectionsBy;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::Of;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::environment::EnvironmentKey;
+use fenderline_keys::keys::passing::{InteractionKey, PassingKey, SectionsBy, SectionsKey};
 use fenderline_keys::sources::quoted;
+use fenderline_keys::typed_key::Key;
 
 /// Clear distance at the start over the mean length within which the force begins suddenly; our choice.
 const SUDDEN: f64 = 1.0;
@@ -28,20 +33,21 @@ impl Assembly<'_, '_> {
     /// need them.
     pub(super) fn flow(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         library: &VesselLibrary,
         (kinds, vessels, bodies): (&Kinds, &[VesselSetup], &[BodySetup]),
         environment: &Environment,
     ) -> Checked<FlowSetup> {
-        let passing = file.given("passing").named();
-        let interaction = file.given("environment").table().given("interaction").table();
-        let between_vessels = *interaction.given("between_vessels").flag();
+        let passing = file.given(ScenarioKey::PASSING).named();
+        let interaction =
+            file.given(ScenarioKey::ENVIRONMENT).table().given(EnvironmentKey::INTERACTION).table();
+        let between_vessels = *interaction.given(InteractionKey::BETWEEN_VESSELS).flag();
         let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
         let images = environment.banks.iter().filter(by_image).count();
         if passing.is_empty() && !between_vessels && images == 0 {
             return Ok(FlowSetup::default());
         }
-        if let (Some((_, table)), true) = (passing.first(), vessels.is_empty()) {
+        if let (Some((_, table)), true) = (passing.iter().next(), vessels.is_empty()) {
             let message = format!(
                 "`{}`: passing ships act on vessels, and no body has a `vessel`",
                 table.path
@@ -55,17 +61,18 @@ impl Assembly<'_, '_> {
             let outline = bodies[vessel.body].outline.vertices().iter();
             let outline: Vec<Vec2> = outline.map(|point| *point + ahead).collect();
             let size_m = [ship.length_m, ship.beam_m, ship.draught_m];
-            self.flow_hull(interaction, size_m, &outline)
+            self.flow_hull(interaction.read_as(), size_m, &outline)
         });
         let hulls = hulls.collect::<Checked<Vec<FlowHull>>>()?;
         if between_vessels {
             self.note_between_vessels(interaction, &hulls, (vessels, bodies), environment);
         }
         if images > 0 {
-            let banks = file.given("environment").table().given("bank").list();
+            let banks =
+                file.given(ScenarioKey::ENVIRONMENT).table().given(EnvironmentKey::BANK).list();
             let first = banks.iter().zip(&environment.banks).find(|(_, bank)| by_image(bank));
             self.note_images(
-                first.map_or(interaction, |(table, _)| table),
+                first.map_or(interaction.any(), |(bank, _)| bank.any()),
                 images,
                 &hulls,
                 (vessels, bodies),
@@ -77,16 +84,21 @@ impl Assembly<'_, '_> {
     }
 
     /// The sections of a hull by a table that says how they are found.
-    fn flow_hull(&self, table: &Table, size_m: [f64; 3], outline_m: &[Vec2]) -> Checked<FlowHull> {
-        let coefficient = *table.given("midship_coefficient").number();
-        let by_outline = table.given("sections").choice::<SectionsBy>() == SectionsBy::Outline;
+    fn flow_hull(
+        &self,
+        table: Of<'_, SectionsKey>,
+        size_m: [f64; 3],
+        outline_m: &[Vec2],
+    ) -> Checked<FlowHull> {
+        let coefficient = *table.given(SectionsKey::MIDSHIP_COEFFICIENT).number();
+        let by_outline = table.given(SectionsKey::SECTIONS).choice() == SectionsBy::Outline;
         FlowHull::new(size_m, coefficient, by_outline.then_some(outline_m))
             .map_err(|error| self.wrong(table, &error))
     }
 
-    fn note_between_vessels(
+    fn note_between_vessels<T>(
         &mut self,
-        table: &Table,
+        table: Of<'_, T>,
         hulls: &[FlowHull],
         (vessels, bodies): (&[VesselSetup], &[BodySetup]),
         environment: &Environment,
@@ -103,9 +115,9 @@ impl Assembly<'_, '_> {
     }
 
     /// Names what the flow of images behind banks leaves out.
-    fn note_images(
+    fn note_images<T>(
         &mut self,
-        table: &Table,
+        table: Of<'_, T>,
         images: usize,
         hulls: &[FlowHull],
         ships: (&[VesselSetup], &[BodySetup]),
@@ -126,13 +138,13 @@ impl Assembly<'_, '_> {
     fn passing_ship(
         &self,
         name: &str,
-        table: &Table,
+        table: Of<'_, PassingKey>,
         (library, kinds): (&VesselLibrary, &Kinds),
     ) -> Checked<PassingSetup> {
-        let data = match table.item("vessel") {
+        let data = match table.item(PassingKey::VESSEL) {
             None => None,
             Some(item) => {
-                self.none_of(table, &["length", "beam", "draught"], "vessel")?;
+                self.none_of(table, any_keys![PassingKey: LENGTH, BEAM, DRAUGHT], "vessel")?;
                 let known = kinds.data(item.text());
                 Some(match known.or_else(|| library.vessel(item.text()).ok()) {
                     Some(data) => data,
@@ -150,26 +162,27 @@ impl Assembly<'_, '_> {
             }
             None => {
                 let help = "a passing ship has a `vessel`, or `length`, `beam` and `draught`";
-                self.all_of(table, &["length", "beam", "draught"], help)?;
-                ["length", "beam", "draught"].map(|key| *table.given(key).number())
+                self.all_of(table, any_keys![PassingKey: LENGTH, BEAM, DRAUGHT], help)?;
+                [PassingKey::LENGTH, PassingKey::BEAM, PassingKey::DRAUGHT]
+                    .map(|key: Key<_, Number>| *table.given(key).number())
             }
         };
         let outline_m = self.outline_of(table, data, size_m)?;
-        let hull = self.flow_hull(table, size_m, &outline_m)?;
+        let hull = self.flow_hull(table.read_as(), size_m, &outline_m)?;
         let track = self.track(table, size_m[0])?;
-        let depth = table.given("depth_factors").choice();
-        let berth = table.given("berth").choice();
+        let depth = table.given(PassingKey::DEPTH_FACTORS).choice();
+        let berth = table.given(PassingKey::BERTH).choice();
         Ok(PassingSetup { name: name.to_owned(), hull, outline_m, track, depth, berth })
     }
 
     /// Outline of a passing ship about midship: from her table, from her vessel, or a rectangle.
     fn outline_of(
         &self,
-        table: &Table,
+        table: Of<'_, PassingKey>,
         data: Option<&VesselData>,
         [length_m, beam_m, _]: [f64; 3],
     ) -> Checked<Vec<Vec2>> {
-        let own = table.item("outline");
+        let own = table.item(PassingKey::OUTLINE);
         let known = data.and_then(|data| data.outline_m.as_ref());
         let Some(item) = own else {
             let (l, b) = (0.5 * length_m, 0.5 * beam_m);
@@ -181,37 +194,39 @@ impl Assembly<'_, '_> {
         Ok(outline.vertices().to_vec())
     }
 
-    fn track(&self, table: &Table, length_m: f64) -> Checked<Track> {
-        let path = match table.item("waypoints") {
+    fn track(&self, table: Of<'_, PassingKey>, length_m: f64) -> Checked<Track> {
+        let path = match table.item(PassingKey::WAYPOINTS) {
             Some(item) => {
-                self.none_of(table, &["position", "heading"], "waypoints")?;
-                let radius_m = table.item("turning_radius").map(|radius| *radius.number());
+                self.none_of(table, any_keys![PassingKey: POSITION, HEADING], "waypoints")?;
+                let radius_m =
+                    table.item(PassingKey::TURNING_RADIUS).map(|radius| *radius.number());
                 let path = Path::through(item.outline(), radius_m.unwrap_or(3.0 * length_m));
                 path.map_err(|error| self.refused(table, item, &error))?
             }
             None => {
-                self.none_of(table, &["turning_radius"], "a straight track")?;
+                self.none_of(table, any_keys![PassingKey: TURNING_RADIUS], "a straight track")?;
                 let help = "a track has a `position` and a `heading`, or `waypoints`";
-                self.all_of(table, &["position", "heading"], help)?;
-                let heading = table.given("heading");
-                let path = Path::straight(*table.given("position").vector(), *heading.number());
+                self.all_of(table, any_keys![PassingKey: POSITION, HEADING], help)?;
+                let heading = table.given(PassingKey::HEADING);
+                let path =
+                    Path::straight(*table.given(PassingKey::POSITION).vector(), *heading.number());
                 path.map_err(|error| self.refused(table, heading, &error))?
             }
         };
-        let at_s = *table.given("time").number();
-        let pace = match table.item("speeds") {
+        let at_s = *table.given(PassingKey::TIME).number();
+        let pace = match table.item(PassingKey::SPEEDS) {
             Some(item) => {
-                self.none_of(table, &["speed"], "speeds")?;
+                self.none_of(table, any_keys![PassingKey: SPEED], "speeds")?;
                 Pace::by_time(item.curve(), at_s)
                     .map_err(|error| self.refused(table, item, &error))?
             }
             None => {
                 self.all_of(
                     table,
-                    &["speed"],
+                    any_keys![PassingKey: SPEED],
                     "a passing ship has a `speed`, or `speeds` by time",
                 )?;
-                let item = table.given("speed");
+                let item = table.given(PassingKey::SPEED);
                 Pace::steady(*item.number(), at_s)
                     .map_err(|error| self.refused(table, item, &error))?
             }
@@ -220,8 +235,12 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses passing ships that would go through a body or faster than long waves, and notes what their forces leave out.
-    pub(super) fn check_passing(&mut self, file: &Table, setup: &Setup) -> Checked<()> {
-        let tables = file.given("passing").named();
+    pub(super) fn check_passing(
+        &mut self,
+        file: Of<'_, ScenarioKey>,
+        setup: &Setup,
+    ) -> Checked<()> {
+        let tables = file.given(ScenarioKey::PASSING).named();
         for ((_, table), ship) in tables.iter().zip(&setup.world.flow.passing) {
             self.check_passing_track(table, ship, setup)?;
             let fastest_mps = ship.track.pace.fastest_mps();
@@ -252,9 +271,9 @@ impl Assembly<'_, '_> {
     }
 
     /// Checks the track of a passing ship past the bodies that do not move at the start.
-    fn check_passing_track(
+    fn check_passing_track<T>(
         &mut self,
-        table: &Table,
+        table: Of<'_, T>,
         ship: &PassingSetup,
         setup: &Setup,
     ) -> Checked<()> {
@@ -323,12 +342,13 @@ impl Assembly<'_, '_> {
 
     fn check_depth(
         &mut self,
-        table: &Table,
+        table: Of<'_, PassingKey>,
         ship: &PassingSetup,
         shallowest_m: f64,
         fastest_mps: f64,
     ) -> Checked<()> {
-        let item = table.item("speeds").unwrap_or_else(|| table.given("speed"));
+        let item = table.first_of(any_keys![PassingKey: SPEEDS, SPEED]);
+        let item = item.unwrap_or_else(|| unreachable!("the speed was read"));
         let draught_m = ship.hull.draught_m;
         if draught_m >= shallowest_m {
             let message = format!(
@@ -357,13 +377,13 @@ impl Assembly<'_, '_> {
                  no waves, and the forces are too small",
                 rounded(shallowest_m)
             );
-            self.note_at(&item.span, table.path_of(item.name), message);
+            self.note_at(&item.span, table.path_to(item), message);
         }
         Ok(())
     }
 
     /// Names what is recalled, estimated or left out in the factors.
-    fn note_formulas(&mut self, table: &Table, ship: &PassingSetup, setup: &Setup) {
+    fn note_formulas<T>(&mut self, table: Of<'_, T>, ship: &PassingSetup, setup: &Setup) {
         let is_deep = setup.world.environment.depth_m.is_none();
         let mut parts = Vec::new();
         match ship.depth {

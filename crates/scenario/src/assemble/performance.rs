@@ -9,9 +9,13 @@ use fenderline_sim::{FenderSource, HullPressure, Rated};
 
 use crate::assemble::assembly::{Assembly, Checked};
 use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::{Curve, Flag, Number, Text};
+use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
+use fenderline_keys::typed_key::Key;
 
 /// Stiffness of a stop over the mean stiffness of the fender up to the stop.
 const STOP_OVER_MEAN: f64 = 50.0;
@@ -42,13 +46,13 @@ pub(super) struct Performance {
 const ASSUMED_RETURNED_ENERGY: f64 = 0.55;
 
 /// Whether a fender's reaction falls by an unloading law, and not by the restitution of its material.
-pub(super) fn wants_unloading(table: &Table) -> bool {
-    table.item("unloading_law").is_none_or(|item| *item.flag())
+pub(super) fn wants_unloading(table: Of<'_, FenderKey>) -> bool {
+    table.item(FenderKey::UNLOADING_LAW).is_none_or(|item| *item.flag())
 }
 
 /// The source of a fender's data, with a remark if the unloading law is assumed.
-fn assumed(table: &Table, has_type_s: bool, source: String) -> String {
-    let own = ["returned_energy", "unloading"].iter().any(|key| table.item(key).is_some());
+fn assumed(table: Of<'_, FenderKey>, has_type_s: bool, source: String) -> String {
+    let own = table.first_of(any_keys![FenderKey: RETURNED_ENERGY, UNLOADING]).is_some();
     if has_type_s || own || !wants_unloading(table) {
         return source;
     }
@@ -59,25 +63,29 @@ fn assumed(table: &Table, has_type_s: bool, source: String) -> String {
 impl Assembly<'_, '_> {
     pub(super) fn performance(
         &self,
-        table: &Table,
+        table: Of<'_, FenderKey>,
         library: &FenderLibrary,
         stiffness_npm2: f64,
         width_m: f64,
     ) -> Checked<Performance> {
-        let given = |name: &str| table.item(name).map(|item| *item.number());
+        let given = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
         let factors = || ReactionFactors {
-            constant: 1.0 + table.given("tolerance").number(),
+            constant: 1.0 + table.given(FenderKey::TOLERANCE).number(),
             ..ReactionFactors::default()
         };
-        if let Some(item) = table.item("type") {
+        if let Some(item) = table.item(FenderKey::TYPE) {
             let fender = self.catalogue(table, item, library)?;
             return self.of_catalogue(table, &fender, factors());
         }
-        let projection_m = given("projection").ok_or_else(|| {
-            self.missing(table, "projection", "write projection = \"1.5 m\", or give a `type`")
+        let projection_m = given(FenderKey::PROJECTION).ok_or_else(|| {
+            self.missing(
+                table,
+                FenderKey::PROJECTION,
+                "write projection = \"1.5 m\", or give a `type`",
+            )
         })?;
         let own = |law: FenderLaw, end_m: f64| {
-            let rated_m = given("rated_deflection").unwrap_or(end_m);
+            let rated_m = given(FenderKey::RATED_DEFLECTION).unwrap_or(end_m);
             let mean_npm = law.reaction_n(end_m) / end_m;
             Performance {
                 rated: Rated::of(&law, rated_m),
@@ -96,22 +104,22 @@ impl Assembly<'_, '_> {
                 law,
             }
         };
-        if let Some(stiffness_npm) = given("stiffness") {
+        if let Some(stiffness_npm) = given(FenderKey::STIFFNESS) {
             return Ok(own(FenderLaw::linear(stiffness_npm), projection_m));
         }
-        if let Some(item) = table.item("curve") {
+        if let Some(item) = table.item(FenderKey::CURVE) {
             let points = self.own_curve(table, item)?;
             let end_m = points[points.len() - 1][0];
             return Ok(own(FenderLaw::Curve(points), end_m));
         }
-        if let Some(item) = table.item("rated_deflection") {
-            let path = table.path_of("rated_deflection");
+        if let Some(item) = table.item(FenderKey::RATED_DEFLECTION) {
+            let path = table.path_of(FenderKey::RATED_DEFLECTION);
             let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
             return Err(self.sources.error(&item.key_span, &path, message));
         }
         if stiffness_npm2 == 0.0 {
-            let item = table.given("material");
-            let path = table.path_of("material");
+            let item = table.given(FenderKey::MATERIAL);
+            let path = table.path_of(FenderKey::MATERIAL);
             let message = format!(
                 "`{path}`: the fender has no law, and its material {} has no stiffness",
                 quoted(item.name())
@@ -137,19 +145,19 @@ impl Assembly<'_, '_> {
     /// rubber. `None`: unloading by the restitution of the material, if `unloading_law` is false.
     pub(super) fn unloading(
         &self,
-        table: &Table,
+        table: Of<'_, FenderKey>,
         performance: &Performance,
     ) -> Checked<Option<Unloading>> {
-        if let Some(item) = table.item("returned_energy") {
+        if let Some(item) = table.item(FenderKey::RETURNED_ENERGY) {
             return Ok(Some(Unloading::ReturnedEnergy(*item.number())));
         }
-        let Some(item) = table.item("unloading") else {
+        let Some(item) = table.item(FenderKey::UNLOADING) else {
             return Ok(wants_unloading(table).then(|| {
                 let of_type = performance.unloading.clone();
                 of_type.unwrap_or(Unloading::ReturnedEnergy(ASSUMED_RETURNED_ENERGY))
             }));
         };
-        let path = table.path_of("unloading");
+        let path = table.path_of(FenderKey::UNLOADING);
         let FenderLaw::Curve(points) = &performance.law else {
             let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
             let error = self.sources.error(&item.key_span, &path, message);
@@ -159,9 +167,13 @@ impl Assembly<'_, '_> {
         Ok(Some(Unloading::Curve(unloading_curve(self.sources, item, &path, &loading)?)))
     }
 
-    fn own_curve(&self, table: &Table, item: &Item) -> Checked<Vec<[f64; 2]>> {
+    fn own_curve(
+        &self,
+        table: Of<'_, FenderKey>,
+        item: Entry<'_, Curve>,
+    ) -> Checked<Vec<[f64; 2]>> {
         let points: Vec<[f64; 2]> = item.curve().iter().map(|&(m, n)| [m, n]).collect();
-        let path = table.path_of("curve");
+        let path = table.path_of(FenderKey::CURVE);
         if points[0] != [0.0, 0.0] {
             let message =
                 format!("`{path}` must begin with [0, 0]: zero deflection, zero reaction");
@@ -173,21 +185,25 @@ impl Assembly<'_, '_> {
     /// The catalogue fender that the table names.
     pub(super) fn catalogue(
         &self,
-        table: &Table,
-        family: &Item,
+        table: Of<'_, FenderKey>,
+        family: Entry<'_, Text>,
         library: &FenderLibrary,
     ) -> Checked<CatalogueFender> {
         let name = family.text();
         library.family(name).map_err(|error| self.looked_up(table, family, &error))?;
-        if let Some(size) = table.item("size") {
+        if let Some(size) = table.item(FenderKey::SIZE) {
             let found = library.fender(name, size.text());
             return found.map_err(|error| self.looked_up(table, size, &error));
         }
-        let Some(height) = table.item("height") else {
-            return Err(self.missing(table, "size", "write size = \"…\", or height = \"1.2 m\""));
+        let Some(height) = table.item(FenderKey::HEIGHT) else {
+            return Err(self.missing(
+                table,
+                FenderKey::SIZE,
+                "write size = \"…\", or height = \"1.2 m\"",
+            ));
         };
         let height_m = *height.number();
-        match table.item("rated_reaction") {
+        match table.item(FenderKey::RATED_REACTION) {
             Some(rated) => library
                 .rated(name, height_m, *rated.number())
                 .map_err(|error| self.looked_up(table, rated, &error)),
@@ -199,22 +215,22 @@ impl Assembly<'_, '_> {
 
     fn of_catalogue(
         &self,
-        table: &Table,
+        table: Of<'_, FenderKey>,
         fender: &CatalogueFender,
         mut factors: ReactionFactors,
     ) -> Checked<Performance> {
-        let count = table.item("count").map_or(1.0, |item| *item.number());
-        let wanted = |name: &str| table.item(name).is_none_or(|item| *item.flag());
+        let count = table.item(FenderKey::COUNT).map_or(1.0, |item| *item.number());
+        let wanted = |key: Key<_, Flag>| table.item(key).is_none_or(|item| *item.flag());
         let points = |from: &[(f64, f64)], times: f64| -> Vec<[f64; 2]> {
             from.iter().map(|&(x, y)| [x, y * times]).collect()
         };
         factors.constant *= self.temperature_factor(table, fender)?;
         let mut energy_by_angle = Vec::new();
-        if wanted("angle_factor") {
+        if wanted(FenderKey::ANGLE_FACTOR) {
             factors.by_angle = points(&fender.angle_reaction_factors, 1.0);
             energy_by_angle = points(&fender.angle_energy_factors, 1.0);
         }
-        if wanted("velocity_factor") {
+        if wanted(FenderKey::VELOCITY_FACTOR) {
             factors.by_compression_time = points(&fender.velocity_factors, 1.0);
             if let Some(&[last_s, _]) = factors.by_compression_time.last()
                 && last_s < STATIC_TIME_S
@@ -233,7 +249,7 @@ impl Assembly<'_, '_> {
             other => other.clone(),
         };
         let pieces = if count == 1.0 { String::new() } else { format!("{count} × ") };
-        let given_by_user = table.item("rated_reaction").is_some();
+        let given_by_user = table.item(FenderKey::RATED_REACTION).is_some();
         Ok(Performance {
             unloading,
             rated: Rated::of(&law, fender.rated_deflection_m)
@@ -257,10 +273,14 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn temperature_factor(&self, table: &Table, fender: &CatalogueFender) -> Checked<f64> {
-        let Some(item) = table.item("temperature") else { return Ok(1.0) };
+    fn temperature_factor(
+        &self,
+        table: Of<'_, FenderKey>,
+        fender: &CatalogueFender,
+    ) -> Checked<f64> {
+        let Some(item) = table.item(FenderKey::TEMPERATURE) else { return Ok(1.0) };
         let celsius = *item.number();
-        let path = table.path_of("temperature");
+        let path = table.path_of(FenderKey::TEMPERATURE);
         let factors = &fender.temperature_factors;
         let (Some(first), Some(last)) = (factors.first(), factors.last()) else {
             let message = format!(
@@ -287,13 +307,13 @@ impl Assembly<'_, '_> {
         Ok(if x1 > x0 { y0 + (y1 - y0) * (celsius - x0) / (x1 - x0) } else { y0 })
     }
 
-    pub(super) fn looked_up(
+    pub(super) fn looked_up<T, V>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
         error: &LookUpError,
     ) -> ScenarioError {
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}")).with_help(error.help())
     }
 }

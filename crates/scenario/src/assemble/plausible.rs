@@ -8,7 +8,11 @@ use fenderline_sim::{BodySetup, Environment, FenderSetup};
 
 use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
-use fenderline_keys::checked::Table;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Of, Tables};
+use fenderline_keys::keys::berthing::BerthingKey;
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 
 /// Without a given depth, a face whose middle is farther than this from the water is unusual (m): our choice, beyond
@@ -32,15 +36,15 @@ impl Assembly<'_, '_> {
     /// Refuses a fender in the seabed, and notes a fender far from the water.
     pub(super) fn check_heights(
         &mut self,
-        tables: &[(String, Table)],
+        tables: Tables<'_, FenderKey>,
         fenders: &[FenderSetup],
         environment: &Environment,
     ) -> Checked<()> {
         for ((_, table), fender) in tables.iter().zip(fenders) {
-            let Some(item) = table.item("above_water") else { continue };
+            let Some(item) = table.item(FenderKey::ABOVE_WATER) else { continue };
             let middle_m = fender.above_water_m;
             let bottom_m = middle_m - 0.5 * fender.height_m;
-            let path = table.path_of("above_water");
+            let path = table.path_of(FenderKey::ABOVE_WATER);
             match environment.depth_m {
                 Some(depth_m) if middle_m < -depth_m => {
                     let message = format!(
@@ -74,7 +78,7 @@ impl Assembly<'_, '_> {
     }
 
     /// Notes faces of fenders of one body that overlap.
-    pub(super) fn note_overlaps(&mut self, tables: &[(String, Table)], fenders: &[FenderSetup]) {
+    pub(super) fn note_overlaps(&mut self, tables: Tables<'_, FenderKey>, fenders: &[FenderSetup]) {
         // Places along the face, for each body and direction: only neighbours in this order must be compared.
         let mut places: Vec<(usize, i64, f64, usize)> = Vec::with_capacity(fenders.len());
         for (index, fender) in fenders.iter().enumerate() {
@@ -101,14 +105,17 @@ impl Assembly<'_, '_> {
             let is_beside = height_m < 0.5 * (a.height_m + b.height_m) && a.floating == b.floating;
             let is_near = off_m.abs() < lesser(a.projection_m, b.projection_m);
             if apart_m < -1e-6 && is_beside && is_near {
-                let (table, name) = (&tables[other].1, quoted(&a.name));
+                let (table, name) = (tables.at(other), quoted(&a.name));
                 let message = format!(
                     "the face of {} overlaps that of {name} by {} m",
                     quoted(&b.name),
                     rounded(-apart_m)
                 );
-                let span = table.item("width").map_or(&table.span, |item| &item.span).clone();
-                self.note_at(&span, table.path_of("width"), message);
+                let span = table
+                    .item(FenderKey::WIDTH)
+                    .map_or(&table.span, |item| &item.item().span)
+                    .clone();
+                self.note_at(&span, table.path_of(FenderKey::WIDTH), message);
             }
         }
     }
@@ -116,12 +123,12 @@ impl Assembly<'_, '_> {
     /// Notes a mass that does not fit the body's outline.
     pub(super) fn note_masses(
         &mut self,
-        tables: &[(String, Table)],
+        tables: Tables<'_, BodyKey>,
         bodies: &[BodySetup],
         environment: &Environment,
     ) {
         for ((_, table), body) in tables.iter().zip(bodies) {
-            let (Some(item), Some(mass)) = (table.item("mass"), body.mass) else { continue };
+            let (Some(item), Some(mass)) = (table.item(BodyKey::MASS), body.mass) else { continue };
             let (low, high) = body.outline.bounds();
             let beam_m = lesser(high.x - low.x, high.y - low.y);
             let kg_per_m = environment.water_density_kgpm3 * body.outline.area_m2();
@@ -143,14 +150,14 @@ impl Assembly<'_, '_> {
             if fits(DRAUGHT_OVER_BEAM, 1000.0 * draught_m / beam_m) {
                 message += ": tonnes, \"t\", in place of kilograms?";
             }
-            self.note_at(&item.span, table.path_of("mass"), message);
+            self.note_at(&item.span, table.path_of(BodyKey::MASS), message);
         }
     }
 
     /// Notes particulars of a berthing that do not fit the body.
     pub(super) fn note_particulars(
         &mut self,
-        table: &Table,
+        table: Of<'_, BerthingKey>,
         study: &BerthingSetup,
         bodies: &[BodySetup],
         environment: &Environment,
@@ -160,8 +167,8 @@ impl Assembly<'_, '_> {
         let volume_m3 =
             study.length_bp_m * study.beam_m * study.draught_m * study.block_coefficient;
         let displacement_kg = environment.water_density_kgpm3 * volume_m3;
-        let shape = ["block_coefficient", "draught", "beam", "length_bp"];
-        let given = shape.iter().find_map(|name| table.item(name));
+        let shape = any_keys![BerthingKey: BLOCK_COEFFICIENT, DRAUGHT, BEAM, LENGTH_BP];
+        let given = shape.iter().find_map(|key| table.item(*key));
         if let Some(item) = given
             && !fits(DISPLACEMENT_FITS, displacement_kg / mass.mass_kg)
         {
@@ -173,13 +180,13 @@ impl Assembly<'_, '_> {
                 figures(mass.mass_kg / 1000.0),
                 figures(study.block_coefficient * mass.mass_kg / displacement_kg)
             );
-            self.note_at(&item.span, table.path_of(item.name), message);
+            self.note_at(&item.span, table.path_to(item), message);
         }
         let (low, high) = body.outline.bounds();
         let size = high - low;
         let measures = [
-            ("length_bp", size.x, study.length_bp_m, LENGTH_FITS),
-            ("beam", size.y, study.beam_m, BEAM_FITS),
+            (BerthingKey::LENGTH_BP, size.x, study.length_bp_m, LENGTH_FITS),
+            (BerthingKey::BEAM, size.y, study.beam_m, BEAM_FITS),
         ];
         for (key, outline_m, given_m, range) in measures {
             if let Some(item) = table.item(key)

@@ -5,9 +5,10 @@ use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTa
 use fenderline_sim::hydro::Particulars;
 
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Of;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;
+use fenderline_keys::keys::vessel::VesselKey;
 
 /// A motion of a response table.
 struct Motion {
@@ -47,9 +48,9 @@ const SLACK_DEG: f64 = 0.01;
 
 impl Assembly<'_, '_> {
     /// The table that a kind of vessel names, if any.
-    pub(super) fn rao_table(&mut self, table: &Table) -> Checked<Option<RaoTable>> {
-        let Some(item) = table.item("wave_response") else { return Ok(None) };
-        let key = table.path_of("wave_response");
+    pub(super) fn rao_table(&mut self, table: Of<'_, VesselKey>) -> Checked<Option<RaoTable>> {
+        let Some(item) = table.item(VesselKey::WAVE_RESPONSE) else { return Ok(None) };
+        let key = table.path_of(VesselKey::WAVE_RESPONSE);
         let named = MOTIONS.iter().flat_map(|motion| [motion.amplitude, motion.phase]);
         let known: Vec<&str> = ["omega_radps", "heading_deg"].into_iter().chain(named).collect();
         let csv = Csv::parse(self.files.text(item.text()), item.text(), &key, &known)?;

@@ -3,7 +3,9 @@
 use fenderline_sim::{FenderSetup, NamedMaterial};
 
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::Tables;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::material::MaterialKey;
 
 impl Assembly<'_, '_> {
     /// Gives each roller fender a separate material: the material of the fender's table, with the rolling resistance as
@@ -13,16 +15,16 @@ impl Assembly<'_, '_> {
     /// A rolling resistance on a material without shear stiffness.
     pub(super) fn roll(
         &self,
-        of_materials: &[(String, Table)],
-        tables: &[(String, Table)],
+        of_materials: Tables<'_, MaterialKey>,
+        tables: Tables<'_, FenderKey>,
         fenders: &mut [FenderSetup],
         materials: &mut Vec<NamedMaterial>,
     ) -> Checked<()> {
         for ((_, table), fender) in tables.iter().zip(fenders) {
-            let Some(item) = table.item("rolling_resistance") else { continue };
+            let Some(item) = table.item(FenderKey::ROLLING_RESISTANCE) else { continue };
             let resistance = *item.number();
             let NamedMaterial { name, mut material } = materials[fender.material].clone();
-            self.need_shear_stiffness(table, item, &of_materials[fender.material].1)?;
+            self.need_shear_stiffness(table, item, of_materials.at(fender.material))?;
             material.friction_static = resistance;
             material.friction_dynamic = resistance;
             let name = format!("{name}, rolling resistance {resistance}");

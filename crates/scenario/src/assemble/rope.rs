@@ -3,10 +3,11 @@
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
 use super::assembly::{Assembly, Checked};
-use fenderline_keys::checked::Table;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::Of;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;
-use fenderline_keys::keys::mooring::BuiltIn;
+use fenderline_keys::keys::mooring::{BuiltIn, RopeKey};
 use fenderline_keys::printable::printable_number;
 
 /// The largest extension of a rope (%).
@@ -14,16 +15,17 @@ const LONGEST_PERCENT: f64 = 1000.0;
 
 impl Assembly<'_, '_> {
     /// The rope of a line's or a tail's table.
-    pub(super) fn rope(&mut self, table: &Table) -> Checked<Rope> {
-        let break_load_n = *table.given("break_load").number();
-        let material = table.given("rope");
+    pub(super) fn rope(&mut self, table: Of<'_, RopeKey>) -> Checked<Rope> {
+        let break_load_n = *table.given(RopeKey::BREAK_LOAD).number();
+        let material = table.given(RopeKey::ROPE);
         let built_in: BuiltIn = material.choice();
-        let (stiffness, file) = (table.item("axial_stiffness"), table.item("load_extension"));
+        let (stiffness, file) =
+            (table.item(RopeKey::AXIAL_STIFFNESS), table.item(RopeKey::LOAD_EXTENSION));
         if let Some(curve) = built_in {
-            return match stiffness.or(file) {
+            return match table.first_of(any_keys![RopeKey: AXIAL_STIFFNESS, LOAD_EXTENSION]) {
                 None => Ok(Rope { break_load_n, curve: curve() }),
                 Some(item) => {
-                    let path = table.path_of(item.name);
+                    let path = table.path_to(item);
                     let word = material.word();
                     let message = format!("`{path}` does not go together with `rope = \"{word}\"`");
                     let error = self.sources.error(&item.key_span, &path, message);
@@ -43,13 +45,13 @@ impl Assembly<'_, '_> {
             }
             (None, Some(_)) => self.load_extension(table, break_load_n)?,
             (Some(_), Some(item)) => {
-                let path = table.path_of(item.name);
+                let path = table.path_to(item);
                 let message = format!("`{path}` does not go together with `axial_stiffness`");
                 let error = self.sources.error(&item.key_span, &path, message);
                 return Err(error.with_help("keep one of the two"));
             }
             (None, None) => {
-                let path = table.path_of("axial_stiffness");
+                let path = table.path_of(RopeKey::AXIAL_STIFFNESS);
                 let message = format!("`{path}` is missing; `rope = \"own\"` needs it");
                 let error = self.sources.error(&material.span, &path, message);
                 return Err(error.with_help("give it, or a curve in `load_extension`"));
@@ -59,8 +61,9 @@ impl Assembly<'_, '_> {
     }
 
     /// A load-extension curve from a file.
-    fn load_extension(&mut self, table: &Table, break_load_n: f64) -> Checked<RopeCurve> {
-        let (item, key) = (table.given("load_extension"), table.path_of("load_extension"));
+    fn load_extension(&mut self, table: Of<'_, RopeKey>, break_load_n: f64) -> Checked<RopeCurve> {
+        let (item, key) =
+            (table.given(RopeKey::LOAD_EXTENSION), table.path_of(RopeKey::LOAD_EXTENSION));
         let known = ["extension_percent", "load_kn", "load_percent"];
         let csv = Csv::parse(self.files.text(item.text()), item.text(), &key, &known)?;
         let extension = csv.column("extension_percent")?;

@@ -15,12 +15,16 @@ pub(super) use self::written::rounded;
 use self::written::shown;
 use super::assembly::{Assembly, Checked, Names};
 use super::edge::{direction_rad, edges_with, facing_rad};
-use fenderline_keys::checked::{Item, Table, Value};
-use fenderline_keys::keys::FENDER;
+use fenderline_keys::checked::{Entry, Item, Of, Table, Value};
+use fenderline_keys::held::Points;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::fender_row::FenderRowKey;
+use fenderline_keys::keys::{FENDER, ScenarioKey};
 use fenderline_keys::overrides::pattern::fits;
-use fenderline_keys::reader;
 use fenderline_keys::row_names::name_in_row;
 use fenderline_keys::sources::{Span, quoted};
+use fenderline_keys::typed_key::AnyKey;
+use fenderline_keys::{any_keys, reader};
 
 /// The place of one fender of a row.
 struct Stand {
@@ -33,12 +37,12 @@ impl Assembly<'_, '_> {
     /// The tables of all fenders, those of rows included, in the order of the file.
     pub(super) fn fender_tables(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Vec<(String, Table)>> {
-        let mut fenders = file.given("fender").named().to_vec();
-        let rows = file.given("fender_row").named();
+        let mut fenders = file.given(ScenarioKey::FENDER).named().to_vec();
+        let rows = file.given(ScenarioKey::FENDER_ROW).named();
         if rows.is_empty() {
             return Ok(fenders);
         }
@@ -64,11 +68,11 @@ impl Assembly<'_, '_> {
     fn row(
         &mut self,
         name: &str,
-        row: &Table,
+        row: Of<'_, FenderRowKey>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Vec<(String, Table)>> {
-        let stands = match row.item("dolphins") {
+        let stands = match row.item(FenderRowKey::DOLPHINS) {
             Some(dolphins) => self.on_dolphins(name, row, dolphins, bodies, names)?,
             None => self.on_a_line(row, bodies, names)?,
         };
@@ -79,7 +83,7 @@ impl Assembly<'_, '_> {
             Ok((name, table))
         };
         let fenders: Vec<_> = stands.into_iter().enumerate().map(fender).collect::<Checked<_>>()?;
-        for (pattern, exception) in row.given("exception").named() {
+        for (pattern, exception) in row.given(FenderRowKey::EXCEPTION).named() {
             if !fenders.iter().any(|(name, _)| fits(pattern, name)) {
                 let (first, last) = (name_in_row(name, 1), name_in_row(name, count));
                 let path = &exception.path;
@@ -99,19 +103,20 @@ impl Assembly<'_, '_> {
     fn on_dolphins(
         &self,
         name: &str,
-        row: &Table,
-        dolphins: &Item,
+        row: Of<'_, FenderRowKey>,
+        dolphins: Entry<'_, Points>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Vec<Stand>> {
-        let position_m = row.item("first").map_or(vec2(0.0, 0.0), |item| *item.vector());
+        let position_m =
+            row.item(FenderRowKey::FIRST).map_or(vec2(0.0, 0.0), |item| *item.vector());
         let stand = |index: usize| {
             let body = name_in_row(name, index + 1);
             let outline = &bodies[names.bodies[&body]].outline;
-            let facing = row.item("facing").map(|item| *item.number());
+            let facing = row.item(FenderRowKey::FACING).map(|item| *item.number());
             let Some(facing_rad) = facing.or_else(|| facing_rad(outline, position_m)) else {
                 let help = "the fender is not on an edge of its dolphin: give the direction";
-                return Err(self.missing(row, "facing", help));
+                return Err(self.missing(row, FenderRowKey::FACING, help));
             };
             Ok(Stand { body, position_m, facing_rad })
         };
@@ -120,26 +125,26 @@ impl Assembly<'_, '_> {
 
     fn on_a_line(
         &mut self,
-        row: &Table,
+        row: Of<'_, FenderRowKey>,
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<Vec<Stand>> {
-        let Some(on) = row.item("on") else {
+        let Some(on) = row.item(FenderRowKey::ON) else {
             return Err(self.missing(
                 row,
-                "on",
+                FenderRowKey::ON,
                 "name the body that carries the row, or give `dolphins`",
             ));
         };
         let outline = &bodies[self.body_named(row, on, on.name(), names)?].outline;
-        let line = match row.item("wall") {
+        let line = match row.item(FenderRowKey::WALL) {
             Some(wall) => self.line_along_wall(row, wall, outline)?,
             None => self.line_from_first(row, outline)?,
         };
         self.refuse_overlap(row, &line)?;
         let places_m: Vec<Vec2> = line.places_m().collect();
         let ends_m = [places_m[0], places_m[places_m.len() - 1]];
-        let facing_rad = match (row.item("facing"), line.edge) {
+        let facing_rad = match (row.item(FenderRowKey::FACING), line.edge) {
             (Some(item), _) => *item.number(),
             (None, Some(edge)) => direction_rad(edge.outward),
             (None, None) => match edges_with(outline, &ends_m).as_slice() {
@@ -147,7 +152,7 @@ impl Assembly<'_, '_> {
                 _ => {
                     let help = "the row does not stand along one edge of its body's outline: give the direction in \
                                 which it faces, or places on an edge";
-                    return Err(self.missing(row, "facing", help));
+                    return Err(self.missing(row, FenderRowKey::FACING, help));
                 }
             },
         };
@@ -156,13 +161,13 @@ impl Assembly<'_, '_> {
         Ok(places_m.into_iter().map(stand).collect())
     }
 
-    fn refuse_overlap(&self, row: &Table, line: &Line) -> Checked<()> {
-        let width = row.given("width");
+    fn refuse_overlap(&self, row: Of<'_, FenderRowKey>, line: &Line) -> Checked<()> {
+        let width = row.given(FenderRowKey::WIDTH);
         let (width_m, spacing_m) = (*width.number(), line.spacing_m);
         if line.number < 2 || width_m <= spacing_m {
             return Ok(());
         }
-        let path = row.path_of("width");
+        let path = row.path_of(FenderRowKey::WIDTH);
         let message = format!(
             "`{path}`: faces {width_m} m wide overlap at a spacing of {} m",
             rounded(spacing_m)
@@ -172,13 +177,18 @@ impl Assembly<'_, '_> {
     }
 
     /// Refuses fenders beyond the end of the edge, and notes panels that reach beyond it.
-    fn check_ends(&mut self, row: &Table, line: &Line) -> Checked<()> {
+    fn check_ends(&mut self, row: Of<'_, FenderRowKey>, line: &Line) -> Checked<()> {
         let Some(edge) = line.edge else { return Ok(()) };
-        let at = |key: &str| row.item(key).map_or(row.span.clone(), |item| item.span.clone());
+        let at = |key: AnyKey<FenderRowKey>| {
+            row.item(key).map_or(row.span.clone(), |item| item.span.clone())
+        };
         let ends = [line.first_m, line.place_m(line.number - 1)];
         let reaches = ends.map(|end| edge.reach_m(end));
         let [from, to] = [edge.from_m, edge.end_m()].map(shown);
-        let key = if row.item("last").is_some() { "last" } else { "number" };
+        let key = match row.item(FenderRowKey::LAST) {
+            Some(_) => FenderRowKey::LAST.any(),
+            None => FenderRowKey::NUMBER.any(),
+        };
         if let Some(end) = ends.iter().find(|end| !edge.holds(**end)) {
             let path = row.path_of(key);
             let (number, place) = (line.number, shown(*end));
@@ -189,7 +199,7 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&at(key), &path, message);
             return Err(error.with_help(line.what_fits(&edge)));
         }
-        let half_m = 0.5 * row.given("width").number();
+        let half_m = 0.5 * row.given(FenderRowKey::WIDTH).number();
         let beyond = |reach: f64| reach - half_m < -1e-6 || reach + half_m > edge.length_m + 1e-6;
         if reaches.iter().any(|reach| beyond(*reach)) {
             let message = format!("a face of the row reaches beyond the edge from {from} to {to}");
@@ -199,26 +209,30 @@ impl Assembly<'_, '_> {
     }
 
     /// The table of one fender: the keys of the row, the keys of the exceptions for this fender, and the place.
-    fn fender_of_row(&self, name: &str, row: &Table, stand: Stand) -> Checked<Table> {
-        let placed = |key: &'static str, value: Value| {
+    fn fender_of_row(&self, name: &str, row: Of<'_, FenderRowKey>, stand: Stand) -> Checked<Table> {
+        let placed = |key: AnyKey<FenderRowKey>, value: Value| {
             let of_row = row.item(key).map_or((row.span.clone(), row.span.clone()), |item| {
                 (item.key_span.clone(), item.span.clone())
             });
             let (key_span, span) = of_row;
-            Item { name: key, key_span, span, is_default: false, value }
+            Item { name: key.name(), key_span, span, is_default: false, value }
         };
         let mut items = vec![
-            placed("on", Value::Name(stand.body)),
-            Item { name: "position", ..placed("first", Value::Vector(stand.position_m)) },
-            placed("facing", Value::Number(stand.facing_rad)),
+            placed(FenderRowKey::ON.any(), Value::Name(stand.body)),
+            Item {
+                name: FenderKey::POSITION.name(),
+                ..placed(FenderRowKey::FIRST.any(), Value::Vector(stand.position_m))
+            },
+            placed(FenderRowKey::FACING.any(), Value::Number(stand.facing_rad)),
         ];
         let shared = |item: &&Item| {
-            let is_placed = ["on", "position", "facing"].contains(&item.name);
+            let placed = any_keys![FenderKey: ON, POSITION, FACING];
+            let is_placed = placed.iter().any(|key| item.is(*key));
             !is_placed && FENDER.key(item.name).is_some()
         };
         items.extend(row.items.iter().filter(shared).cloned());
         let mut ranks: Vec<Rank> = items.iter().map(|item| self.rank(false, item)).collect();
-        for (pattern, exception) in row.given("exception").named() {
+        for (pattern, exception) in row.given(FenderRowKey::EXCEPTION).named() {
             if !fits(pattern, name) {
                 continue;
             }

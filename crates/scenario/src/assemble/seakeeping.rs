@@ -10,8 +10,10 @@ use fenderline_sim::{Environment, Float};
 use super::assembly::{Assembly, Checked};
 use super::vessel::Kind;
 use crate::hydrodynamics;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::Notice;
+use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::printable::printable_number;
 
 /// Viscous damping of roll unless given; our assumption for a hull with bilge keels.
@@ -32,20 +34,20 @@ impl Assembly<'_, '_> {
     /// The hydrodynamic data that a kind of vessel names, if any, with the centre of gravity.
     pub(super) fn seakeeping(
         &mut self,
-        table: &Table,
+        table: Of<'_, VesselKey>,
         kind: &Kind,
         environment: &Environment,
         step_s: f64,
     ) -> Checked<Option<(Seakeeping, Float)>> {
-        let Some(item) = table.item("hydrodynamics") else {
-            if table.item("roll_damping").is_some() {
+        let Some(item) = table.item(VesselKey::HYDRODYNAMICS) else {
+            if table.item(VesselKey::ROLL_DAMPING).is_some() {
                 let help = "`roll_damping` belongs to `hydrodynamics`";
-                self.all_of(table, &["hydrodynamics"], help)?;
+                self.all_of(table, any_keys![VesselKey: HYDRODYNAMICS], help)?;
             }
             return Ok(None);
         };
-        self.none_of(table, &["wave_response"], "hydrodynamics")?;
-        let key = table.path_of("hydrodynamics");
+        self.none_of(table, any_keys![VesselKey: WAVE_RESPONSE], "hydrodynamics")?;
+        let key = table.path_of(VesselKey::HYDRODYNAMICS);
         let file = hydrodynamics::read(self.files.text(item.text()), item.text(), &key)?;
         self.notices.extend(file.notices);
         let (data, draught_m) = (file.data, kind.draught_m());
@@ -80,7 +82,8 @@ impl Assembly<'_, '_> {
             );
             return Err(self.refused(table, item, &message));
         }
-        let roll_damping = table.item("roll_damping").map_or(ROLL_DAMPING, |of| *of.number());
+        let roll_damping =
+            table.item(VesselKey::ROLL_DAMPING).map_or(ROLL_DAMPING, |of| *of.number());
         let seakeeping = Seakeeping { data: Arc::new(data), roll_damping };
         let data = &seakeeping.data;
         let depths = [data.depth_m(), environment.depth_at_m(0.0)];
@@ -121,10 +124,10 @@ impl Assembly<'_, '_> {
     }
 
     /// Notes the share of the sea's energy that the data do not resolve. From half of the energy on, the sea is refused.
-    fn tell_unresolved(
+    fn tell_unresolved<V>(
         &mut self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, VesselKey>,
+        item: Entry<'_, V>,
         (data, length_m): (&Hydrodynamics, f64),
         environment: &Environment,
     ) -> Checked<()> {
@@ -163,7 +166,7 @@ impl Assembly<'_, '_> {
         let message = format!("{message}; {help}");
         self.notices.push(Notice {
             place: self.sources.place(&item.span),
-            key: table.path_of("hydrodynamics"),
+            key: table.path_of(VesselKey::HYDRODYNAMICS),
             message,
         });
         Ok(())

@@ -6,22 +6,26 @@ use fenderline_sim::{BodySetup, FenderSetup, Method};
 
 use super::assembly::Assembly;
 use super::pairs::Pairs;
-use fenderline_keys::checked::Table;
+use fenderline_keys::checked::{Of, Tables};
 use fenderline_keys::error::{NO_EFFECT, Notice};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::fender::FenderKey;
+use fenderline_keys::keys::material::MaterialKey;
+use fenderline_keys::keys::run::ContactKey;
 
 impl Assembly<'_, '_> {
     /// Notes bodies that touch nothing, and materials that nothing uses; a single notice if there is no pair.
     pub(super) fn note_unused(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         bodies: &[BodySetup],
         pairs: &Pairs,
-        (fenders, fender_tables): (&[FenderSetup], &[(String, Table)]),
+        (fenders, fender_tables): (&[FenderSetup], Tables<'_, FenderKey>),
     ) {
         if pairs.named.is_empty() && pairs.every_other.is_none() && bodies.len() > 1 {
             self.notices.push(Notice {
-                place: self.sources.place(&file.given("body").span),
-                key: "pair".to_owned(),
+                place: self.sources.place(&file.given(ScenarioKey::BODY).span),
+                key: ScenarioKey::PAIR.name().to_owned(),
                 message: "there are no pairs, so no bodies can touch".to_owned(),
             });
             return;
@@ -35,7 +39,7 @@ impl Assembly<'_, '_> {
             return;
         }
         let paired: BTreeSet<usize> = pairs.named.iter().flat_map(|pair| pair.bodies).collect();
-        for (index, (_, table)) in file.given("body").named().iter().enumerate() {
+        for (index, (_, table)) in file.given(ScenarioKey::BODY).named().iter().enumerate() {
             if !paired.contains(&index) && bodies.len() > 1 {
                 self.note(table, "no pair names this body: it touches nothing");
             }
@@ -51,8 +55,14 @@ impl Assembly<'_, '_> {
     }
 
     /// Notes materials whose restitution has no effect, because only fenders with an unloading law use the material.
-    fn note_restitution(&mut self, file: &Table, pairs: &Pairs, fenders: &[FenderSetup]) {
-        let method: Method = file.given("contact").table().given("method").choice();
+    fn note_restitution(
+        &mut self,
+        file: Of<'_, ScenarioKey>,
+        pairs: &Pairs,
+        fenders: &[FenderSetup],
+    ) {
+        let method: Method =
+            file.given(ScenarioKey::CONTACT).table().given(ContactKey::METHOD).choice();
         if method == Method::Paper {
             return;
         }
@@ -60,13 +70,13 @@ impl Assembly<'_, '_> {
         asked.extend(pairs.every_other);
         let by_restitution = fenders.iter().filter(|fender| fender.unloading.is_none());
         asked.extend(by_restitution.map(|fender| fender.material));
-        for (index, (_, table)) in file.given("material").named().iter().enumerate() {
-            let item = table.given("restitution");
+        for (index, (_, table)) in file.given(ScenarioKey::MATERIAL).named().iter().enumerate() {
+            let item = table.given(MaterialKey::RESTITUTION);
             let is_of_fenders = fenders.iter().any(|fender| fender.material == index);
             if !item.is_default && is_of_fenders && !asked.contains(&index) {
                 self.notices.push(Notice {
                     place: self.sources.place(&item.span),
-                    key: table.path_of("restitution"),
+                    key: table.path_of(MaterialKey::RESTITUTION),
                     message: format!(
                         "{NO_EFFECT}the fenders of this material return energy by their unloading law; set `returned_energy` of the \
                          fenders instead, or remove it"
@@ -76,7 +86,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    pub(super) fn note(&mut self, table: &Table, message: &str) {
+    pub(super) fn note<T>(&mut self, table: Of<'_, T>, message: &str) {
         self.notices.push(Notice {
             place: self.sources.place(&table.span),
             key: table.path.clone(),

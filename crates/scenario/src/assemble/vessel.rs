@@ -12,9 +12,15 @@ use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 use super::assembly::{Assembly, Checked};
 use super::response::estimate;
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::held::{Number, Text};
+use fenderline_keys::keys::ScenarioKey;
+use fenderline_keys::keys::body::BodyKey;
+use fenderline_keys::keys::mooring::LineKey;
+use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::sources::{Span, quoted};
+use fenderline_keys::typed_key::Key;
 
 /// A kind of vessel; several bodies may be of one kind.
 pub(super) struct Kind {
@@ -147,21 +153,24 @@ impl Kind {
 }
 
 /// The key to which a notice about a ratio points.
-fn key_of(ratio: Ratio) -> &'static str {
+fn key_of(ratio: Ratio) -> Key<VesselKey, Number> {
     match ratio {
-        Ratio::BlockCoefficient => "block_coefficient",
-        Ratio::LengthOverBeam => "length_bp",
-        Ratio::BeamOverDraught => "beam",
+        Ratio::BlockCoefficient => VesselKey::BLOCK_COEFFICIENT,
+        Ratio::LengthOverBeam => VesselKey::LENGTH_BP,
+        Ratio::BeamOverDraught => VesselKey::BEAM,
     }
 }
 
 impl Assembly<'_, '_> {
     /// Adds notices for particulars outside the range of the formulas that estimate a vessel.
-    fn note_outside_range(&mut self, table: &Table, data: &VesselData) {
+    fn note_outside_range(&mut self, table: Of<'_, VesselKey>, data: &VesselData) {
         for outside in &data.origin.outside {
-            let item = table.item_if_any(key_of(outside.ratio)).or(table.item_if_any("from"));
+            let item = table
+                .item_if_any(key_of(outside.ratio))
+                .map(Entry::any)
+                .or(table.item_if_any(VesselKey::FROM.any()));
             let (span, key) = match item {
-                Some(item) => (&item.span, table.path_of(item.name)),
+                Some(item) => (&item.item().span, table.path_to(item)),
                 None => (&table.span, table.path.clone()),
             };
             let place = self.sources.place(span);
@@ -173,13 +182,13 @@ impl Assembly<'_, '_> {
     /// kinds of the library that bodies name.
     pub(super) fn kinds(
         &mut self,
-        file: &Table,
+        file: Of<'_, ScenarioKey>,
         library: &VesselLibrary,
         environment: &Environment,
         step_s: f64,
     ) -> Checked<Kinds> {
         let mut kinds = Kinds::default();
-        for (name, table) in file.given("vessel").named() {
+        for (name, table) in file.given(ScenarioKey::VESSEL).named() {
             if library.has(name) {
                 let message = format!("the library has a vessel named {} already", quoted(name));
                 let error = self.sources.error(&table.span, &table.path, message);
@@ -206,8 +215,8 @@ impl Assembly<'_, '_> {
             }
             kinds.add(name, kind);
         }
-        for (_, body) in file.given("body").named() {
-            let Some(item) = body.item("vessel") else {
+        for (_, body) in file.given(ScenarioKey::BODY).named() {
+            let Some(item) = body.item(BodyKey::VESSEL) else {
                 kinds.of_bodies.push(None);
                 continue;
             };
@@ -224,11 +233,11 @@ impl Assembly<'_, '_> {
             for outside in &data.origin.outside {
                 self.notices.push(Notice {
                     place: self.sources.place(&item.span),
-                    key: body.path_of(item.name),
+                    key: body.path_to(item),
                     message: outside.to_string(),
                 });
             }
-            let place = (item.span.clone(), body.path_of(item.name));
+            let place = (item.span.clone(), body.path_to(item));
             let kind = Kind::new(data.clone(), environment, place)
                 .map_err(|error| self.refused(body, item, &error))?;
             let index = kinds.add(name, kind);
@@ -237,14 +246,14 @@ impl Assembly<'_, '_> {
         Ok(kinds)
     }
 
-    pub(super) fn wrong(&self, table: &Table, error: &dyn Display) -> ScenarioError {
+    pub(super) fn wrong<T>(&self, table: Of<'_, T>, error: &dyn Display) -> ScenarioError {
         self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
     }
 
     /// The vessels that bodies name, in the order of the bodies.
     pub(super) fn vessels(
         &self,
-        bodies: &[(String, Table)],
+        bodies: Tables<'_, BodyKey>,
         kinds: &Kinds,
     ) -> Checked<Vec<VesselSetup>> {
         let mut vessels = Vec::new();
@@ -252,7 +261,7 @@ impl Assembly<'_, '_> {
             let Some(kind) = kind else { continue };
             let mut setup = kind.setup.clone();
             setup.body = index;
-            if let Some(running) = body.item("running") {
+            if let Some(running) = body.item(BodyKey::RUNNING) {
                 if kind.data.shaft.is_none() {
                     let message = format!("{} has no propeller", kind.data.origin.title);
                     return Err(self.refused(body, running, &message));
@@ -265,29 +274,29 @@ impl Assembly<'_, '_> {
     }
 
     /// A chock, from the centre of gravity, and its height above the water (m).
-    pub(super) fn chock(
+    pub(super) fn chock<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
         deck: Option<&Kind>,
     ) -> Checked<(Vec2, f64)> {
-        self.deck_point(table, item, "chock", deck, |data| &data.chocks)
+        self.deck_point(table, item, LineKey::CHOCK.name(), deck, |data| &data.chocks)
     }
 
     /// Bitts, from the centre of gravity, and their height above the water (m).
-    pub(super) fn bitts(
+    pub(super) fn bitts<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
         deck: Option<&Kind>,
     ) -> Checked<(Vec2, f64)> {
-        self.deck_point(table, item, "bitts", deck, |data| &data.bitts)
+        self.deck_point(table, item, LineKey::BITTS.name(), deck, |data| &data.bitts)
     }
 
-    fn deck_point(
+    fn deck_point<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
         what: &str,
         deck: Option<&Kind>,
         points: fn(&VesselData) -> &Vec<DeckPoint>,
@@ -301,10 +310,10 @@ impl Assembly<'_, '_> {
     }
 
     /// A belting, its middle from the centre of gravity.
-    pub(super) fn belting(
+    pub(super) fn belting<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
         deck: Option<&Kind>,
     ) -> Checked<Belting> {
         let kind = self.deck(table, item, deck)?;
@@ -315,15 +324,20 @@ impl Assembly<'_, '_> {
         Ok(Belting { middle_m: kind.about_gravity(belting.middle_m), ..belting.clone() })
     }
 
-    fn deck<'k>(&self, table: &Table, item: &Item, deck: Option<&'k Kind>) -> Checked<&'k Kind> {
+    fn deck<'k, T, V>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
+        deck: Option<&'k Kind>,
+    ) -> Checked<&'k Kind> {
         deck.ok_or_else(|| self.refused(table, item, &"its body is not a vessel"))
     }
 
-    fn not_on_her<'n>(
+    fn not_on_her<'n, T>(
         &self,
         what: &str,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Text>,
         kind: &Kind,
         known: impl Iterator<Item = &'n str> + Clone,
     ) -> ScenarioError {

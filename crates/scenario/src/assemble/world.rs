@@ -8,27 +8,35 @@ use fenderline_sim::{TugSetup, VesselSetup};
 
 use super::assembly::{Assembly, Checked, Names, listed};
 use super::orders::places;
-use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::{Name, Number};
+use fenderline_keys::keys::world::TugKey;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
     /// An error at a key's value.
-    pub(super) fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
-        let path = table.path_of(item.name);
+    pub(super) fn refused<T, V>(
+        &self,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
+        error: &dyn Display,
+    ) -> ScenarioError {
+        let path = table.path_to(item);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
     }
 
-    pub(super) fn unknown<'n>(
+    pub(super) fn unknown<'n, T, V>(
         &self,
         what: &str,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, V>,
         name: &str,
         known: impl Iterator<Item = &'n str> + Clone,
     ) -> ScenarioError {
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let message = format!("`{path}`: there is no {what} {}", quoted(name));
         let error = self.sources.error(&item.span, &path, message);
         error.with_help(match nearest(name, known.clone()) {
@@ -41,16 +49,16 @@ impl Assembly<'_, '_> {
     }
 
     /// The index of the vessel that a key names by its body.
-    pub(super) fn vessel_named(
+    pub(super) fn vessel_named<T>(
         &self,
-        table: &Table,
-        item: &Item,
+        table: Of<'_, T>,
+        item: Entry<'_, Name>,
         vessel_of_body: &BTreeMap<usize, usize>,
         names: &Names,
     ) -> Checked<usize> {
         let body = self.body_named(table, item, item.name(), names)?;
         vessel_of_body.get(&body).copied().ok_or_else(|| {
-            let path = table.path_of(item.name);
+            let path = table.path_to(item);
             let message = format!("`{path}`: body {} is not a vessel", quoted(item.name()));
             let error = self.sources.error(&item.span, &path, message);
             error.with_help("give the body a `vessel` in its table")
@@ -59,33 +67,34 @@ impl Assembly<'_, '_> {
 
     pub(super) fn tugs(
         &self,
-        tugs: &[(String, Table)],
+        tugs: Tables<'_, TugKey>,
         vessels: &[VesselSetup],
         names: &Names,
     ) -> Checked<Vec<TugSetup>> {
         let of_body = places(vessels.iter().map(|vessel| vessel.body));
         tugs.iter()
             .map(|(name, table)| {
-                let vessel = self.vessel_named(table, table.given("vessel"), &of_body, names)?;
-                let number = |name: &str| *table.given(name).number();
-                let push_at_m = *table.given("push_at").vector();
+                let vessel =
+                    self.vessel_named(table, table.given(TugKey::VESSEL), &of_body, names)?;
+                let number = |name: Key<_, Number>| *table.given(name).number();
+                let push_at_m = *table.given(TugKey::PUSH_AT).vector();
                 let tug = VectorTug {
                     name: name.clone(),
                     envelope: TugEnvelope {
-                        bollard_pull_n: number("bollard_pull"),
-                        length_m: number("length"),
-                        beam_m: number("beam"),
-                        draught_m: number("draught"),
+                        bollard_pull_n: number(TugKey::BOLLARD_PULL),
+                        length_m: number(TugKey::LENGTH),
+                        beam_m: number(TugKey::BEAM),
+                        draught_m: number(TugKey::DRAUGHT),
                         drag_coefficient: 0.73,
                     },
                     push_at_m,
-                    pull_at_m: table.item("pull_at").map_or(push_at_m, |item| *item.vector()),
-                    delay_s: number("delay"),
-                    force_lag_s: number("lag"),
-                    direction_lag_s: number("lag"),
+                    pull_at_m: table.item(TugKey::PULL_AT).map_or(push_at_m, |item| *item.vector()),
+                    delay_s: number(TugKey::DELAY),
+                    force_lag_s: number(TugKey::LAG),
+                    direction_lag_s: number(TugKey::LAG),
                 };
                 tug.check().map_err(|error| self.wrong(table, &error))?;
-                let height = table.given("above_water");
+                let height = table.given(TugKey::ABOVE_WATER);
                 if !height.is_default && vessels[vessel].seakeeping.is_none() {
                     let message = "the height of the force heels only a vessel with \
                         `hydrodynamics`, and this vessel has none";

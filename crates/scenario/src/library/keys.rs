@@ -4,29 +4,43 @@ use core::f64::consts::FRAC_PI_2;
 
 use serde_json::json;
 
+use fenderline_keys::held::{Curve, ListOf, NamedOf, Number, OneOf, TableOf, Text};
 use fenderline_keys::keys::STANDINGS;
 use fenderline_keys::keys::quantities::RETURNED_ENERGY;
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
+use fenderline_keys::{shared_keys, table_keys};
+use fenderline_sim::hydro::vessels::Standing;
 
 /// The whole file.
 pub(crate) static FENDER_FILE: TableSpec = TableSpec {
     what: "a fender file",
     doc: "Families of fenders with their performance curves and sizes, and hull pressure limits. A \
           plain number is in SI units (angles in radians); a string carries its unit, as \"3 m\".",
-    keys: &[
-        key("family", Kind::Named(&FAMILY), Is("{}"), "Families of fenders, by name.", &[]),
-        key(
+    keys: FenderFileKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a fender file.
+    pub(crate) FenderFileKey {
+        FAMILY: NamedOf<FamilyKey> = key(
+            "family",
+            Kind::Named(&FAMILY),
+            Is("{}"),
+            "Families of fenders, by name.",
+            &[],
+        ),
+        HULL_PRESSURE: NamedOf<HullPressureKey> = key(
             "hull_pressure",
             Kind::Named(&HULL_PRESSURE),
             Is("{}"),
             "Hull pressure that a ship's side can bear, by type of ship.",
             &[],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 const SOURCE: KeySpec = key(
     "source",
@@ -48,15 +62,21 @@ static FAMILY: TableSpec = TableSpec {
     what: "a family of fenders",
     doc: "A family of fenders of one shape: sizes, and a curve that all sizes share. A table with \
           the name of a known family may only add sizes.",
-    keys: &[
-        key(
+    keys: FamilyKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a family of fenders.
+    pub(crate) FamilyKey {
+        RATED_DEFLECTION: Number = key(
             "rated_deflection",
             Kind::Quantity(OF_HEIGHT),
             Means("the family is known already"),
             "Rated deflection over height.",
             &["0.72"],
         ),
-        key(
+        REFERENCE: Text = key(
             "reference",
             Kind::Text,
             Means("no sizes are scaled from another size"),
@@ -64,59 +84,64 @@ static FAMILY: TableSpec = TableSpec {
              squared.",
             &["\"1000 A\""],
         ),
-        key(
+        CURVE: TableOf<CurveKey> = key(
             "curve",
             Kind::Table(&CURVE),
             Means("the family is known already"),
             "Reaction against deflection, normalised.",
             &[],
         ),
-        key(
+        UNLOADING: TableOf<UnloadingKey> = key(
             "unloading",
             Kind::Table(&UNLOADING),
             Means("55 % of the energy is returned, assumed for solid rubber"),
             "Law by which the reaction falls in unloading.",
             &[],
         ),
-        key(
+        TEMPERATURE: TableOf<TemperatureKey> = key(
             "temperature",
             Kind::Table(&TEMPERATURE),
             Means("no correction"),
             "Factor on the reaction by temperature.",
             &[],
         ),
-        key(
+        VELOCITY: TableOf<VelocityKey> = key(
             "velocity",
             Kind::Table(&VELOCITY),
             Means("no correction"),
             "Factor on the reaction by the time to rated deflection.",
             &[],
         ),
-        key(
+        ANGLE_ENERGY: TableOf<AngleKey> = key(
             "angle_energy",
             Kind::Table(&ANGLE),
             Means("no correction"),
             "Factor on the energy by the angle of compression.",
             &[],
         ),
-        key(
+        ANGLE_REACTION: TableOf<AngleKey> = key(
             "angle_reaction",
             Kind::Table(&ANGLE),
             Means("no correction"),
             "Factor on the reaction by the angle of compression.",
             &[],
         ),
-        key(
+        TOLERANCE: TableOf<ToleranceKey> = key(
             "tolerance",
             Kind::Table(&TOLERANCE),
             Means("it is not known"),
             "Manufacturing tolerance of reaction and energy.",
             &[],
         ),
-        key("size", Kind::List(&SIZE), Is("[]"), "Sizes with their rated reaction.", &[]),
-    ],
-    rules: None,
-};
+        SIZE: ListOf<SizeKey> = key(
+            "size",
+            Kind::List(&SIZE),
+            Is("[]"),
+            "Sizes with their rated reaction.",
+            &[],
+        ),
+    }
+}
 
 const OF_HEIGHT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 };
 const OF_RATED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
@@ -126,8 +151,14 @@ const FACTOR: (&str, Quantity) =
 static CURVE: TableSpec = TableSpec {
     what: "a performance curve",
     doc: "Reaction against deflection, normalised.",
-    keys: &[
-        key(
+    keys: CurveKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a performance curve.
+    pub(crate) CurveKey {
+        POINTS: Curve = key(
             "points",
             Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
@@ -139,7 +170,7 @@ static CURVE: TableSpec = TableSpec {
                   the rated deflection or beyond; straight between them.",
             &["[[0, 0], [0.25, 0.9], [0.5, 1]]"],
         ),
-        key(
+        PUBLISHED_ENERGY: Curve = key(
             "published_energy",
             Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
@@ -151,24 +182,33 @@ static CURVE: TableSpec = TableSpec {
              comparison only; the program integrates the reaction.",
             &["[[0, 0], [0.25, 0.4], [0.5, 1]]"],
         ),
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 static UNLOADING: TableSpec = TableSpec {
     what: "an unloading law",
     doc: "Law by which the reaction falls in unloading: `returned_energy` or `points`.",
-    keys: &[
-        key(
+    keys: UnloadingKey::ALL,
+    rules: Some(|| {
+        json!({
+            "oneOf": [{ "required": ["returned_energy"] }, { "required": ["points"] }]
+        })
+    }),
+};
+
+table_keys! {
+    /// Keys of an unloading law.
+    pub(crate) UnloadingKey {
+        RETURNED_ENERGY: Number = key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
             Unless("`points` is given"),
             "Share of the absorbed energy that unloading from any deflection returns.",
             &["\"55 %\""],
         ),
-        key(
+        POINTS: Curve = key(
             "points",
             Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
@@ -181,15 +221,10 @@ static UNLOADING: TableSpec = TableSpec {
              unloading curve keeps the same share of the loading curve as at the last row.",
             &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
         ),
-        SOURCE,
-        STANDING,
-    ],
-    rules: Some(|| {
-        json!({
-            "oneOf": [{ "required": ["returned_energy"] }, { "required": ["points"] }]
-        })
-    }),
-};
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 const HOLDS: KeySpec = key(
     "holds",
@@ -199,168 +234,219 @@ const HOLDS: KeySpec = key(
     &["\"blended rubber\""],
 );
 
+static TEMPERATURE_POINTS: CurveSpec = CurveSpec {
+    from: ("temperature", Quantity { measure: &unit::PLAIN_NUMBER, low: -100.0, high: 150.0 }),
+    to: FACTOR,
+    fewest: 1,
+};
+
+static VELOCITY_POINTS: CurveSpec = CurveSpec {
+    from: ("time", Quantity { measure: &unit::TIME, low: 0.0, high: 1e6 }),
+    to: FACTOR,
+    fewest: 1,
+};
+
+static ANGLE_POINTS: CurveSpec = CurveSpec {
+    from: ("angle", Quantity { measure: &unit::ANGLE, low: 0.0, high: FRAC_PI_2 }),
+    to: FACTOR,
+    fewest: 1,
+};
+
 static TEMPERATURE: TableSpec = TableSpec {
     what: "a temperature table",
     doc: "Factor on the reaction by temperature.",
-    keys: &[
-        key(
+    keys: TemperatureKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a temperature table.
+    pub(crate) TemperatureKey {
+        POINTS: Curve = key(
             "points",
-            Kind::Curve(&CurveSpec {
-                from: (
-                    "temperature",
-                    Quantity { measure: &unit::PLAIN_NUMBER, low: -100.0, high: 150.0 },
-                ),
-                to: FACTOR,
-                fewest: 1,
-            }),
+            Kind::Curve(&TEMPERATURE_POINTS),
             Refused,
             "Rows of temperature in degrees Celsius, a plain number, and factor.",
             &["[[-10, 1.13], [23, 1], [50, 0.916]]"],
         ),
-        HOLDS,
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        HOLDS: Text = HOLDS,
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 static VELOCITY: TableSpec = TableSpec {
     what: "a velocity table",
     doc: "Factor on the reaction by the time to rated deflection.",
-    keys: &[
-        key(
+    keys: VelocityKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a velocity table.
+    pub(crate) VelocityKey {
+        POINTS: Curve = key(
             "points",
-            Kind::Curve(&CurveSpec {
-                from: ("time", Quantity { measure: &unit::TIME, low: 0.0, high: 1e6 }),
-                to: FACTOR,
-                fewest: 1,
-            }),
+            Kind::Curve(&VELOCITY_POINTS),
             Refused,
             "Rows of the time to rated deflection and factor.",
             &["[[\"1 s\", 1.2], [\"20 s\", 1.03]]"],
         ),
-        HOLDS,
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        HOLDS: Text = HOLDS,
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 static ANGLE: TableSpec = TableSpec {
     what: "an angle table",
     doc: "Factor by the angle of compression.",
-    keys: &[
-        key(
+    keys: AngleKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an angle table.
+    pub(crate) AngleKey {
+        POINTS: Curve = key(
             "points",
-            Kind::Curve(&CurveSpec {
-                from: ("angle", Quantity { measure: &unit::ANGLE, low: 0.0, high: FRAC_PI_2 }),
-                to: FACTOR,
-                fewest: 1,
-            }),
+            Kind::Curve(&ANGLE_POINTS),
             Refused,
             "Rows of the angle between hull and panel and factor.",
             &["[[\"0 deg\", 1], [\"20 deg\", 0.739]]"],
         ),
-        HOLDS,
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        HOLDS: Text = HOLDS,
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 static TOLERANCE: TableSpec = TableSpec {
     what: "a tolerance",
     doc: "Manufacturing tolerance of reaction and energy.",
-    keys: &[
-        key(
+    keys: ToleranceKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a tolerance.
+    pub(crate) ToleranceKey {
+        VALUE: Number = key(
             "value",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
             Refused,
             "To either side.",
             &["\"10 %\""],
         ),
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 const METRES: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 };
 
 static SIZE: TableSpec = TableSpec {
     what: "a size",
     doc: "One fender of a catalogue.",
-    keys: &[
-        key(
+    keys: SizeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a size.
+    pub(crate) SizeKey {
+        DESIGNATION: Text = key(
             "designation",
             Kind::Text,
             Refused,
             "Name of the size within the family.",
             &["\"1000x1500 50kPa\""],
         ),
-        key(
+        HEIGHT: Number = key(
             "height",
             Kind::Quantity(METRES),
             Refused,
             "Extent in the direction of compression: height, or diameter.",
             &["\"1000 mm\""],
         ),
-        key(
+        LENGTH: Number = key(
             "length",
             Kind::Quantity(METRES),
             Means("no pressure"),
             "Length along the berth.",
             &["\"1500 mm\""],
         ),
-        key(
+        REACTION: Number = key(
             "reaction",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
             "Rated reaction.",
             &["\"182 kN\""],
         ),
-        key(
+        PUBLISHED_ENERGY: Number = key(
             "published_energy",
             Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 1.0, high: 1e10 }),
             Means("none was published"),
             "Rated energy as published: for comparison only.",
             &["\"32 kJ\""],
         ),
-        key(
+        HULL_PRESSURE: Number = key(
             "hull_pressure",
             Kind::Quantity(PRESSURE),
             Means("the panel sets it"),
             "Pressure on the hull at the rated deflection.",
             &["\"122 kPa\""],
         ),
-        key(
+        INITIAL_PRESSURE: Number = key(
             "initial_pressure",
             Kind::Quantity(PRESSURE),
             Means("pressures below the rated deflection are not known"),
             "Inner pressure of a pneumatic fender at zero deflection.",
             &["\"50 kPa\""],
         ),
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
 
 const PRESSURE: Quantity = Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 };
 
 static HULL_PRESSURE: TableSpec = TableSpec {
     what: "a hull pressure limit",
     doc: "Hull pressure that the side of a type of ship can bear.",
-    keys: &[
-        key(
+    keys: HullPressureKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a hull pressure limit.
+    pub(crate) HullPressureKey {
+        LIMIT: Number = key(
             "limit",
             Kind::Quantity(PRESSURE),
             Refused,
             "Greatest mean pressure under a panel.",
             &["\"150 kN/m^2\""],
         ),
-        SOURCE,
-        STANDING,
-    ],
-    rules: None,
-};
+        SOURCE: Text = SOURCE,
+        STANDING: OneOf<Standing> = STANDING,
+    }
+}
+
+shared_keys! {
+    /// Keys of the source of a number.
+    pub(crate) OriginKey of CurveKey and UnloadingKey and TemperatureKey and VelocityKey and AngleKey
+        and ToleranceKey and SizeKey and HullPressureKey
+    {
+        SOURCE: Text,
+        STANDING: OneOf<Standing>,
+    }
+}
+
+shared_keys! {
+    /// Keys of a table of factors.
+    pub(crate) FactorTableKey of TemperatureKey and VelocityKey and AngleKey {
+        POINTS: Curve,
+        HOLDS: Text,
+    }
+}

@@ -4,7 +4,7 @@
 mod curve;
 mod family;
 mod fender;
-mod keys;
+pub(crate) mod keys;
 mod look_up;
 mod read;
 
@@ -21,10 +21,10 @@ pub use look_up::LookUpError;
 pub(crate) use read::unloading_curve;
 
 use crate::data_files::FENDER_FILES;
+use crate::library::keys::FenderFileKey;
 use fenderline_keys::error::ScenarioError;
-use fenderline_keys::reader;
 use fenderline_keys::sources::Sources;
-use fenderline_keys::syntax;
+use fenderline_keys::{reader, syntax};
 
 /// Families of fenders and hull pressure limits.
 ///
@@ -93,8 +93,10 @@ impl FenderLibrary {
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &FENDER_FILE, "", end..end, &document)?;
-        let (families, limits) =
-            (file.given("family").named(), file.given("hull_pressure").named());
+        let (families, limits) = (
+            file.of::<FenderFileKey>().given(FenderFileKey::FAMILY).named(),
+            file.of::<FenderFileKey>().given(FenderFileKey::HULL_PRESSURE).named(),
+        );
         if families.is_empty() && limits.is_empty() {
             let error =
                 sources.file_error("the file has neither families nor hull pressure limits");

@@ -3,10 +3,16 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_keys::checked::{Item, Table};
+use crate::library::keys::{
+    CurveKey, FactorTableKey, FamilyKey, HullPressureKey, OriginKey, SizeKey, ToleranceKey,
+    UnloadingKey,
+};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::{Curve, Number, TableOf};
 use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::suggest::nearest;
+use fenderline_keys::typed_key::{Key, ReadAs};
 
 use super::family::{
     FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance,
@@ -24,13 +30,13 @@ const ROUNDING: f64 = 0.005;
 /// Adds the families of a file to those that are known.
 pub(super) fn families(
     sources: &Sources<'_>,
-    tables: &[(String, Table)],
+    tables: Tables<'_, FamilyKey>,
     library: &mut FenderLibrary,
 ) -> Read<()> {
     let FenderLibrary { families: known, places, .. } = library;
     for (name, table) in tables {
         let there = places.families.get(name).copied();
-        match (there, table.item("curve")) {
+        match (there, table.item(FamilyKey::CURVE)) {
             (Some(there), None) => {
                 more_sizes(sources, table, &mut known[there], &mut places.sizes[there])?;
             }
@@ -55,7 +61,7 @@ pub(super) fn families(
 /// Adds the hull pressure limits of a file to those that are known.
 pub(super) fn hull_pressures(
     sources: &Sources<'_>,
-    tables: &[(String, Table)],
+    tables: Tables<'_, HullPressureKey>,
     library: &mut FenderLibrary,
 ) -> Read<()> {
     let known = &mut library.hull_pressures;
@@ -65,7 +71,7 @@ pub(super) fn hull_pressures(
             return Err(sources.error(&table.span, &table.path, message));
         }
         let (source, standing) = origin(table);
-        let limit_npm2 = *table.given("limit").number();
+        let limit_npm2 = *table.given(HullPressureKey::LIMIT).number();
         known.push(HullPressureLimit { ship: name.clone(), limit_npm2, source, standing });
     }
     Ok(())
@@ -76,10 +82,10 @@ pub(super) fn hull_pressures(
 fn without_curve(
     sources: &Sources<'_>,
     name: &str,
-    table: &Table,
+    table: Of<'_, FamilyKey>,
     known: &[Family],
 ) -> ScenarioError {
-    let path = table.path_of("curve");
+    let path = table.path_of(FamilyKey::CURVE);
     let message = format!("`{path}` is missing, and no family named {} is known", quoted(name));
     let error = sources.error(&table.span, &path, message);
     error.with_help(match nearest(name, known.iter().map(|family| family.name.as_str())) {
@@ -90,13 +96,13 @@ fn without_curve(
 
 fn more_sizes(
     sources: &Sources<'_>,
-    table: &Table,
+    table: Of<'_, FamilyKey>,
     family: &mut Family,
     places: &mut BTreeMap<String, usize>,
 ) -> Read<()> {
-    let given = table.items.iter().find(|item| item.name != "size");
+    let given = table.entries().find(|item| !item.is(FamilyKey::SIZE));
     if let Some(item) = given {
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let message =
             format!("`{path}` is for a new family, but {} is known", quoted(&family.name));
         let error = sources.error(&item.key_span, &path, message);
@@ -108,50 +114,55 @@ fn more_sizes(
 fn new_family(
     sources: &Sources<'_>,
     name: &str,
-    table: &Table,
-    item: &Item,
+    table: Of<'_, FamilyKey>,
+    item: Entry<'_, TableOf<CurveKey>>,
     places: &mut BTreeMap<String, usize>,
 ) -> Read<Family> {
     let inner = item.table();
-    let points = inner.given("points");
+    let points = inner.given(CurveKey::POINTS);
     let curve = points.curve().to_vec();
     if curve[0] != (0.0, 0.0) {
-        let path = inner.path_of("points");
+        let path = inner.path_of(CurveKey::POINTS);
         let message = format!("`{path}` must start with [0, 0]");
         return Err(sources.error(&points.span, &path, message));
     }
     let rated_deflection = rated_deflection(sources, table, &curve)?;
     let mut all_sizes = Vec::new();
     sizes(sources, table, &mut all_sizes, places)?;
-    let factors = |key| table.item(key).map(|item| factor_table(item.table()));
     let (source, standing) = origin(inner);
     Ok(Family {
         name: name.to_owned(),
         rated_deflection,
         published_energy: inner
-            .item("published_energy")
+            .item(CurveKey::PUBLISHED_ENERGY)
             .map_or_else(Vec::new, |item| item.curve().to_vec()),
-        unloading: match table.item("unloading") {
+        unloading: match table.item(FamilyKey::UNLOADING) {
             Some(item) => Some(unloading(sources, item.table(), &curve)?),
             None => None,
         },
         curve,
         source,
         standing,
-        temperature: factors("temperature"),
-        velocity: factors("velocity"),
-        angle_energy: factors("angle_energy"),
-        angle_reaction: factors("angle_reaction"),
-        tolerance: table.item("tolerance").map(|item| tolerance(item.table())),
+        temperature: table.item(FamilyKey::TEMPERATURE).map(|item| factor_table(item.table())),
+        velocity: table.item(FamilyKey::VELOCITY).map(|item| factor_table(item.table())),
+        angle_energy: table.item(FamilyKey::ANGLE_ENERGY).map(|item| factor_table(item.table())),
+        angle_reaction: table
+            .item(FamilyKey::ANGLE_REACTION)
+            .map(|item| factor_table(item.table())),
+        tolerance: table.item(FamilyKey::TOLERANCE).map(|item| tolerance(item.table())),
         reference: reference(sources, table, &all_sizes, places)?,
         sizes: all_sizes,
     })
 }
 
 /// The rated deflection, checked: the curve must have the rated reaction there.
-fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read<f64> {
-    let path = table.path_of("rated_deflection");
-    let Some(item) = table.item("rated_deflection") else {
+fn rated_deflection(
+    sources: &Sources<'_>,
+    table: Of<'_, FamilyKey>,
+    curve: &[(f64, f64)],
+) -> Read<f64> {
+    let path = table.path_of(FamilyKey::RATED_DEFLECTION);
+    let Some(item) = table.item(FamilyKey::RATED_DEFLECTION) else {
         return Err(sources.error(&table.span, &path, format!("`{path}` is missing")));
     };
     let rated = *item.number();
@@ -170,16 +181,16 @@ fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) 
 
 fn reference(
     sources: &Sources<'_>,
-    table: &Table,
+    table: Of<'_, FamilyKey>,
     sizes: &[FenderSize],
     places: &BTreeMap<String, usize>,
 ) -> Read<Option<usize>> {
-    let Some(item) = table.item("reference") else { return Ok(None) };
+    let Some(item) = table.item(FamilyKey::REFERENCE) else { return Ok(None) };
     let name = item.text();
     if let Some(index) = places.get(name) {
         return Ok(Some(*index));
     }
-    let path = table.path_of("reference");
+    let path = table.path_of(FamilyKey::REFERENCE);
     let message = format!("`{path}`: the family has no size {}", quoted(name));
     let error = sources.error(&item.span, &path, message);
     Err(match nearest(name, sizes.iter().map(|size| size.designation.as_str())) {
@@ -191,25 +202,26 @@ fn reference(
 /// Adds the sizes of a family's table; `places` holds the index of each by designation.
 fn sizes(
     sources: &Sources<'_>,
-    family: &Table,
+    family: Of<'_, FamilyKey>,
     sizes: &mut Vec<FenderSize>,
     places: &mut BTreeMap<String, usize>,
 ) -> Read<()> {
-    for table in family.given("size").list() {
-        let item = table.given("designation");
+    for table in family.given(FamilyKey::SIZE).list() {
+        let item = table.given(SizeKey::DESIGNATION);
         let designation = item.text();
         if places.insert(designation.to_owned(), sizes.len()).is_some() {
-            let path = table.path_of("designation");
+            let path = table.path_of(SizeKey::DESIGNATION);
             let message = format!("`{path}`: there is a size {} already", quoted(designation));
             return Err(sources.error(&item.span, &path, message));
         }
-        let number = |key| table.item(key).map(|item| *item.number());
+        let number = |key: Key<_, Number>| table.item(key).map(|item| *item.number());
         let (hull_pressure_npm2, initial_pressure_npm2) =
-            (number("hull_pressure"), number("initial_pressure"));
-        if let (Some(item), Some(initial)) = (table.item("initial_pressure"), initial_pressure_npm2)
+            (number(SizeKey::HULL_PRESSURE), number(SizeKey::INITIAL_PRESSURE));
+        if let (Some(item), Some(initial)) =
+            (table.item(SizeKey::INITIAL_PRESSURE), initial_pressure_npm2)
             && hull_pressure_npm2.is_none_or(|rated| rated <= initial)
         {
-            let path = table.path_of("initial_pressure");
+            let path = table.path_of(SizeKey::INITIAL_PRESSURE);
             let message = format!("`{path}` needs a `hull_pressure` above it");
             let error = sources.error(&item.span, &path, message);
             return Err(error.with_help("give the pressure on the hull at the rated deflection"));
@@ -217,10 +229,10 @@ fn sizes(
         let (source, standing) = origin(table);
         sizes.push(FenderSize {
             designation: designation.to_owned(),
-            height_m: *table.given("height").number(),
-            length_m: number("length"),
-            rated_reaction_n: *table.given("reaction").number(),
-            published_energy_j: number("published_energy"),
+            height_m: *table.given(SizeKey::HEIGHT).number(),
+            length_m: number(SizeKey::LENGTH),
+            rated_reaction_n: *table.given(SizeKey::REACTION).number(),
+            published_energy_j: number(SizeKey::PUBLISHED_ENERGY),
             hull_pressure_npm2,
             initial_pressure_npm2,
             source,
@@ -230,32 +242,37 @@ fn sizes(
     Ok(())
 }
 
-fn factor_table(table: &Table) -> FactorTable {
+fn factor_table<T: ReadAs<FactorTableKey> + ReadAs<OriginKey>>(table: Of<'_, T>) -> FactorTable {
     let (source, standing) = origin(table);
+    let table = table.read_as::<FactorTableKey>();
     FactorTable {
-        points: table.given("points").curve().to_vec(),
-        holds: table.item("holds").map(|item| item.text().to_owned()),
+        points: table.given(FactorTableKey::POINTS).curve().to_vec(),
+        holds: table.item(FactorTableKey::HOLDS).map(|item| item.text().to_owned()),
         source,
         standing,
     }
 }
 
 /// The unloading law of a family with this curve.
-fn unloading(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read<FamilyUnloading> {
-    let law = match (table.item("returned_energy"), table.item("points")) {
+fn unloading(
+    sources: &Sources<'_>,
+    table: Of<'_, UnloadingKey>,
+    curve: &[(f64, f64)],
+) -> Read<FamilyUnloading> {
+    let law = match (table.item(UnloadingKey::RETURNED_ENERGY), table.item(UnloadingKey::POINTS)) {
         (Some(share), None) => Unloading::ReturnedEnergy(*share.number()),
         (None, Some(points)) => {
-            let path = table.path_of("points");
+            let path = table.path_of(UnloadingKey::POINTS);
             Unloading::Curve(unloading_curve(sources, points, &path, curve)?)
         }
         (Some(_), Some(points)) => {
-            let path = table.path_of("points");
+            let path = table.path_of(UnloadingKey::POINTS);
             let message = format!("`{path}` does not go together with `returned_energy`");
             let error = sources.error(&points.key_span, &path, message);
             return Err(error.with_help("keep one of the two"));
         }
         (None, None) => {
-            let path = table.path_of("returned_energy");
+            let path = table.path_of(UnloadingKey::RETURNED_ENERGY);
             let error = sources.error(&table.span, &path, format!("`{path}` is missing"));
             return Err(error.with_help("give it, or `points` of the unloading curve"));
         }
@@ -267,7 +284,7 @@ fn unloading(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read
 /// The points of an unloading curve. It must begin at (0, 0) and be nowhere above the loading curve.
 pub(crate) fn unloading_curve(
     sources: &Sources<'_>,
-    item: &Item,
+    item: Entry<'_, Curve>,
     path: &str,
     loading: &[(f64, f64)],
 ) -> Read<Vec<[f64; 2]>> {
@@ -288,11 +305,12 @@ pub(crate) fn unloading_curve(
     Err(sources.error(&item.span, path, message))
 }
 
-fn tolerance(table: &Table) -> Tolerance {
+fn tolerance(table: Of<'_, ToleranceKey>) -> Tolerance {
     let (source, standing) = origin(table);
-    Tolerance { value: *table.given("value").number(), source, standing }
+    Tolerance { value: *table.given(ToleranceKey::VALUE).number(), source, standing }
 }
 
-fn origin(table: &Table) -> (String, Standing) {
-    (table.given("source").text().to_owned(), table.given("standing").choice())
+fn origin<T: ReadAs<OriginKey>>(table: Of<'_, T>) -> (String, Standing) {
+    let table = table.read_as::<OriginKey>();
+    (table.given(OriginKey::SOURCE).text().to_owned(), table.given(OriginKey::STANDING).choice())
 }

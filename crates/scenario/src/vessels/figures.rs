@@ -4,14 +4,18 @@ use std::f64::consts::TAU;
 
 use fenderline_sim::hydro::vessels::Figure;
 
+use crate::vessels::keys::FileVesselKey;
 use fenderline_keys::checked::{Item, Table, Value};
-use fenderline_keys::key_path;
+use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::sources::Span;
 use fenderline_keys::spec::{Kind, Quantity};
+use fenderline_keys::typed_key::AnyKey;
 use fenderline_keys::units::measures as unit;
+use fenderline_keys::{any_keys, key_path};
 
 /// Keys of a vessel that do not hold numbers.
-const NO_FIGURES: [&str; 5] = ["title", "tank_model", "coefficients_of", "from", "source"];
+const NO_FIGURES: &[AnyKey<FileVesselKey>] =
+    any_keys![FileVesselKey: TITLE, TANK_MODEL, COEFFICIENTS_OF, SOURCE];
 
 /// A number of a vessel, and its place in the file.
 pub(super) struct Leaf {
@@ -26,10 +30,15 @@ pub(super) struct Leaf {
 /// Every number of a vessel's table.
 pub(super) fn leaves(table: &Table) -> Vec<Leaf> {
     let mut all = Vec::new();
-    for item in table.items.iter().filter(|item| !NO_FIGURES.contains(&item.name)) {
+    for item in table.items.iter().filter(|item| has_figures(item)) {
         collect(table, item, "", &mut all);
     }
     all
+}
+
+/// Whether a key holds numbers of the vessel.
+fn has_figures(item: &Item) -> bool {
+    !item.is(VesselKey::FROM) && !NO_FIGURES.iter().any(|key| item.is(*key))
 }
 
 fn collect(table: &Table, item: &Item, path: &str, all: &mut Vec<Leaf>) {

@@ -3,7 +3,7 @@
 
 mod data;
 mod figures;
-mod keys;
+pub(crate) mod keys;
 mod provenance;
 mod read;
 mod shape;
@@ -17,10 +17,10 @@ pub(crate) use read::{hydrostatics, own_vessel};
 
 use crate::data_files::VESSEL_FILES;
 use crate::library::LookUpError;
+use crate::vessels::keys::VesselFileKey;
 use fenderline_keys::error::ScenarioError;
-use fenderline_keys::reader;
 use fenderline_keys::sources::{Sources, quoted};
-use fenderline_keys::syntax;
+use fenderline_keys::{reader, syntax};
 
 /// Vessels by name.
 ///
@@ -76,7 +76,7 @@ impl VesselLibrary {
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &VESSEL_FILE, "", end..end, &document)?;
-        for (name, table) in file.given("vessel").named() {
+        for (name, table) in file.of::<VesselFileKey>().given(VesselFileKey::VESSEL).named() {
             if self.has(name) {
                 let message = format!("there is a vessel named {} already", quoted(name));
                 return Err(sources.error(&table.span, &table.path, message));

@@ -4,33 +4,40 @@ use fenderline_sim::hydro::vessels::{Figure, Origin, Source, Standing};
 
 use super::data::VesselData;
 use super::figures::{Leaf, leaves};
-use fenderline_keys::checked::{Item, Table};
+use crate::vessels::keys::FileVesselKey;
+use crate::vessels::keys::source::FileSourceKey;
+use crate::vessels::keys::stern::{FilePropellerKey, FileRudderKey};
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::Texts;
+use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::typed_key::AnyKey;
+use fenderline_keys::{any_keys, key_path};
 
 /// The keys that a vessel may take from the vessel of `coefficients_of`.
-const INHERITED: [&str; 20] = [
-    "added_mass",
-    "sway_polynomial",
-    "drift_polynomial",
-    "low_speed",
-    "propeller.thrust",
-    "propeller.series",
-    "propeller.thrust_deduction",
-    "propeller.thrust_deduction_astern",
-    "propeller.wake",
-    "propeller.wake_change",
-    "propeller.place",
-    "rudder.lift_gradient",
-    "rudder.wake_ratio",
-    "rudder.race_gain",
-    "rudder.straightening",
-    "rudder.straightening_place",
-    "rudder.resistance_deduction",
-    "rudder.hull_gain",
-    "rudder.hull_place",
-    "rudder.place",
+const INHERITED: &[AnyKey<FileVesselKey>] =
+    any_keys![FileVesselKey: ADDED_MASS, SWAY_POLYNOMIAL, DRIFT_POLYNOMIAL, LOW_SPEED];
+/// Likewise of the propeller.
+const OF_PROPELLER: &[AnyKey<FilePropellerKey>] = any_keys![
+    FilePropellerKey: THRUST, SERIES, THRUST_DEDUCTION, THRUST_DEDUCTION_ASTERN, WAKE, WAKE_CHANGE,
+    PLACE
 ];
+/// Likewise of the rudder.
+const OF_RUDDER: &[AnyKey<FileRudderKey>] = any_keys![
+    FileRudderKey: LIFT_GRADIENT, WAKE_RATIO, RACE_GAIN, STRAIGHTENING, STRAIGHTENING_PLACE,
+    RESISTANCE_DEDUCTION, HULL_GAIN, HULL_PLACE, PLACE
+];
+
+/// The dotted paths of the keys that a vessel may take from another.
+fn inherited_paths() -> impl Iterator<Item = String> {
+    let of = |part: AnyKey<FileVesselKey>, name: &str| key_path::join(part.name(), name);
+    let propeller = FileVesselKey::PROPELLER.any();
+    let rudder = FileVesselKey::RUDDER.any();
+    let own = INHERITED.iter().map(|key| key.name().to_owned());
+    own.chain(OF_PROPELLER.iter().map(move |key| of(propeller, key.name())))
+        .chain(OF_RUDDER.iter().map(move |key| of(rudder, key.name())))
+}
 
 /// Whether a key of a source covers the number at a path.
 fn covers(key: &str, path: &str) -> bool {
@@ -45,20 +52,23 @@ fn given(group: String, figures: Vec<Figure>, source: &str, standing: Standing) 
 ///
 /// # Errors
 /// A number without a source, a source that covers no number, a key with two sources.
-pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source>, ScenarioError> {
-    let entries = table.given("source").list();
-    let leaves = leaves(table);
-    let keys: Vec<(usize, &Item, &String)> = entries
+pub(super) fn of_file(
+    sources: &Sources<'_>,
+    table: Of<'_, FileVesselKey>,
+) -> Result<Vec<Source>, ScenarioError> {
+    let entries = table.given(FileVesselKey::SOURCE).list();
+    let leaves = leaves(table.table());
+    let keys: Vec<(usize, Entry<'_, Texts>, &String)> = entries
         .iter()
         .enumerate()
         .flat_map(|(index, entry)| {
-            let of = entry.given("of");
+            let of = entry.given(FileSourceKey::OF);
             of.texts().iter().map(move |key| (index, of, key))
         })
         .collect();
     for (place, (index, of, key)) in keys.iter().enumerate() {
         let complain = |message: String| {
-            let path = entries[*index].path_of("of");
+            let path = entries.at(*index).path_of(FileSourceKey::OF);
             Err(sources.error(&of.span, &path, format!("`{path}`: {message}")))
         };
         if !leaves.iter().any(|leaf| !leaf.is_default && covers(key, &leaf.figure.name)) {
@@ -71,9 +81,9 @@ pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source
     let mut found: Vec<Source> = entries
         .iter()
         .map(|entry| {
-            let source = entry.given("source").text();
-            let standing = entry.given("standing").choice();
-            given(entry.given("of").texts().join(", "), Vec::new(), source, standing)
+            let source = entry.given(FileSourceKey::SOURCE).text();
+            let standing = entry.given(FileSourceKey::STANDING).choice();
+            given(entry.given(FileSourceKey::OF).texts().join(", "), Vec::new(), source, standing)
         })
         .collect();
     let mut defaults = Vec::new();
@@ -98,8 +108,8 @@ pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source
 }
 
 /// The sources of a vessel of a scenario.
-pub(super) fn of_scenario(table: &Table) -> Vec<Source> {
-    of_leaves(leaves(table))
+pub(super) fn of_scenario<T>(table: Of<'_, T>) -> Vec<Source> {
+    of_leaves(leaves(table.table()))
 }
 
 fn of_leaves(leaves: Vec<Leaf>) -> Vec<Source> {
@@ -127,11 +137,11 @@ pub(super) fn scaled(figures: Vec<Figure>, base: &VesselData) -> Option<Source> 
 }
 
 /// The sources of coefficients taken from another vessel.
-pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
-    let own = leaves(table);
+pub(super) fn inherited<T>(table: Of<'_, T>, base: &VesselData) -> Vec<Source> {
+    let own = leaves(table.table());
     let is_own =
         |key: &str| own.iter().any(|leaf| !leaf.is_default && covers(key, &leaf.figure.name));
-    let taken: Vec<&str> = INHERITED.into_iter().filter(|key| !is_own(key)).collect();
+    let taken: Vec<String> = inherited_paths().filter(|key| !is_own(key)).collect();
     let of_base = base.origin.sources.iter().filter(|source| !source.is_estimate);
     of_base
         .filter_map(|source| {
@@ -145,9 +155,11 @@ pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
 
 /// The origin of a vessel that a scenario derives from another, without the sources of the replaced numbers. Propeller
 /// and rudder are replaced key by key, everything else by whole tables.
-pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
-    let by_key = |name: &str| covers("propeller", name) || covers("rudder", name);
-    let own = leaves(table);
+pub(super) fn replaced<T>(base: &Origin, table: Of<'_, T>) -> Origin {
+    let by_key = |name: &str| {
+        covers(VesselKey::PROPELLER.name(), name) || covers(VesselKey::RUDDER.name(), name)
+    };
+    let own = leaves(table.table());
     let is_replaced = |figure: &Figure| {
         let group = figure.name.split('.').next().unwrap_or_default();
         let mut names = own.iter().map(|leaf| &leaf.figure.name);

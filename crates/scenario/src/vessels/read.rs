@@ -16,9 +16,15 @@ use super::data::VesselData;
 use super::provenance;
 use super::shape::{self, Hull};
 use crate::assemble;
-use fenderline_keys::checked::{Item, Table};
+use crate::vessels::keys::FileVesselKey;
+use crate::vessels::keys::deck::FileDeckPointKey;
+use fenderline_keys::any_keys;
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::{NamedOf, Number, TableOf};
+use fenderline_keys::keys::vessel::{PropellerKey, RudderKey, VesselKey};
 use fenderline_keys::sources::Sources;
+use fenderline_keys::typed_key::{AnyKey, Key};
 
 use self::reading::Reading;
 pub(crate) use self::stability::hydrostatics;
@@ -30,17 +36,17 @@ type Read<T> = Result<T, ScenarioError>;
 pub(super) fn file_vessel(
     sources: &Sources<'_>,
     name: &str,
-    table: &Table,
+    table: Of<'_, FileVesselKey>,
     known: &VesselLibrary,
 ) -> Read<VesselData> {
     let reading = Reading { sources, table };
-    let base = match table.item("coefficients_of") {
+    let base = match table.item(FileVesselKey::COEFFICIENTS_OF) {
         None => None,
         Some(item) => {
             Some(known.vessel(item.text()).map_err(|error| reading.looked_up(item, &error))?)
         }
     };
-    let title = table.given("title").text().to_owned();
+    let title = table.given(FileVesselKey::TITLE).text().to_owned();
     reading.vessel(name, title, base, || {
         let mut all = provenance::of_file(sources, table)?;
         if let Some(base) = base {
@@ -57,18 +63,18 @@ pub(super) fn file_vessel(
 pub(crate) fn own_vessel(
     sources: &Sources<'_>,
     name: &str,
-    table: &Table,
+    table: Of<'_, VesselKey>,
     known: &VesselLibrary,
 ) -> Read<VesselData> {
-    let reading = Reading { sources, table };
-    match table.item("from") {
+    let reading = Reading { sources, table: table.read_as() };
+    match table.item(VesselKey::FROM) {
         Some(item) => {
             let base =
                 known.vessel(item.text()).map_err(|error| reading.looked_up(item, &error))?;
-            reading.changed(name, base)
+            reading.changed(name, table, base)
         }
         None => {
-            reading.refuse_what_is_missing()?;
+            reading.refuse_what_is_missing(table)?;
             reading.vessel(name, name.to_owned(), None, || Ok(provenance::of_scenario(table)))
         }
     }
@@ -105,22 +111,22 @@ impl Reading<'_, '_> {
         let approach_mps = self.approach_mps(froude, &particulars, &mut scaled)?;
         let rudder = self.rudder(froude, &mut scaled, &mut assumed);
         let shaft = self.shaft(froude, &mut scaled, &mut assumed)?;
-        let overall = table.item_if_any("length_overall");
-        let has_shape = table.spec.key("outline").is_some();
+        let overall = table.item_if_any(FileVesselKey::LENGTH_OVERALL);
+        let has_shape = table.spec.key(FileVesselKey::OUTLINE.name()).is_some();
         let outline_m = match has_shape {
             true => shape::outline(self.sources, table, &particulars, overall)?,
             false => None,
         };
         let hull = Hull { outline_m: outline_m.as_deref(), ship: &particulars };
-        let points = |name: &str| match table.item_if_any(name) {
+        let points = |name: Key<_, NamedOf<FileDeckPointKey>>| match table.item_if_any(name) {
             Some(item) => shape::deck_points(self.sources, item.named(), &hull),
             None => Ok(Vec::new()),
         };
         let mut vessel = VesselData {
             name: name.to_owned(),
-            is_model: table.item_if_any("tank_model").is_some_and(|item| *item.flag()),
+            is_model: table.item_if_any(FileVesselKey::TANK_MODEL).is_some_and(|item| *item.flag()),
             resistance_of_model_m: table
-                .item_if_any("resistance_of_model")
+                .item_if_any(FileVesselKey::RESISTANCE_OF_MODEL)
                 .map(|item| *item.number()),
             length_overall_m: overall.map(|item| *item.number()),
             ship: estimate.model,
@@ -129,11 +135,11 @@ impl Reading<'_, '_> {
             shaft,
             thrusters: self.thrusters(&particulars)?,
             azimuths: self.azimuths(&particulars)?,
-            windage: assemble::windage(self.sources, table, &particulars)?,
+            windage: assemble::windage(self.sources, table, FileVesselKey::WINDAGE, &particulars)?,
             stability: self.stability(&particulars)?,
-            chocks: points("chock")?,
-            bitts: points("bitts")?,
-            beltings: match table.item_if_any("belting") {
+            chocks: points(FileVesselKey::CHOCK)?,
+            bitts: points(FileVesselKey::BITTS)?,
+            beltings: match table.item_if_any(FileVesselKey::BELTING) {
                 Some(item) => shape::beltings(self.sources, item.named(), &hull)?,
                 None => Vec::new(),
             },
@@ -159,39 +165,45 @@ impl Reading<'_, '_> {
     }
 
     /// A vessel of the library with other machinery, wind areas or stability.
-    fn changed(&self, name: &str, base: &VesselData) -> Read<VesselData> {
-        let table = self.table;
-        self.refuse_other_particulars()?;
+    fn changed(&self, name: &str, table: Of<'_, VesselKey>, base: &VesselData) -> Read<VesselData> {
+        self.refuse_other_particulars(table)?;
         let mut vessel = base.clone();
         vessel.name = name.to_owned();
-        let given = |part: &str, key: &str| Some(*table.item(part)?.table().item(key)?.number());
-        for part in ["propeller", "rudder"] {
-            if let Some(item) = table.item(part).filter(|_| base.shaft.is_none()) {
+        let propeller = |key: Key<PropellerKey, Number>| {
+            Some(*table.item(VesselKey::PROPELLER)?.table().item(key)?.number())
+        };
+        let rudder = |key: Key<RudderKey, Number>| {
+            Some(*table.item(VesselKey::RUDDER)?.table().item(key)?.number())
+        };
+        for part in any_keys![VesselKey: PROPELLER, RUDDER] {
+            if let Some(item) = table.item(*part).filter(|_| base.shaft.is_none()) {
                 let message = format!("{} has no {part}", base.origin.title);
                 return Err(self.at(table, item, &message));
             }
         }
         if let Some(shaft) = &mut vessel.shaft {
-            shaft.full_rps = given("propeller", "full").map_or(shaft.full_rps, |full| full / TAU);
-            shaft.reversal_s = given("propeller", "reversal").unwrap_or(shaft.reversal_s);
+            shaft.full_rps =
+                propeller(PropellerKey::FULL).map_or(shaft.full_rps, |full| full / TAU);
+            shaft.reversal_s = propeller(PropellerKey::REVERSAL).unwrap_or(shaft.reversal_s);
         }
-        vessel.rudder.rate_per_s = given("rudder", "rate").unwrap_or(vessel.rudder.rate_per_s);
-        vessel.rudder.stop = given("rudder", "stop").unwrap_or(vessel.rudder.stop);
+        vessel.rudder.rate_per_s = rudder(RudderKey::RATE).unwrap_or(vessel.rudder.rate_per_s);
+        vessel.rudder.stop = rudder(RudderKey::STOP).unwrap_or(vessel.rudder.stop);
         let particulars = &base.ship.particulars;
-        if !table.given("thruster").is_default {
+        if !table.given(VesselKey::THRUSTER).is_default {
             vessel.thrusters = self.thrusters(particulars)?;
         }
-        if !table.given("azimuth").is_default {
+        if !table.given(VesselKey::AZIMUTH).is_default {
             vessel.azimuths = self.azimuths(particulars)?;
         }
-        if table.item("windage").is_some() {
-            vessel.windage = assemble::windage(self.sources, table, particulars)?;
+        if table.item(VesselKey::WINDAGE).is_some() {
+            vessel.windage =
+                assemble::windage(self.sources, table, VesselKey::WINDAGE, particulars)?;
         }
-        if table.item("stability").is_some() {
+        if table.item(VesselKey::STABILITY).is_some() {
             vessel.stability = self.stability(particulars)?;
         }
         vessel.origin = provenance::replaced(&base.origin, table);
-        if table.item("stability").is_some() {
+        if table.item(VesselKey::STABILITY).is_some() {
             let own = oscillators(vessel.stability.as_ref(), particulars);
             let all = &mut vessel.origin.sources;
             all.retain(|source| !own.iter().any(|own| own.group == source.group));
@@ -201,50 +213,66 @@ impl Reading<'_, '_> {
     }
 
     /// Refuses a vessel without `from` that lacks a particular.
-    fn refuse_what_is_missing(&self) -> Read<()> {
-        for name in ["length_bp", "beam", "draught", "block_coefficient"] {
-            if self.table.item(name).is_none() {
+    fn refuse_what_is_missing(&self, table: Of<'_, VesselKey>) -> Read<()> {
+        for name in [
+            VesselKey::LENGTH_BP,
+            VesselKey::BEAM,
+            VesselKey::DRAUGHT,
+            VesselKey::BLOCK_COEFFICIENT,
+        ] {
+            if table.item(name).is_none() {
                 let help = "give it, or name a vessel of the library with `from`";
-                return Err(self.missing(self.table, name, help));
+                return Err(self.missing(table, name, help));
             }
         }
-        let needs = [("propeller", ["diameter", "full"].as_slice()), ("rudder", &["area", "span"])];
-        for (part, names) in needs {
-            let Some(inner) = self.table.item(part).map(Item::table) else { continue };
-            for name in names {
-                if inner.item(name).is_none() {
-                    let help = "a vessel without `from` needs it";
-                    return Err(self.missing(inner, name, help));
-                }
-            }
+        let propeller = any_keys![PropellerKey: DIAMETER, FULL];
+        self.refuse_missing_part(table, VesselKey::PROPELLER, propeller)?;
+        self.refuse_missing_part(table, VesselKey::RUDDER, any_keys![RudderKey: AREA, SPAN])
+    }
+
+    /// Refuses a part of a vessel without `from` that lacks a key.
+    fn refuse_missing_part<T>(
+        &self,
+        table: Of<'_, VesselKey>,
+        part: Key<VesselKey, TableOf<T>>,
+        keys: &[AnyKey<T>],
+    ) -> Read<()> {
+        let Some(inner) = table.item(part).map(Entry::table) else { return Ok(()) };
+        match keys.iter().find(|key| inner.item(**key).is_none()) {
+            None => Ok(()),
+            Some(key) => Err(self.missing(inner, *key, "a vessel without `from` needs it")),
         }
-        Ok(())
     }
 
     /// Refuses particulars beside `from`, because they come from the library's vessel.
-    fn refuse_other_particulars(&self) -> Read<()> {
-        let table = self.table;
-        const HERS: [&str; 6] =
-            ["length_bp", "beam", "draught", "block_coefficient", "centre_of_gravity", "gyradius"];
+    fn refuse_other_particulars(&self, table: Of<'_, VesselKey>) -> Read<()> {
+        const HERS: &[AnyKey<VesselKey>] = any_keys![
+            VesselKey: LENGTH_BP, BEAM, DRAUGHT, BLOCK_COEFFICIENT, CENTRE_OF_GRAVITY, GYRADIUS
+        ];
         for name in HERS {
-            if let Some(item) = table.item(name) {
-                let error = self.together(table, item, "from");
+            if let Some(item) = table.item(*name) {
+                let error = self.together(table, item, VesselKey::FROM);
                 return Err(error.with_help(
                     "remove this key: the particulars come from the vessel of \
                         `from`",
                 ));
             }
         }
-        for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
-            let Some(inner) = table.item(part).map(Item::table) else { continue };
-            if let Some(item) = inner.item(name) {
-                let error = self.together(inner, item, "from");
-                return Err(error.with_help(
-                    "remove this key: propeller and rudder come from the vessel of `from`",
-                ));
-            }
-        }
-        Ok(())
+        self.refuse_other_part(table, VesselKey::PROPELLER, any_keys![PropellerKey: DIAMETER])?;
+        self.refuse_other_part(table, VesselKey::RUDDER, any_keys![RudderKey: AREA, SPAN])
+    }
+
+    /// Refuses keys of a part that come from the library's vessel.
+    fn refuse_other_part<T>(
+        &self,
+        table: Of<'_, VesselKey>,
+        part: Key<VesselKey, TableOf<T>>,
+        keys: &[AnyKey<T>],
+    ) -> Read<()> {
+        let Some(inner) = table.item(part).map(Entry::table) else { return Ok(()) };
+        let Some(item) = keys.iter().find_map(|key| inner.item(*key)) else { return Ok(()) };
+        let error = self.together(inner, item, VesselKey::FROM);
+        Err(error.with_help("remove this key: propeller and rudder come from the vessel of `from`"))
     }
 }
 

@@ -5,8 +5,11 @@ use fenderline_contact::{Outline, Vec2, vec2};
 use fenderline_sim::hydro::Particulars;
 
 use super::data::{Belting, DeckPoint};
-use fenderline_keys::checked::{Item, Table};
+use crate::vessels::keys::FileVesselKey;
+use crate::vessels::keys::deck::{FileBeltingKey, FileDeckPointKey, FileOutlineKey, OutlineOrigin};
+use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::{Number, Vector};
 use fenderline_keys::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
@@ -18,27 +21,19 @@ const OVERALL: [f64; 2] = [0.95, 1.2];
 /// How far outside the outline a chock may be (m).
 const OUTREACH_M: f64 = 1.0;
 
-/// The origin of the points of an outline.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum OutlineOrigin {
-    Midship,
-    AfterPerpendicular,
-    CentreOfGravity,
-}
-
 /// The outline about midship.
 pub(super) fn outline(
     sources: &Sources<'_>,
-    table: &Table,
+    table: Of<'_, FileVesselKey>,
     ship: &Particulars,
-    length_overall: Option<&Item>,
+    length_overall: Option<Entry<'_, Number>>,
 ) -> Read<Option<Vec<Vec2>>> {
-    let Some(inner) = table.item("outline").map(Item::table) else { return Ok(None) };
-    let item = inner.given("points");
-    let path = inner.path_of("points");
+    let Some(inner) = table.item(FileVesselKey::OUTLINE).map(Entry::table) else { return Ok(None) };
+    let item = inner.given(FileOutlineKey::POINTS);
+    let path = inner.path_of(FileOutlineKey::POINTS);
     let complain =
         |message: String| sources.error(&item.span, &path, format!("`{path}`: {message}"));
-    let forward_m = match inner.given("origin").choice() {
+    let forward_m = match inner.given(FileOutlineKey::ORIGIN).choice() {
         OutlineOrigin::Midship => 0.0,
         OutlineOrigin::AfterPerpendicular => -0.5 * ship.length_m,
         OutlineOrigin::CentreOfGravity => ship.centre_of_gravity_m,
@@ -84,16 +79,16 @@ fn extent(points: &[Vec2]) -> [Vec2; 2] {
 /// Chocks or bitts.
 pub(super) fn deck_points(
     sources: &Sources<'_>,
-    tables: &[(String, Table)],
+    tables: Tables<'_, FileDeckPointKey>,
     hull: &Hull<'_>,
 ) -> Read<Vec<DeckPoint>> {
-    let read = |(name, table): &(String, Table)| {
-        let item = table.given("at");
+    let read = |(name, table): (&String, Of<'_, _>)| {
+        let item = table.given(FileDeckPointKey::AT);
         hull.check(sources, table, item)?;
         Ok(DeckPoint {
             name: name.clone(),
             at_m: *item.vector(),
-            above_water_m: *table.given("height").number(),
+            above_water_m: *table.given(FileDeckPointKey::HEIGHT).number(),
         })
     };
     tables.iter().map(read).collect()
@@ -102,11 +97,11 @@ pub(super) fn deck_points(
 /// Strips of belting.
 pub(super) fn beltings(
     sources: &Sources<'_>,
-    tables: &[(String, Table)],
+    tables: Tables<'_, FileBeltingKey>,
     hull: &Hull<'_>,
 ) -> Read<Vec<Belting>> {
-    let read = |(name, table): &(String, Table)| {
-        let ends = [table.given("from"), table.given("to")];
+    let read = |(name, table): (&String, Of<'_, _>)| {
+        let ends = [table.given(FileBeltingKey::FROM), table.given(FileBeltingKey::TO)];
         for end in ends {
             hull.check(sources, table, end)?;
         }
@@ -126,8 +121,8 @@ pub(super) fn beltings(
             middle_m,
             facing_rad: libm::atan2(outward.y, outward.x),
             width_m: along_m.length(),
-            above_water_m: *table.given("height").number(),
-            extent_m: *table.given("extent").number(),
+            above_water_m: *table.given(FileBeltingKey::HEIGHT).number(),
+            extent_m: *table.given(FileBeltingKey::EXTENT).number(),
         })
     };
     tables.iter().map(read).collect()
@@ -142,7 +137,12 @@ pub(super) struct Hull<'h> {
 }
 
 impl Hull<'_> {
-    fn check(&self, sources: &Sources<'_>, table: &Table, item: &Item) -> Read<()> {
+    fn check<T>(
+        &self,
+        sources: &Sources<'_>,
+        table: Of<'_, T>,
+        item: Entry<'_, Vector>,
+    ) -> Read<()> {
         let [low, high] = match self.outline_m {
             Some(points) => extent(points),
             None => {
@@ -157,7 +157,7 @@ impl Hull<'_> {
         if inside(at.x, low.x, high.x) && inside(at.y, low.y, high.y) {
             return Ok(());
         }
-        let path = table.path_of(item.name);
+        let path = table.path_to(item);
         let message = format!("`{path}`: [{}, {}] m is not on the vessel", at.x, at.y);
         Err(sources.error(&item.span, &path, message))
     }

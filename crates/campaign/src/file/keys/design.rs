@@ -2,8 +2,10 @@
 
 use super::super::kinds::{MOST_RUNS, Statistic};
 use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::held::{Number, OneOf, Text, Texts};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::table_keys;
 use fenderline_keys::units::measures as unit;
 
 const PROBABILITY: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 };
@@ -13,24 +15,41 @@ pub(super) static CORRELATION: TableSpec = TableSpec {
     doc: "A correlation of two variables with a distribution, by a Gaussian copula. The \
         coefficient is the correlation of the normal scores; for normal variables it is the \
         correlation of the variables.",
-    keys: &[
-        key("variables", Kind::Texts, Refused, "The two variables.", &["[\"speed\", \"angle\"]"]),
-        key(
+    keys: CorrelationKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a correlation.
+    pub(crate) CorrelationKey {
+        VARIABLES: Texts = key(
+            "variables",
+            Kind::Texts,
+            Refused,
+            "The two variables.",
+            &["[\"speed\", \"angle\"]"],
+        ),
+        COEFFICIENT: Number = key(
             "coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
             Refused,
             "Correlation of the normal scores.",
             &["0.3"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 pub(super) static OUTPUT: TableSpec = TableSpec {
     what: "an output",
     doc: "A number of your own for each run.",
-    keys: &[
-        key(
+    keys: CampaignOutputKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of an output.
+    pub(crate) CampaignOutputKey {
+        EXPRESSION: Text = key(
             "expression",
             Kind::Text,
             Refused,
@@ -39,33 +58,43 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
              as in a variable's `expression`.",
             &["\"reaction / 930\"", "\"{fender.fender_3.reaction} - {fender.fender_4.reaction}\""],
         ),
-        key(
+        UNIT: Text = key(
             "unit",
             Kind::Text,
             Means("it has none"),
             "Unit of the output, for the table.",
             &["\"kN\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 pub(super) static LIMIT: TableSpec = TableSpec {
     what: "a limit",
     doc: "A value of an output that should seldom be exceeded. The report draws this value, and \
         says how often the runs exceed it.",
-    keys: &[
-        key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
-        key(
+    keys: CampaignLimitKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a limit.
+    pub(crate) CampaignLimitKey {
+        OUTPUT: Text = key(
+            "output",
+            Kind::Text,
+            Refused,
+            "Name of the output's column.",
+            &["\"reaction\""],
+        ),
+        VALUE: Text = key(
             "value",
             Kind::AnyNumber,
             Refused,
             "The limit, with a unit if the output has a unit.",
             &["\"930 kN\"", "\"95 t\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static STATISTICS: Choices<Statistic> = Choices(&[
     Choice { word: "mean", value: Statistic::Mean, doc: "the mean of the output" },
@@ -79,37 +108,49 @@ static STATISTICS: Choices<Statistic> = Choices(&[
 pub(super) static STOP: TableSpec = TableSpec {
     what: "a stop rule",
     doc: "The campaign ends at the first multiple of `every` runs at which half of the confidence interval is at most `half_width`.",
-    keys: &[
-        key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
-        key(
+    keys: StopKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a stop rule.
+    pub(crate) StopKey {
+        OUTPUT: Text = key(
+            "output",
+            Kind::Text,
+            Refused,
+            "Name of the output's column.",
+            &["\"reaction\""],
+        ),
+        STATISTIC: OneOf<Statistic> = key(
             "statistic",
             Kind::Choice(&STATISTICS),
             Is("\"mean\""),
             "What is estimated.",
             &["\"quantile\""],
         ),
-        key(
+        PROBABILITY: Number = key(
             "probability",
             Kind::Quantity(PROBABILITY),
             Unless("the statistic is \"mean\""),
             "Probability of the quantile.",
             &["0.95"],
         ),
-        key(
+        HALF_WIDTH: Number = key(
             "half_width",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-12, high: 1e12 }),
             Refused,
             "Half the width of the confidence interval, as a share of the estimate.",
             &["0.02"],
         ),
-        key(
+        CONFIDENCE: Number = key(
             "confidence",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.5, high: 0.999_999 }),
             Is("0.95"),
             "Probability of the confidence interval.",
             &["0.9"],
         ),
-        key(
+        EVERY: Number = key(
             "every",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 10.0, high: MOST_RUNS }),
             Is("100"),
@@ -117,30 +158,35 @@ pub(super) static STOP: TableSpec = TableSpec {
              number of threads.",
             &["1000"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 pub(super) static DESIGN: TableSpec = TableSpec {
     what: "a design",
     doc: "How often the event of a run happens in a year, and how rare a design value is. Choose \
         both yourself: guidelines differ.",
-    keys: &[
-        key(
+    keys: DesignKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a design.
+    pub(crate) DesignKey {
+        BERTHINGS_PER_YEAR: Number = key(
             "berthings_per_year",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e9 }),
             Refused,
             "Number of such events in a year.",
             &["300"],
         ),
-        key(
+        RETURN_PERIODS: Texts = key(
             "return_periods",
             Kind::Values,
             Is("[50, 100, 475, 1000]"),
             "Return periods (years): the design value is exceeded in a year with probability 1/T.",
             &["[50, 500]"],
         ),
-        key(
+        LIFE: Number = key(
             "life",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1e6 }),
             Is("50"),
@@ -148,6 +194,5 @@ pub(super) static DESIGN: TableSpec = TableSpec {
              life.",
             &["50"],
         ),
-    ],
-    rules: None,
-};
+    }
+}

@@ -1,7 +1,9 @@
 //! Keys of the hours that a berth loses to the weather.
 
+use fenderline_keys::held::{Number, Text};
 use fenderline_keys::spec::Absent::{Is, Refused};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::table_keys;
 use fenderline_keys::units::measures as unit;
 
 /// Most states, and most hours of the sample: far more than a year of hours.
@@ -13,8 +15,14 @@ pub(super) static DOWNTIME: TableSpec = TableSpec {
         current are grouped into states, each state is a run of the scenario, and an hour is lost \
         if its state exceeds a limit. The limits are the limits of the scenario, [limit.NAME]. A \
         fender over its rating, a line over its working load, and any failure count too.",
-    keys: &[
-        key(
+    keys: DowntimeKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a downtime.
+    pub(crate) DowntimeKey {
+        FILE: Text = key(
             "file",
             Kind::Text,
             Refused,
@@ -25,7 +33,7 @@ pub(super) static DOWNTIME: TableSpec = TableSpec {
              without gaps. A scatter diagram has `hours` in a year, or `share` of a year, instead.",
             &["\"hindcast.csv\""],
         ),
-        key(
+        STATES: Number = key(
             "states",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST }),
             Is("300"),
@@ -33,7 +41,7 @@ pub(super) static DOWNTIME: TableSpec = TableSpec {
              scatter diagram is a state.",
             &["150"],
         ),
-        key(
+        SAMPLE: Number = key(
             "sample",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: MOST }),
             Is("60"),
@@ -42,6 +50,5 @@ pub(super) static DOWNTIME: TableSpec = TableSpec {
              hours.",
             &["200"],
         ),
-    ],
-    rules: None,
-};
+    }
+}

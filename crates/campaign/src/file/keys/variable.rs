@@ -3,8 +3,10 @@
 use super::super::kinds::FamilyKind;
 use super::super::law::LawFamily;
 use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::held::{ListOf, NamedOf, Number, OneOf, Text, Texts};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Absent, KeySpec, Kind, Quantity, TableSpec, key};
+use fenderline_keys::table_keys;
 use fenderline_keys::units::measures as unit;
 
 static FAMILIES: Choices<FamilyKind> = Choices(&[
@@ -61,82 +63,104 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
     what: "a variable",
     doc: "What differs from run to run: keys of the scenario with `values`, a `distribution` or an `expression`; or a `choice` that sets \
           several keys at once, such as a ship with her draught, mass and under-keel clearance.",
-    keys: &[
-        key(
+    keys: VariableKey::ALL,
+    rules: Some(variable_rules),
+};
+
+table_keys! {
+    /// Keys of a variable.
+    pub(crate) VariableKey {
+        KEY: Text = key(
             "key",
             Kind::Text,
             Unless("`keys` or `choice` is given"),
             "Key of the scenario, as in `--set`.",
             &["\"body.ship.approach.speed_normal\""],
         ),
-        key(
+        KEYS: Texts = key(
             "keys",
             Kind::Texts,
             Is("[]"),
             "Several keys of the scenario that get the same value.",
             &["[\"fender.a.temperature\", \"fender.b.temperature\"]"],
         ),
-        key(
+        VALUES: Texts = key(
             "values",
             Kind::Values,
             Means("the variable has a `choice`, a `distribution` or an `expression`"),
             "Values of the variable: numbers in SI units, or texts with units.",
             &["[\"0.08 m/s\", \"0.12 m/s\", \"0.15 m/s\"]"],
         ),
-        key(
+        WEIGHTS: Texts = key(
             "weights",
             Kind::Values,
             Means("all values have the same probability"),
             "Weights of the values in a random plan; any positive numbers.",
             &["[5, 3, 1]"],
         ),
-        key(
+        CHOICE: NamedOf<ChoiceKey> = key(
             "choice",
             Kind::Named(&CHOICE),
             Is("{}"),
             "Choices, by name, in place of `key` and `values`. Names that are numbers with the same unit, such as \"9 m\", make an axis.",
             &[],
         ),
-        key(
+        DISTRIBUTION: OneOf<FamilyKind> = key(
             "distribution",
             Kind::Choice(&FAMILIES),
             Means("the variable has `values`, a `choice` or an `expression`"),
             "Distribution from which the values are drawn.",
             &["\"lognormal\""],
         ),
-        key(
+        UNIT: Text = key(
             "unit",
             Kind::Text,
             Means("the unit of the distribution's parameters, else SI"),
             "Unit of the variable's numbers.",
             &["\"cm/s\""],
         ),
-        parameter("mean", "Mean.", &["\"7.1 cm/s\""]),
-        parameter("standard_deviation", "Standard deviation.", &["\"4.47 cm/s\""]),
-        parameter("log_mean", "Mean of the natural logarithm of the number in its unit.", &["1.8"]),
-        parameter(
+        MEAN: Text = parameter("mean", "Mean.", &["\"7.1 cm/s\""]),
+        STANDARD_DEVIATION: Text = parameter(
+            "standard_deviation",
+            "Standard deviation.",
+            &["\"4.47 cm/s\""],
+        ),
+        LOG_MEAN: Text = parameter(
+            "log_mean",
+            "Mean of the natural logarithm of the number in its unit.",
+            &["1.8"],
+        ),
+        LOG_STANDARD_DEVIATION: Text = parameter(
             "log_standard_deviation",
             "Standard deviation of the natural logarithm.",
             &["0.5"],
         ),
-        parameter(
+        LOCATION: Text = parameter(
             "location",
             "Location of a Gumbel law: its most frequent value.",
             &["\"5 cm/s\""],
         ),
-        parameter("scale", "Scale of a Weibull or Gumbel law.", &["\"8 cm/s\""]),
-        parameter("shape", "Shape of a Weibull law.", &["1.6"]),
-        parameter("lower", "Lower end of a uniform or triangular law.", &["\"-2 deg\""]),
-        parameter("mode", "Most frequent value of a triangular law.", &["\"0 deg\""]),
-        parameter("upper", "Upper end of a uniform or triangular law.", &["\"5 deg\""]),
-        key(
+        SCALE: Text = parameter("scale", "Scale of a Weibull or Gumbel law.", &["\"8 cm/s\""]),
+        SHAPE: Text = parameter("shape", "Shape of a Weibull law.", &["1.6"]),
+        LOWER: Text = parameter(
+            "lower",
+            "Lower end of a uniform or triangular law.",
+            &["\"-2 deg\""],
+        ),
+        MODE: Text = parameter("mode", "Most frequent value of a triangular law.", &["\"0 deg\""]),
+        UPPER: Text = parameter(
+            "upper",
+            "Upper end of a uniform or triangular law.",
+            &["\"5 deg\""],
+        ),
+        QUANTILES: ListOf<QuantileKey> = key(
             "quantiles",
             Kind::List(&QUANTILE),
             Is("[]"),
             "Two values with their probabilities, in place of the parameters.",
             &[],
         ),
-        key(
+        AT_LEAST: Text = key(
             "at_least",
             Kind::AnyNumber,
             Means("the law is not cut below"),
@@ -144,28 +168,28 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
              probability.",
             &["\"1 cm/s\""],
         ),
-        key(
+        AT_MOST: Text = key(
             "at_most",
             Kind::AnyNumber,
             Means("the law is not cut above"),
             "Greatest value: the law is cut at this value, as with `at_least`.",
             &["\"40 cm/s\""],
         ),
-        key(
+        FILE: Text = key(
             "file",
             Kind::Text,
             Means("the distribution is not \"empirical\""),
             "File of measured values, CSV or Parquet, relative to the campaign file.",
             &["\"speeds.csv\""],
         ),
-        key(
+        COLUMN: Text = key(
             "column",
             Kind::Text,
             Means("the name of the variable"),
             "Column of `file`, or of the campaign's `table`.",
             &["\"speed\""],
         ),
-        key(
+        EXPRESSION: Text = key(
             "expression",
             Kind::Text,
             Means("the variable has `values`, a `choice` or a `distribution`"),
@@ -175,29 +199,34 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
              counts before ^: -2^2 is 4.",
             &["\"0.6 * speed + 0.02\""],
         ),
-        key(
+        SOURCE: Text = key(
             "source",
             Kind::Text,
             Means("the report says that no source is given"),
             "Source of the values, for the report.",
             &["\"measurements at berth 4, 2019 to 2024\""],
         ),
-    ],
-    rules: Some(variable_rules),
-};
+    }
+}
 
 static CHOICE: TableSpec = TableSpec {
     what: "a choice",
     doc: "A value of a variable that sets several keys.",
-    keys: &[
-        key(
+    keys: ChoiceKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a choice.
+    pub(crate) ChoiceKey {
+        SET: Texts = key(
             "set",
             Kind::Texts,
             Refused,
             "Keys of the scenario and their values, as KEY=VALUE, the form of `--set`.",
             &["[\"body.ship.mass=39000 t\", \"berthing.draught=9.5 m\"]"],
         ),
-        key(
+        WEIGHT: Number = key(
             "weight",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1e12 }),
             Is("1"),
@@ -205,25 +234,29 @@ static CHOICE: TableSpec = TableSpec {
              weights.",
             &["0.3"],
         ),
-    ],
-    rules: None,
-};
+    }
+}
 
 static QUANTILE: TableSpec = TableSpec {
     what: "a quantile",
     doc: "A value, and the probability that it is not exceeded.",
-    keys: &[
-        key(
+    keys: QuantileKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a quantile.
+    pub(crate) QuantileKey {
+        PROBABILITY: Number = key(
             "probability",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Refused,
             "Probability.",
             &["0.98"],
         ),
-        key("value", Kind::AnyNumber, Refused, "Value.", &["\"20 cm/s\""]),
-    ],
-    rules: None,
-};
+        VALUE: Text = key("value", Kind::AnyNumber, Refused, "Value.", &["\"20 cm/s\""]),
+    }
+}
 
 /// Choices set keys of their own.
 fn variable_rules() -> serde_json::Value {

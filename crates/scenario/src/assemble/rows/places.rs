@@ -5,8 +5,9 @@ use fenderline_contact::{Outline, Rotation, Vec2, vec2};
 use super::written::{one_of_two, rounded, shown};
 use crate::assemble::assembly::{Assembly, Checked};
 use crate::assemble::edge::{Edge, edges_with};
-use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::keys::fender_row::MOST_IN_ROW;
+use fenderline_keys::checked::{Entry, Of};
+use fenderline_keys::held::{Number, Points, Vector};
+use fenderline_keys::keys::fender_row::{FenderRowKey, MOST_IN_ROW};
 
 /// The places of a row.
 pub(super) struct Line {
@@ -70,13 +71,21 @@ fn forward(direction: Vec2) -> Vec2 {
 
 impl Assembly<'_, '_> {
     /// The row from `first` on.
-    pub(super) fn line_from_first(&self, row: &Table, outline: &Outline) -> Checked<Line> {
-        let Some(first) = row.item("first") else {
+    pub(super) fn line_from_first(
+        &self,
+        row: Of<'_, FenderRowKey>,
+        outline: &Outline,
+    ) -> Checked<Line> {
+        let Some(first) = row.item(FenderRowKey::FIRST) else {
             let help = "give the place of the first fender, or a `wall` or `dolphins`";
-            return Err(self.missing(row, "first", help));
+            return Err(self.missing(row, FenderRowKey::FIRST, help));
         };
         let first_m = *first.vector();
-        match (row.item("spacing"), row.item("number"), row.item("last")) {
+        match (
+            row.item(FenderRowKey::SPACING),
+            row.item(FenderRowKey::NUMBER),
+            row.item(FenderRowKey::LAST),
+        ) {
             (Some(spacing), Some(number), None) => {
                 let (along, edge) = self.direction(row, first, outline)?;
                 let number = self.whole_number(row, number)?;
@@ -87,12 +96,15 @@ impl Assembly<'_, '_> {
                 self.line_to_last(row, first_m, last, outline)
             }
             (Some(_), Some(_), Some(last)) => {
-                let path = row.path_of("last");
+                let path = row.path_of(FenderRowKey::LAST);
                 let message = format!("`{path}` does not go together with `spacing` and `number`");
                 Err(one_of_two(self.sources.error(&last.key_span, &path, message)))
             }
             (spacing, _, _) => {
-                let missing = if spacing.is_some() { "number" } else { "spacing" };
+                let missing = match spacing {
+                    Some(_) => FenderRowKey::NUMBER,
+                    None => FenderRowKey::SPACING,
+                };
                 Err(one_of_two(self.missing(row, missing, "")))
             }
         }
@@ -100,30 +112,30 @@ impl Assembly<'_, '_> {
 
     fn line_to_last(
         &self,
-        row: &Table,
+        row: Of<'_, FenderRowKey>,
         first_m: Vec2,
-        last: &Item,
+        last: Entry<'_, Vector>,
         outline: &Outline,
     ) -> Checked<Line> {
         let whole_m = *last.vector() - first_m;
         let length_m = whole_m.length();
-        let path = row.path_of("last");
+        let path = row.path_of(FenderRowKey::LAST);
         if length_m <= 0.0 {
             let message = format!("`{path}` is where the first fender is");
             return Err(self.sources.error(&last.span, &path, message));
         }
-        let (spacing_m, number) = match row.item("number") {
+        let (spacing_m, number) = match row.item(FenderRowKey::NUMBER) {
             Some(item) => {
                 let number = self.whole_number(row, item)?;
                 if number < 2 {
-                    let path = row.path_of("number");
+                    let path = row.path_of(FenderRowKey::NUMBER);
                     let message = format!("`{path}` must be at least 2 between `first` and `last`");
                     return Err(self.sources.error(&item.span, &path, message));
                 }
                 (length_m / (number - 1) as f64, number)
             }
             None => {
-                let spacing_m = *row.given("spacing").number();
+                let spacing_m = *row.given(FenderRowKey::SPACING).number();
                 let gaps = libm::round(length_m / spacing_m);
                 if (gaps * spacing_m - length_m).abs() > 0.01 || gaps + 1.0 > MOST_IN_ROW as f64 {
                     let message = format!(
@@ -147,12 +159,12 @@ impl Assembly<'_, '_> {
     /// The direction of a row without `last`, and the edge along which it runs.
     fn direction(
         &self,
-        row: &Table,
-        first: &Item,
+        row: Of<'_, FenderRowKey>,
+        first: Entry<'_, Vector>,
         outline: &Outline,
     ) -> Checked<(Vec2, Option<Edge>)> {
         let facing = row
-            .item("facing")
+            .item(FenderRowKey::FACING)
             .map(|item| Rotation::from_angle(*item.number()).apply(vec2(1.0, 0.0)));
         let edges = edges_with(outline, &[*first.vector()]);
         let edge = match (edges.as_slice(), facing) {
@@ -168,7 +180,7 @@ impl Assembly<'_, '_> {
         if let Some(facing) = facing {
             return Ok((forward(facing.quarter_turn()), None));
         }
-        let path = row.path_of("first");
+        let path = row.path_of(FenderRowKey::FIRST);
         let message = match edges.len() {
             0 => format!(
                 "`{path}`: {} is not on the outline of the body, so the direction of the row is not known",
@@ -186,12 +198,12 @@ impl Assembly<'_, '_> {
     /// The row along a wall.
     pub(super) fn line_along_wall(
         &self,
-        row: &Table,
-        wall: &Item,
+        row: Of<'_, FenderRowKey>,
+        wall: Entry<'_, Points>,
         outline: &Outline,
     ) -> Checked<Line> {
         let [from_m, to_m] = [wall.outline()[0], wall.outline()[1]];
-        let path = row.path_of("wall");
+        let path = row.path_of(FenderRowKey::WALL);
         let edges = edges_with(outline, &[from_m, to_m]);
         let length_m = (to_m - from_m).length();
         let (Some(edge), true) = (edges.first(), length_m > 0.02) else {
@@ -204,11 +216,12 @@ impl Assembly<'_, '_> {
             return Err(error.with_help("give two corners of the body, in the axes of the body"));
         };
         let along = (to_m - from_m) * (1.0 / length_m);
-        let spacing_m = *row.given("spacing").number();
-        let number = self.whole_number(row, row.given("number"))?;
+        let spacing_m = *row.given(FenderRowKey::SPACING).number();
+        let number = self.whole_number(row, row.given(FenderRowKey::NUMBER))?;
         let row_m = spacing_m * (number - 1) as f64;
-        let start_m =
-            row.item("from_corner").map_or(0.5 * (length_m - row_m), |item| *item.number());
+        let start_m = row
+            .item(FenderRowKey::FROM_CORNER)
+            .map_or(0.5 * (length_m - row_m), |item| *item.number());
         // The wall may be a part of the edge: the row must not reach beyond the wall.
         let edge = Edge { along, length_m, from_m, ..*edge };
         Ok(Line {
@@ -217,17 +230,17 @@ impl Assembly<'_, '_> {
             spacing_m,
             number,
             edge: Some(edge),
-            is_in_the_middle: row.item("from_corner").is_none(),
+            is_in_the_middle: row.item(FenderRowKey::FROM_CORNER).is_none(),
         })
     }
 
-    fn whole_number(&self, row: &Table, item: &Item) -> Checked<usize> {
+    fn whole_number<T>(&self, row: Of<'_, T>, item: Entry<'_, Number>) -> Checked<usize> {
         let number = *item.number();
         if libm::trunc(number) == number {
             // The key table bounds the number.
             return Ok(number as usize);
         }
-        let path = row.path_of(item.name);
+        let path = row.path_to(item);
         let message = format!("`{path}` must be a whole number, but is {number}");
         Err(self.sources.error(&item.span, &path, message))
     }

@@ -1,14 +1,23 @@
 //! Keys of the sources of a vessel's numbers.
 
+use fenderline_keys::held::{OneOf, Text, Texts};
 use fenderline_keys::keys::STANDINGS;
 use fenderline_keys::spec::Absent::Refused;
 use fenderline_keys::spec::{Kind, TableSpec, key};
+use fenderline_keys::table_keys;
+use fenderline_sim::hydro::vessels::Standing;
 
 pub(super) static SOURCE: TableSpec = TableSpec {
     what: "a source",
     doc: "Source of some of a vessel's numbers.",
-    keys: &[
-        key(
+    keys: FileSourceKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a source.
+    pub(crate) FileSourceKey {
+        OF: Texts = key(
             "of",
             Kind::Texts,
             Refused,
@@ -16,20 +25,19 @@ pub(super) static SOURCE: TableSpec = TableSpec {
              table covers all keys of the table that no other source names.",
             &["[\"length_bp\", \"beam\", \"rudder\"]"],
         ),
-        key(
+        SOURCE: Text = key(
             "source",
             Kind::Text,
             Refused,
             "Where the numbers come from, such as a publication with its table.",
             &["\"the trials report, table 2\""],
         ),
-        key(
+        STANDING: OneOf<Standing> = key(
             "standing",
             Kind::Choice(&STANDINGS),
             Refused,
             "How well the source is known.",
             &["\"found\""],
         ),
-    ],
-    rules: None,
-};
+    }
+}

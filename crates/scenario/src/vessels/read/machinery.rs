@@ -12,8 +12,14 @@ use super::reading::Reading;
 use crate::assemble;
 use crate::vessels::data::{Shaft, VesselData};
 use crate::vessels::figures::digits;
-use fenderline_keys::checked::{Item, Table};
+use crate::vessels::keys::FileVesselKey;
+use crate::vessels::keys::stern::{FilePropellerKey, FileRudderKey};
+use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::azimuth::AzimuthKey;
+use fenderline_keys::keys::vessel::ThrusterKey;
+use fenderline_keys::typed_key::Key;
 
 type Read<T> = Result<T, ScenarioError>;
 
@@ -36,39 +42,51 @@ impl Reading<'_, '_> {
         own: &SternCoefficients,
     ) -> Read<Option<SternGear>> {
         let table = self.table;
-        let (propeller, rudder) = match (table.item("propeller"), table.item("rudder")) {
-            (Some(propeller), Some(rudder)) => (propeller.table(), rudder.table()),
-            (None, None) => return Ok(None),
-            (Some(alone), None) | (None, Some(alone)) => {
-                let other = if alone.name == "rudder" { "propeller" } else { "rudder" };
-                let path = table.path_of(alone.name);
-                let message = format!("`{path}` needs `{other}` beside it");
-                return Err(self.sources.error(&alone.key_span, &path, message));
-            }
-        };
-        let propeller_m = *propeller.given("diameter").number();
-        let rudder_m2 = match (rudder.item_if_any("area"), rudder.item_if_any("area_ratio")) {
-            (Some(_), Some(item)) => return Err(self.together(rudder, item, "area")),
+        let (propeller, rudder) =
+            match (table.item(FileVesselKey::PROPELLER), table.item(FileVesselKey::RUDDER)) {
+                (Some(propeller), Some(rudder)) => (propeller.table(), rudder.table()),
+                (propeller, rudder) => {
+                    let (alone, other) = match (propeller, rudder) {
+                        (Some(alone), _) => (alone.any(), FileVesselKey::RUDDER.any()),
+                        (_, Some(alone)) => (alone.any(), FileVesselKey::PROPELLER.any()),
+                        (None, None) => return Ok(None),
+                    };
+                    let path = table.path_to(alone);
+                    let message = format!("`{path}` needs `{other}` beside it");
+                    return Err(self.sources.error(&alone.key_span, &path, message));
+                }
+            };
+        let propeller_m = *propeller.given(FilePropellerKey::DIAMETER).number();
+        let rudder_m2 = match (
+            rudder.item_if_any(FileRudderKey::AREA),
+            rudder.item_if_any(FileRudderKey::AREA_RATIO),
+        ) {
+            (Some(_), Some(item)) => return Err(self.together(rudder, item, FileRudderKey::AREA)),
             (Some(area), None) => *area.number(),
             (None, Some(ratio)) => ship.length_m * ship.draught_m / ratio.number(),
-            (None, None) => return Err(self.missing(rudder, "area", "or give `area_ratio`")),
+            (None, None) => {
+                return Err(self.missing(rudder, FileRudderKey::AREA, "or give `area_ratio`"));
+            }
         };
-        let (to_span, aspect) =
-            (rudder.item_if_any("propeller_to_span"), rudder.item_if_any("aspect_ratio"));
-        let (propeller_to_span, aspect_ratio) = match rudder.item_if_any("span") {
+        let (to_span, aspect) = (
+            rudder.item_if_any(FileRudderKey::PROPELLER_TO_SPAN),
+            rudder.item_if_any(FileRudderKey::ASPECT_RATIO),
+        );
+        let (propeller_to_span, aspect_ratio) = match rudder.item_if_any(FileRudderKey::SPAN) {
             Some(span) => {
                 if let Some(item) = to_span.or(aspect) {
-                    return Err(self.together(rudder, item, "span"));
+                    return Err(self.together(rudder, item, FileRudderKey::SPAN));
                 }
                 let span_m = span.number();
                 (propeller_m / span_m, span_m * span_m / rudder_m2)
             }
             None => {
-                let need = |name, help| self.missing(rudder, name, help);
-                let to_span = to_span.ok_or_else(|| need("span", "or give `propeller_to_span`"))?;
+                let need = |key: Key<FileRudderKey, Number>, help| self.missing(rudder, key, help);
+                let to_span = to_span
+                    .ok_or_else(|| need(FileRudderKey::SPAN, "or give `propeller_to_span`"))?;
                 let aspect = aspect.map(|item| *item.number());
                 if aspect.is_none() && own.lift_gradient.is_none() {
-                    return Err(need("aspect_ratio", "or give `lift_gradient`"));
+                    return Err(need(FileRudderKey::ASPECT_RATIO, "or give `lift_gradient`"));
                 }
                 (*to_span.number(), aspect.unwrap_or(1.0))
             }
@@ -83,8 +101,8 @@ impl Reading<'_, '_> {
         scaled: &mut Vec<Figure>,
     ) -> Read<Option<f64>> {
         let table = self.table;
-        match (table.item_if_any("speed"), table.item_if_any("froude")) {
-            (Some(_), Some(item)) => Err(self.together(table, item, "speed")),
+        match (table.item_if_any(FileVesselKey::SPEED), table.item_if_any(FileVesselKey::FROUDE)) {
+            (Some(_), Some(item)) => Err(self.together(table, item, FileVesselKey::SPEED)),
             (Some(speed), None) => Ok(Some(*speed.number())),
             (None, Some(froude)) => {
                 Ok(Some(froude.number() * (FROUDE_GRAVITY_MPS2 * ship.length_m).sqrt()))
@@ -103,14 +121,14 @@ impl Reading<'_, '_> {
         scaled: &mut Vec<Figure>,
         assumed: &mut Vec<Figure>,
     ) -> RateLimited {
-        let Some(gear) = self.table.item("rudder").map(Item::table) else {
+        let Some(gear) = self.table.item(FileVesselKey::RUDDER).map(Entry::table) else {
             return RateLimited { value: 0.0, rate_per_s: 0.0, stop: 0.0 };
         };
-        let stop = gear.number_if_any("stop").unwrap_or_else(|| {
+        let stop = gear.number_if_any(FileRudderKey::STOP).unwrap_or_else(|| {
             assumed.push(figure("rudder.stop", "35°"));
             USUAL_STOP_RAD
         });
-        let rate_per_s = match (gear.item("rate"), base) {
+        let rate_per_s = match (gear.item(FileRudderKey::RATE), base) {
             (Some(rate), _) => *rate.number(),
             (None, Some((base, time_scale))) => {
                 let rate = base.rudder.rate_per_s * time_scale;
@@ -131,15 +149,15 @@ impl Reading<'_, '_> {
         scaled: &mut Vec<Figure>,
         assumed: &mut Vec<Figure>,
     ) -> Read<Option<Shaft>> {
-        let Some(propeller) = self.table.item("propeller").map(Item::table) else {
+        let Some(propeller) = self.table.item(FileVesselKey::PROPELLER).map(Entry::table) else {
             return Ok(None);
         };
-        let reversal_s = propeller.number_if_any("reversal").unwrap_or_else(|| {
+        let reversal_s = propeller.number_if_any(FilePropellerKey::REVERSAL).unwrap_or_else(|| {
             assumed.push(figure("propeller.reversal", "40 s"));
             USUAL_REVERSAL_S
         });
         let of_base = base.and_then(|(base, time_scale)| Some(base.shaft?.full_rps * time_scale));
-        let full_rps = match (propeller.item("full"), of_base) {
+        let full_rps = match (propeller.item(FilePropellerKey::FULL), of_base) {
             (Some(full), _) => full.number() / TAU,
             (None, Some(full_rps)) => {
                 let text = format!("{} rpm", digits(60.0 * full_rps));
@@ -147,15 +165,19 @@ impl Reading<'_, '_> {
                 full_rps
             }
             (None, None) => {
-                return Err(self.missing(propeller, "full", "write full = \"95 rpm\""));
+                return Err(self.missing(
+                    propeller,
+                    FilePropellerKey::FULL,
+                    "write full = \"95 rpm\"",
+                ));
             }
         };
         Ok(Some(Shaft { full_rps, reversal_s }))
     }
 
     pub(super) fn thrusters(&self, ship: &Particulars) -> Read<Vec<ThrusterSetup>> {
-        let read = |(name, table): &(String, Table)| {
-            let along = table.given("along");
+        let read = |(name, table): (&String, Of<'_, _>)| {
+            let along = table.given(ThrusterKey::ALONG);
             let along_m = *along.number();
             if along_m.abs() > 0.6 * ship.length_m {
                 let message =
@@ -164,11 +186,14 @@ impl Reading<'_, '_> {
             }
             Ok(ThrusterSetup {
                 name: name.clone(),
-                tunnel: TunnelThruster { bollard_n: *table.given("force").number(), along_m },
-                lag_s: *table.given("lag").number(),
+                tunnel: TunnelThruster {
+                    bollard_n: *table.given(ThrusterKey::FORCE).number(),
+                    along_m,
+                },
+                lag_s: *table.given(ThrusterKey::LAG).number(),
             })
         };
-        let thrusters = self.table.given("thruster").named().iter().map(read);
+        let thrusters = self.table.given(FileVesselKey::THRUSTER).named().iter().map(read);
         let mut thrusters: Vec<ThrusterSetup> = thrusters.collect::<Read<_>>()?;
         // Sorted by name: forces are summed in this order, so that the order in the file has no effect.
         thrusters.sort_by(|one, other| one.name.cmp(&other.name));
@@ -176,10 +201,12 @@ impl Reading<'_, '_> {
     }
 
     pub(super) fn azimuths(&self, ship: &Particulars) -> Read<Vec<AzimuthSetup>> {
-        let tables = self.table.given("azimuth").named();
+        let tables = self.table.given(FileVesselKey::AZIMUTH).named();
         for (_, table) in tables {
-            for (name, most_m) in [("along", 0.6 * ship.length_m), ("across", 0.5 * ship.beam_m)] {
-                let place = table.given(name);
+            let farthest =
+                [(AzimuthKey::ALONG, 0.6 * ship.length_m), (AzimuthKey::ACROSS, 0.5 * ship.beam_m)];
+            for (key, most_m) in farthest {
+                let place = table.given(key);
                 let place_m = *place.number();
                 if place_m.abs() > most_m {
                     let message = format!("{place_m} m is outside the hull");

@@ -8,19 +8,23 @@ use fenderline_sim::hydro::vessels::Source;
 use super::reading::Reading;
 use crate::vessels::data::Stability;
 use crate::vessels::figures::digits;
+use crate::vessels::keys::FileVesselKey;
 use fenderline_keys::error::ScenarioError;
+use fenderline_keys::held::Number;
+use fenderline_keys::keys::vessel::StabilityKey;
+use fenderline_keys::typed_key::Key;
 
 type Read<T> = Result<T, ScenarioError>;
 
 impl Reading<'_, '_> {
     pub(super) fn stability(&self, ship: &Particulars) -> Read<Option<Stability>> {
-        let Some(item) = self.table.item("stability") else { return Ok(None) };
+        let Some(item) = self.table.item(FileVesselKey::STABILITY) else { return Ok(None) };
         let table = item.table();
-        let number = |name: &str| *table.given(name).number();
+        let number = |name: Key<_, Number>| *table.given(name).number();
         let stability = Stability {
-            gm_m: number("gm"),
-            gravity_above_keel_m: number("gravity_above_keel"),
-            waterplane_m2: number("waterplane_area"),
+            gm_m: number(StabilityKey::GM),
+            gravity_above_keel_m: number(StabilityKey::GRAVITY_ABOVE_KEEL),
+            waterplane_m2: number(StabilityKey::WATERPLANE_AREA),
         };
         hydrostatics(&stability, ship, SEA_WATER_KGPM3)
             .map_err(|error| self.at(self.table, item, &error))?;
@@ -35,7 +39,7 @@ impl Reading<'_, '_> {
                 digits(above_keel_m),
                 digits((10.0 * most_m).round() / 10.0)
             );
-            return Err(self.at(table, table.given("gm"), &message));
+            return Err(self.at(table, table.given(StabilityKey::GM), &message));
         }
         Ok(Some(stability))
     }
