@@ -217,7 +217,7 @@ impl Energy {
     /// Total energy exchanged (J): the sum of the absolute values of all works. Compare [`Energy::residual_j`] with it.
     #[must_use]
     pub fn exchanged_j(&self) -> f64 {
-        let loads_j: f64 = self.loads.parts().iter().map(|(_, work_j)| work_j.abs()).sum();
+        let loads_j: f64 = self.loads.parts().map(|(_, work_j)| work_j.abs()).sum();
         loads_j + self.normal_work_j.abs() + self.tangential_work_j.abs() + self.height_work_j.abs()
     }
 }
