@@ -126,7 +126,7 @@ pub enum Digits {
     /// Digits after the point.
     Fixed(usize),
     /// Digits that count.
-    Significant(usize),
+    Significant(i32),
     /// As many digits after the point as the time step has.
     OfStep,
 }
