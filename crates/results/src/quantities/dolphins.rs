@@ -2,6 +2,7 @@
 
 use fenderline_sim::{BodySetup, DolphinSetup, DolphinSummary};
 
+use super::Digits::{Fixed, Significant};
 use super::scales::{
     KILOJOULES, KILONEWTONS, MEGANEWTONS_PER_M, MILLIMETRES, PERCENT, SECONDS, TONNES, TONNES_FORCE,
 };
@@ -63,10 +64,20 @@ pub static DOLPHINS: Catalogue<BodySetup, DolphinSummary> = Catalogue {
             1,
         ),
         shown("At", "peak_deflection_at_s", SECONDS).sheet(10.0),
-        shown("Load", "peak_load_n", KILONEWTONS).sheet(11.0).printed("load", 10, 1),
+        shown("Load", "peak_load_n", KILONEWTONS)
+            .sheet(11.0)
+            .printed("load", 10, 1)
+            .reported(Significant(3), None),
         shown("Load", "peak_load_n", TONNES_FORCE).sheet(11.0),
         shown("At", "peak_load_at_s", SECONDS).sheet(10.0),
-        shown("Energy", "peak_energy_j", KILOJOULES).sheet(12.0).printed("energy", 10, 1),
+        shown("Energy", "peak_energy_j", KILOJOULES)
+            .sheet(12.0)
+            .printed("energy", 10, 1)
+            .reported(Significant(3), None),
+        shown("Stiffness", "stiffness_npm", MEGANEWTONS_PER_M).reported(Significant(3), None),
+        shown("Period", "period_s", SECONDS).reported(Significant(3), None),
+        shown("Of yield load", "share_of_yield_load", PERCENT).reported(Fixed(0), None),
+        shown("Permanent", "offset_m", MILLIMETRES).reported(Fixed(0), None),
         shown("Yield load", "yield_load_n", KILONEWTONS).sheet(11.0),
         shown("of yield load", "share_of_yield_load", PERCENT).sheet(10.0).printed(
             "of yield load",

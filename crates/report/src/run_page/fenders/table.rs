@@ -6,10 +6,11 @@ use fenderline_contact::Unloading;
 use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure, Setup};
 use maud::{Markup, html};
 
-use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::plot::{fixed, plain};
+use crate::run_page::quantities;
 use crate::table::breakable;
 use crate::{Head, table_head};
-use fenderline_results::{Digits, FENDERS, FenderVerdict, Outcome, Reported, Shown, worst_first};
+use fenderline_results::{FENDERS, FenderVerdict, Outcome, worst_first};
 
 /// Fenders shown; of more, the most used.
 const ROWS: usize = 40;
@@ -135,9 +136,7 @@ fn cells(
         }
         @if let Some(summary) = summary {
             @let verdict = FenderVerdict::of(fender, summary);
-            @for (column, reported) in reported() {
-                (quantity(column, reported, fender, summary, outcome.setup.step_s))
-            }
+            (quantities::cells(&FENDERS, fender, summary, outcome.setup.step_s))
             td class="number" {
                 (fixed(summary.approach_speed_mps, 3))
                 small { (fixed(summary.approach_angle_rad.to_degrees(), 1)) "°" }
@@ -164,57 +163,15 @@ fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
     two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
 }
 
-/// The catalogue's columns that the report shows.
-fn reported() -> impl Iterator<Item = (&'static Shown, Reported)> {
-    FENDERS.shown.iter().filter_map(|column| Some((column, column.reported?)))
-}
-
 fn heads() -> Vec<Head<'static>> {
     let mut heads = vec![Head::Name("Fender")];
-    heads.extend(reported().map(|(of, _)| Head::Number(of.head, of.scale.page_unit())));
+    heads.extend(quantities::heads(&FENDERS));
     heads.extend([
         Head::Number("Approach", "m/s, deg"),
         Head::Number("Factor", "reaction, energy"),
         Head::Text("Verdict", ""),
     ]);
     heads
-}
-
-/// A value; below it its share of a limit, in bold if the value is over the limit, and the share of the catalogue's rating
-/// where that differs.
-fn quantity(
-    column: &Shown,
-    reported: Reported,
-    fender: &FenderSetup,
-    summary: &FenderSummary,
-    step_s: f64,
-) -> Markup {
-    let value = FENDERS.number(column.quantity, fender, summary);
-    let share = |name: Option<&str>| FENDERS.number(name?, fender, summary);
-    let percent = |share: f64| fixed(100.0 * share, 0);
-    let own = share(reported.share);
-    let is_over = share(reported.over.or(reported.share)).is_some_and(|share| share > 1.0);
-    let other = own.zip(share(reported.catalogue_share));
-    let other = other.filter(|(share, other)| percent(*share) != percent(*other));
-    html! {
-        td class="number" {
-            (value.map_or_else(|| "–".to_owned(), |v| digits(column.scale.of(v), reported.digits, step_s)))
-            @if let Some(share) = own {
-                small class=[is_over.then_some("over")] {
-                    (percent(share)) " %"
-                    @if let Some((_, other)) = other { " (" (percent(other)) " %)" }
-                }
-            }
-        }
-    }
-}
-
-fn digits(value: f64, digits: Digits, step_s: f64) -> String {
-    match digits {
-        Digits::Fixed(decimals) => fixed(value, decimals),
-        Digits::Significant(count) => significant(value, count),
-        Digits::OfStep => fixed(value, decimals_for(step_s)),
-    }
 }
 
 /// Type and size, or the size of the face if no type is given.
