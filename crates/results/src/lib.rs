@@ -51,7 +51,7 @@ pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableIn
 pub use outcome::{Interrupted, Outcome, WrittenFile};
 pub use provider_notices::{ProviderNotice, ProviderNotices, provider_event_key};
 pub use quantities::{
-    ANCHORS, Amount, Catalogue, DOLPHINS, Digits, FENDERS, LINES, PAIRS, Printed, Quantity,
+    ANCHORS, Amount, CHAINS, Catalogue, DOLPHINS, Digits, FENDERS, LINES, PAIRS, Printed, Quantity,
     Reported, Scale, Shown, TUGS, Taken, VESSELS, number, scales,
 };
 pub use recorded_session::{LogKind, LogLine, RecordedSession};

@@ -3,6 +3,7 @@
 //! outputs of FMUs, the tables of Python and the types of the npm package all come from here.
 
 mod anchors;
+mod chains;
 mod dolphins;
 mod fenders;
 mod lines;
@@ -16,6 +17,7 @@ use core::fmt;
 use crate::json::Json;
 
 pub use anchors::ANCHORS;
+pub use chains::CHAINS;
 pub use dolphins::DOLPHINS;
 pub use fenders::FENDERS;
 pub use lines::LINES;
@@ -331,6 +333,7 @@ mod tests {
     #[test]
     fn every_quantity_has_one_name_a_unit_and_a_meaning_and_every_column_a_quantity() {
         check(&ANCHORS);
+        check(&CHAINS);
         check(&DOLPHINS);
         check(&FENDERS);
         check(&LINES);

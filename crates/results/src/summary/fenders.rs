@@ -1,13 +1,13 @@
 //! Fenders as `summary.json` has them.
 
 use fenderline_sim::{
-    ChainKind, ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource,
-    FenderSummary, PanelSummary,
+    ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource, FenderSummary,
+    PanelSummary,
 };
 
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
-use crate::quantities::FENDERS;
+use crate::quantities::{CHAINS, FENDERS};
 
 /// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
 /// have no key.
@@ -65,17 +65,9 @@ fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummar
     })
 }
 
-/// The peak tension of a chain; the time of parting has no key if the chain has not parted.
+/// The time of parting has no key if the chain has not parted.
 fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Json {
-    let mut object = object!({
-        "kind": chain.kind.word(),
-        "break_load_n": setup.break_load_n,
-        "peak_tension_n": chain.peak_tension_n,
-        "peak_tension_at_s": chain.peak_tension_at_s,
-        "share_of_break_load": chain.share_of_break_load,
-    });
-    let is_tension = chain.kind == ChainKind::Tension;
-    object.put_if_any("at_m", is_tension.then_some(setup.at_m));
-    object.put_if_any("parted_at_s", chain.parted_at_s);
+    let mut object = object!({});
+    CHAINS.put(&mut object, setup, chain);
     object
 }

@@ -1,13 +1,10 @@
 //! The sheets of fenders, of panels on several cones, and of chains.
 
-use fenderline_results::{FENDERS, FenderVerdict, Outcome};
-use fenderline_sim::{ChainKind, ConeUse, Setup};
+use fenderline_results::{CHAINS, FENDERS, FenderVerdict, Outcome};
+use fenderline_sim::{ConeUse, Setup};
 use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
-
-/// Newtons of a tonne-force.
-const TONNE_N: f64 = 9806.65;
 
 /// One row a fender.
 pub(super) fn fenders(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
@@ -91,41 +88,15 @@ pub(super) fn panels(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(),
 
 /// One row a chain of each touched fender.
 pub(super) fn chains(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
-    let heads = [
-        Head("Fender", "", 22.0),
-        Head("Chain", "", 8.0),
-        Head("Kind", "", 10.0),
-        Head("Right of the middle", "m", 11.0),
-        Head("Slack", "mm", 9.0),
-        Head("Stiffness", "MN/m", 10.0),
-        Head("Peak tension", "kN", 11.0),
-        Head("Peak tension", "t", 11.0),
-        Head("At", "s", 10.0),
-        Head("Break load", "kN", 11.0),
-        Head("Break load", "t", 11.0),
-        Head("of break load", "%", 11.0),
-        Head("Parted", "s", 10.0),
-    ];
+    let mut heads = vec![Head("Fender", "", 22.0), Head("Chain", "", 8.0)];
+    heads.extend(heads_of(&CHAINS));
     let rows = outcome.fenders.iter().flat_map(|summary| {
         let fender = &outcome.setup.fenders[summary.fender];
         let chains = fender.chains.iter().zip(&summary.chains).enumerate();
-        chains.map(move |(index, (chain, bore))| {
-            let holds_along = chain.kind != ChainKind::Weight;
-            vec![
-                fender.name.as_str().into(),
-                (index as f64 + 1.0).into(),
-                chain.kind.word().into(),
-                (chain.kind == ChainKind::Tension).then_some(chain.at_m).into(),
-                holds_along.then_some(chain.slack_m * 1e3).into(),
-                holds_along.then_some(chain.stiffness_npm / 1e6).into(),
-                (bore.peak_tension_n / 1e3).into(),
-                (bore.peak_tension_n / TONNE_N).into(),
-                bore.peak_tension_at_s.into(),
-                (chain.break_load_n / 1e3).into(),
-                (chain.break_load_n / TONNE_N).into(),
-                (100.0 * bore.share_of_break_load).into(),
-                bore.parted_at_s.into(),
-            ]
+        chains.map(move |(index, (setup, chain))| {
+            let mut row = vec![fender.name.as_str().into(), (index as f64 + 1.0).into()];
+            row.extend(cells_of(&CHAINS, setup, Some(chain)));
+            row
         })
     });
     sheet_of(sheet, "Chains", &heads, rows, 1)
