@@ -253,7 +253,7 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         for (place, quantity) in FENDERS.quantities.iter().enumerate().filter(|(_, q)| q.is_in_fmu)
         {
             let unit = Unit::of_symbol(quantity.unit);
-            let description = format!("{} so far; 0 where there is none", quantity.meaning);
+            let description = format!("{}, up to now; 0 where there is none", quantity.meaning);
             let columns = [(quantity.name, description.as_str(), unit, read)];
             add(table, &format!("fender.{}", fender.name), [index, place], &columns);
         }
