@@ -4,8 +4,8 @@ use fenderline_sim::{FenderSetup, FenderSummary};
 
 use super::Digits::{Fixed, OfStep, Significant};
 use super::scales::{
-    DEGREES, FACTOR, KILOJOULES, KILONEWTON_SECONDS, KILONEWTONS, KILONEWTONS_PER_M2, KNOTS,
-    METRES, METRES_PER_SECOND, MILLIMETRES, PERCENT, SECONDS, WORD,
+    DEGREES, FACTOR, KILOJOULES, KILONEWTONS, KILONEWTONS_PER_M2, KNOTS, METRES, METRES_PER_SECOND,
+    MILLIMETRES, PERCENT, SECONDS, WORD,
 };
 use super::{Catalogue, flag, given, known, number, shown, word};
 use crate::verdict::FenderVerdict;
@@ -61,11 +61,6 @@ pub static FENDERS: Catalogue<FenderSetup, FenderSummary> = Catalogue {
         number("peak_energy_at_s", "s", "start of the step of the largest energy", |_, f| {
             f.peak_energy_at_s
         }),
-        number("impulse_ns", "N·s", "impulse of the normal force", |_, f: &FenderSummary| {
-            f.impulse_ns
-        })
-        .output("impulse", KILONEWTON_SECONDS)
-        .in_fmu(),
         number("last_deflection_m", "m", "deflection in the last step", |_, f| f.last_deflection_m),
         number("last_reaction_n", "N", "reaction in the last step", |_, f| f.last_reaction_n),
         known("peak_hull_pressure_npm2", "N/m²", "largest pressure on the hull", |_, f: &FenderSummary| {
@@ -193,9 +188,5 @@ pub static FENDERS: Catalogue<FenderSetup, FenderSummary> = Catalogue {
         shown("Met at height on the hull", "height_on_hull_m", METRES).sheet(12.0),
         shown("Flare there", "vertical_angle_rad", DEGREES).sheet(9.0),
         shown("Peak vertical force on the hull", "peak_vertical_force_n", KILONEWTONS).sheet(13.0),
-        shown("Impulse", "impulse_ns", KILONEWTON_SECONDS)
-            .sheet(12.0)
-            .printed("impulse", 10, 1)
-            .reported(Significant(3), None),
     ],
 };

@@ -109,8 +109,6 @@ export interface FenderQuantities {
   peak_energy_j: number;
   /** start of the step of the largest energy [s] */
   peak_energy_at_s: number;
-  /** impulse of the normal force [N·s] */
-  impulse_ns: number;
   /** deflection in the last step [m] */
   last_deflection_m: number;
   /** reaction in the last step [N] */

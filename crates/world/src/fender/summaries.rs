@@ -99,12 +99,6 @@ impl FenderSummaries {
                 add_others(&mut summary.chains, &setup.chains, load, by, t_s);
             }
         }
-        for energy in step.contact_energies {
-            // A fender in contact only at a later Runge-Kutta stage has no summary yet: the next step makes it.
-            if let Some(summary) = energy.fender.and_then(|index| self.all[index].as_mut()) {
-                summary.impulse_ns += energy.normal_impulse_ns;
-            }
-        }
         for motion in step.panels {
             let index = motion.fender.0 as usize;
             let Some(summary) = &mut self.all[index] else { continue };
@@ -167,7 +161,6 @@ fn first_touch(
         peak_reaction_at_s: t_s,
         peak_energy_j: 0.0,
         peak_energy_at_s: t_s,
-        impulse_ns: 0.0,
         peak_hull_pressure_npm2: None,
         capacity_j,
         share_of_rated_energy: setup.rated.map(|_| 0.0),

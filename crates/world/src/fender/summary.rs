@@ -32,8 +32,6 @@ pub struct FenderSummary {
     pub peak_energy_j: f64,
     /// Start of the step of that energy (s).
     pub peak_energy_at_s: f64,
-    /// Impulse of the normal forces that it took, ∫ N dt (N·s).
-    pub impulse_ns: f64,
     /// Largest pressure on the hull (N/m²), by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
     /// Energy capacity with the correction factors (J).
