@@ -2,6 +2,7 @@
 
 use fenderline_contact::Contact;
 use fenderline_contact::number::greater;
+use fenderline_results::FENDERS;
 use fenderline_sim::{PairSetup, Setup};
 
 use crate::table::{Causality, Class, Output, StandsFor, Table, Variable};
@@ -10,10 +11,10 @@ use crate::view::View;
 
 type Read = fn(&View<'_>, [usize; 2]) -> f64;
 /// Name, description, unit, and the function that reads the value.
-type Column = (&'static str, &'static str, Unit, Read);
+type Column<'a> = (&'a str, &'a str, Unit, Read);
 
-fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec<usize> {
-    let add = |&(name, description, unit, read): &Column| {
+fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column<'_>]) -> Vec<usize> {
+    let add = |&(name, description, unit, read): &Column<'_>| {
         table.add(Variable {
             name: if stem.is_empty() { name.to_owned() } else { format!("{stem}.{name}") },
             description: description.to_owned(),
@@ -31,7 +32,7 @@ fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec
 /// The wrench on each body, each fender, and each pair of outlines that may touch.
 pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     use Unit::{Joule, Metre, Newton, NewtonMetre, One, Radian, SquareMetre};
-    let columns: [Column; 3] = [
+    let columns: [Column<'_>; 3] = [
         (
             "force_x_n",
             "mean contact force, north; forward where host.body_fixed",
@@ -56,7 +57,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         table.group("Force", format!("{}.contact", body.name), &places[..2]);
         table.group("Torque", format!("{}.contact_moment", body.name), &places[2..]);
     }
-    let columns: [Column; 6] = [
+    let columns: [Column<'_>; 6] = [
         ("deflection_m", "deflection at the start of the step", Metre, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |most, c| greater(most, c.depth_m))
         }),
@@ -93,7 +94,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     for (index, fender) in setup.fenders.iter().enumerate() {
         add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
     }
-    let columns: [Column; 6] = [
+    let columns: [Column<'_>; 6] = [
         ("patches", "number of patches of contact", One, |v, pair| v.of_pair(pair).count() as f64),
         ("normal_force_n", "sum of the normal forces, pressing; a mean", Newton, |v, pair| {
             v.of_pair(pair).fold(0.0, |sum, c| sum + c.normal_force_n)
@@ -123,7 +124,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
 /// The largest wrench on each body within the last step.
 pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     use Unit::{Newton, NewtonMetre};
-    let columns: [Column; 3] = [
+    let columns: [Column<'_>; 3] = [
         (
             "peak_force_x_n",
             "contact force at its largest within the step, north; forward where host.body_fixed. \
@@ -171,7 +172,7 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add_motion(table, setup);
     add_world(table, setup);
     use Unit::Joule;
-    let columns: [Column; 9] = [
+    let columns: [Column<'_>; 9] = [
         ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
             v.of_simulation(|s| s.energy().kinetic_j)
         }),
@@ -208,8 +209,8 @@ const NORTH_MPS: &str = "velocity, north; by the coupled method with the integra
     this and the following velocities belong to the middle of the scenario's last (sub-)step";
 
 fn add_motion(table: &mut Table, setup: &Setup) {
-    use Unit::{Joule, Metre, MetrePerSecond, One, Radian, RadianPerSecond};
-    let columns: [Column; 8] = [
+    use Unit::{Metre, MetrePerSecond, Radian, RadianPerSecond};
+    let columns: [Column<'_>; 8] = [
         ("x_m", "position of the centre of gravity, north", Metre, |v, [b, _]| {
             v.states[b].position_m.x
         }),
@@ -240,32 +241,28 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         table.group("LinearVelocity", format!("{name}.velocity"), &places[3..5]);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &places[5..6]);
     }
-    let columns: [Column; 2] = [
-        ("peak_energy_j", "largest energy stored so far", Joule, |v, [f, _]| {
-            v.of_simulation(|s| {
-                s.fender_summaries().find(|x| x.fender == f).map_or(0.0, |x| x.peak_energy_j)
-            })
-        }),
-        (
-            "share_of_rated_energy",
-            "peak energy over the energy capacity; 0 if not rated",
-            One,
-            |v, [f, _]| {
-                v.of_simulation(|s| {
-                    let summary = s.fender_summaries().find(|x| x.fender == f);
-                    summary.and_then(|x| x.share_of_rated_energy).unwrap_or(0.0)
-                })
-            },
-        ),
-    ];
+    // The second index is that of the quantity in the catalogue.
+    let read: Read = |v, [f, quantity]| {
+        v.of_simulation(|s| {
+            let summary = s.fender_summaries().find(|summary| summary.fender == f);
+            let quantity = &FENDERS.quantities[quantity];
+            quantity.amount(&s.setup().fenders[f], summary).number().unwrap_or(0.0)
+        })
+    };
     for (index, fender) in setup.fenders.iter().enumerate() {
-        add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
+        for (place, quantity) in FENDERS.quantities.iter().enumerate().filter(|(_, q)| q.is_in_fmu)
+        {
+            let unit = Unit::of_symbol(quantity.unit);
+            let description = format!("{}, up to now; 0 where there is none", quantity.meaning);
+            let columns = [(quantity.name, description.as_str(), unit, read)];
+            add(table, &format!("fender.{}", fender.name), [index, place], &columns);
+        }
     }
 }
 
 fn add_world(table: &mut Table, setup: &Setup) {
     use Unit::{Metre, Newton, One, PerSecond, Radian};
-    let columns: [Column; 6] = [
+    let columns: [Column<'_>; 6] = [
         ("rudder_rad", "rudder, positive turns to starboard", Radian, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].rudder.value)
         }),
@@ -285,10 +282,10 @@ fn add_world(table: &mut Table, setup: &Setup) {
             v.of_simulation(|s| s.vessels()[i].squat_m)
         }),
     ];
-    let thruster: [Column; 1] = [("thrust", "thrust over the largest", One, |v, [i, unit]| {
+    let thruster: [Column<'_>; 1] = [("thrust", "thrust over the largest", One, |v, [i, unit]| {
         v.of_simulation(|s| s.vessels()[i].thrusters[unit].value)
     })];
-    let azimuth: [Column; 2] = [
+    let azimuth: [Column<'_>; 2] = [
         ("power", "thrust over the thrust at rest", One, |v, [i, unit]| {
             v.of_simulation(|s| s.vessels()[i].azimuths[unit].power.value)
         }),
@@ -306,7 +303,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
             add(table, &format!("{stem}.azimuth.{}", of.name), [index, unit], &azimuth);
         }
     }
-    let columns: [Column; 2] = [
+    let columns: [Column<'_>; 2] = [
         ("force_n", "force on the ship", Newton, |v, [i, _]| {
             v.of_simulation(|s| {
                 let force = s.tugs()[i].force;
@@ -320,7 +317,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
     for (index, tug) in setup.world.tugs.iter().enumerate() {
         add(table, &format!("tug.{}", tug.tug.name), [index, 0], &columns);
     }
-    let columns: [Column; 3] = [
+    let columns: [Column<'_>; 3] = [
         ("tension_n", "tension at the ship's end", Newton, |v, [i, _]| {
             v.of_simulation(|s| s.lines()[i].load.tension_n)
         }),

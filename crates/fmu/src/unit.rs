@@ -33,6 +33,8 @@ pub enum Unit {
     NewtonPerSquareMetre,
     /// N·s/m²
     NewtonSecondPerSquareMetre,
+    /// N·s
+    NewtonSecond,
     /// J
     Joule,
 }
@@ -56,8 +58,28 @@ impl Unit {
             Unit::NewtonPerMetre => "N/m",
             Unit::NewtonPerSquareMetre => "N/m2",
             Unit::NewtonSecondPerSquareMetre => "N.s/m2",
+            Unit::NewtonSecond => "N.s",
             Unit::Joule => "J",
         })
+    }
+
+    /// The unit of a summary quantity, by the symbol in the catalogue.
+    ///
+    /// # Panics
+    /// A symbol that no variable has: the tests make the variables of every quantity.
+    pub(crate) fn of_symbol(symbol: &str) -> Unit {
+        match symbol {
+            "1" => Unit::One,
+            "s" => Unit::Second,
+            "m" => Unit::Metre,
+            "rad" => Unit::Radian,
+            "m/s" => Unit::MetrePerSecond,
+            "N" => Unit::Newton,
+            "N/m²" => Unit::NewtonPerSquareMetre,
+            "N·s" => Unit::NewtonSecond,
+            "J" => Unit::Joule,
+            _ => panic!("an FMU has no variable in {symbol}"),
+        }
     }
 
     /// Exponents of kg, m, s and rad.
@@ -74,6 +96,7 @@ impl Unit {
             Unit::Kilogram => [1, 0, 0, 0],
             Unit::KilogramSquareMetre => [1, 2, 0, 0],
             Unit::Newton => [1, 1, -2, 0],
+            Unit::NewtonSecond => [1, 1, -1, 0],
             Unit::NewtonMetre | Unit::Joule => [1, 2, -2, 0],
             Unit::NewtonPerMetre => [1, 0, -2, 0],
             Unit::NewtonPerSquareMetre => [1, -1, -2, 0],

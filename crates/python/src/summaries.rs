@@ -1,6 +1,8 @@
 //! Summaries of runs as tables, with one row per run for each pair of bodies and each fender.
 
-use fenderline_results::{KeptColumn, KeptTable, KeptValues};
+use fenderline_results::{
+    Amount, Catalogue, DOLPHINS, FENDERS, KeptColumn, KeptTable, KeptValues, PAIRS, Taken,
+};
 use fenderline_sim::berthing::BerthingOutcome;
 use fenderline_sim::{
     DolphinSummary, FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict,
@@ -100,6 +102,36 @@ fn texts(
     KeptColumn { name, unit: "-", meaning, values }
 }
 
+/// A column for each quantity of the catalogue, truth values last. A missing number is NaN, a missing word is empty.
+fn quantities<'s, S: 's, T>(
+    rows: &[(usize, &T)],
+    catalogue: &Catalogue<S, T>,
+    setup: impl Fn(&T) -> &'s S,
+) -> Vec<KeptColumn> {
+    let mut columns = Vec::new();
+    let mut truths = Vec::new();
+    for of in catalogue.quantities {
+        let amount = |row: &T| of.amount(setup(row), Some(row));
+        match of.value {
+            Taken::Flag(_) => truths
+                .push(flags(rows, of.name, of.meaning, |row| amount(row) == Amount::Flag(true))),
+            Taken::Word(_) => {
+                let word = |row: &T| match amount(row) {
+                    Amount::Word(word) => word.to_owned(),
+                    _ => String::new(),
+                };
+                let words = rows.iter().map(|(_, row)| word(row));
+                columns.push(texts(of.name, of.meaning, words));
+            }
+            _ => columns.push(column(rows, (of.name, of.unit, of.meaning), |row| {
+                amount(row).number().unwrap_or(f64::NAN)
+            })),
+        }
+    }
+    columns.extend(truths);
+    columns
+}
+
 /// All summary tables of runs that follow each other; `first` is the number of the first.
 pub(crate) fn all_tables(setup: &Setup, first: usize, summaries: &[Summary]) -> Vec<KeptTable> {
     let runs = Runs { first, summaries };
@@ -113,30 +145,15 @@ pub(crate) fn all_tables(setup: &Setup, first: usize, summaries: &[Summary]) -> 
     ]
 }
 
-/// Flexible dolphins, by run; the share of the yield load is NaN where that is not known.
+/// Flexible dolphins, by run.
 fn dolphins_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.dolphins);
     let bodies = setup.bodies.iter().map(|body| body.name.clone()).collect();
-    let columns = vec![
+    let mut columns = vec![
         runs(&rows),
         names(&rows, "dolphin", "name of the dolphin's body", bodies, |d| d.body),
-        column(&rows, ("peak_deflection_m", "m", "largest deflection of the head"), |d| {
-            d.peak_deflection_m
-        }),
-        column(&rows, ("peak_load_n", "N", "largest load on the pile"), |d| d.peak_load_n),
-        column(&rows, ("peak_energy_j", "J", "largest energy in the pile's bending"), |d| {
-            d.peak_energy_j
-        }),
-        column(
-            &rows,
-            ("share_of_yield_load", "1", "largest load over the yield load; NaN where not known"),
-            |d| d.share_of_yield_load.unwrap_or(f64::NAN),
-        ),
-        column(&rows, ("offset_m", "m", "permanent deflection"), |d| d.offset_m),
-        column(&rows, ("yield_j", "J", "energy lost to yielding"), |d| d.yield_j),
-        column(&rows, ("damping_j", "J", "energy lost to damping of the pile"), |d| d.damping_j),
-        flags(&rows, "yielded", "whether the pile yielded", |d| d.yielded_at_s.is_some()),
     ];
+    columns.extend(quantities(&rows, &DOLPHINS, |d| &setup.bodies[d.body]));
     KeptTable { name: "dolphins", columns }
 }
 
@@ -309,123 +326,21 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
 fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.pairs);
     let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
-    let columns = vec![
+    let mut columns = vec![
         runs(&rows),
         names(&rows, "body_1", "name of one body", bodies(), |p| p.bodies[0]),
         names(&rows, "body_2", "name of the other", bodies(), |p| p.bodies[1]),
-        column(
-            &rows,
-            ("first_touch_s", "s", "start of the first step in which the two bodies touched"),
-            |p| p.first_touch_s,
-        ),
-        column(
-            &rows,
-            (
-                "last_touch_s",
-                "s",
-                "start of the last step in which the two bodies \
-            touched",
-            ),
-            |p| p.last_touch_s,
-        ),
-        column(
-            &rows,
-            ("approach_speed_mps", "m/s", "closing speed along the normal at first touch"),
-            |p| p.approach_speed_mps,
-        ),
-        column(
-            &rows,
-            ("final_speed_mps", "m/s", "separation speed along the normal after the last touch"),
-            |p| p.final_speed_mps,
-        ),
-        column(&rows, ("peak_normal_force_n", "N", "largest normal force of all patches"), |p| {
-            p.peak_normal_force_n
-        }),
-        column(&rows, ("peak_normal_force_at_s", "s", "time of that force"), |p| {
-            p.peak_normal_force_at_s
-        }),
-        column(&rows, ("peak_depth_m", "m", "largest depth of a patch"), |p| p.peak_depth_m),
-        column(&rows, ("peak_depth_at_s", "s", "time of that depth"), |p| p.peak_depth_at_s),
-        column(&rows, ("impulse_ns", "N·s", "impulse of the normal force"), |p| p.impulse_ns),
-        column(&rows, ("normal_work_j", "J", "work of normal forces on the two bodies"), |p| {
-            p.normal_work_j
-        }),
-        column(&rows, ("tangential_work_j", "J", "work of friction on the two bodies"), |p| {
-            p.tangential_work_j
-        }),
-        flags(&rows, "touching_at_end", "whether the two bodies touch in the last step", |p| {
-            p.touching_at_end
-        }),
     ];
+    columns.extend(quantities(&rows, &PAIRS, |_| &()));
     KeptTable { name: "pairs", columns }
 }
 
-/// Fenders that were touched, by run; shares are NaN where a fender has no rating.
+/// Fenders that were touched, by run.
 fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.fenders);
     let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();
-    let share = |share: Option<f64>| share.unwrap_or(f64::NAN);
-    let columns = vec![
-        runs(&rows),
-        names(&rows, "fender", "name of the fender", fenders, |f| f.fender),
-        column(
-            &rows,
-            ("first_touch_s", "s", "start of the first step in which the fender was touched"),
-            |f| f.first_touch_s,
-        ),
-        column(
-            &rows,
-            ("approach_speed_mps", "m/s", "closing speed along the normal at first touch"),
-            |f| f.approach_speed_mps,
-        ),
-        column(
-            &rows,
-            ("approach_angle_rad", "rad", "angle between face and hull at first touch"),
-            |f| f.approach_angle_rad,
-        ),
-        column(&rows, ("peak_deflection_m", "m", "largest deflection"), |f| f.peak_deflection_m),
-        column(&rows, ("peak_reaction_n", "N", "largest reaction along the fender's axis"), |f| {
-            f.peak_reaction_n
-        }),
-        column(&rows, ("peak_energy_j", "J", "largest energy absorbed"), |f| f.peak_energy_j),
-        column(&rows, ("peak_energy_at_s", "s", "start of the step of the largest energy"), |f| {
-            f.peak_energy_at_s
-        }),
-        column(
-            &rows,
-            ("share_of_rated_energy", "1", "largest energy over the rated energy"),
-            |f| share(f.share_of_rated_energy),
-        ),
-        column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated reaction"), |f| {
-            share(f.share_of_rated_reaction)
-        }),
-        column(
-            &rows,
-            (
-                "share_of_catalogue_energy",
-                "1",
-                "largest energy over the rated energy without the run's factors",
-            ),
-            |f| share(f.share_of_catalogue_energy(&setup.fenders[f.fender])),
-        ),
-        column(
-            &rows,
-            (
-                "share_of_catalogue_reaction",
-                "1",
-                "reaction over the rated reaction without the run's factors",
-            ),
-            |f| share(f.share_of_catalogue_reaction()),
-        ),
-        column(
-            &rows,
-            ("share_of_rated_deflection", "1", "deflection over the rated deflection"),
-            |f| share(f.share_of_rated_deflection),
-        ),
-        column(&rows, ("share_of_hull_pressure", "1", "pressure over the hull's limit"), |f| {
-            share(f.share_of_hull_pressure)
-        }),
-        flags(&rows, "failed", "whether the fender was deflected beyond its travel", |f| f.failed),
-    ];
+    let mut columns =
+        vec![runs(&rows), names(&rows, "fender", "name of the fender", fenders, |f| f.fender)];
+    columns.extend(quantities(&rows, &FENDERS, |f| &setup.fenders[f.fender]));
     KeptTable { name: "fenders", columns }
 }

@@ -30,6 +30,7 @@ mod medium;
 mod memory;
 mod outcome;
 mod provider_notices;
+mod quantities;
 mod recorded_session;
 mod row;
 mod run_events;
@@ -49,6 +50,10 @@ pub use medium::{Medium, Table};
 pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
 pub use outcome::{Interrupted, Outcome, WrittenFile};
 pub use provider_notices::{ProviderNotice, ProviderNotices, provider_event_key};
+pub use quantities::{
+    ANCHORS, Amount, CHAINS, Catalogue, DOLPHINS, Digits, FENDERS, LINES, PAIRS, Printed, Quantity,
+    Reported, Scale, Shown, TUGS, Taken, VESSELS, number, scales,
+};
 pub use recorded_session::{LogKind, LogLine, RecordedSession};
 pub use run_events::{Events, is_plain};
 pub use summary::{integrator_text, method_text, summary};

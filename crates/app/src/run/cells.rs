@@ -1,5 +1,8 @@
 //! What stands in the columns that `run` prints.
 
+use core::fmt::Write as _;
+
+use fenderline_results::{Catalogue, Printed};
 use fenderline_scenario::printable_line;
 
 /// Longest name of a pair or a fender (characters); longer ones are cut.
@@ -13,4 +16,29 @@ pub(super) fn one_line(text: &str) -> String {
 /// A number with some decimals; very large ones with a power of ten.
 pub(super) fn decimal(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
+}
+
+/// The heads and the units of a catalogue's columns, each after two spaces and to the right.
+pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> [String; 2] {
+    let mut rows = [String::new(), String::new()];
+    for column in catalogue.shown {
+        if let Some(Printed { head, width, .. }) = column.printed {
+            let _ = write!(rows[0], "  {head:>width$}");
+            let _ = write!(rows[1], "  {:>width$}", column.scale.plain_unit());
+        }
+    }
+    rows
+}
+
+/// The values of a part in these columns; `-` where the part has none.
+pub(super) fn values<S, T>(catalogue: &Catalogue<S, T>, setup: &S, summary: &T) -> String {
+    let mut row = String::new();
+    for column in catalogue.shown {
+        if let Some(Printed { width, decimals, .. }) = column.printed {
+            let value = catalogue.number(column.quantity, setup, summary);
+            let text = value.map(|value| decimal(column.scale.of(value), decimals));
+            let _ = write!(row, "  {:>width$}", text.as_deref().unwrap_or("-"));
+        }
+    }
+    row
 }

@@ -6,13 +6,12 @@ use fenderline_sim::{
     ChainSummary, ConeSummary, DolphinSummary, FenderSetup, FenderSummary, PanelSummary,
 };
 
-use super::cells::{NAME_WIDTH, decimal, one_line};
+use super::cells::{NAME_WIDTH, decimal, heads, one_line, values};
 use fenderline_report::plot::{counted, shortened};
-use fenderline_results::Outcome;
-use fenderline_results::{FenderVerdict, worst_first};
+use fenderline_results::{DOLPHINS, FENDERS, FenderVerdict, Outcome, worst_first};
 
 /// Most fenders in the table.
-const FENDERS: usize = 12;
+const ROWS: usize = 12;
 
 /// One line per fender, the most used first: its peaks, and the quantity that governs with its share of the rated one.
 /// Empty if the scenario has no fenders.
@@ -30,50 +29,36 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let name_of =
         |summary: &FenderSummary| shortened(&one_line(&setups[summary.fender].name), NAME_WIDTH);
     let shown: Vec<&FenderSummary> =
-        order.iter().take(FENDERS).map(|&i| &outcome.fenders[i]).collect();
+        order.iter().take(ROWS).map(|&i| &outcome.fenders[i]).collect();
     let longest = shown.iter().map(|f| name_of(f).chars().count()).max().unwrap_or(0);
     let width = longest.max("fender".len());
     text.push('\n');
-    for (name, touch, deflection, reaction, energy, pressure, catalogue, share) in [
-        (
-            "fender",
-            "first touch",
-            "deflection",
-            "reaction",
-            "energy",
-            "on hull",
-            "of catalogue",
-            "of rated",
-        ),
-        ("", "s", "mm", "kN", "kJ", "kN/m2", "d / r / e, %", "%"),
+    let [heads, units] = heads(&FENDERS);
+    for (name, touch, columns, catalogue, share) in [
+        ("fender", "first touch", heads, "of catalogue", "of rated"),
+        ("", "s", units, "d / r / e, %", "%"),
     ] {
-        let _ = writeln!(
-            text,
-            "{name:<width$}  {touch:>11}  {deflection:>10}  {reaction:>10}  {energy:>10}  {pressure:>7}  \
-             {catalogue:>15}  {share:>14}"
-        );
+        let _ =
+            writeln!(text, "{name:<width$}  {touch:>11}{columns}  {catalogue:>15}  {share:>14}");
     }
     for summary in shown {
         let share = summary.governing().map_or_else(
             || "-".to_owned(),
             |(quantity, share)| format!("{quantity} {}", decimal(100.0 * share, 0)),
         );
-        let pressure = summary.peak_hull_pressure_npm2;
-        let pressure = pressure.map_or_else(|| "-".to_owned(), |p| decimal(p / 1e3, 0));
-        let catalogue = of_catalogue(&setups[summary.fender], summary);
+        let setup = &setups[summary.fender];
+        let catalogue = of_catalogue(setup, summary);
         let verdict = verdict(summary);
         let mark = if verdict.is_grave() { verdict.text().to_uppercase() } else { String::new() };
         let line = format!(
-            "{:<width$}  {:>11}  {:>10}  {:>10}  {:>10}  {pressure:>7}  {catalogue:>15}  {share:>14}  {mark}",
+            "{:<width$}  {:>11}{}  {catalogue:>15}  {share:>14}  {mark}",
             name_of(summary),
             decimal(summary.first_touch_s, 2),
-            decimal(summary.peak_deflection_m * 1e3, 1),
-            decimal(summary.peak_reaction_n / 1e3, 1),
-            decimal(summary.peak_energy_j / 1e3, 1),
+            values(&FENDERS, setup, summary),
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    for &index in order.iter().take(FENDERS) {
+    for &index in order.iter().take(ROWS) {
         let summary = &outcome.fenders[index];
         if let Some(panel) = &summary.panel {
             let _ = writeln!(text, "{:<width$}  {}", name_of(summary), panel_line(panel));
@@ -82,8 +67,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
             let _ = writeln!(text, "{:<width$}  {}", name_of(summary), chain_line(chain));
         }
     }
-    if order.len() > FENDERS {
-        let more = (order.len() - FENDERS) as u64;
+    if order.len() > ROWS {
+        let more = (order.len() - ROWS) as u64;
         let more = counted(more, "more fender", "more fenders");
         let _ = writeln!(text, "and {more}, in summary.json");
     }
@@ -128,33 +113,22 @@ pub(super) fn dolphins(outcome: &Outcome<'_>) -> String {
     };
     let mut shown: Vec<&DolphinSummary> = outcome.dolphins.iter().collect();
     shown.sort_by(|one, other| other.peak_load_n.total_cmp(&one.peak_load_n));
-    let more = shown.len().saturating_sub(FENDERS);
-    shown.truncate(FENDERS);
+    let more = shown.len().saturating_sub(ROWS);
+    shown.truncate(ROWS);
     let longest = shown.iter().map(|d| name_of(d).chars().count()).max().unwrap_or(0);
     let width = longest.max("dolphin".len());
     text.push('\n');
-    for (name, deflection, load, energy, share) in
-        [("dolphin", "deflection", "load", "energy", "of yield load"), ("", "mm", "kN", "kJ", "%")]
-    {
-        let _ = writeln!(
-            text,
-            "{name:<width$}  {deflection:>10}  {load:>10}  {energy:>10}  {share:>13}"
-        );
-    }
+    let [heads, units] = heads(&DOLPHINS);
+    let _ = writeln!(text, "{:<width$}{heads}", "dolphin");
+    let _ = writeln!(text, "{:<width$}{units}", "");
     for dolphin in shown {
-        let share = dolphin.share_of_yield_load;
-        let share = share.map_or_else(|| "-".to_owned(), |share| decimal(100.0 * share, 0));
         let mark = match dolphin.yielded_at_s {
             Some(_) => format!("YIELDED, {} mm stay", decimal(dolphin.offset_m * 1e3, 1)),
             None => String::new(),
         };
-        let line = format!(
-            "{:<width$}  {:>10}  {:>10}  {:>10}  {share:>13}  {mark}",
-            name_of(dolphin),
-            decimal(dolphin.peak_deflection_m * 1e3, 1),
-            decimal(dolphin.peak_load_n / 1e3, 1),
-            decimal(dolphin.peak_energy_j / 1e3, 1),
-        );
+        let setup = &outcome.setup.bodies[dolphin.body];
+        let values = values(&DOLPHINS, setup, dolphin);
+        let line = format!("{:<width$}{values}  {mark}", name_of(dolphin));
         let _ = writeln!(text, "{}", line.trim_end());
     }
     if more > 0 {

@@ -2,10 +2,10 @@
 
 use core::fmt::Write as _;
 
-use super::cells::{NAME_WIDTH, decimal, one_line};
+use super::cells::{NAME_WIDTH, decimal, heads, one_line, values};
 use fenderline_report::plot::{shortened, times};
-use fenderline_results::Outcome;
-use fenderline_results::{AnchorVerdict, LineTotals, LineVerdict};
+use fenderline_results::{AnchorVerdict, LINES, LineTotals, LineVerdict, Outcome};
+use fenderline_sim::MooringSetup;
 
 /// Most lines of text per kind.
 const ROWS: usize = 12;
@@ -21,8 +21,8 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> String {
 
 /// One line of text per mooring line, the most used first.
 fn moorings(outcome: &Outcome<'_>, text: &mut String) {
-    let names = outcome.setup.world.lines.iter().map(|line| line.line.name.as_str());
-    let mut lines: Vec<(&str, &LineTotals)> = names.zip(&outcome.world.lines).collect();
+    let setups = outcome.setup.world.lines.iter();
+    let mut lines: Vec<(&MooringSetup, &LineTotals)> = setups.zip(&outcome.world.lines).collect();
     if lines.is_empty() {
         return;
     }
@@ -30,27 +30,18 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
     // A stable sort: equal ones stay in the order of the scenario.
     lines.sort_by(|a, b| share(b.1).total_cmp(&share(a.1)));
     let shown = &lines[..lines.len().min(ROWS)];
-    let name_of = |name: &str| shortened(&one_line(name), NAME_WIDTH);
-    let longest = shown.iter().map(|(name, _)| name_of(name).chars().count()).max().unwrap_or(0);
+    let name_of = |setup: &MooringSetup| shortened(&one_line(&setup.line.name), NAME_WIDTH);
+    let longest = shown.iter().map(|(setup, _)| name_of(setup).chars().count()).max().unwrap_or(0);
     let width = longest.max("line".len());
-    for (name, tension, at, share) in
-        [("line", "peak tension", "at", "of break load"), ("", "kN", "s", "%")]
-    {
-        let _ = writeln!(text, "{name:<width$}  {tension:>12}  {at:>9}  {share:>13}");
-    }
-    for (name, line) in shown {
-        let verdict = line.verdict();
-        let mark = match verdict {
+    let [heads, units] = heads(&LINES);
+    let _ = writeln!(text, "{:<width$}{heads}", "line");
+    let _ = writeln!(text, "{:<width$}{units}", "");
+    for (setup, line) in shown {
+        let mark = match line.verdict() {
             LineVerdict::Ok => String::new(),
             verdict => verdict.text().to_uppercase(),
         };
-        let row = format!(
-            "{:<width$}  {:>12}  {:>9}  {:>13}  {mark}",
-            name_of(name),
-            decimal(line.tension_n.value / 1e3, 1),
-            decimal(line.tension_n.at_s, 1),
-            decimal(100.0 * share(line), 0),
-        );
+        let row = format!("{:<width$}{}  {mark}", name_of(setup), values(&LINES, setup, line));
         let _ = writeln!(text, "{}", row.trim_end());
     }
     if lines.len() > shown.len() {

@@ -1,8 +1,11 @@
 //! Outputs of one fender, line, body or tug, as `fender.NAME.reaction`.
 
-use fenderline_results::WorldTotals;
+use fenderline_results::scales::{DEGREES, DEGREES_PER_SECOND, METRES, METRES_PER_SECOND};
+use fenderline_results::{
+    FENDERS, LINES, LineTotals, Quantity, TUGS, TugTotals, WorldTotals, number,
+};
 use fenderline_scenario::nearest;
-use fenderline_sim::{FenderSummary, Setup, Simulation};
+use fenderline_sim::{FenderSetup, FenderSummary, MooringSetup, Setup, Simulation, TugSetup};
 
 use super::motion::Excursion;
 use crate::row::{Cell, Head};
@@ -18,104 +21,45 @@ pub(super) enum Named {
     Limit(usize),
 }
 
-/// A quantity: name, unit, meaning, value.
-#[derive(Debug)]
-pub(super) struct Quantity<T: ?Sized + 'static> {
-    name: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    value: fn(&T) -> Option<f64>,
-}
+type OfFender = Quantity<FenderSetup, FenderSummary>;
+type OfLine = Quantity<MooringSetup, LineTotals>;
+type OfBody = Quantity<(), Excursion>;
+type OfTug = Quantity<TugSetup, TugTotals>;
 
-type OfFender = Quantity<FenderSummary>;
-type OfLine = Quantity<fenderline_results::LineTotals>;
-type OfBody = Quantity<Excursion>;
-type OfTug = Quantity<fenderline_results::TugTotals>;
-
-const fn quantity<T>(
-    name: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    value: fn(&T) -> Option<f64>,
-) -> Quantity<T> {
-    Quantity { name, unit, meaning, value }
-}
-
-static OF_FENDERS: [OfFender; 11] = [
-    quantity("reaction", "kN", "largest reaction", |of| Some(of.peak_reaction_n * 1e-3)),
-    quantity("reaction_share", "%", "over its rated reaction", |of| {
-        of.share_of_rated_reaction.map(|x| 100.0 * x)
-    }),
-    quantity("deflection", "mm", "largest deflection", |of| Some(of.peak_deflection_m * 1e3)),
-    quantity("deflection_share", "%", "over its rated deflection", |of| {
-        of.share_of_rated_deflection.map(|x| 100.0 * x)
-    }),
-    quantity("energy", "kJ", "largest energy absorbed", |of| Some(of.peak_energy_j * 1e-3)),
-    quantity("energy_share", "%", "over its rated energy", |of| {
-        of.share_of_rated_energy.map(|x| 100.0 * x)
-    }),
-    quantity("hull_pressure", "kN/m²", "largest pressure on the hull", |of| {
-        of.peak_hull_pressure_npm2.map(|x| x * 1e-3)
-    }),
-    quantity("hull_pressure_share", "%", "largest pressure over the permissible pressure", |of| {
-        of.share_of_hull_pressure.map(|x| 100.0 * x)
-    }),
-    quantity("first_touch", "s", "start of the first step in which the fender was touched", |of| {
-        Some(of.first_touch_s)
-    }),
-    quantity(
-        "approach_speed",
-        "m/s",
-        "speed normal to the fender's face at the first touch",
-        |of| Some(of.approach_speed_mps),
-    ),
-    quantity("approach_angle", "deg", "angle between hull and face at the first touch", |of| {
-        Some(of.approach_angle_rad.to_degrees())
-    }),
-];
-
-static OF_LINES: [OfLine; 3] = [
-    quantity("tension", "kN", "largest tension", |of| Some(of.tension_n.value * 1e-3)),
-    quantity("break_share", "%", "largest tension over the break load", |of| {
-        of.share_of_break_load().map(|x| 100.0 * x)
-    }),
-    quantity("working_share", "%", "largest tension over the working load", |of| {
-        of.working_load_n.map(|load_n| 100.0 * of.tension_n.value / load_n)
-    }),
-];
-
+/// Outputs of bodies, which only campaigns have.
 static OF_BODIES: [OfBody; 8] = [
-    quantity(
-        "largest_surge",
+    number(
+        "largest_surge_m",
         "m",
-        "largest distance from the start along the body's axis at the \
-        start",
-        |of| Some(of.surge_m),
-    ),
-    quantity(
-        "largest_sway",
+        "largest distance from the start along the body's axis at the start",
+        |(), of: &Excursion| of.surge_m,
+    )
+    .output("largest_surge", METRES),
+    number(
+        "largest_sway_m",
         "m",
-        "largest distance from the start across the body's axis at the \
-        start",
-        |of| Some(of.sway_m),
-    ),
-    quantity("largest_yaw", "deg", "largest change of heading", |of| Some(of.yaw_rad.to_degrees())),
-    quantity("end_north", "m", "north at the end", |of| Some(of.last.position_m.x)),
-    quantity("end_east", "m", "east at the end", |of| Some(of.last.position_m.y)),
-    quantity("end_heading", "deg", "heading at the end", |of| {
-        Some(of.last.heading_rad.to_degrees())
-    }),
-    quantity("end_speed", "m/s", "speed over the ground at the end", |of| {
-        Some(of.last.velocity_mps.length())
-    }),
-    quantity("end_turn", "deg/s", "rate of turn at the end", |of| {
-        Some(of.last.yaw_rate_radps.to_degrees())
-    }),
-];
-
-static OF_TUGS: [OfTug; 2] = [
-    quantity("force", "kN", "largest force", |of| Some(of.force_n.value.abs() * 1e-3)),
-    quantity("at_work", "s", "time at work", |of| Some(of.at_work.s())),
+        "largest distance from the start across the body's axis at the start",
+        |(), of: &Excursion| of.sway_m,
+    )
+    .output("largest_sway", METRES),
+    number("largest_yaw_rad", "rad", "largest change of heading", |(), of: &Excursion| of.yaw_rad)
+        .output("largest_yaw", DEGREES),
+    number("end_north_m", "m", "north at the end", |(), of: &Excursion| of.last.position_m.x)
+        .output("end_north", METRES),
+    number("end_east_m", "m", "east at the end", |(), of: &Excursion| of.last.position_m.y)
+        .output("end_east", METRES),
+    number("end_heading_rad", "rad", "heading at the end", |(), of: &Excursion| {
+        of.last.heading_rad
+    })
+    .output("end_heading", DEGREES),
+    number("end_speed_mps", "m/s", "speed over the ground at the end", |(), of: &Excursion| {
+        of.last.velocity_mps.length()
+    })
+    .output("end_speed", METRES_PER_SECOND),
+    number("end_turn_radps", "rad/s", "rate of turn at the end", |(), of: &Excursion| {
+        of.last.yaw_rate_radps
+    })
+    .output("end_turn", DEGREES_PER_SECOND),
 ];
 
 impl Named {
@@ -142,12 +86,12 @@ impl Named {
         match kind {
             "fender" => {
                 let index = place(kind, name, setup.fenders.iter().map(|own| own.name.as_str()))?;
-                Ok(Named::Fender(index, of(kind, quantity, &OF_FENDERS)?))
+                Ok(Named::Fender(index, of(kind, quantity, FENDERS.quantities)?))
             }
             "line" => {
                 let index =
                     place(kind, name, world.lines.iter().map(|own| own.line.name.as_str()))?;
-                Ok(Named::Line(index, of(kind, quantity, &OF_LINES)?))
+                Ok(Named::Line(index, of(kind, quantity, LINES.quantities)?))
             }
             "body" => {
                 let index = place(kind, name, setup.bodies.iter().map(|own| own.name.as_str()))?;
@@ -155,7 +99,7 @@ impl Named {
             }
             "tug" => {
                 let index = place(kind, name, world.tugs.iter().map(|own| own.tug.name.as_str()))?;
-                Ok(Named::Tug(index, of(kind, quantity, &OF_TUGS)?))
+                Ok(Named::Tug(index, of(kind, quantity, TUGS.quantities)?))
             }
             _ => Err(form()),
         }
@@ -171,10 +115,10 @@ impl Named {
 
     pub(super) fn head(self, name: &str) -> Head {
         let (unit, meaning) = match self {
-            Named::Fender(_, own) => (own.unit, own.meaning),
-            Named::Line(_, own) => (own.unit, own.meaning),
-            Named::Body(_, own) => (own.unit, own.meaning),
-            Named::Tug(_, own) => (own.unit, own.meaning),
+            Named::Fender(_, own) => unit_and_meaning(own),
+            Named::Line(_, own) => unit_and_meaning(own),
+            Named::Body(_, own) => unit_and_meaning(own),
+            Named::Tug(_, own) => unit_and_meaning(own),
             Named::Limit(_) => ("%", "the limited value over the permissible value"),
         };
         Head::new(name, unit, meaning)
@@ -186,19 +130,21 @@ impl Named {
         world: &WorldTotals,
         motions: &[(usize, Excursion)],
     ) -> Cell {
+        let setup = simulation.setup();
         let value = match self {
             Named::Fender(index, own) => {
                 let mut all = simulation.fender_summaries();
-                all.find(|summary| summary.fender == index).and_then(own.value)
+                let touched = all.find(|summary| summary.fender == index);
+                touched.and_then(|summary| value(own, &setup.fenders[index], summary))
             }
-            Named::Line(index, own) => (own.value)(&world.lines[index]),
+            Named::Line(index, own) => value(own, &setup.world.lines[index], &world.lines[index]),
             Named::Body(index, own) => motions
                 .iter()
                 .find(|(body, _)| *body == index)
-                .and_then(|(_, motion)| (own.value)(motion)),
-            Named::Tug(index, own) => (own.value)(&world.tugs[index]),
+                .and_then(|(_, motion)| value(own, &(), motion)),
+            Named::Tug(index, own) => value(own, &setup.world.tugs[index], &world.tugs[index]),
             Named::Limit(index) => {
-                let limit = &simulation.setup().world.statistics.limits[index];
+                let limit = &setup.world.statistics.limits[index];
                 Some(100.0 * simulation.limit_values()[index] / limit.most)
             }
         };
@@ -219,13 +165,26 @@ fn place<'n>(
     })
 }
 
-fn of<T>(
+/// The quantity with this output.
+fn of<S, T>(
     kind: &str,
     name: &str,
-    all: &'static [Quantity<T>],
-) -> Result<&'static Quantity<T>, String> {
-    all.iter().find(|own| own.name == name).ok_or_else(|| {
-        let names: Vec<&str> = all.iter().map(|own| own.name).collect();
+    all: &'static [Quantity<S, T>],
+) -> Result<&'static Quantity<S, T>, String> {
+    let mut outputs = all.iter().filter_map(|own| Some((own, own.output?.0)));
+    outputs.find(|(_, output)| *output == name).map(|(own, _)| own).ok_or_else(|| {
+        let names = all.iter().filter_map(|own| own.output);
+        let names: Vec<&str> = names.map(|(output, _)| output).collect();
         format!("a {kind} has no `{name}`; it has {}", names.join(", "))
     })
+}
+
+fn unit_and_meaning<S, T>(of: &Quantity<S, T>) -> (&'static str, &'static str) {
+    (of.output.map_or(of.unit, |(_, scale)| scale.unit), of.meaning)
+}
+
+/// The value in the unit of the output.
+fn value<S, T>(of: &Quantity<S, T>, setup: &S, summary: &T) -> Option<f64> {
+    let value = of.amount(setup, Some(summary)).number()?;
+    Some(of.output.map_or(value, |(_, scale)| scale.product(value)))
 }

@@ -48,6 +48,7 @@ pub(super) fn nominal(variable: &Variable, scales: Scales) -> Option<f64> {
         Unit::NewtonPerMetre => force_n / 0.1,
         Unit::NewtonPerSquareMetre => 1e6,
         Unit::NewtonSecondPerSquareMetre => 1e5,
+        Unit::NewtonSecond => 0.1 * mass_kg,
         Unit::Joule => 0.01 * mass_kg,
         Unit::One
         | Unit::Second

@@ -15,6 +15,7 @@ mod governing;
 mod harbour_key;
 mod method_notes;
 mod parts;
+mod quantities;
 mod recorder;
 mod scene;
 mod session;

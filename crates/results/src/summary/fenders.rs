@@ -1,13 +1,13 @@
 //! Fenders as `summary.json` has them.
 
 use fenderline_sim::{
-    ChainKind, ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource,
-    FenderSummary, PanelSummary,
+    ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource, FenderSummary,
+    PanelSummary,
 };
 
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
-use crate::verdict::FenderVerdict;
+use crate::quantities::{CHAINS, FENDERS};
 
 /// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
 /// have no key.
@@ -21,44 +21,8 @@ pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Json> {
 }
 
 fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Json {
-    let mut object = object!({
-        "name": fender.name,
-        "body": body,
-        "verdict": FenderVerdict::of(fender, summary).key(),
-        "failed": summary.failed,
-        "first_touch_s": summary.first_touch_s,
-        "approach_speed_mps": summary.approach_speed_mps,
-        "approach_angle_rad": summary.approach_angle_rad,
-        "factor": summary.factor,
-        "peak_deflection_m": summary.peak_deflection_m,
-        "peak_deflection_at_s": summary.peak_deflection_at_s,
-        "peak_reaction_n": summary.peak_reaction_n,
-        "peak_reaction_at_s": summary.peak_reaction_at_s,
-        "peak_energy_j": summary.peak_energy_j,
-        "peak_energy_at_s": summary.peak_energy_at_s,
-        "last_deflection_m": summary.last_deflection_m,
-        "last_reaction_n": summary.last_reaction_n,
-    });
-    let rated = fender.rated.as_ref();
-    object.put_if_any("peak_hull_pressure_npm2", summary.peak_hull_pressure_npm2);
-    object.put_if_any("capacity_j", summary.capacity_j);
-    object.put_if_any("share_of_rated_energy", summary.share_of_rated_energy);
-    object.put_if_any("share_of_rated_reaction", summary.share_of_rated_reaction);
-    object.put_if_any("share_of_rated_deflection", summary.share_of_rated_deflection);
-    object.put_if_any("share_of_catalogue_energy", summary.share_of_catalogue_energy(fender));
-    object.put_if_any("share_of_catalogue_reaction", summary.share_of_catalogue_reaction());
-    if let Some((quantity, share)) = summary.governing() {
-        object.put("governing", quantity);
-        object.put("governing_share", share);
-    }
-    object.put_if_any("share_of_hull_pressure", summary.share_of_hull_pressure);
-    object.put_if_any("rated_deflection_m", rated.map(|r| r.deflection_m));
-    object.put_if_any("rated_reaction_n", rated.map(|r| r.reaction_n));
-    object.put_if_any("rated_energy_j", rated.map(|r| r.energy_j));
-    object.put_if_any("hull_pressure_limit_npm2", fender.hull_pressure_limit_npm2);
-    object.put_if_any("height_on_hull_m", summary.hull.map(|hull| hull.height_m));
-    object.put_if_any("vertical_angle_rad", summary.hull.map(|hull| hull.vertical_angle_rad));
-    object.put_if_any("peak_vertical_force_n", summary.hull.map(|hull| hull.peak_vertical_force_n));
+    let mut object = object!({ "name": fender.name, "body": body });
+    FENDERS.put(&mut object, fender, summary);
     if let Some(panel) = &summary.panel {
         object.put("panel", panel_json(fender, summary, panel));
     }
@@ -101,17 +65,9 @@ fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummar
     })
 }
 
-/// The peak tension of a chain; the time of parting has no key if the chain has not parted.
+/// The time of parting has no key if the chain has not parted.
 fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Json {
-    let mut object = object!({
-        "kind": chain.kind.word(),
-        "break_load_n": setup.break_load_n,
-        "peak_tension_n": chain.peak_tension_n,
-        "peak_tension_at_s": chain.peak_tension_at_s,
-        "share_of_break_load": chain.share_of_break_load,
-    });
-    let is_tension = chain.kind == ChainKind::Tension;
-    object.put_if_any("at_m", is_tension.then_some(setup.at_m));
-    object.put_if_any("parted_at_s", chain.parted_at_s);
+    let mut object = object!({});
+    CHAINS.put(&mut object, setup, chain);
     object
 }

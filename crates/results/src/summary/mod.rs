@@ -17,6 +17,7 @@ use fenderline_sim::{Energy, Integrator, Method, PairSummary};
 
 use crate::json::{Json, NumberNotFinite, object};
 use crate::outcome::{Outcome, WrittenFile};
+use crate::quantities::PAIRS;
 
 use approach::approaches_json;
 use berthing::berthing_json;
@@ -127,21 +128,9 @@ fn body_json(name: &str, state: &BodyState) -> Json {
 }
 
 fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Json {
-    object!({
-        "bodies": pair.bodies.map(name),
-        "first_touch_s": pair.first_touch_s,
-        "last_touch_s": pair.last_touch_s,
-        "peak_normal_force_n": pair.peak_normal_force_n,
-        "peak_normal_force_at_s": pair.peak_normal_force_at_s,
-        "peak_depth_m": pair.peak_depth_m,
-        "peak_depth_at_s": pair.peak_depth_at_s,
-        "impulse_ns": pair.impulse_ns,
-        "approach_speed_mps": pair.approach_speed_mps,
-        "final_speed_mps": pair.final_speed_mps,
-        "normal_work_j": pair.normal_work_j,
-        "tangential_work_j": pair.tangential_work_j,
-        "touching_at_end": pair.touching_at_end,
-    })
+    let mut object = object!({ "bodies": pair.bodies.map(name) });
+    PAIRS.put(&mut object, &(), pair);
+    object
 }
 
 fn energy_json(energy: Energy) -> Json {

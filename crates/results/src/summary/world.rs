@@ -1,14 +1,15 @@
 //! Vessels, tugs, lines, anchors and their events in `summary.json`.
 
 use crate::events::world_event_key;
-use fenderline_sim::Setup;
 use fenderline_sim::external::ProviderEvent;
 use fenderline_sim::passing::PassingSetup;
+use fenderline_sim::{AnchorSetup, MooringSetup, Setup, TugSetup, VesselSetup};
 
 use crate::accuracy::{accuracy_json, source_json};
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
+use crate::quantities::{ANCHORS, LINES, TUGS, VESSELS};
 use crate::world_totals::{AnchorTotals, LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
 
 /// Adds a section each for vessels, tugs and lines, if the set-up has any.
@@ -17,7 +18,7 @@ pub(super) fn put_world(whole: &mut Json, outcome: &Outcome<'_>) {
     if !world.vessels.is_empty() {
         let vessels = setup.world.vessels.iter().zip(&world.vessels);
         let vessels = vessels.map(|(vessel, totals)| {
-            let mut object = vessel_json(&setup.bodies[vessel.body].name, totals);
+            let mut object = vessel_json(&setup.bodies[vessel.body].name, vessel, totals);
             object.put("vessel", &vessel.origin.title);
             object.put("estimated", vessel.origin.estimates().map(source_json).collect::<Json>());
             object.put("estimate", accuracy_json(&vessel.origin, outcome.estimate_errors));
@@ -27,28 +28,17 @@ pub(super) fn put_world(whole: &mut Json, outcome: &Outcome<'_>) {
     }
     if !world.tugs.is_empty() {
         let tugs = setup.world.tugs.iter().zip(&world.tugs);
-        whole.put(
-            "tugs",
-            tugs.map(|(tug, totals)| {
-                tug_json(&tug.tug.name, tug.tug.envelope.bollard_pull_n, totals)
-            })
-            .collect::<Json>(),
-        );
+        whole.put("tugs", tugs.map(|(tug, totals)| tug_json(tug, totals)).collect::<Json>());
     }
     if !world.lines.is_empty() {
         let lines = setup.world.lines.iter().zip(&world.lines);
-        whole.put(
-            "lines",
-            lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect::<Json>(),
-        );
+        whole.put("lines", lines.map(|(line, totals)| line_json(line, totals)).collect::<Json>());
     }
     if !world.anchors.is_empty() {
         let anchors = setup.world.anchors.iter().zip(&world.anchors);
         whole.put(
             "anchors",
-            anchors
-                .map(|(anchor, totals)| anchor_json(&anchor.gear.name, totals))
-                .collect::<Json>(),
+            anchors.map(|(anchor, totals)| anchor_json(anchor, totals)).collect::<Json>(),
         );
     }
     if !world.passing.is_empty() {
@@ -96,83 +86,29 @@ fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> J
 }
 
 /// In deep water there is no key for the under-keel clearance.
-fn vessel_json(name: &str, totals: &VesselTotals) -> Json {
-    let mut object = object!({
-        "name": name,
-        "peak_speed_over_ground_mps": totals.over_ground_mps.value,
-        "peak_speed_over_ground_at_s": totals.over_ground_mps.at_s,
-        "peak_speed_through_water_mps": totals.through_water_mps.value,
-        "peak_speed_through_water_at_s": totals.through_water_mps.at_s,
-        "peak_rate_of_turn_radps": totals.rate_of_turn_radps.value,
-        "peak_rate_of_turn_at_s": totals.rate_of_turn_radps.at_s,
-        "peak_rudder_rad": totals.rudder_rad.value,
-        "peak_roll_rad": totals.roll_rad.value,
-        "peak_roll_at_s": totals.roll_rad.at_s,
-        "peak_heel_rad": totals.heel_rad.value,
-        "peak_heel_at_s": totals.heel_rad.at_s,
-        "peak_pitch_rad": totals.pitch_rad.value,
-        "peak_pitch_at_s": totals.pitch_rad.at_s,
-        "peak_squat_m": totals.squat_m.value,
-        "peak_squat_at_s": totals.squat_m.at_s,
-        "aground_s": totals.aground.s(),
-    });
-    if let Some(least) = totals.under_keel_m {
-        object.put("min_under_keel_clearance_m", least.value);
-        object.put("min_under_keel_clearance_at_s", least.at_s);
-    }
+fn vessel_json(name: &str, setup: &VesselSetup, totals: &VesselTotals) -> Json {
+    let mut object = object!({ "name": name });
+    VESSELS.put(&mut object, setup, totals);
     object
 }
 
-fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Json {
-    object!({
-        "name": name,
-        "bollard_pull_n": bollard_pull_n,
-        "peak_force_n": totals.force_n.value,
-        "peak_force_at_s": totals.force_n.at_s,
-        "at_work_s": totals.at_work.s(),
-        "limited_s": totals.limited.s(),
-    })
+fn tug_json(tug: &TugSetup, totals: &TugTotals) -> Json {
+    let mut object = object!({ "name": tug.tug.name });
+    TUGS.put(&mut object, tug, totals);
+    object
 }
 
 /// Missing values (the break load before the line is fast, the time of parting) have no key.
-fn line_json(name: &str, totals: &LineTotals) -> Json {
-    let mut object = object!({
-        "name": name,
-        "verdict": totals.verdict().key(),
-        "peak_tension_n": totals.tension_n.value,
-        "peak_tension_at_s": totals.tension_n.at_s,
-        "over_working_load_s": totals.over_working.s(),
-        "rendered_m": totals.rendered_m,
-        "parted": totals.parted_s.is_some(),
-        "fast_at_end": totals.is_fast,
-        "last_tension_n": totals.last_tension_n,
-    });
-    object.put_if_any("made_fast_s", totals.made_fast_s);
-    object.put_if_any("break_load_n", totals.break_load_n);
-    object.put_if_any("working_load_n", totals.working_load_n);
-    object.put_if_any("share_of_break_load", totals.share_of_break_load());
-    object.put_if_any("parted_at_s", totals.parted_s);
+fn line_json(line: &MooringSetup, totals: &LineTotals) -> Json {
+    let mut object = object!({ "name": line.line.name });
+    LINES.put(&mut object, line, totals);
     object
 }
 
 /// Missing values (place of the anchor, time of its loss) have no key.
-fn anchor_json(name: &str, totals: &AnchorTotals) -> Json {
-    let mut object = object!({
-        "name": name,
-        "verdict": totals.verdict().key(),
-        "break_load_n": totals.break_load_n,
-        "peak_tension_n": totals.tension_n.value,
-        "peak_tension_at_s": totals.tension_n.at_s,
-        "most_chain_out_m": totals.chain_m.value,
-        "on_bottom_s": totals.on_bottom.s(),
-        "dragged_m": totals.dragged_m,
-        "dragging_s": totals.dragging.s(),
-        "dragged_j": totals.dragged_j,
-        "rendered_m": totals.rendered_m,
-        "state_at_end": totals.position.word(),
-        "last_chain_out_m": totals.last_chain_m,
-        "last_tension_n": totals.last_tension_n,
-    });
+fn anchor_json(anchor: &AnchorSetup, totals: &AnchorTotals) -> Json {
+    let mut object = object!({ "name": anchor.gear.name });
+    ANCHORS.put(&mut object, anchor, totals);
     if let Some(at_m) = totals.place_m() {
         object.put("last_place_m", [at_m.x, at_m.y]);
     }

@@ -66,6 +66,11 @@ impl LineTotals {
         self.break_load_n.map(|break_load_n| self.tension_n.value / break_load_n)
     }
 
+    /// Peak tension over working load; `None` without a working load.
+    pub fn share_of_working_load(&self) -> Option<f64> {
+        self.working_load_n.map(|load_n| self.tension_n.value / load_n)
+    }
+
     /// The verdict on the line.
     pub fn verdict(&self) -> LineVerdict {
         if self.parted_s.is_some() {

@@ -23,7 +23,17 @@ export {
   type Table,
   type Verdict,
 } from "./run.js";
-export type { FenderSummary, PairSummary, Summary } from "./summary.js";
+export type { FenderSummary, Named, PairSummary, Summary } from "./summary.js";
+export type {
+  AnchorQuantities,
+  ChainQuantities,
+  DolphinQuantities,
+  FenderQuantities,
+  LineQuantities,
+  PairQuantities,
+  TugQuantities,
+  VesselQuantities,
+} from "./quantities.js";
 export {
   CONTACT_FIELDS,
   Engine,

@@ -1,4 +1,14 @@
 /** The content of `summary.json`: the keys that most programs read. `fenderline run` writes the same file. */
+import type {
+  AnchorQuantities,
+  ChainQuantities,
+  DolphinQuantities,
+  FenderQuantities,
+  LineQuantities,
+  PairQuantities,
+  TugQuantities,
+  VesselQuantities,
+} from "./quantities.js";
 
 export interface Summary {
   title: string;
@@ -25,29 +35,33 @@ export interface Summary {
   }[];
   pairs: PairSummary[];
   fenders: FenderSummary[];
+  /** The following lists are there if the scenario has such parts. */
+  dolphins?: (Named & DolphinQuantities)[];
+  vessels?: (Named & VesselQuantities)[];
+  tugs?: (Named & TugQuantities)[];
+  lines?: (Named & LineQuantities)[];
+  anchors?: (Named & AnchorQuantities)[];
   energy: Record<string, unknown>;
   events: Record<string, unknown>;
   notices: string[];
   [key: string]: unknown;
 }
 
-export interface PairSummary {
-  bodies: [string, string];
-  first_touch_s: number;
-  last_touch_s: number;
-  peak_normal_force_n: number;
-  peak_normal_force_at_s: number;
-  peak_depth_m: number;
-  impulse_ns: number;
-  approach_speed_mps: number;
-  final_speed_mps: number;
-  touching_at_end: boolean;
+/** A part of the scenario. */
+export interface Named {
+  name: string;
   [key: string]: unknown;
 }
 
-export interface FenderSummary {
+export interface PairSummary extends PairQuantities {
+  bodies: [string, string];
+  [key: string]: unknown;
+}
+
+export interface FenderSummary extends FenderQuantities {
   name: string;
-  peak_deflection_m: number;
-  peak_reaction_n: number;
+  /** Name of the body that carries the fender. */
+  body: string;
+  chains?: ChainQuantities[];
   [key: string]: unknown;
 }

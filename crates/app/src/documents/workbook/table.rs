@@ -1,6 +1,7 @@
 //! Heads, cells and formats of a sheet.
 
 use fenderline_contact::number::greater;
+use fenderline_results::{Amount, Catalogue};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Worksheet, XlsxError};
 
 /// A cell.
@@ -39,6 +40,30 @@ impl From<Option<f64>> for Cell {
     fn from(value: Option<f64>) -> Cell {
         value.map_or(Cell::Empty, Cell::Number)
     }
+}
+
+/// The heads of a catalogue's columns.
+pub(super) fn heads_of<S, T>(
+    catalogue: &Catalogue<S, T>,
+) -> impl Iterator<Item = Head<'static>> + use<S, T> {
+    let columns = catalogue.shown.iter();
+    columns.filter_map(|of| Some(Head(of.head, of.scale.page_unit(), of.sheet_width?)))
+}
+
+/// The cells of a catalogue's columns. `summary`: `None` for a part that has no summary, such as a fender that was not
+/// touched.
+pub(super) fn cells_of<S, T>(
+    catalogue: &Catalogue<S, T>,
+    setup: &S,
+    summary: Option<&T>,
+) -> impl Iterator<Item = Cell> {
+    let columns = catalogue.shown.iter().filter(|of| of.sheet_width.is_some());
+    columns.map(move |of| match catalogue.get(of.quantity).amount(setup, summary) {
+        Amount::Number(value) => Cell::Number(of.scale.of(value)),
+        Amount::Flag(value) => Cell::Flag(value),
+        Amount::Word(word) => word.into(),
+        Amount::Missing => Cell::Empty,
+    })
 }
 
 /// Rows of a head: names and units.

@@ -1,10 +1,10 @@
 //! The table of flexible dolphins.
 
-use fenderline_results::Outcome;
+use fenderline_results::{DOLPHINS, Outcome};
 use fenderline_sim::DolphinSummary;
 use maud::{Markup, html};
 
-use crate::plot::{fixed, significant};
+use crate::run_page::quantities;
 use crate::{Head, table_head};
 
 /// One row a flexible dolphin, in the order of the scenario; nothing without one.
@@ -12,20 +12,13 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     if outcome.dolphins.is_empty() {
         return html! {};
     }
+    let mut heads = vec![Head::Name("Dolphin")];
+    heads.extend(quantities::heads(&DOLPHINS));
     html! {
         h3 { "Flexible dolphins" }
         div class="wide" {
             table {
-                (table_head(&[
-                    Head::Name("Dolphin"),
-                    Head::Number("Deflection", "mm"),
-                    Head::Number("Load", "kN"),
-                    Head::Number("Energy", "kJ (kN·m)"),
-                    Head::Number("Stiffness", "MN/m"),
-                    Head::Number("Period", "s"),
-                    Head::Number("Of yield load", "%"),
-                    Head::Number("Permanent", "mm"),
-                ]))
+                (table_head(&heads))
                 tbody { @for dolphin in outcome.dolphins { (row(outcome, dolphin)) } }
             }
         }
@@ -40,19 +33,10 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
 
 fn row(outcome: &Outcome<'_>, dolphin: &DolphinSummary) -> Markup {
     let body = &outcome.setup.bodies[dolphin.body];
-    let share = dolphin.share_of_yield_load;
     html! {
         tr {
             td class="name" { (body.name) }
-            td class="number" { (fixed(dolphin.peak_deflection_m * 1e3, 0)) }
-            td class="number" { (significant(dolphin.peak_load_n / 1e3, 3)) }
-            td class="number" { (significant(dolphin.peak_energy_j / 1e3, 3)) }
-            @if let Some(of) = &body.dolphin {
-                td class="number" { (significant(of.stiffness_npm / 1e6, 3)) }
-                td class="number" { (significant(of.period_s(), 3)) }
-            }
-            td class="number" { (share.map_or_else(|| "–".to_owned(), |s| fixed(100.0 * s, 0))) }
-            td class="number" { (fixed(dolphin.offset_m * 1e3, 0)) }
+            (quantities::cells(&DOLPHINS, body, dolphin, outcome.setup.step_s))
         }
     }
 }

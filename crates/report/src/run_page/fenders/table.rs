@@ -6,11 +6,11 @@ use fenderline_contact::Unloading;
 use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure, Setup};
 use maud::{Markup, html};
 
-use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::plot::{fixed, plain};
+use crate::run_page::quantities;
 use crate::table::breakable;
 use crate::{Head, table_head};
-use fenderline_results::Outcome;
-use fenderline_results::{FenderVerdict, worst_first};
+use fenderline_results::{FENDERS, FenderVerdict, Outcome, worst_first};
 
 /// Fenders shown; of more, the most used.
 const ROWS: usize = 40;
@@ -28,17 +28,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         div class="wide" {
             table class="fenders" {
-                (table_head(&[
-                    Head::Name("Fender"),
-                    Head::Number("Deflection", "mm"),
-                    Head::Number("Reaction", "kN"),
-                    Head::Number("Energy", "kJ (kN·m)"),
-                    Head::Number("Hull pressure", "kN/m²"),
-                    Head::Number("First touch", "s"),
-                    Head::Number("Approach", "m/s, deg"),
-                    Head::Number("Factor", "reaction, energy"),
-                    Head::Text("Verdict", ""),
-                ]))
+                (table_head(&heads()))
                 tbody {
                     @for &index in &shown {
                         @let summary = outcome.fenders.iter().find(|f| f.fender == index);
@@ -146,24 +136,7 @@ fn cells(
         }
         @if let Some(summary) = summary {
             @let verdict = FenderVerdict::of(fender, summary);
-            (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
-            (rated_value(
-                &significant(summary.peak_reaction_n / 1e3, 3),
-                summary.share_of_rated_reaction,
-                summary.share_of_catalogue_reaction(),
-                summary.share_of_largest_reaction.is_some_and(|share| share > 1.0)
-            ))
-            (rated_value(
-                &significant(summary.peak_energy_j / 1e3, 3),
-                summary.share_of_rated_energy,
-                summary.share_of_catalogue_energy(fender),
-                summary.share_of_rated_energy.is_some_and(|share| share > 1.0)
-            ))
-            (value(
-                &summary.peak_hull_pressure_npm2.map_or_else(|| "–".into(), |p| fixed(p / 1e3, 0)),
-                summary.share_of_hull_pressure
-            ))
-            td class="number" { (fixed(summary.first_touch_s, decimals_for(outcome.setup.step_s))) }
+            (quantities::cells(&FENDERS, fender, summary, outcome.setup.step_s))
             td class="number" {
                 (fixed(summary.approach_speed_mps, 3))
                 small { (fixed(summary.approach_angle_rad.to_degrees(), 1)) "°" }
@@ -179,7 +152,7 @@ fn cells(
                 }
             }
         } @else {
-            td class="untouched" colspan="8" { "not touched" }
+            td class="untouched" colspan=(heads().len() - 1) { "not touched" }
         }
     }
 }
@@ -190,33 +163,15 @@ fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
     two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
 }
 
-/// A value with its share below it, in bold if that is above 1.
-fn value(text: &str, share: Option<f64>) -> Markup {
-    html! {
-        td class="number" {
-            (text)
-            @if let Some(share) = share {
-                small class=[(share > 1.0).then_some("over")] { (fixed(100.0 * share, 0)) " %" }
-            }
-        }
-    }
-}
-
-/// A value with its share of the rating with the run's factors below it, and that of the catalogue where it differs.
-fn rated_value(text: &str, share: Option<f64>, of_catalogue: Option<f64>, is_over: bool) -> Markup {
-    let percent = |share: f64| fixed(100.0 * share, 0);
-    let other = share.zip(of_catalogue).filter(|(share, other)| percent(*share) != percent(*other));
-    html! {
-        td class="number" {
-            (text)
-            @if let Some(share) = share {
-                small class=[is_over.then_some("over")] {
-                    (percent(share)) " %"
-                    @if let Some((_, other)) = other { " (" (percent(other)) " %)" }
-                }
-            }
-        }
-    }
+fn heads() -> Vec<Head<'static>> {
+    let mut heads = vec![Head::Name("Fender")];
+    heads.extend(quantities::heads(&FENDERS));
+    heads.extend([
+        Head::Number("Approach", "m/s, deg"),
+        Head::Number("Factor", "reaction, energy"),
+        Head::Text("Verdict", ""),
+    ]);
+    heads
 }
 
 /// Type and size, or the size of the face if no type is given.
