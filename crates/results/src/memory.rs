@@ -186,9 +186,9 @@ impl<R> Filling<R> {
 
     fn kept(self) -> KeptValues {
         match self {
-            Filling::Float(_, values)
-            | Filling::Nth(_, _, values)
-            | Filling::Known(_, values) => KeptValues::Floats(values),
+            Filling::Float(_, values) | Filling::Nth(_, _, values) | Filling::Known(_, values) => {
+                KeptValues::Floats(values)
+            }
             Filling::Name { codes, words, .. } | Filling::Word { codes, words, .. } => {
                 KeptValues::Texts { codes, words }
             }

@@ -96,9 +96,7 @@ impl<R> Filling<R> {
     /// Writes the values as one column chunk and forgets them.
     fn write(&mut self, column: SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
         match self {
-            Filling::Float(_, values)
-            | Filling::Nth(_, _, values)
-            | Filling::Known(_, values) => {
+            Filling::Float(_, values) | Filling::Nth(_, _, values) | Filling::Known(_, values) => {
                 write_chunk::<DoubleType>(column, values)
             }
             Filling::Name(_, _, values) | Filling::Word(_, values) => {
