@@ -85,7 +85,6 @@ impl LoadedStep<'_> {
         works.banks_j += of_force(forces.banks);
         works.passing_j += of_force(forces.passing);
         works.bottom_j += of_force(forces.bottom);
-        works.ice_j += of_force(forces.ice);
         let stream_j = |state: &BodyState| {
             let drifting = BodyState {
                 velocity_mps: water_inertia.current_mps,

@@ -121,9 +121,6 @@ load_works! {
     /// The bottom, on vessels that are aground.
     bottom_j: "bottom", "bottom_work_j", "seabed",
         "work of the seabed on vessels aground";
-    /// Brash ice.
-    ice_j: "ice", "ice_work_j", "brash ice",
-        "work of brash ice on the hulls of vessels";
     /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
     /// energy of the added mass in the current changes with the vessel's heading. Zero in still water.
     current_j: "current", "current_work_j", "accelerating current, and current past a turning ship",

@@ -104,13 +104,6 @@ table_keys! {
             "How the flow about vessels and passing ships pushes vessels.",
             &[],
         ),
-        BRASH_ICE: Number = key(
-            "brash_ice",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 2.0 }),
-            Means("no ice"),
-            "Thickness of a cover of brash ice, which drags on hulls that move through the water.",
-            &["\"0.3 m\""],
-        ),
         VISIBILITY: Number = key(
             "visibility",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 50.0, high: 50e3 }),

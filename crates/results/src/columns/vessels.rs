@@ -93,7 +93,6 @@ fn each_force(
         banks: with(forces.banks, |f| f.banks),
         passing: with(forces.passing, |f| f.passing),
         bottom: with(forces.bottom, |f| f.bottom),
-        ice: with(forces.ice, |f| f.ice),
     }
 }
 
@@ -139,7 +138,6 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
             "tunnel thrusters and azimuth units",
             forces.thrusters
         ),
-        force_columns!(VesselRow, "ice_", "brash ice", forces.ice),
         force_columns!(VesselRow, "wind_", "the wind", forces.wind),
         force_columns!(VesselRow, "waves_", "mean and slow wave drift", forces.waves),
         force_columns!(

@@ -80,7 +80,6 @@ impl Assembly<'_, '_> {
             tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,
-            brash_ice_m: table.item(EnvironmentKey::BRASH_ICE).map_or(0.0, |item| *item.number()),
             visibility_m: table.item(EnvironmentKey::VISIBILITY).map(|item| *item.number()),
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),

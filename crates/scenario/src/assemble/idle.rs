@@ -101,7 +101,7 @@ impl Assembly<'_, '_> {
         let vessels = &setup.world.vessels;
         if vessels.is_empty() {
             let why = "it acts on vessels, and no body has a `vessel`";
-            let keys = any_keys![EnvironmentKey: WIND, AIR_DENSITY, CURRENT, WAVES, SQUAT, BANK, BRASH_ICE];
+            let keys = any_keys![EnvironmentKey: WIND, AIR_DENSITY, CURRENT, WAVES, SQUAT, BANK];
             for &key in keys {
                 self.note_idle(environment, key, why);
             }

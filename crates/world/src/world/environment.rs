@@ -34,8 +34,6 @@ pub struct Environment {
     pub squat: Option<Squat>,
     /// Banks, which attract ships: unvalidated.
     pub banks: Vec<Bank>,
-    /// Thickness of the cover of brash ice (m).
-    pub brash_ice_m: f64,
     /// Visibility (m), for the pages of live sessions; `None`: clear. It exerts no force.
     pub visibility_m: Option<f64>,
 }
@@ -54,7 +52,6 @@ impl Default for Environment {
             tide: Tide::default(),
             squat: Some(Squat::default()),
             banks: Vec::new(),
-            brash_ice_m: 0.0,
             visibility_m: None,
         }
     }

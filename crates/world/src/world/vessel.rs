@@ -172,8 +172,6 @@ pub struct VesselForces {
     pub passing: Force,
     /// The bottom, if the vessel is aground.
     pub bottom: Force,
-    /// Brash ice.
-    pub ice: Force,
 }
 
 /// Forces by the inertia of the water, besides those of [`VesselForces`].
@@ -205,7 +203,6 @@ impl VesselForces {
             + self.banks
             + self.passing
             + self.bottom
-            + self.ice
     }
 }
 
@@ -367,7 +364,6 @@ impl VesselSetup {
             banks: self.banks(state, velocity, environment, t_s),
             passing: Force::default(),
             bottom: self.bottom(vessel, state, environment, step_s),
-            ice: self.ice(velocity, environment),
         }
     }
 
@@ -411,19 +407,6 @@ impl VesselSetup {
         let going = (state.heading_rad, state.velocity_mps - stream_mps);
         let [surge_n, sway_n, yaw_nm] = mean_drift(sea, hull, going, density);
         Force { surge_n, sway_n, yaw_nm }
-    }
-
-    /// The drag of brash ice: the drag of a plate as deep as the ice is thick, ahead over the beam and abeam over the length.
-    fn ice(&self, velocity: &Velocity, environment: &Environment) -> Force {
-        let hull = &self.ship.particulars;
-        let half_kgpm2 = 0.5 * environment.water_density_kgpm3 * environment.brash_ice_m;
-        let drag_n =
-            |width_m: f64, speed_mps: f64| -half_kgpm2 * width_m * speed_mps * speed_mps.abs();
-        Force {
-            surge_n: drag_n(hull.beam_m, velocity.surge_mps),
-            sway_n: drag_n(hull.length_m, velocity.sway_mps),
-            yaw_nm: 0.0,
-        }
     }
 
     /// Force and moment of all banks by Norrbin's formulas.
