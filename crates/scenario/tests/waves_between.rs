@@ -216,7 +216,7 @@ const QUAY: f64 = 0.2;
 
 /// Five rows of each file: each frequency and each heading once.
 fn is_short(n: usize) -> bool {
-    n % 25 % 6 == 0
+    (n % 25).is_multiple_of(6)
 }
 
 #[test]
