@@ -19,7 +19,8 @@ use fenderline_contact::number::{greater, lesser};
 use super::data::Hydrodynamics;
 use super::least_squares::least_squares;
 use super::matrix::{Matrix6, Six, ZERO, plus, smallest_eigenvalue, times};
-use super::retardation::{Retardation, TAIL, tangent_ratio};
+use super::retardation::{Retardation, tangent_ratio};
+use super::unknown_damping::TAIL;
 use crate::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.

@@ -29,6 +29,7 @@ mod least_squares;
 pub mod matrix;
 mod memory;
 mod motion;
+mod ogilvie;
 mod passive;
 mod place;
 mod raw;

@@ -6,17 +6,16 @@ use fenderline_contact::number::{greater, lesser};
 
 use super::data::Hydrodynamics;
 use super::matrix::{Matrix6, ZERO, plus};
+use super::ogilvie::{change, integral};
 use super::spline::Spline;
-use super::unknown_damping::{FIRST_NODE, unknown_damping};
+use super::unknown_damping::{FIRST_NODE, TAIL, unknown_damping};
 
 /// Number of points of the fine grid up to the last frequency of the data, and beyond it.
 const FINE: [usize; 2] = [400, 200];
-/// End of the tail, over the last frequency of the data.
-pub(super) const TAIL: f64 = 1.5;
 
 /// Damping on a fine grid of frequencies: a cubic spline of the data, zero at zero frequency. Below the first frequency of the data and beyond the last,
-/// the damping is the one that agrees best with the added mass of the data (`unknown_damping`); at [`TAIL`] times the last frequency it has faded. A reaction of the water that is faster acts as mass
-/// (`effective_infinite`).
+/// the damping is the one that agrees best with the added mass of the data (`unknown_damping`); at 1.5 times the last frequency it has faded. A reaction
+/// of the water that is faster acts as mass (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
     frequencies_radps: Vec<f64>,
@@ -100,37 +99,6 @@ impl Retardation {
     fn integral(&self, of: impl Fn(usize) -> f64) -> f64 {
         integral(&self.frequencies_radps, of)
     }
-}
-
-/// What [`Retardation::added_mass_change`] says, of a damping on a grid of frequencies (rad/s).
-pub(super) fn change(grid_radps: &[f64], of: impl Fn(usize) -> f64, frequency_radps: f64) -> f64 {
-    let (axis, w0) = (grid_radps, frequency_radps);
-    let place = axis.partition_point(|w| *w < w0).clamp(1, axis.len() - 1);
-    let share = lesser((w0 - axis[place - 1]) / (axis[place] - axis[place - 1]), 1.0);
-    let own = of(place - 1) + share * (of(place) - of(place - 1));
-    let slope = (of(place) - of(place - 1)) / (axis[place] - axis[place - 1]);
-    let inner = integral(axis, |k| {
-        let square = axis[k] * axis[k] - w0 * w0;
-        if square.abs() < 1e-9 * w0 * w0 { 0.5 * slope / w0 } else { (of(k) - own) / square }
-    });
-    // Beyond the grid, where the damping has faded, ∫ dw/(w² − ω²) is ln((W + ω)/(W − ω))/2ω.
-    let end = axis[axis.len() - 1];
-    let beyond = match own == 0.0 {
-        true => 0.0,
-        false => -own * libm::log((end + w0) / (end - w0).abs()) / (2.0 * w0),
-    };
-    FRAC_2_PI * (inner + beyond)
-}
-
-/// An integral over a grid by the trapezoidal rule.
-fn integral(axis: &[f64], of: impl Fn(usize) -> f64) -> f64 {
-    let (mut sum, mut before) = (0.0, of(0));
-    for k in 1..axis.len() {
-        let now = of(k);
-        sum += 0.5 * (before + now) * (axis[k] - axis[k - 1]);
-        before = now;
-    }
-    sum
 }
 
 /// The effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that follows

@@ -10,10 +10,12 @@ use fenderline_contact::number::{greater, lesser};
 
 use super::data::Hydrodynamics;
 use super::matrix::{Matrix6, ZERO};
-use super::retardation::{TAIL, change};
+use super::ogilvie::change;
 
 /// Nodes below the first frequency of the data, over this frequency. At both ends the polygon is zero.
 const SLOW: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+/// End of the tail, over the last frequency of the data.
+pub(super) const TAIL: f64 = 1.5;
 /// Nodes beyond the last frequency of the data, over this frequency. At both ends the polygon is zero.
 const FAST: [f64; 7] = [1.0, FIRST_NODE, 1.1, 1.2, 1.3, 1.4, TAIL];
 /// To here the damping of the last frequency falls in a straight line, beside the polygon.
