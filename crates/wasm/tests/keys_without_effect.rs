@@ -169,6 +169,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("fender_row.*.outline", "a shape is not met everywhere"),
     ("fender_row.*.stop", "the fender is not compressed that far"),
     ("limit.*.vessel", "the first vessel is meant without it"),
+    ("line.*.on_deck", "a line that stays slack does not stretch"),
     ("line.*.constant_tension.heaving_speed", "the line does not slacken"),
     ("line.*.rope_length", "orders of a live session can send a line again"),
     ("line.*.tail", "a line on board may be slack until the end"),
