@@ -511,9 +511,12 @@ def test_the_files_of_the_repository_agree_with_their_depth_and_are_left_as_they
             twice = _check.contradiction(panel_of(data, 2.0 * data.depth_m))
             # The median over the frequencies: 1.28 to 1.46. It is less the more short waves the data have, which feel no bottom.
             assert twice is not None and math.log(1.25) < twice[0] < math.log(1.9), path.name
-        assert _sound.looked_through(panel, None, None, None) == ([], []), path.name
-        # Data that reach to short waves, which the panels do not resolve, have a doubt there; nothing is changed.
-        assert [note for note in panel.notes if not note.startswith("Doubt")] == [], path.name
+        _, cut = _sound.looked_through(panel, None, None, None)
+        assert cut == [], path.name
+        # Data that reach to short waves, which the panels do not resolve, have a doubt there. What would be repaired was repaired when the file was
+        # made, as its head says.
+        head = path.read_text(encoding="utf-8")
+        assert all(note in head for note in panel.notes if not note.startswith("Doubt")), path.name
 
 
 def test_a_file_is_read_back(hull: Hull, tmp_path: Path) -> None:
