@@ -1,11 +1,17 @@
 """Motions of free hulls in waves between the headings and frequencies of the shipped data, by panel runs at the very heading and frequency.
 
     python3 validation/independent/waves_between.py [CASE...]
+    python3 validation/independent/waves_between.py --by-files [CASE...]
 
 It needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
 in the file and that it resolves (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
 validation/independent/waves_between.csv: complex amplitudes over that of the wave, and in open water the mean drift over the square of it (N/m², and N/m
 in yaw). crates/scenario/tests/waves_between.rs moves the hulls by the shipped files in the same waves and compares.
+
+With `--by-files` nothing is run or written. The equation is solved at the rows of the table with added mass, damping and forces of the shipped files, by splines
+between their frequencies and headings. For each file the worst vector error of a motion above 2 % of the wave is printed: what is left when the program's
+memory of the water has no part in it. For each frequency the smallest singular value of the equation is printed, in units of ω² times her mass with added
+mass at infinite frequency: to how much mass, restoring and damping cancel.
 """
 
 import csv
@@ -94,6 +100,51 @@ def motions(hulls, name):
         yield [name, f"{omega:.3f}", f"{heading:.1f}", *(f"{part:.5g}" for z in motion for part in (z.real, z.imag)), *drift]
 
 
+def by_files(names):
+    """Prints the worst errors of a linear solve with the shipped files."""
+    import numpy as np
+    from scipy.interpolate import CubicSpline
+
+    loaded = hulls()
+    loaded.converters()
+    from fenderline import hydrodynamics
+
+    rows = list(csv.reader(TABLE.open(encoding="utf-8")))[1:]
+    mirrored = np.array([1, -1, 1, -1, 1, -1])
+    for name in names or loaded.CASES:
+        ship = hydrodynamics.read(ROOT / "hydrodynamics" / f"{name}.hydro")
+        inertia = np.diag([ship.mass_kg] * 3 + [ship.mass_kg * gyradius**2 for gyradius in ship.gyradii_m])
+        restoring = np.zeros((6, 6))
+        restoring[2:5, 2:5] = ship.restoring
+        total = np.diag(inertia + np.array(ship.added_mass[math.inf]))
+        omegas = sorted(omega for omega in ship.added_mass if math.isfinite(omega))
+        added, damping = (CubicSpline(omegas, [table[omega] for omega in omegas]) for table in (ship.added_mass, ship.damping))
+        waves = sorted({omega for omega, _ in ship.excitation})
+        headings = sorted({heading for _, heading in ship.excitation})
+        forces = CubicSpline(waves, [[ship.excitation[omega, heading] for heading in headings] for omega in waves])
+        is_half = headings[0] == 0
+        all_headings = [-heading for heading in headings[:0:-1]] + headings if is_half else [*headings, headings[0] + 360]
+        arms = [1, 1, 1, 10, 40, 40] if name.startswith("barge") else [1, 1, 1, 23, 142.5, 142.5]
+        worst, least = (0.0, ""), {}
+        for row in (row for row in rows if row[0] == name):
+            omega, heading = float(row[1]), float(row[2])
+            of_headings = forces(omega)
+            turned = np.vstack([of_headings[:0:-1] * mirrored, of_headings] if is_half else [of_headings, of_headings[:1]])
+            turned[-1] = turned[0]
+            force = CubicSpline(all_headings, turned, bc_type="periodic")(heading)
+            b = damping(omega)
+            b[3, 3] += loaded.ROLL_DAMPING * 2 * math.sqrt(restoring[3, 3] * total[3])
+            left = -(omega**2) * (inertia + added(omega)) + 1j * omega * b + restoring
+            least[omega] = np.linalg.svd(left / np.sqrt(np.outer(total, total)) / omega**2, compute_uv=False)[-1]
+            motion = np.linalg.solve(left, force)
+            for k, arm in enumerate(arms):
+                wanted = complex(float(row[3 + 2 * k]), float(row[4 + 2 * k]))
+                if abs(wanted) * arm > 0.02:
+                    worst = max(worst, (abs(motion[k] - wanted) / abs(wanted), f"{MOTIONS[k]}, {omega} rad/s, {heading}°"))
+        print(f"{name}: at most {100 * worst[0]:.1f} % ({worst[1]}); mass, restoring and damping cancel to", end=" ")
+        print(", ".join(f"{100 * value:.0f} % at {omega} rad/s" for omega, value in least.items()), flush=True)
+
+
 def panels(names):
     """Computes the rows of some cases, or of all, and keeps the others."""
     loaded = hulls()
@@ -111,4 +162,7 @@ def panels(names):
 
 
 if __name__ == "__main__":
-    panels(sys.argv[1:])
+    if sys.argv[1:2] == ["--by-files"]:
+        by_files(sys.argv[2:])
+    else:
+        panels(sys.argv[1:])

@@ -209,9 +209,9 @@ fn compare(files: &[&str], tolerance: f64, is_taken: impl Fn(usize) -> bool) {
 
 const OPEN_WATER: [&str; 4] = ["barge_20m", "barge_10m", "ship_20m", "ship_15m"];
 const AT_A_QUAY: [&str; 4] = ["barge_20m_quay", "barge_10m_quay", "ship_20m_quay", "ship_15m_quay"];
-/// At a quay 2 % does not hold in 30 of 100 rows yet. In the gap the water resonates, and the ship's own mass, water's mass and restoring nearly cancel there: of the
-/// ship in pitch at 0.9 rad/s to 3 %, so that an error of 0.2 % of the mass, which the fit of the water's memory has, is 6 % of the motion. In small motions,
-/// as sway in waves nearly along the quay, parts of the force cancel likewise.
+/// At a quay 2 % does not hold in 30 of 100 rows yet. Near a resonance mass, restoring and damping of the ship cancel: in pitch at 0.9 rad/s to 3 %
+/// (`waves_between.py --by-files`). There an error of the fit of the water's memory of 0.2 % of the mass is 6 % of the motion. In small motions, as sway in waves
+/// nearly along the quay, parts of the force cancel likewise. This tolerance is no claim: it finds a fit that has gone wrong.
 const QUAY: f64 = 0.2;
 
 /// Five rows of each file: each frequency and each heading once.

@@ -47,7 +47,7 @@ pub struct ContactEnergy {
 
 /// Declares [`LoadWork`] and its catalogue. Tables, report, summary and Python take the works from the catalogue.
 macro_rules! load_works {
-    ($($(#[$doc:meta])* $field:ident: $name:literal, $column:literal, $label:literal, $meaning:literal;)*) => {
+    ($($(#[$doc:meta])* $field:ident: $name:literal, $label:literal, $meaning:literal;)*) => {
         /// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive if the load
         /// accelerates the body. A hull that drifts with a current gains energy from the current.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -59,7 +59,7 @@ macro_rules! load_works {
             /// The causes, in the order of tables.
             pub const CAUSES: &'static [WorkCause] = &[$(WorkCause {
                 name: $name,
-                column: $column,
+                column: concat!($name, "_work_j"),
                 label: $label,
                 meaning: $meaning,
                 work_j: |works| works.$field,
@@ -91,54 +91,54 @@ pub struct WorkCause {
 load_works! {
     /// Drag and lift of the vessels' hulls, current included. The Coriolis part of the hull force in
     /// [`crate::world::VesselForces`] is not included, because it does no work.
-    hull_j: "hull", "hull_work_j", "water on hulls",
+    hull_j: "hull", "water on hulls",
         "work of the water on the hulls of vessels, current included: drag and lift";
     /// Propellers.
-    propeller_j: "propeller", "propeller_work_j", "propellers",
+    propeller_j: "propeller", "propellers",
         "work of propellers";
     /// Rudders.
-    rudder_j: "rudder", "rudder_work_j", "rudders",
+    rudder_j: "rudder", "rudders",
         "work of rudders";
     /// Tunnel thrusters and azimuth units.
-    thrusters_j: "thrusters", "thrusters_work_j", "thrusters and azimuth units",
+    thrusters_j: "thrusters", "thrusters and azimuth units",
         "work of tunnel thrusters and azimuth units";
     /// Wind on the vessels.
-    wind_j: "wind", "wind_work_j", "wind",
+    wind_j: "wind", "wind",
         "work of wind on vessels";
     /// Waves: mean and slow drift, and excitation of vessels with hydrodynamic data.
-    waves_j: "waves", "waves_work_j", "waves (drift and excitation)",
+    waves_j: "waves", "waves (drift and excitation)",
         "work of wave drift and excitation";
     /// Reaction of the water to the motion of vessels with hydrodynamic data, and the coupling of this motion with
     /// heave, roll and pitch.
-    radiation_j: "radiation", "radiation_work_j", "water that answers the motion in waves (radiation)",
+    radiation_j: "radiation", "water that answers the motion in waves (radiation)",
         "work of the radiation force, the reaction of the water to the motion of vessels with hydrodynamic data";
     /// Banks.
-    banks_j: "banks", "banks_work_j", "banks",
+    banks_j: "banks", "banks",
         "work of banks";
     /// The flow of passing ships and of other vessels.
-    passing_j: "passing", "passing_work_j", "passing ships",
+    passing_j: "passing", "passing ships",
         "work of the flow of passing ships and of other vessels";
     /// The bottom, on vessels that are aground.
-    bottom_j: "bottom", "bottom_work_j", "seabed",
+    bottom_j: "bottom", "seabed",
         "work of the seabed on vessels aground";
     /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
     /// energy of the added mass in the current changes with the vessel's heading. Zero in still water.
-    current_j: "current", "current_work_j", "accelerating current, and current past a turning ship",
+    current_j: "current", "accelerating current, and current past a turning ship",
         "work of an accelerating current, and on the added mass of a vessel that turns in a current; 0 in still water";
     /// Vector tugs.
-    tugs_j: "tugs", "tugs_work_j", "vector tugs",
+    tugs_j: "tugs", "vector tugs",
         "work of vector tugs";
     /// Mooring and tow lines, winches included.
-    lines_j: "lines", "lines_work_j", "lines",
+    lines_j: "lines", "lines",
         "work of mooring and tow lines";
     /// Chains of anchors, windlasses included.
-    anchors_j: "anchors", "anchors_work_j", "chains of anchors",
+    anchors_j: "anchors", "chains of anchors",
         "work of the chains of anchors, windlasses included";
     /// Piles of flexible dolphins: minus the energy that they store, and minus their losses.
-    piles_j: "piles", "piles_work_j", "piles of dolphins",
+    piles_j: "piles", "piles of dolphins",
         "work of the piles of flexible dolphins on the bodies: minus the energy that they store, and minus their losses";
     /// Loads of the set-up, and external wrenches.
-    other_j: "other", "other_work_j", "external loads",
+    other_j: "other", "external loads",
         "work of the scenario's loads and of force providers";
 }
 

@@ -72,7 +72,8 @@ fn split(weather: &Weather, most: usize) -> Vec<Part> {
 struct Part {
     rows: Vec<usize>,
     means: Vec<f64>,
-    /// The quantity, such as wind speed, whose values differ most among the hours of this state, and by how much.
+    /// Index of the quantity, such as wind speed, that spreads most within this state. `spread` is its sum of squares, over the sum of
+    /// squares of the whole weather.
     widest: usize,
     spread: f64,
 }

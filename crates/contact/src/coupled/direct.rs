@@ -39,7 +39,7 @@ enum Verdict {
     Right,
     /// Other bounds are right; the constraints have them now.
     Corrected,
-    /// The solution violates a bound that the direct solve does not know, so the sweeps must solve the contacts.
+    /// The direct solve cannot find the solution, as a contact with a second floating body. The sweeps must solve the contacts.
     Beyond,
 }
 

@@ -32,7 +32,8 @@ impl Role {
 pub(crate) struct SpeedBound {
     /// Largest speed of any point of the body (m/s).
     pub(crate) fastest_mps: f64,
-    /// How much faster than at the start of the step a point of the body may become, by acceleration and rotation (m/s).
+    /// How much faster than the body's reference point at the start of the step a point of the body may be: by the yaw rate, and by the acceleration
+    /// during the step (m/s).
     pub(crate) room_mps: f64,
 }
 

@@ -45,8 +45,7 @@ pub(super) struct Lead {
     pub(super) half_kick: Velocity,
     /// Lead in position; zero if the host follows exactly.
     pub(super) offset: Offset,
-    /// True if all steps since the contact began were equally long. The states that the host integrates from the wrench are then exactly those that the
-    /// engine expects.
+    /// True if all steps since the contact began were equally long. Each step of the host then ends at the engine's position.
     pub(super) exact: bool,
     /// Time in which `velocity` is to decay to zero after the contact has ended (s).
     pub(super) due_s: f64,
@@ -86,7 +85,7 @@ pub(super) fn is_near(offset: Offset) -> bool {
     offset.linear_m.length() < NEAR_M && offset.rotation_rad.abs() < NEAR_RAD
 }
 
-/// How far the engine's state is still ahead of the host's state after a step without contact. `None` when this lead has decayed to zero.
+/// What is left of a [`Lead`] in velocity after a step without contact. `None` when the lead has decayed to zero.
 pub(super) fn decayed(velocity: Velocity, due_s: f64, step_s: f64) -> Option<Lead> {
     if step_s >= due_s {
         return None;

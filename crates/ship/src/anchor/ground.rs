@@ -6,8 +6,8 @@ use super::gear::AnchorGear;
 use crate::mooring::{Cable, catenary};
 
 /// Share of the holding power, by the sine of the angle between shank and bottom. The sine is 1 over the scope of a
-/// straight chain. The shares are D. Casey's table of holding power, for scopes from 10 to 2. For larger angles we assume a straight line to zero at a right
-/// angle.
+/// straight chain. The shares are D. Casey's table of holding power, for scopes from 10 to 2. For larger angles we
+/// assume a straight line to zero at a right angle.
 const BY_UPLIFT: [[f64; 2]; 8] = [
     [0.1, 1.0],
     [1.0 / 7.0, 0.91],

@@ -34,8 +34,7 @@ const POINTS: (usize, f64) = (200, 2.0);
 const AT_REST: f64 = 300.0;
 /// The least weight counts as 1. This is the most that another row weighs.
 const HEAVIEST: f64 = 30.0;
-/// Rows weigh 1/ω between these shares of the last frequency. With weights of 1/√ω there the slow sway of a moored ship was 2.7 % less at a step of 0.5 s
-/// than at 0.1 s.
+/// Rows weigh 1/ω between these shares of the last frequency.
 const SLOW: [f64; 2] = [0.05, 0.4];
 /// Ridge of the fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
@@ -125,8 +124,9 @@ impl Bank {
         2.0 / self.step_s
     }
 
-    /// Fits P, Q and the mass to the damping, and to the added mass that follows from the damping. The difference from
-    /// the data's own added mass is checked when the data are read ([`Hydrodynamics::new`]).
+    /// Fits P, Q and the mass to damping and added mass: within the data to those of the data, elsewhere to the damping that
+    /// [`Retardation`] adds and the added mass that follows from it. How far added mass and damping contradict each other is
+    /// checked when the data are read ([`Hydrodynamics::new`]).
     fn fit(&mut self, data: &Hydrodynamics, last_radps: f64) {
         let end_radps = lesser(POINTS.1 * last_radps, self.resolved_radps());
         let coupled = |&[i, j]: &[usize; 2]| data.is_coupled(i, j);
@@ -343,9 +343,9 @@ impl Resonator {
 /// The weight of an error of the damping at a frequency (rad/s): by the norm of the inverse of a free ship's equation of motion, in units of her own mass,
 /// added mass included, and by the frequency.
 ///
-/// Near a resonance small errors are large motions: pitch of the ship at a quay has 3 % of the critical damping at 0.9 rad/s, where an error of 1 % of the
-/// mass is 30 % of the motion. The weight is the square root of the norm: with the norm itself ships in open water were 2.1 % off instead of 2.0 %, with its
-/// square 3.9 %. In slow motions the force by acceleration is the force by velocity over the frequency.
+/// Near a resonance small errors are large motions: of the ship at a quay, mass, restoring and damping in pitch cancel to 3 % at 0.9 rad/s
+/// (`waves_between.py --by-files`), where an error of 1 % of the mass is a third of the motion. The weight is the square root of the norm: found by trial
+/// on the rows of `waves_between.rs`. In slow motions the force by acceleration is the force by velocity over the frequency.
 fn felt(data: &Hydrodynamics, retardation: &Retardation, w: f64, last_radps: f64) -> f64 {
     let (total, mass, restoring) = (data.total_mass(), data.rigid_mass(), data.restoring());
     let damping = retardation.damping_matrix(w);

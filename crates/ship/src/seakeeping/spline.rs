@@ -4,8 +4,8 @@ use super::matrix::{Matrix6, ZERO};
 
 /// Cubics between the points of an axis, with continuous curvature. At both ends the slope is the slope of the parabola through the three points there.
 ///
-/// Cubics with the slopes of parabolas through three neighbours are off by the third power of the steps: the added mass of a barge at a quay, by Ogilvie's
-/// relation from the damping, was 2.4 % of the mass off in the resonance of the gap, with this spline a tenth of that.
+/// Its error goes with the fourth power of the steps. Cubics with the slopes of parabolas through three neighbours have an error of the third power, which
+/// counts at a quay, where the resonance of the gap is a few steps wide.
 #[derive(Clone, Debug)]
 pub(super) struct Spline {
     axis: Vec<f64>,

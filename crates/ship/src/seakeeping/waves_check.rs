@@ -8,9 +8,8 @@ use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
 /// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, over the damping of the data. The ratio is taken in
-/// heave, at the frequency of the largest damping. The data of this
-/// repository have 0.83 to 2.1; at a quay the ratio is twice the ratio without the quay. Newtons in place of
-/// kilonewtons would be wrong by a factor of a million, tonnes-force by a hundred, feet by eleven.
+/// heave, at the frequency of the largest damping. It should be 1, and 2 at a quay. Newtons in place of kilonewtons would be wrong by a factor of a
+/// million, tonnes-force by a hundred, feet by eleven.
 const HASKIND: [f64; 2] = [0.1, 10.0];
 /// Largest mean drift over ρgL/2, which is the total reflection of a wave over the length. The limit allows for
 /// resonance.

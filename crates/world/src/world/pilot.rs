@@ -109,7 +109,7 @@ pub(super) struct PilotWork {
     /// Thrusters and helpers together, and their forces (N).
     across: Vec<LateralDevice>,
     across_n: Vec<f64>,
-    /// Shares of a lateral force and a moment that azimuth units and all other devices take, when they are solved together.
+    /// Azimuth units and all other devices, which meet a demand together, and the force of each.
     pub(super) shares: ThrustShares,
 }
 

@@ -13,7 +13,7 @@ from fenderline.hydrodynamics._waves import haskind_factor, over_all_headings, w
 
 #: Above the first, exciting forces and damping contradict each other; a reading is clear if the next one is worse by the second.
 FAR, CLEAR = math.log(1.5), math.log(1.3)
-#: From where on the depth is doubted. The open-water data of this repository agree within 3 % at their depth, and are off by 28 to 46 % at twice this depth.
+#: From where on the depth is doubted. The open-water data of this repository agree within 3 % at their depth, and are off by 25 to 50 % at twice this depth.
 SHALLOW = math.log(1.2)
 #: Where they contradict each other by more than this whatever the depth, it is said.
 DOUBT = math.log(2.5)
