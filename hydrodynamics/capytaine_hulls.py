@@ -1,9 +1,9 @@
 """Runs Capytaine for the hulls of this folder, and writes their hydrodynamic data.
 
-    python3 hydrodynamics/capytaine_hulls.py CASE FOLDER
+    python3 hydrodynamics/capytaine_hulls.py CASE FOLDER [--half-steps]
 
-CASE is a key of `CASES`, or `all`. It needs capytaine 3.0, h5netcdf and h5py of PyPI. FOLDER gets CASE.nc, Capytaine's results, and
-CASE.hydro, what `fenderline.hydrodynamics` makes of them. One thread; the run time is printed.
+CASE is a key of `CASES`, or `all`; with `--half-steps` its frequencies and headings are twice as close. It needs capytaine 3.0, h5netcdf
+and h5py of PyPI. FOLDER gets CASE.nc, Capytaine's results, and CASE.hydro, what `fenderline.hydrodynamics` makes of them. One thread; the run time is printed.
 
 A quay wall is a mirror: the hull and her image behind the wall move as mirror images. The generalised forces of both are
 twice those of the hull. The incident wave and its reflection by the wall are in the excitation. The wall is to starboard, and
@@ -303,8 +303,15 @@ def solve(name, omegas, headings, drifts=True):
     return data, mesh, lid.nb_faces, volume, stiffness
 
 
-def run(name, folder):
+def halved(axis):
+    """The values of an axis, and those in the middle between them."""
+    return np.sort(np.concatenate([axis, 0.5 * (axis[1:] + axis[:-1])]))
+
+
+def run(name, folder, half_steps=False):
     of = CASES[name]
+    if half_steps:
+        of = of | {key: halved(np.asarray(of[key])) for key in ["omegas", "headings", "radiation"] if key in of}
     size, wall = of["size"], of["wall"]
     began = time.process_time()
     omegas = np.unique([*of["omegas"], *of.get("radiation", ())])
@@ -330,4 +337,4 @@ def run(name, folder):
 
 if __name__ == "__main__":
     for case_name in CASES if sys.argv[1] == "all" else [sys.argv[1]]:
-        run(case_name, sys.argv[2])
+        run(case_name, sys.argv[2], half_steps="--half-steps" in sys.argv)

@@ -172,13 +172,8 @@ impl RankedFender {
         fender: &Fender,
         material: &Material,
     ) -> RankedFender {
-        let Rotation { cos, sin } = Rotation::from_angle(fender.facing_rad);
-        let inward = -vec2(cos, sin);
-        let along = inward.quarter_turn();
-        let face_m = fender.position_m - inward * fender.projection_m;
-        let half_m = along * (0.5 * fender.width_m);
-        let behind_m = face_m + inward * (2.0 * fender.projection_m);
-        let corners = [face_m - half_m, behind_m - half_m, behind_m + half_m, face_m + half_m];
+        let inward = inward(fender);
+        let (face_m, corners) = place(fender, inward, fender.position_m);
         RankedFender {
             id,
             host,
@@ -193,6 +188,14 @@ impl RankedFender {
             unloads: fender.unloading.is_some(),
             panel: fender.panel.as_ref().and_then(|p| PanelLaw::of(p, &fender.law, fender.stop)),
         }
+    }
+
+    /// Moves the fender to another place on the body that carries the fender. Allocates nothing.
+    pub(crate) fn move_to(&mut self, fender: &Fender, position_m: Vec2) {
+        let (face_m, corners) = place(fender, self.inward, position_m);
+        self.zone.move_to(&corners);
+        self.face_m = face_m;
+        self.bounds.arm_m = face_m.length();
     }
 
     /// Transforms from the frame of a hull to the face's frame: x inwards from the face's middle, y along the face. The
@@ -229,6 +232,21 @@ impl RankedFender {
     pub(crate) fn reach_m(&self) -> f64 {
         self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }
+}
+
+/// The direction from the face of a fender to the mounting, in the frame of the body that carries the fender.
+fn inward(fender: &Fender) -> Vec2 {
+    let Rotation { cos, sin } = Rotation::from_angle(fender.facing_rad);
+    -vec2(cos, sin)
+}
+
+/// The middle of the face of a fender mounted at `position_m`, and the corners of the fender's zone (m).
+fn place(fender: &Fender, inward: Vec2, position_m: Vec2) -> (Vec2, [Vec2; 4]) {
+    let along = inward.quarter_turn();
+    let face_m = position_m - inward * fender.projection_m;
+    let half_m = along * (0.5 * fender.width_m);
+    let behind_m = face_m + inward * (2.0 * fender.projection_m);
+    (face_m, [face_m - half_m, behind_m - half_m, behind_m + half_m, face_m + half_m])
 }
 
 /// Checks the values that do not depend on the rest of the model.

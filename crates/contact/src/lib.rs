@@ -125,6 +125,7 @@ mod inherit;
 mod inherited;
 mod kirchhoff;
 mod law;
+mod lean;
 mod lenses;
 mod levers;
 mod limit;
@@ -179,7 +180,7 @@ pub use panel::report::PanelMotion;
 pub use panel::{Panel, TensionChain};
 pub use pile::{Pile, PileMotion};
 pub use reaction::{FenderLaw, Stop};
-pub use renew::Renewal;
+pub use renew::{Renewal, RenewalBuffers};
 pub use report::{
     Contact, ContactImpulse, ContactWork, Displacement, EnergyParts, Event, EventKind, ForceParts,
     Friction, Wrench,

@@ -60,8 +60,9 @@ pub struct Pair {
 pub struct Model {
     bodies: Vec<Body>,
     materials: Vec<Material>,
-    fenders: Vec<Fender>,
-    /// Fenders by the rank of their bodies, then by key. A face's number is its index here plus 1.
+    pub(crate) fenders: Vec<Fender>,
+    /// Fenders by the rank of their bodies, then by key. A face's number is its index here plus 1. The places of leaning
+    /// fenders change: see [`Model::lean_fender`].
     pub(crate) faces: Vec<RankedFender>,
     /// Face number of each fender.
     face_of_fender: Vec<u32>,
@@ -75,7 +76,7 @@ pub struct Model {
     pub(crate) pair_bounds: Vec<Bounds>,
     /// Material of all other pairs, if they may touch.
     pub(crate) all_other_pairs: Option<MaterialId>,
-    /// Slices of bodies with outlines by height: what fenders meet of them. The only part that changes: see
+    /// Slices of bodies with outlines by height: what fenders meet of them. A part that changes: see
     /// [`Model::renew_slice`].
     pub(crate) slices: Slices,
     /// Piles of the bodies on them, by rank.
@@ -96,6 +97,7 @@ pub struct ModelBuilder {
     pairs: Vec<Pair>,
     all_other_pairs: Option<MaterialId>,
     by_height: Vec<(BodyId, f64)>,
+    leaning: Vec<(BodyId, f64)>,
 }
 
 impl Model {
@@ -186,12 +188,20 @@ impl ModelBuilder {
         self
     }
 
+    /// Declares that the fenders of a body lean: that the host may move each of them by up to `lean_m` (m) from its
+    /// place, with [`Model::lean_fender`].
+    pub fn leaning_fenders(&mut self, body: BodyId, lean_m: f64) -> &mut ModelBuilder {
+        self.leaning.push((body, lean_m));
+        self
+    }
+
     /// Checks all parts and builds the model.
     ///
     /// # Errors
     /// [`ModelError`], naming the body, the fender or the pair.
     pub fn build(self) -> Result<Model, ModelError> {
-        let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs, by_height } = self;
+        let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs, by_height, leaning } =
+            self;
         bodies.iter().try_for_each(check_body)?;
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
@@ -199,8 +209,15 @@ impl ModelBuilder {
         let (rank_of, id_of) = rank(&bodies)?;
         let faces = rank_fenders(&fenders, &materials, &rank_of)?;
         let mut ranked = Ranked::new(id_of.iter().map(|id| &bodies[id.0 as usize]), &faces);
-        let by_height = rank_by_height(&bodies, &by_height, &rank_of)?;
+        let by_height =
+            rank_lengths(&bodies, &by_height, "radius of the outlines by height", &rank_of)?;
         by_height.iter().for_each(|&(rank, radius_m)| ranked.widen(rank as usize, radius_m));
+        let leaning = rank_lengths(&bodies, &leaning, "lean of the fenders", &rank_of)?;
+        for (rank, lean_m) in leaning {
+            let own = faces.iter().filter(|face| face.host == rank);
+            let reach_m = own.map(RankedFender::reach_m).fold(0.0, greater);
+            ranked.widen(rank as usize, reach_m + lean_m);
+        }
         let by_height: Vec<u32> = by_height.into_iter().map(|(rank, _)| rank).collect();
         let pairs = rank_pairs(&bodies, &materials, &pairs, (&ranked, &rank_of))?;
         if let Some(MaterialId(index)) = all_other_pairs
@@ -356,23 +373,23 @@ fn rank_fenders(
     Ok(faces)
 }
 
-/// Ranks, ascending, and radii (m) of the bodies with outlines by height.
-fn rank_by_height(
+/// Ranks, ascending, and lengths (m) of bodies for which the host has declared a length.
+fn rank_lengths(
     bodies: &[Body],
-    by_height: &[(BodyId, f64)],
+    lengths: &[(BodyId, f64)],
+    field: &'static str,
     rank_of: &[u32],
 ) -> Result<Vec<(u32, f64)>, ModelError> {
-    let mut ranks = Vec::with_capacity(by_height.len());
-    for &(BodyId(index), radius_m) in by_height {
+    let mut ranks = Vec::with_capacity(lengths.len());
+    for &(BodyId(index), length_m) in lengths {
         let Some(body) = bodies.get(index as usize) else {
             return Err(ModelError::UnknownId { what: "body", index });
         };
-        if !(radius_m > 0.0 && radius_m <= MAX_COORDINATE_M) {
-            let (owner, field) = (body.name.clone(), "radius of the outlines by height");
-            let must = "positive and at most 1e8 m";
-            return Err(ModelError::OutOfRange { owner, field, value: radius_m, must });
+        if !(length_m > 0.0 && length_m <= MAX_COORDINATE_M) {
+            let (owner, must) = (body.name.clone(), "positive and at most 1e8 m");
+            return Err(ModelError::OutOfRange { owner, field, value: length_m, must });
         }
-        ranks.push((rank_of[index as usize], radius_m));
+        ranks.push((rank_of[index as usize], length_m));
     }
     ranks.sort_by_key(|&(rank, _)| rank);
     ranks.dedup_by_key(|&mut (rank, _)| rank);

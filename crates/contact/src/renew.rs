@@ -25,7 +25,7 @@ use crate::geometry::clip::ClipBuffers;
 use crate::hints::Hints;
 use crate::lenses::Overlap;
 use crate::material::{BodyId, FenderId};
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::Model;
 use crate::number::greater;
 use crate::overlap::overlap;
@@ -43,6 +43,63 @@ pub struct Renewal {
     pub before: Option<Slice>,
 }
 
+/// Buffers for renewals. A buffer that was used before allocates nothing.
+#[derive(Clone, Debug, Default)]
+pub struct RenewalBuffers {
+    /// The candidates whose contacts meet the renewed part.
+    pub(crate) met: Vec<Met>,
+    scene: SceneBuffers,
+}
+
+/// A candidate whose contacts meet a renewed part of the model.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Met {
+    pub(crate) candidate: Candidate,
+    is_near: bool,
+    /// What the contacts hold by the model before the change, a whole and a half step before the start.
+    before: [Held; 2],
+    /// The energy that the change put into the contacts (J).
+    pub(crate) work_j: f64,
+    /// The body that touches a leaning fender.
+    pub(crate) touching: Option<BodyId>,
+}
+
+/// Buffers for the overlap of one candidate.
+#[derive(Clone, Debug)]
+struct SceneBuffers {
+    bodies: Bodies,
+    states: Vec<BodyState>,
+    found: Overlap,
+    hints: Vec<HintMemory>,
+    clip: ClipBuffers,
+}
+
+impl Default for SceneBuffers {
+    fn default() -> SceneBuffers {
+        SceneBuffers {
+            bodies: Bodies::with_capacity(0),
+            states: Vec::new(),
+            found: Overlap::default(),
+            hints: Vec::new(),
+            clip: ClipBuffers::default(),
+        }
+    }
+}
+
+impl RenewalBuffers {
+    /// Takes the candidates of the next renewal.
+    pub(crate) fn meet(&mut self, candidates: impl IntoIterator<Item = Candidate>) {
+        self.met.clear();
+        self.met.extend(candidates.into_iter().map(|candidate| Met {
+            candidate,
+            is_near: false,
+            before: [Held::default(); 2],
+            work_j: 0.0,
+            touching: None,
+        }));
+    }
+}
+
 impl Model {
     /// Sets the outline that a fender meets of a body with outlines by height, from the next step on. `None`: the body
     /// has no side at that height. `states` are the states at which the next step begins.
@@ -55,32 +112,58 @@ impl Model {
         states: &[BodyState],
         (fender, body): (FenderId, BodyId),
         slice: Option<Slice>,
+        buffers: &mut RenewalBuffers,
     ) -> Renewal {
         let (candidate, place) = self.met(fender, body);
         if *self.slices.slot(place) == slice {
             return Renewal { work_j: 0.0, before: slice };
         }
-        let is_near = self.is_near(&candidate, states);
+        let change = |model: &mut Model| core::mem::replace(model.slices.slot(place), slice);
+        buffers.meet([candidate]);
+        let before = self.change_met(memory, states, buffers, change);
+        Renewal { work_j: buffers.met[0].work_j, before }
+    }
+
+    /// Changes a part of the model that the contacts of the candidates in `buffers` meet. The contacts continue. Writes the
+    /// energy that the change puts into the contacts of each candidate into `buffers`, and returns what `change` returns.
+    pub(crate) fn change_met<T>(
+        &mut self,
+        memory: &mut Memory,
+        states: &[BodyState],
+        buffers: &mut RenewalBuffers,
+        change: impl FnOnce(&mut Model) -> T,
+    ) -> T {
         // The held energy, by the time before the start in halves of the last step or sub-step.
-        let held = |model: &Model, memory: &Memory, halves: f64| {
-            if is_near { model.held(memory, &candidate, states, halves) } else { Held::default() }
-        };
-        let (last, old) = (held(self, memory, 2.0), held(self, memory, 1.0));
-        let before = core::mem::replace(self.slices.slot(place), slice);
-        let (new, next) = (held(self, memory, 1.0), held(self, memory, 0.0));
-        let by_motion_j = last.share() * (old.loading_j - last.loading_j)
-            + next.share() * (next.loading_j - new.loading_j);
-        let work_j = next.energy_j - last.energy_j - by_motion_j;
-        memory.contacts.hints.retain(|hint| hint.candidate() != candidate.key());
-        let own =
-            memory.contacts.patches.iter_mut().filter(|patch| patch.candidate() == candidate.key());
-        let own: Vec<&mut PatchMemory> = own.collect();
-        let whole_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
-        for patch in own {
-            let share = patch.area_m2 / whole_m2;
-            patch.taken_j = greater(patch.taken_j + work_j * share, 0.0);
+        for index in 0..buffers.met.len() {
+            let candidate = buffers.met[index].candidate;
+            buffers.met[index].is_near = self.is_near(&candidate, states);
+            if buffers.met[index].is_near {
+                let held = [2.0, 1.0].map(|halves| {
+                    self.held(memory, &candidate, states, halves, &mut buffers.scene)
+                });
+                buffers.met[index].before = held;
+            }
         }
-        Renewal { work_j, before }
+        let changed = change(self);
+        for met in &mut buffers.met {
+            let Met { candidate, is_near, before: [last, old], .. } = *met;
+            let [new, next] = [1.0, 0.0].map(|halves| match is_near {
+                true => self.held(memory, &candidate, states, halves, &mut buffers.scene),
+                false => Held::default(),
+            });
+            let by_motion_j = last.share() * (old.loading_j - last.loading_j)
+                + next.share() * (next.loading_j - new.loading_j);
+            met.work_j = next.energy_j - last.energy_j - by_motion_j;
+            memory.contacts.hints.retain(|hint| hint.candidate() != candidate.key());
+            let is_own = |patch: &&mut PatchMemory| patch.candidate() == candidate.key();
+            let patches = &mut memory.contacts.patches;
+            let whole_m2: f64 = patches.iter_mut().filter(is_own).map(|patch| patch.area_m2).sum();
+            for patch in patches.iter_mut().filter(is_own) {
+                let share = patch.area_m2 / whole_m2;
+                patch.taken_j = greater(patch.taken_j + met.work_j * share, 0.0);
+            }
+        }
+        changed
     }
 
     /// Puts back the slice of a renewal, after a step that failed. The caller restores the memory.
@@ -131,11 +214,11 @@ impl Model {
             return false;
         }
         let own = self.slices.slot(place).replace(slice.clone());
-        let mut found = Overlap::default();
-        let bodies = self.poses_of(&candidate, |rank| states[self.id_of[rank as usize].0 as usize]);
-        self.overlap_of(&candidate, &bodies, &mut found);
+        let mut scene = SceneBuffers::default();
+        let state = |rank: u32| states[self.id_of[rank as usize].0 as usize];
+        self.overlap_of(&candidate, state, &mut scene);
         *self.slices.slot(place) = own;
-        !found.patches.is_empty()
+        !scene.found.patches.is_empty()
     }
 
     /// The candidate of a fender and a body with outlines by height, and the index of its slice.
@@ -158,20 +241,23 @@ impl Model {
         (center_m - state(other).position_m).length_squared() <= reach_m * reach_m
     }
 
-    /// Poses by rank. Only the poses of a candidate's two bodies are set.
-    fn poses_of(&self, candidate: &Candidate, state: impl Fn(u32) -> BodyState) -> Bodies {
-        let mut bodies = Bodies::with_capacity(0);
-        bodies.poses = alloc::vec![Pose::IDENTITY; self.ranked.len()];
+    /// The overlap of a candidate's two bodies at these states by rank. Only the poses and states of the two bodies are set.
+    fn overlap_of(
+        &self,
+        candidate: &Candidate,
+        state: impl Fn(u32) -> BodyState,
+        SceneBuffers { bodies, states, found, hints, clip }: &mut SceneBuffers,
+    ) {
+        bodies.poses.resize(self.ranked.len(), Pose::IDENTITY);
+        states.resize(self.ranked.len(), BodyState::default());
         for rank in [candidate.a, candidate.b] {
-            bodies.poses[rank as usize] = state(rank).pose();
+            let state = state(rank);
+            bodies.poses[rank as usize] = state.pose();
+            states[rank as usize] = state;
         }
-        bodies
-    }
-
-    fn overlap_of(&self, candidate: &Candidate, bodies: &Bodies, found: &mut Overlap) {
         let pairing = Pairing { candidate: *candidate, island: 0, pair: 0 };
-        let (mut hints, mut clip) = (Vec::new(), ClipBuffers::default());
-        let _ = overlap(self, bodies, &[pairing], 0, Hints::new(&[], &mut hints), &mut clip, found);
+        hints.clear();
+        let _ = overlap(self, bodies, &[pairing], 0, Hints::new(&[], hints), clip, found);
     }
 
     /// Energy and force that the contacts of a candidate hold at a time before these states, with the memory of the
@@ -182,6 +268,7 @@ impl Model {
         candidate: &Candidate,
         states: &[BodyState],
         halves: f64,
+        buffers: &mut SceneBuffers,
     ) -> Held {
         let earlier = |rank: u32| {
             let state = states[self.id_of[rank as usize].0 as usize];
@@ -193,14 +280,11 @@ impl Model {
                 ..state
             }
         };
-        let bodies = self.poses_of(candidate, earlier);
-        let mut found = Overlap::default();
-        self.overlap_of(candidate, &bodies, &mut found);
-        let by_rank: Vec<BodyState> = (0..self.ranked.len() as u32).map(earlier).collect();
-        let scene = Scene { model: self, overlap: &found, poses: &bodies.poses, states: &by_rank };
-        let mut clip = ClipBuffers::default();
+        self.overlap_of(candidate, earlier, buffers);
+        let SceneBuffers { bodies, states, found, clip, .. } = buffers;
+        let scene = Scene { model: self, overlap: found, poses: &bodies.poses, states };
         let mut held = Held::default();
-        for patch in &found.patches {
+        for patch in &scene.overlap.patches {
             let (a, b, number) = candidate.key();
             let wanted = (a, b, number, patch.number);
             let place = memory.contacts.patches.binary_search_by_key(&wanted, PatchMemory::key);
@@ -210,7 +294,7 @@ impl Model {
                 let factor = old.map(|memory| memory.factor);
                 clip.panel.state = face.chain_state(number, &memory.parted, factor);
             }
-            let touch = touch(&scene, &mut clip, patch, face, old, Movers::Both);
+            let touch = touch(&scene, clip, patch, face, old, Movers::Both);
             add_held(&mut held, self, patch, touch, old);
         }
         held

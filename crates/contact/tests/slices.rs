@@ -89,7 +89,13 @@ fn the_slope_is_the_gradient_of_the_energy_by_height() {
             let states = states(along_m, off_m, heading_rad);
             let mut memory = Memory::new(&model);
             let ids = (fender, hull);
-            model.renew_slice(&mut memory, &states, ids, slice(1.0));
+            model.renew_slice(
+                &mut memory,
+                &states,
+                ids,
+                slice(1.0),
+                &mut RenewalBuffers::default(),
+            );
             let mut work = Workspace::new(&model);
             advance(&model, &mut memory.clone(), &mut work, &states, &[Wrench::default(); 2], 1e-6)
                 .unwrap();
@@ -100,8 +106,20 @@ fn the_slope_is_the_gradient_of_the_energy_by_height() {
             let side = model.side_met_by(fender, hull, &states).expect("a side");
             let fresh = Memory::new(&model);
             let e = 1e-3;
-            model.renew_slice(&mut memory, &states, ids, slice(1.0 - e));
-            let renewal = model.renew_slice(&mut fresh.clone(), &states, ids, slice(1.0 + e));
+            model.renew_slice(
+                &mut memory,
+                &states,
+                ids,
+                slice(1.0 - e),
+                &mut RenewalBuffers::default(),
+            );
+            let renewal = model.renew_slice(
+                &mut fresh.clone(),
+                &states,
+                ids,
+                slice(1.0 + e),
+                &mut RenewalBuffers::default(),
+            );
             let by_hand_n = renewal.work_j / (2.0 * e);
             let by_slope_n = spring_n * side.slope;
             assert!((by_slope_n / by_hand_n - 1.0).abs() < 1e-5, "{by_slope_n} {by_hand_n}");
@@ -125,11 +143,23 @@ fn a_renewal_by_the_same_outline_changes_nothing() {
         let mut states = states(0.0, 9.4, 0.05);
         states[1].velocity_mps = vec2(0.3, -0.2);
         let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
-        model.renew_slice(&mut memory, &states, (fender, hull), slice(1.0));
+        model.renew_slice(
+            &mut memory,
+            &states,
+            (fender, hull),
+            slice(1.0),
+            &mut RenewalBuffers::default(),
+        );
         let mut bits = Vec::new();
         for _ in 0..200 {
             if renews {
-                let renewal = model.renew_slice(&mut memory, &states, (fender, hull), slice(1.0));
+                let renewal = model.renew_slice(
+                    &mut memory,
+                    &states,
+                    (fender, hull),
+                    slice(1.0),
+                    &mut RenewalBuffers::default(),
+                );
                 assert_eq!(renewal.work_j, 0.0);
                 assert_eq!(renewal.before, slice(1.0));
             }
@@ -157,7 +187,13 @@ fn without_a_slice_a_fender_does_not_meet_the_hull() {
     assert!(model.side_met_by(fender, hull, &states).is_none());
     assert!(model.would_press((fender, hull), &states, &slice(0.0).unwrap()));
     assert_eq!(count(&model, &memory, &mut work), 0);
-    model.renew_slice(&mut memory, &states, (fender, hull), slice(0.0));
+    model.renew_slice(
+        &mut memory,
+        &states,
+        (fender, hull),
+        slice(0.0),
+        &mut RenewalBuffers::default(),
+    );
     assert_eq!(count(&model, &memory, &mut work), 1);
     model.undo_renewal((fender, hull), None);
     assert_eq!(count(&model, &memory, &mut work), 0);

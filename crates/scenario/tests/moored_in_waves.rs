@@ -243,33 +243,57 @@ fn thinned(text: &str) -> String {
     kept
 }
 
-/// An hour in a sea of 1.5 m and 10 s from 225 degrees, a heading of the shipped data which those lack that have every second heading and
-/// frequency of them: standard deviations of the six motions within 3 %. With and without drift in the data.
+/// Standard deviations of the six motions in an hour of the moored ship with these data, in a sea of 1.5 m and 10 s from 225
+/// degrees.
+fn deviations_from_225_deg(data: &str) -> [f64; 6] {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let text = fs::read_to_string(folder.join("scenarios/berth/moored_in_waves.toml"))
+        .expect("the scenario")
+        .replace(
+            "height = \"0.8 m\", period = \"10 s\", from = \"200 deg\"",
+            "height = \"1.5 m\", period = \"10 s\", from = \"225 deg\"",
+        );
+    assert!(text.contains("225 deg"));
+    let mut read = |name: &str| match name.ends_with(".hydro") {
+        true => Ok(data.to_owned()),
+        false => fs::read_to_string(folder.join("scenarios/berth").join(name))
+            .map_err(|why| why.to_string()),
+    };
+    let scenario = Scenario::parse_among(&text, "moored_in_waves.toml", &[], &mut read);
+    run(scenario.expect("a good scenario"), 4200.0).deviation
+}
+
+fn assert_alike(what: &str, [fine, coarse]: [[f64; 6]; 2]) {
+    let off: [f64; 6] = std::array::from_fn(|k| coarse[k] / fine[k] - 1.0);
+    println!("{what}: {fine:.4?} with the finer data, with the coarser {off:+.4?}");
+    assert!(off.iter().all(|off| off.abs() < 0.03), "{what}: {off:?}");
+}
+
+/// The sea comes from a heading of the shipped data which those lack that have every second heading and frequency of them:
+/// standard deviations of the six motions within 3 %. With and without drift in the data.
 #[test]
 #[ignore = "five hours of simulation"]
 fn an_hour_between_headings_does_not_depend_on_the_steps_of_the_data() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for file in ["scenarios/berth/container_ship_20m.hydro", "hydrodynamics/ship_20m.hydro"] {
         let whole = fs::read_to_string(folder.join(file)).expect("a file of the repository");
-        let of = |data: &str| {
-            let text = fs::read_to_string(folder.join("scenarios/berth/moored_in_waves.toml"))
-                .expect("the scenario")
-                .replace(
-                    "height = \"0.8 m\", period = \"10 s\", from = \"200 deg\"",
-                    "height = \"1.5 m\", period = \"10 s\", from = \"225 deg\"",
-                );
-            assert!(text.contains("225 deg"));
-            let mut read = |name: &str| match name.ends_with(".hydro") {
-                true => Ok(data.to_owned()),
-                false => fs::read_to_string(folder.join("scenarios/berth").join(name))
-                    .map_err(|why| why.to_string()),
-            };
-            let scenario = Scenario::parse_among(&text, "moored_in_waves.toml", &[], &mut read);
-            run(scenario.expect("a good scenario"), 4200.0).deviation
-        };
-        let (fine, coarse) = (of(&whole), of(&thinned(&whole)));
-        let off: [f64; 6] = std::array::from_fn(|k| coarse[k] / fine[k] - 1.0);
-        println!("{file}: {fine:.4?}, with half of the data {off:+.4?}");
-        assert!(off.iter().all(|off| off.abs() < 0.03), "{file}: {off:?}");
+        let both = [&whole, &thinned(&whole)].map(|data| deviations_from_225_deg(data));
+        assert_alike(file, both);
     }
+}
+
+/// The shipped data beside data of half the steps, of this file:
+///
+///     python3 hydrodynamics/capytaine_hulls.py ship_20m FOLDER --half-steps
+///     HALF_STEPS=FOLDER/ship_20m.hydro cargo test -p fenderline-scenario --test all half_the_steps -- --ignored --nocapture
+#[test]
+#[ignore = "needs a panel run of several minutes; two hours of simulation"]
+fn data_of_half_the_steps_give_the_same_motions_of_the_moored_ship() {
+    let path = std::env::var("HALF_STEPS").expect("the environment variable HALF_STEPS");
+    let read = |path: &Path| fs::read_to_string(path).expect("a file");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let shipped = read(&folder.join("hydrodynamics/ship_20m.hydro"));
+    let finer = read(Path::new(&path));
+    assert!(finer.len() > 3 * shipped.len(), "{path} has not half the steps");
+    assert_alike("ship_20m", [finer, shipped].map(|data| deviations_from_225_deg(&data)));
 }

@@ -7,6 +7,7 @@ use fenderline_contact::{Body, BodyId, BodyState, Fender, MaterialId, Model, Pai
 use crate::chain::tension_chains;
 use crate::error::SetupError;
 use crate::fender::FenderSetup;
+use crate::hull::leaning_bodies;
 use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{BodySetup, Integrator, Method, Setup};
@@ -118,6 +119,11 @@ pub fn build_model(
         }
         if fenders_do == Fenders::MeetSlices {
             builder.outlines_by_height(BodyId(body as u32), hull.radius_m());
+        }
+    }
+    if fenders_do == Fenders::MeetSlices {
+        for (body, lean_m) in leaning_bodies(setup) {
+            builder.leaning_fenders(BodyId(body as u32), lean_m);
         }
     }
     for material in &setup.materials {

@@ -1,10 +1,9 @@
-//! Writes a scenario anew: the keys of a file, some of them changed, as a new file that people can read. Comments are
-//! lost, values stay as they were written.
+//! Writes a scenario anew: the text of a file with some of its keys changed. Comments, order and spelling of the file stay.
 
-mod write;
+mod inline;
 
-use toml::Spanned;
-use toml::de::{DeArray, DeString, DeTable, DeValue};
+use toml::de::{DeTable, DeValue};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, Value};
 
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::overrides::{self, Override};
@@ -37,7 +36,8 @@ fn names(path: &[&str]) -> Vec<String> {
     path.iter().map(|&name| name.to_owned()).collect()
 }
 
-/// Writes a scenario with overrides and then edits, in their order.
+/// Writes a scenario with overrides and then edits, in their order. The first comment, which describes the scenario, is
+/// left out: the caller writes another comment.
 ///
 /// # Errors
 /// A text that is not TOML, or an override of a key that there is not.
@@ -51,77 +51,182 @@ pub fn rewritten(
     edits: &[Edit],
 ) -> Result<String, ScenarioError> {
     let sources = Sources::new(file_name, text, overrides);
-    let mut document = syntax::parse(&sources)?;
-    overrides::apply(&sources, &mut document)?;
-    // A new key comes behind all others of its table, by its place in the order of keys.
-    let mut behind = sources.override_span(overrides.len()).start;
-    for Edit { path, value } in edits {
-        behind += 1;
-        let value = value.as_deref().map(|value| match DeValue::parse(value) {
-            Ok(value) => value,
-            Err(error) => panic!("`{value}` is not TOML: {error}"),
-        });
-        in_table(&mut document, path, value, behind);
+    let mut checked = syntax::parse(&sources)?;
+    overrides::apply(&sources, &mut checked)?;
+    let mut document: DocumentMut = match without_first_comment(text).parse() {
+        Ok(document) => document,
+        Err(error) => panic!("one reader of TOML reads {file_name}, the other does not: {error}"),
+    };
+    for set in overrides {
+        let value = value_at(&checked, set.path()).map(inline::inline);
+        change(document.as_item_mut(), set.path(), value.as_deref().map(value_of), 0);
     }
-    Ok(write::document(&document))
+    for Edit { path, value } in edits {
+        change(document.as_item_mut(), path, value.as_deref().map(value_of), 0);
+    }
+    Ok(document.to_string())
 }
 
-fn in_table<'a>(
-    table: &mut DeTable<'a>,
-    path: &'a [String],
-    value: Option<Spanned<DeValue<'a>>>,
-    behind: usize,
-) {
+/// The text behind the comment with which it begins.
+fn without_first_comment(text: &str) -> &str {
+    let mut rest = text.trim_start();
+    while rest.starts_with('#') {
+        rest = rest.split_once('\n').map_or("", |(_, rest)| rest);
+    }
+    rest.trim_start()
+}
+
+/// The value of a key that was set, in the checked document.
+fn value_at<'t, 'a>(table: &'t DeTable<'a>, path: &[String]) -> Option<&'t DeValue<'a>> {
+    let (first, deeper) = path.split_first()?;
+    let mut value = table.get(first.as_str())?.get_ref();
+    for name in deeper {
+        value = match value {
+            DeValue::Table(inner) => inner.get(name.as_str())?.get_ref(),
+            DeValue::Array(items) => items.get(name.parse::<usize>().ok()?)?.get_ref(),
+            _ => return None,
+        };
+    }
+    Some(value)
+}
+
+/// A value from its TOML.
+fn value_of(text: &str) -> Value {
+    match text.parse() {
+        Ok(value) => value,
+        Err(error) => panic!("`{text}` is not TOML: {error}"),
+    }
+}
+
+/// Sets the value at a path below an item, or removes the key. Tables on the way that do not exist are made, unless the key
+/// is removed. `depth` is the number of names above the item.
+fn change(item: &mut Item, path: &[String], value: Option<Value>, depth: usize) {
     let Some((name, deeper)) = path.split_first() else { return };
+    if let Ok(index) = name.parse::<usize>()
+        && !item.is_table_like()
+    {
+        return in_list(item, index, deeper, value, depth);
+    }
+    let has_header = item.is_table();
+    let Some(table) = item.as_table_like_mut() else { return };
     if deeper.is_empty() {
-        match (value, table.get_mut(name.as_str())) {
-            (Some(value), Some(old)) => *old.get_mut() = value.into_inner(),
-            (Some(value), None) => {
-                let key = Spanned::new(behind..behind, DeString::Borrowed(name));
-                table.insert(key, value);
-            }
+        match (value, table.get_mut(name)) {
             (None, _) => {
-                table.remove(name.as_str());
+                table.remove(name);
+            }
+            (Some(value), Some(old)) => *old = in_place_of(old, value, has_header && depth == 0),
+            (Some(value), None) => {
+                let new = if has_header && depth == 0 { top_level(value) } else { plain(value) };
+                table.insert(name, new);
             }
         }
         return;
     }
-    if !table.contains_key(name.as_str()) {
+    if !table.contains_key(name) {
         if value.is_none() {
             return;
         }
-        let key = Spanned::new(behind..behind, DeString::Borrowed(name));
-        table.insert(key, Spanned::new(behind..behind, DeValue::Table(DeTable::new())));
+        let new = match has_header {
+            true => {
+                let mut new = Table::new();
+                // The table of all bodies has no header, the table of one body has.
+                new.set_implicit(deeper.len() > 1);
+                Item::Table(new)
+            }
+            false => Item::Value(Value::InlineTable(toml_edit::InlineTable::new())),
+        };
+        table.insert(name, new);
     }
-    match table.get_mut(name.as_str()).map(Spanned::get_mut) {
-        Some(DeValue::Table(inner)) => in_table(inner, deeper, value, behind),
-        Some(DeValue::Array(items)) => in_list(items, deeper, value, behind),
-        _ => {}
+    if let Some(inner) = table.get_mut(name) {
+        change(inner, deeper, value, depth + 1);
     }
 }
 
-fn in_list<'a>(
-    items: &mut DeArray<'a>,
-    path: &'a [String],
-    value: Option<Spanned<DeValue<'a>>>,
-    behind: usize,
-) {
-    let Some((number, deeper)) = path.split_first() else { return };
-    let Some(index) = number.parse::<usize>().ok().filter(|&index| index < items.len()) else {
-        return;
-    };
-    let Some(item) = items.get_mut(index) else { return };
-    match (value, item.get_mut()) {
-        (None, _) if deeper.is_empty() => {
-            let all = std::mem::replace(items, DeArray::new());
-            for (_, item) in all.into_iter().enumerate().filter(|(number, _)| *number != index) {
-                items.push(item);
+/// The same for an item of a list, which goes by its number.
+fn in_list(item: &mut Item, index: usize, deeper: &[String], value: Option<Value>, depth: usize) {
+    if let Some(tables) = item.as_array_of_tables_mut() {
+        if index >= tables.len() {
+            return;
+        }
+        match (deeper.is_empty(), value) {
+            (true, None) => {
+                tables.remove(index);
+            }
+            (true, Some(value)) => {
+                if let (Some(old), Value::InlineTable(new)) = (tables.get_mut(index), value) {
+                    *old = new.into_table();
+                }
+            }
+            (false, value) => {
+                let Some(old) = tables.get_mut(index) else { return };
+                let mut inner = Item::Table(std::mem::take(old));
+                change(&mut inner, deeper, value, depth + 1);
+                if let Item::Table(changed) = inner {
+                    *old = changed;
+                }
             }
         }
-        (Some(value), item) if deeper.is_empty() => *item = value.into_inner(),
-        (value, DeValue::Table(inner)) => in_table(inner, deeper, value, behind),
-        _ => {}
+    } else if let Some(items) = item.as_array_mut() {
+        if index >= items.len() {
+            return;
+        }
+        match (deeper.is_empty(), value) {
+            (true, None) => {
+                items.remove(index);
+            }
+            (true, Some(value)) => {
+                items.replace(index, value);
+            }
+            (false, value) => {
+                let Some(old) = items.get_mut(index) else { return };
+                let mut inner = Item::Value(old.clone());
+                change(&mut inner, deeper, value, depth + 1);
+                if let Item::Value(changed) = inner {
+                    *old = changed;
+                }
+            }
+        }
     }
+}
+
+/// A new value for a key. The comment behind an old value of one line stays.
+fn in_place_of(old: &Item, value: Value, is_top_level: bool) -> Item {
+    let new = if is_top_level { top_level(value) } else { plain(value) };
+    match (old, new) {
+        (Item::Value(old), Item::Value(mut new)) => {
+            *new.decor_mut() = old.decor().clone();
+            Item::Value(new)
+        }
+        (_, new) => new,
+    }
+}
+
+fn plain(value: Value) -> Item {
+    Item::Value(value.decorated(" ", ""))
+}
+
+/// A value at the top level: a table, or a list of tables, is written under headers.
+fn top_level(value: Value) -> Item {
+    match value {
+        Value::InlineTable(table) => Item::Table(spaced(table.into_table())),
+        Value::Array(items) if !items.is_empty() && items.iter().all(Value::is_inline_table) => {
+            let mut tables = ArrayOfTables::new();
+            for item in items {
+                if let Value::InlineTable(table) = item {
+                    tables.push(spaced(table.into_table()));
+                }
+            }
+            Item::ArrayOfTables(tables)
+        }
+        value => plain(value),
+    }
+}
+
+/// A new table behind an empty line, with its keys in the usual form.
+fn spaced(mut table: Table) -> Table {
+    table.fmt();
+    table.decor_mut().set_prefix("\n");
+    table
 }
 
 #[cfg(test)]
@@ -171,6 +276,24 @@ moment = 3
         let [one, other] = [TEXT, once.as_str()]
             .map(|text| fenderline_scenario::Scenario::parse(text, "a.toml").unwrap());
         assert_eq!(one, other);
+    }
+
+    #[test]
+    fn comments_order_and_spelling_of_a_file_stay() {
+        let text = "# What it is.\n\ntitle = \"A\" # a title\n\n# The time.\n[time]\nstep = \"0.1 s\" # a step\nduration = 20.0\n\n\
+                    # Not wanted.\n[[load]]\nbody = \"tug\"\n\n[[load]]\n# a moment\nmoment = 3e0\n";
+        let edits = [
+            Edit::set(&["time", "step"], "\"0.2 s\""),
+            Edit::remove(&["load", "0"]),
+            Edit::set(&["order"], "[{ at = 1 }, { at = 2, to = [1, 2] }]"),
+            Edit::set(&["body", "tug", "mass"], "\"9 t\""),
+        ];
+        assert_eq!(
+            rewritten(text, "a.toml", &[], &edits).unwrap(),
+            "title = \"A\" # a title\n\n# The time.\n[time]\nstep = \"0.2 s\" # a step\nduration = 20.0\n\n\
+             [[load]]\n# a moment\nmoment = 3e0\n\n[[order]]\nat = 1\n\n[[order]]\nat = 2\nto = [1, 2]\n\n\
+             [body.tug]\nmass = \"9 t\"\n"
+        );
     }
 
     #[test]

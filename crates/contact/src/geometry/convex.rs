@@ -52,6 +52,24 @@ impl ConvexPolygon {
         ConvexPolygon { closed, ends, edges, first_by_angle, upper, center_m, radius_m, area_m2 }
     }
 
+    /// Moves a polygon: `corners_m` are its corners at the new place, in the same order. Allocates nothing.
+    ///
+    /// # Panics
+    /// The number of corners is another.
+    pub(crate) fn move_to(&mut self, corners_m: &[Vec2]) {
+        let count = self.count();
+        assert!(corners_m.len() == count, "a moved polygon has the same corners");
+        for (index, &corner) in corners_m.iter().enumerate() {
+            self.closed[index] = corner;
+            self.ends[index] = [corner, corners_m[after(index, count)]];
+            self.edges[index] = Edge::of(corners_m, index);
+        }
+        self.closed[count] = corners_m[0];
+        self.center_m = Extent::of(&self.closed).center_m();
+        let radius = |r: f64, &v: &Vec2| greater(r, (v - self.center_m).length());
+        self.radius_m = self.closed.iter().fold(0.0, radius) * (1.0 + 1e-12);
+    }
+
     /// Number of corners.
     #[must_use]
     #[inline]

@@ -30,7 +30,8 @@ impl Edge {
         (0..corners_m.len()).map(|index| Edge::of(corners_m, index)).collect()
     }
 
-    fn of(corners_m: &[Vec2], index: usize) -> Edge {
+    /// The edge of a ring of corners that starts at the corner `index`.
+    pub(crate) fn of(corners_m: &[Vec2], index: usize) -> Edge {
         let count = corners_m.len();
         let start_m = corners_m[index];
         let chord = corners_m[after(index, count)] - start_m;

@@ -7,14 +7,17 @@
 //! | `hull/levels.rs` | outlines at several heights, checked |
 //! | `hull/resample.rs` | outlines with different numbers of vertices, at common stations |
 //! | `hull/cut.rs` | the outline at a height, with heel and trim |
+//! | `hull/lean.rs` | fenders that lean with their ship |
 //! | `hull/sides.rs` | the outlines that the fenders of a run meet, renewed before each step |
 
 mod cut;
+mod lean;
 mod level;
 mod levels;
 mod resample;
 mod sides;
 
+pub use lean::leaning_bodies;
 pub use level::Level;
 pub use levels::{HullByHeight, HullError};
 pub use sides::{HeightWork, Heights, Sides, larger_force_n, place_m};

@@ -1,9 +1,12 @@
-//! The outlines that the fenders of a run meet, renewed before each step.
+//! The outlines that the fenders of a run meet, and the places of fenders that lean, renewed before each step.
 
 use fenderline_contact::number::{bounded, greater};
-use fenderline_contact::{BodyId, BodyState, Contact, FenderId, Memory, Model, Slice, Vec2};
+use fenderline_contact::{
+    BodyId, BodyState, Contact, FenderId, Memory, Model, RenewalBuffers, Slice, Vec2,
+};
 
 use super::cut::Posture;
+use super::lean::Leaning;
 use crate::fender::FenderSetup;
 use crate::setup::Setup;
 use crate::world::{HullMotion, Shore, VesselState};
@@ -62,7 +65,7 @@ struct Pair {
     missed: Option<SideMissed>,
 }
 
-/// The energy that the renewal of an outline put into a fender (J).
+/// The energy that the renewal of an outline, or the lean of a fender, put into the fender (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightWork {
     /// Indices of the bodies, the smaller first, and of the fender.
@@ -92,6 +95,10 @@ pub struct Sides {
     /// For each contact of the last step, how its fender meets the hull; `None` for other contacts.
     pub touches: Vec<Option<HullTouch>>,
     undo: Vec<Undo>,
+    leaning: Vec<Leaning>,
+    /// The fenders that leaned in this step, as indices into `leaning`, and their places before (m).
+    leaned: Vec<(usize, Vec2)>,
+    buffers: RenewalBuffers,
 }
 
 /// Heights of fenders and hulls in a step.
@@ -111,7 +118,7 @@ impl Heights<'_> {
     /// Heave, roll and pitch of a vessel in the middle of the step; zero for other bodies. For a vessel with
     /// hydrodynamic data they are the values at the start of the step: contact acts there in the leapfrog. With values
     /// half a step later, a roll against a fender would gain energy.
-    fn motion(&self, vessel: Option<usize>) -> HullMotion {
+    pub(super) fn motion(&self, vessel: Option<usize>) -> HullMotion {
         vessel.map_or(HullMotion::default(), |index| {
             let vessel = &self.vessels[index];
             vessel.motion_after(if vessel.seaway.is_some() { 0.0 } else { 0.5 * self.step_s })
@@ -137,7 +144,7 @@ impl Heights<'_> {
 impl Sides {
     /// Before the first step.
     pub fn new(setup: &Setup) -> Sides {
-        let mut sides = Sides::default();
+        let mut sides = Sides { leaning: Leaning::all(setup), ..Sides::default() };
         let vessel_of = |body: usize| setup.world.vessels.iter().position(|v| v.body == body);
         for (fender, of) in setup.fenders.iter().enumerate() {
             for (body, hull) in setup.bodies.iter().enumerate() {
@@ -161,9 +168,9 @@ impl Sides {
         sides
     }
 
-    /// True if no body has outlines by height.
+    /// True if no body has outlines by height and no fender leans.
     pub fn is_empty(&self) -> bool {
-        self.pairs.is_empty()
+        self.pairs.is_empty() && self.leaning.is_empty()
     }
 
     /// The fenders that would have pressed on a hull but found no side at their height.
@@ -171,7 +178,7 @@ impl Sides {
         self.pairs.iter().filter_map(|pair| pair.missed.as_ref())
     }
 
-    /// Cuts the outlines for the step that begins at `states`.
+    /// Moves the fenders that lean, and cuts the outlines, for the step that begins at `states`.
     pub fn renew(
         &mut self,
         setup: &Setup,
@@ -181,7 +188,14 @@ impl Sides {
     ) {
         self.works.clear();
         self.undo.clear();
-        let Sides { pairs, ends, works, undo, .. } = self;
+        self.leaned.clear();
+        let Sides { pairs, ends, works, undo, leaning, leaned, buffers, .. } = self;
+        for (index, leaning) in leaning.iter_mut().enumerate() {
+            let engine = (&mut *model, &mut *memory, &mut *buffers);
+            if let Some(before_m) = leaning.renew(setup, engine, states, heights, works) {
+                leaned.push((index, before_m));
+            }
+        }
         for (index, (pair, ends)) in pairs.iter_mut().zip(ends).enumerate() {
             let fender = &setup.fenders[pair.fender];
             let Some(hull) = &setup.bodies[pair.body].hull else { continue };
@@ -219,7 +233,7 @@ impl Sides {
                 Met::Side(posture) => Some(hull.cut(posture, pair.gravity_m)),
                 Met::NoSide | Met::Unset => None,
             };
-            let renewal = model.renew_slice(memory, states, ids, slice);
+            let renewal = model.renew_slice(memory, states, ids, slice, buffers);
             undo.push(Undo { pair: index, met: pair.met, before: renewal.before });
             pair.met = met;
             if renewal.work_j != 0.0 {
@@ -229,8 +243,11 @@ impl Sides {
         }
     }
 
-    /// Restores the outlines to those before a failed step.
+    /// Restores the outlines and the places of fenders to those before a failed step.
     pub fn restore(&mut self, model: &mut Model) {
+        for (index, before_m) in self.leaned.drain(..) {
+            self.leaning[index].restore(model, before_m);
+        }
         for Undo { pair, met, before } in self.undo.drain(..) {
             let pair = &mut self.pairs[pair];
             let ids = (FenderId(pair.fender as u32), BodyId(pair.body as u32));

@@ -41,12 +41,13 @@ impl Shore<'_> {
         }
     }
 
-    /// Height above the water (m) of the middle of the face of a fender that heaves, rolls and pitches with its body.
-    pub fn fender_at_work_m(&self, fender: &FenderSetup) -> f64 {
+    /// Height above the water (m) at which a fender presses that heaves, rolls and pitches with its body. `at_m` is the
+    /// place of the contact in the frame of the body that carries the fender (m).
+    pub fn fender_at_work_m(&self, fender: &FenderSetup, at_m: Vec2) -> f64 {
         let upright_m = self.fender_above_water_m(fender);
         let afloat =
             if fender.floating { None } else { self.afloat.get(fender.body).copied().flatten() };
-        upright_m - afloat.map_or(0.0, |afloat| afloat.sinkage_m(fender.position_m))
+        upright_m - afloat.map_or(0.0, |afloat| afloat.sinkage_m(at_m))
     }
 
     /// Height of the middle of a fender's face above the water (m).

@@ -518,7 +518,10 @@ impl World {
                 };
                 // Fenders act at their height, outlines at the waterline.
                 let fender = contact.fender.map(|id| &fenders[id.0 as usize]);
-                let height_m = fender.map_or(0.0, |fender| shore.fender_at_work_m(fender));
+                let height_m = fender.map_or(0.0, |fender| {
+                    let at_m = place_m(contact, fender.body, &states[fender.body]);
+                    shore.fender_at_work_m(fender, at_m)
+                });
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
                 // Squat and heave lower the vessel's centre of gravity, but not the fender of another body.
                 let afloat = self.afloat.get(vessel.body).copied().flatten();
