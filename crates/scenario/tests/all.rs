@@ -15,6 +15,7 @@ mod banks;
 mod berthing;
 mod bounded_file;
 mod chart;
+mod chart_of_s57;
 mod chart_projection;
 mod coefficients;
 #[path = "support/data_with_mistakes.rs"]

@@ -5,7 +5,7 @@ use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
 use super::assembly::{Assembly, Checked};
 use crate::chart::projection::Projected;
-use crate::chart::{Budget, Placing, read};
+use crate::chart::{Budget, Counts, Placing, read};
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::Text;
@@ -16,7 +16,7 @@ use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     /// The chart; empty without its table.
-    pub(super) fn chart(&self, table: Option<Of<'_, ChartKey>>) -> Checked<Chart> {
+    pub(super) fn chart(&mut self, table: Option<Of<'_, ChartKey>>) -> Checked<Chart> {
         let Some(table) = table else { return Ok(Chart::default()) };
         let (placing, origin) = self.placing(table)?;
         let files = table.given(ChartKey::FILES);
@@ -27,11 +27,13 @@ impl Assembly<'_, '_> {
         }
         let key = table.path_of(ChartKey::FILES);
         let mut budget = Budget::OF_CHART;
-        let mut features = Vec::new();
+        let (mut features, mut counts) = (Vec::new(), Counts::default());
         for name in files.texts() {
-            features.extend(read((name, self.files.text(name)), &key, &placing, &mut budget)?);
+            let into = (&mut counts, &mut *self.notices);
+            let file = (name.as_str(), self.files.text(name));
+            features.extend(read(file, &key, &placing, &mut budget, into)?);
         }
-        Ok(Chart { features, origin })
+        Ok(Chart { features, origin, classes: counts.classes() })
     }
 
     /// The conversion from the coordinates of the files to those of the scenario, and the place of the scenario's
