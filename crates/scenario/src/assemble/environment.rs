@@ -77,6 +77,7 @@ impl Assembly<'_, '_> {
             sea,
             long_waves,
             depth_m,
+            bottom: None,
             tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,

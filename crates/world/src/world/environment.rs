@@ -1,15 +1,65 @@
 //! Wind, current and water of a run.
 
+use std::sync::Arc;
+
 use fenderline_contact::Vec2;
-use fenderline_contact::number::greater;
+use fenderline_contact::number::{greater, lesser};
 use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::Sea;
 use fenderline_ship::environment::wind::Wind;
-use fenderline_ship::environment::{Bank, EnvironmentError, LongWaves, Tide};
+use fenderline_ship::environment::{Bank, DepthField, EnvironmentError, LongWaves, Tide};
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
+
+/// The bottom of the sea by place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bottom {
+    /// Depths below datum. Clones of a set-up share the field.
+    pub field: Arc<DepthField>,
+    /// What holds where the field has no data.
+    pub outside: Outside,
+}
+
+/// The depth where a [`DepthField`] has no data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outside {
+    /// A level bottom at this depth below datum (m).
+    Depth(f64),
+    /// None: a ship that comes to such a place ends the run with an error.
+    Error,
+}
+
+impl Bottom {
+    /// Depth below datum (m) and gradient of the depth at a place; `None` without data.
+    #[must_use]
+    pub fn sounding(&self, place_m: Vec2) -> Option<(f64, Vec2)> {
+        self.field.sounding(place_m).or(match self.outside {
+            Outside::Depth(depth_m) => Some((depth_m, Vec2::ZERO)),
+            Outside::Error => None,
+        })
+    }
+
+    /// Depth below datum at a place (m); `None` without data.
+    #[must_use]
+    pub fn depth_m(&self, place_m: Vec2) -> Option<f64> {
+        self.field.depth_m(place_m).or(match self.outside {
+            Outside::Depth(depth_m) => Some(depth_m),
+            Outside::Error => None,
+        })
+    }
+
+    /// The least and the greatest depth below datum (m), with the depth where there is no data.
+    #[must_use]
+    pub fn range_m(&self) -> [f64; 2] {
+        let [least_m, most_m] = self.field.range_m();
+        match self.outside {
+            Outside::Depth(depth_m) => [lesser(least_m, depth_m), greater(most_m, depth_m)],
+            Outside::Error => [least_m, most_m],
+        }
+    }
+}
 
 /// Wind, current and water of a [`crate::world::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +78,8 @@ pub struct Environment {
     pub air_density_kgpm3: f64,
     /// Depth of the water below datum (m), negative if the bottom falls dry; `None`: deep.
     pub depth_m: Option<f64>,
+    /// Depth of the water by place, in place of `depth_m`.
+    pub bottom: Option<Bottom>,
     /// Level of the water above datum.
     pub tide: Tide,
     /// Method of squat in water of finite depth; `None`: no squat.
@@ -49,6 +101,7 @@ impl Default for Environment {
             water_density_kgpm3: SEA_WATER_KGPM3,
             air_density_kgpm3: AIR_KGPM3,
             depth_m: None,
+            bottom: None,
             tide: Tide::default(),
             squat: Some(Squat::default()),
             banks: Vec::new(),
@@ -93,13 +146,26 @@ impl Environment {
             .map(|depth_m| self.level_range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
     }
 
-    /// Checks depth and tide; wind, current, sea and long waves are checked when they are made.
+    /// Checks depth, bottom and tide; wind, current, sea and long waves are checked when they are made.
     ///
     /// # Errors
-    /// A number out of range, with its name.
+    /// A number out of range, with its name; or both one depth and a bottom by place.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         if let Some(depth_m) = self.depth_m {
             within("depth of the water [m]", depth_m, -100.0, 12_000.0)?;
+        }
+        if let Some(bottom) = &self.bottom {
+            if let Outside::Depth(depth_m) = bottom.outside {
+                within(
+                    "depth of the water outside the depth field [m]",
+                    depth_m,
+                    -100.0,
+                    12_000.0,
+                )?;
+            }
+            if self.depth_m.is_some() {
+                return Err(EnvironmentError::TwoDepths);
+            }
         }
         self.tide.check()
     }

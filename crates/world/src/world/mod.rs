@@ -40,7 +40,7 @@ pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 pub use bollard::{BollardSetup, LineHandling};
 pub use current_table::CurrentTable;
-pub use environment::Environment;
+pub use environment::{Bottom, Environment, Outside};
 pub use event::{WorldEvent, WorldEventKind};
 pub use fault::{Fault, Faults, Tripped};
 pub use line::{Mooring, MooringSetup, Sent};
