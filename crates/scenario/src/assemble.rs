@@ -7,6 +7,7 @@ mod assembly;
 mod azimuth;
 mod berthing;
 mod bodies;
+mod bottom;
 mod chains;
 mod chart;
 mod coefficients;
@@ -127,12 +128,13 @@ pub(crate) fn setup(
     let output =
         assembly.output(file.item(ScenarioKey::OUTPUT).map(Entry::table), step_s, duration_s)?;
     let mut materials = assembly.materials(file.given(ScenarioKey::MATERIAL).named())?;
-    let environment =
-        assembly.environment(file.given(ScenarioKey::ENVIRONMENT).table(), duration_s)?;
+    let charted = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
+    let water = file.given(ScenarioKey::ENVIRONMENT).table();
+    let environment = assembly.environment(water, duration_s, &charted)?;
+    let chart = charted.chart;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment, step_s)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     assembly.note_long_waves(file, &environment, &kinds);
-    let chart = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
     let mut bodies = assembly.bodies(file.given(ScenarioKey::BODY), &kinds, &chart)?;
     let names = Names::new(&bodies, &materials);
     let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
@@ -219,6 +221,7 @@ pub(crate) fn setup(
     };
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
+    assembly.check_bottom(file, &setup)?;
     assembly.note_late_arrivals(of_bodies, &setup);
     assembly.note_draughts(file, fender_tables, &setup);
     let orders = file.given(ScenarioKey::ORDER).list();

@@ -13,6 +13,7 @@ mod bad_hydrodynamics;
 mod bad_input;
 mod banks;
 mod berthing;
+mod bottom;
 mod bounded_file;
 mod chart;
 mod chart_of_s57;

@@ -225,10 +225,10 @@ pub use fenderline_world::setup::{
 pub use fenderline_world::start::{BodyStart, Start};
 pub use fenderline_world::world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
-    AzimuthState, BollardSetup, CurrentTable, Environment, Fault, Faults, Float, Job, LineEnd,
-    LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent,
-    ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
-    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    AzimuthState, BollardSetup, Bottom, CurrentTable, Environment, Fault, Faults, Float, Job,
+    LineEnd, LineHandling, Mooring, MooringSetup, NotAtTheSide, Outside, Pilots, ProviderSetup,
+    PushJob, Sent, ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders,
+    VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };
 pub use fenderline_world::{change, chart, external, factors, order};
 pub use output_plan::{OutputPlan, OutputTable};

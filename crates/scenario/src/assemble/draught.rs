@@ -54,7 +54,8 @@ impl Assembly<'_, '_> {
             return;
         }
         let environment = file.given(ScenarioKey::ENVIRONMENT).table();
-        let item = environment.given(EnvironmentKey::DEPTH);
+        // The bottom by place is looked at where she begins.
+        let Some(item) = environment.item(EnvironmentKey::DEPTH) else { return };
         let message = format!(
             "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was expected",
             rounded(least_m),

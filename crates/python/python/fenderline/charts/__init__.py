@@ -102,6 +102,8 @@ def convert(
             features.setdefault(layer, []).extend(of_layer)
         for layer, count in cell.found.items():
             found[layer] = found.get(layer, 0) + count
+    if cells and not any(layer in _s57.CLASSES for layer in found):
+        raise ChartError("it has no class of S-57 that is read, such as DEPARE", cells[0].file)
     if cells and not any(features.values()):
         raise ChartError(f"nothing of the chart lies in the area {area}", cells[0].file)
     if area is None and cells:

@@ -90,8 +90,6 @@ def read(file: Path, area: Area | None) -> Cell:
             if geometry is not None:
                 features.append({"type": "Feature", "properties": row, "geometry": geometry})
         cell.features[layer] = features
-    if not any(layer in CLASSES for layer in layers):
-        raise ChartError("it has no class of S-57 that is read, such as DEPARE", file)
     return cell
 
 

@@ -75,7 +75,7 @@ def read(file: Path, area: Area | None, origin: tuple[float, float] | None, cell
     if not np.isfinite(source.values).any():
         raise ChartError("it has no data", file)
     rows, columns = source.values.shape
-    corners = [source.transform * at for at in ((0, 0), (columns, 0), (0, rows), (columns, rows))]
+    corners = [_at(source.transform, *at) for at in ((0, 0), (columns, 0), (0, rows), (columns, rows))]
     xs, ys = [corner[0] for corner in corners], [corner[1] for corner in corners]
     try:
         west, south, east, north = rasterio.warp.transform_bounds(source.crs, "EPSG:4326", min(xs), min(ys), max(xs), max(ys))
@@ -114,11 +114,16 @@ def read(file: Path, area: Area | None, origin: tuple[float, float] | None, cell
     return Grid(file, cell_m, (low_x, low_y), values), area
 
 
+def _at(transform: Any, column: float, row: float) -> tuple[float, float]:
+    """Coordinates of a column and a row."""
+    return transform.a * column + transform.b * row + transform.c, transform.d * column + transform.e * row + transform.f
+
+
 def _own_cell_m(rasterio: Any, source: Source, metres: str) -> float:
     """Side of a cell as the file has it, rounded to two digits (m)."""
     rows, columns = source.values.shape
-    middle = source.transform * (columns / 2, rows / 2)
-    beside = source.transform * (columns / 2 + 1, rows / 2 + 1)
+    middle = _at(source.transform, columns / 2, rows / 2)
+    beside = _at(source.transform, columns / 2 + 1, rows / 2 + 1)
     xs, ys = rasterio.warp.transform(source.crs, metres, [middle[0], beside[0]], [middle[1], beside[1]])
     cell_m = min(abs(xs[1] - xs[0]), abs(ys[1] - ys[0]))
     digits = 1 - math.floor(math.log10(cell_m))
