@@ -151,7 +151,8 @@ pub(crate) fn setup(
     assembly.roll(of_materials, fender_tables, &mut fenders, &mut materials)?;
     let of_bodies = file.given(ScenarioKey::BODY).named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
-    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds)?;
+    let in_water = (bodies.as_mut_slice(), &environment);
+    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds, in_water)?;
     let flow =
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let statistics = assembly.statistics(file, &vessels, &names)?;
