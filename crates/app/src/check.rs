@@ -3,8 +3,8 @@
 use fenderline_campaign::Campaign;
 use fenderline_report::plot::counted;
 use fenderline_scenario::{LoadError, printable_number};
-use fenderline_sim::Simulation;
 use fenderline_sim::chart::{Chart, ChartClass};
+use fenderline_sim::{Bottom, Simulation};
 use serde_json::{Value, json};
 
 use crate::campaign;
@@ -77,6 +77,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
             "steps": simulation.steps_total(),
             "step_s": setup.step_s,
             "chart": chart_json(&setup.world.chart),
+            "bottom": setup.world.environment.bottom.as_ref().map(Bottom::in_words),
         });
         say_json(&format!("{found:#}\n"))?;
     }
@@ -99,6 +100,9 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     if let Some(left_out) = setup.world.chart.left_out_in_words() {
         say(&format!("left out of the chart: {left_out}\n"))?;
+    }
+    if let Some(bottom) = &setup.world.environment.bottom {
+        say(&format!("{}\n", bottom.in_words()))?;
     }
     for approach in &setup.approaches {
         say(&format!("{}\n{}\n", approach.sentence(setup), approach.start_sentence(setup)))?;

@@ -153,7 +153,9 @@ pub(crate) fn setup(
     assembly.roll(of_materials, fender_tables, &mut fenders, &mut materials)?;
     let of_bodies = file.given(ScenarioKey::BODY).named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
-    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds)?;
+    assembly.check_starts(of_bodies, &kinds, &bodies, &environment)?;
+    let in_water = (bodies.as_mut_slice(), &environment);
+    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds, in_water)?;
     let flow =
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let statistics = assembly.statistics(file, &vessels, &names)?;
@@ -221,7 +223,7 @@ pub(crate) fn setup(
     };
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
-    assembly.check_bottom(file, &setup)?;
+    assembly.note_holes_at_fenders(file, &setup);
     assembly.note_late_arrivals(of_bodies, &setup);
     assembly.note_draughts(file, fender_tables, &setup);
     let orders = file.given(ScenarioKey::ORDER).list();

@@ -155,7 +155,7 @@ fn what_is_left_out_is_counted_with_its_reason() {
         "1 DEPARE (no geometry)",
         "1 DEPARE (its geometry is not one of its class)",
         "1 DEPARE (its ring crosses itself)",
-        "1 DEPARE (the class is not read)",
+        "1 OBJL 119 (the class is not read)",
         "1 M_COVR (CATCOV 2: no coverage)",
     ] {
         assert!(left_out.contains(words), "{left_out}\n{words}");

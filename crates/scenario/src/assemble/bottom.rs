@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::chart::{Chart, GeographicPlace};
-use fenderline_sim::{Bottom, Outside, Setup};
+use fenderline_sim::{BodySetup, Bottom, Environment, Outside, Setup};
 
 use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
+use super::vessel::Kinds;
 use crate::bottom::{self, About, LAND_HEIGHT_M, Refusal, Request};
 use crate::chart::projection::Projected;
 use fenderline_keys::any_keys;
-use fenderline_keys::checked::{Entry, Of, Value};
+use fenderline_keys::checked::{Entry, Of, Tables, Value};
 use fenderline_keys::held::TableOf;
 use fenderline_keys::keys::ScenarioKey;
 use fenderline_keys::keys::body::BodyKey;
@@ -59,9 +60,10 @@ impl Assembly<'_, '_> {
                 error.with_help("write chart = \"interpolated\", or name the files of a survey")
             );
         }
+        let of_surveys = any_keys![BottomKey: SURVEY_COORDINATES, SURVEY_VALUES];
+        let mut given = of_surveys.iter().filter_map(|key| of.item(*key));
         if names.is_empty()
-            && let Some(item) = of.first_of(any_keys![BottomKey: SURVEY_COORDINATES, SURVEY_VALUES])
-            && !item.is_default
+            && let Some(item) = given.find(|item| !item.is_default)
         {
             let path = of.path_to(item);
             let message = format!("`{path}` is for a `survey`, which is missing");
@@ -106,15 +108,18 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses ships that begin on land or where there is no data, and notes ships that begin aground, and fenders
-    /// without data in front of them.
-    pub(super) fn check_bottom(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) -> Checked<()> {
-        let environment = &setup.world.environment;
+    /// Refuses ships that begin on land or where there is no data, and notes ships that begin aground.
+    pub(super) fn check_starts(
+        &mut self,
+        tables: Tables<'_, BodyKey>,
+        kinds: &Kinds,
+        bodies: &[BodySetup],
+        environment: &Environment,
+    ) -> Checked<()> {
         let Some(bottom) = &environment.bottom else { return Ok(()) };
-        let bodies = file.given(ScenarioKey::BODY).named();
-        for vessel in &setup.world.vessels {
-            let body = &setup.bodies[vessel.body];
-            let Some((name, table)) = bodies.iter().nth(vessel.body) else { continue };
+        let all = tables.iter().zip(kinds.of_bodies()).zip(bodies);
+        for (((name, table), kind), body) in all {
+            let Some(kind) = kind else { continue };
             let item = table.given(BodyKey::POSITION);
             let path = table.path_of(BodyKey::POSITION);
             let pose = Pose::new(body.position_m, body.heading_rad);
@@ -146,7 +151,7 @@ impl Assembly<'_, '_> {
                     .with_help("choose a place in the water: positions are north, then east"));
             }
             let least_m = under().map(depth_m).fold(f64::INFINITY, libm::fmin) + level_m;
-            let draught_m = vessel.deep.particulars.draught_m;
+            let draught_m = kind.setup.deep.particulars.draught_m;
             if least_m < draught_m {
                 let message = format!(
                     "{} begins aground: she draws {} m, and the least depth under her hull is {} m",
@@ -157,11 +162,12 @@ impl Assembly<'_, '_> {
                 self.note_at(&item.span, path, message);
             }
         }
-        self.note_holes_at_fenders(file, setup, bottom);
         Ok(())
     }
 
-    fn note_holes_at_fenders(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup, bottom: &Bottom) {
+    /// Notes fenders without data in front of them.
+    pub(super) fn note_holes_at_fenders(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
+        let Some(bottom) = &setup.world.environment.bottom else { return };
         let no_data = setup.fenders.iter().filter(|fender| {
             let body = &setup.bodies[fender.body];
             let (sin, cos) = libm::sincos(fender.facing_rad);

@@ -49,13 +49,16 @@ impl Assembly<'_, '_> {
         body: usize,
         draught: &Draught,
     ) {
+        // Over a bottom by place a run sounds the depth under each vessel.
+        if setup.world.environment.bottom.is_some() {
+            return;
+        }
         let Some([least_m, _]) = setup.world.environment.depth_range_m() else { return };
         if least_m >= draught.at_least_m {
             return;
         }
         let environment = file.given(ScenarioKey::ENVIRONMENT).table();
-        // The bottom by place is looked at where she begins.
-        let Some(item) = environment.item(EnvironmentKey::DEPTH) else { return };
+        let item = environment.given(EnvironmentKey::DEPTH);
         let message = format!(
             "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was expected",
             rounded(least_m),

@@ -90,7 +90,9 @@ impl Assembly<'_, '_> {
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };
-        if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
+        if environment.depth_m.is_some()
+            && environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0)
+        {
             let message = "the bottom is above the water throughout the run";
             return Err(match table.item(EnvironmentKey::DEPTH) {
                 Some(item) => self.refused(table, item, &message),
@@ -215,6 +217,10 @@ impl Assembly<'_, '_> {
                 "bank suction is UNVALIDATED: Norrbin's formulas are from memory; we read no \
                  source",
             );
+        }
+        // Over a bottom by place the verdict names the depths that a vessel meets.
+        if environment.bottom.is_some() {
+            return;
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
         for (name, kind) in &kinds.all {

@@ -43,9 +43,14 @@ pub(super) fn areas(chart: &Chart) -> impl Iterator<Item = (&ChartFeature, &[Vec
     })
 }
 
-/// The rectangle around the areas with a depth.
+/// The rectangle around the areas with a depth and the land.
 pub(super) fn extent(chart: &Chart) -> Extent {
-    Extent::around(areas(chart).flat_map(|(feature, _)| feature.shape.points_m()))
+    let is_land = |feature: &&ChartFeature| {
+        feature.kind == ChartKind::Coast && matches!(feature.shape, ChartShape::Area(_))
+    };
+    let land = chart.features.iter().filter(is_land);
+    let all = areas(chart).map(|(feature, _)| feature).chain(land);
+    Extent::around(all.flat_map(|feature| feature.shape.points_m()))
 }
 
 /// The depths of a chart at the nodes.

@@ -86,18 +86,19 @@ pub(super) fn class_of(given: &Properties, layer: &str) -> Option<Found> {
     }
     // A layer of S-57 has a name of six letters in capitals, such as `M_COVR`.
     let is_layer = layer.len() == 6 && layer.bytes().all(|b| b.is_ascii_uppercase() || b == b'_');
+    let named = CLASSES.into_iter().find(|class| class.word == layer);
     if let Some(number) = given.objl.as_ref().and_then(number) {
         let known = CLASSES.into_iter().find(|class| f64::from(class.number) == number);
         return Some(match known {
             Some(class) => Found::Read(class),
-            None if is_layer => Found::NotRead(layer.to_owned()),
+            None if is_layer && named.is_none() => Found::NotRead(layer.to_owned()),
             None => Found::NotRead(format!("OBJL {number}")),
         });
     }
     if !is_layer {
         return None;
     }
-    Some(match CLASSES.into_iter().find(|class| class.word == layer) {
+    Some(match named {
         Some(class) => Found::Read(class),
         None => Found::NotRead(layer.to_owned()),
     })

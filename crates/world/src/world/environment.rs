@@ -1,9 +1,10 @@
 //! Wind, current and water of a run.
 
+use std::fmt;
 use std::sync::Arc;
 
-use fenderline_contact::Vec2;
 use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::{DisplayNumber, Vec2};
 use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 
 use fenderline_ship::environment::current::Current;
@@ -12,6 +13,22 @@ use fenderline_ship::environment::wind::Wind;
 use fenderline_ship::environment::{Bank, DepthField, EnvironmentError, LongWaves, Tide};
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
+
+/// A place at which no depth is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoDepth {
+    /// The place, north and east (m).
+    pub place_m: Vec2,
+}
+
+impl fmt::Display for NoDepth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [north, east] = [self.place_m.x, self.place_m.y].map(DisplayNumber);
+        write!(f, "no depth is known at {north} m north, {east} m east")
+    }
+}
+
+impl std::error::Error for NoDepth {}
 
 /// The bottom of the sea by place.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +65,24 @@ impl Bottom {
             Outside::Depth(depth_m) => Some(depth_m),
             Outside::Error => None,
         })
+    }
+
+    /// Nodes, cell and range of the field, and what holds outside of it, in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let field = &self.field;
+        let ([north, east], [least_m, most_m]) = (field.nodes(), field.range_m());
+        let holes = field.depths_m().iter().filter(|depth_m| depth_m.is_nan()).count();
+        let share = 100.0 * holes as f64 / field.depths_m().len() as f64;
+        let outside = match self.outside {
+            Outside::Depth(depth_m) => format!("{depth_m} m where there is no data"),
+            Outside::Error => "an error where there is no data".to_owned(),
+        };
+        format!(
+            "bottom: {north} by {east} nodes to the north and east, cells of {} m; {least_m:.1} to {most_m:.1} m below datum; \
+             {share:.1} % of the nodes without data; {outside}",
+            field.cell_m()
+        )
     }
 
     /// The least and the greatest depth below datum (m), with the depth where there is no data.
@@ -127,23 +162,31 @@ impl Environment {
         [low_m + waves_m[0], high_m + waves_m[1]]
     }
 
-    /// Depth of the water at a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
-    #[must_use]
-    pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
-        self.depth_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0))
+    /// Depth of the water at a place and a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
+    ///
+    /// # Errors
+    /// A place without data.
+    pub fn depth_at_m(&self, place_m: Vec2, t_s: f64) -> Result<Option<f64>, NoDepth> {
+        let below_datum_m = match &self.bottom {
+            Some(bottom) => Some(bottom.depth_m(place_m).ok_or(NoDepth { place_m })?),
+            None => self.depth_m,
+        };
+        Ok(below_datum_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0)))
     }
 
-    /// Depth of the water at a time (m) with the tide alone, for hull forces and added mass; `None`: deep.
-    #[must_use]
-    pub fn still_depth_at_m(&self, t_s: f64) -> Option<f64> {
-        self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
-    }
-
-    /// The least and the greatest depth of a run (m); `None`: deep.
+    /// The least and the greatest depth of a run (m), over all places; `None`: deep.
     #[must_use]
     pub fn depth_range_m(&self) -> Option<[f64; 2]> {
-        self.depth_m
-            .map(|depth_m| self.level_range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
+        let one = self.depth_m.map(|depth_m| [depth_m; 2]);
+        let [least_m, most_m] = self.bottom.as_ref().map(Bottom::range_m).or(one)?;
+        let [low_m, high_m] = self.level_range_m();
+        Some([least_m + low_m, most_m + high_m].map(|depth_m| greater(depth_m, 0.0)))
+    }
+
+    /// Whether the water is deep everywhere: neither one depth nor a bottom by place is given.
+    #[must_use]
+    pub fn is_deep(&self) -> bool {
+        self.depth_m.is_none() && self.bottom.is_none()
     }
 
     /// Checks depth, bottom and tide; wind, current, sea and long waves are checked when they are made.

@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use fenderline_contact::Vec2;
 use fenderline_sim::chart::{
-    ChartFeature, ChartKind, ChartLight, ChartShape, MarkColour, MarkSide,
+    Chart, ChartFeature, ChartKind, ChartLight, ChartShape, MarkColour, MarkSide,
 };
 use maud::{Markup, html};
 
@@ -69,11 +69,16 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     features.iter().filter_map(label).collect()
 }
 
-/// What a reader must know of the chart.
-pub fn chart_note() -> Markup {
+/// What a reader must know of the chart: where the depth of the run comes from, and what of the chart is not drawn.
+pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
     html! {
         p class="note" {
-            "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
+            @if has_bottom {
+                "The run has a bottom by place: see the depth of the water. Depths of the chart in metres below chart datum."
+            } @else {
+                "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
+            }
+            @if let Some(left_out) = chart.left_out_in_words() { " Left out of the chart: " (left_out) "." }
         }
     }
 }
