@@ -9,10 +9,11 @@ use crate::ships;
 use crate::support;
 
 use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::environment::current::{Current, CurrentGrid};
 use fenderline_sim::environment::{DepthField, Tide};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::Origin;
-use fenderline_sim::hydro::{AddedMass, CrossFlow, Hull, LowSpeedHull, Mmg, Particulars};
+use fenderline_sim::hydro::{AddedMass, CrossFlow, Hull, LowSpeedHull, Mmg, Particulars, Squat};
 use fenderline_sim::{
     Action, Bottom, Environment, Integrator, Load, MassProperties, Method, Order, Outside, Setup,
     SetupError, Simulation, StepFault, VesselAction, VesselSetup, WorldSetup,
@@ -335,6 +336,41 @@ fn clearances_fore_and_aft_are_those_of_the_slope() {
     assert_eq!(record.vessels[0].under_keel_m, fore_m);
 }
 
+/// A dredged trench 112 m wide at the bottom and 14 m deep with slopes of 1:4, in water of 6 m, by hand. The width of
+/// influence is 7.7 B = 246.4 m for a box.
+#[test]
+fn a_trench_has_its_section_and_squat_follows_its_blockage() {
+    let section = |_: f64, east: f64| {
+        let off_m = east.abs() - 56.0;
+        14.0 - (off_m / 4.0).clamp(0.0, 8.0)
+    };
+    let bottom = field(400.0, section);
+    // 112 × 14, two slopes of 32 m with a mean of 10 m, and 2 × 35.2 m at 6 m.
+    let by_hand_m2 = 112.0 * 14.0 + 2.0 * 32.0 * 10.0 + 2.0 * (123.2 - 88.0) * 6.0;
+    let found_m2 = bottom.section_m2((vec2(0.0, 0.0), vec2(1.0, 0.0)), 0.0, 123.2);
+    assert!((found_m2 / by_hand_m2 - 1.0).abs() < 1e-3, "{found_m2} {by_hand_m2}");
+    let squat_m = |bottom: Option<Bottom>, depth_m: Option<f64>| {
+        let squat = Some(Squat::BarrassChannel);
+        let water = Environment { bottom, depth_m, squat, ..Environment::default() };
+        let mut setup = with(ship(), water, 0.5, 10.0);
+        setup.bodies[0].velocity.surge_mps = 4.0;
+        let mut simulation = Simulation::new(setup).expect("a good set-up");
+        simulation.step().expect("a good step").vessels[0].squat_m
+    };
+    let own_m2 = 32.0 * 8.0;
+    let returns = own_m2 / (by_hand_m2 - own_m2);
+    let knots = 4.0 * 3600.0 / 1852.0_f64;
+    let wanted_m = returns.powf(2.0 / 3.0) * knots.powf(2.08) / 30.0;
+    let (trench_m, open_m) = (squat_m(Some(bottom), None), squat_m(None, Some(14.0)));
+    println!(
+        "squat {trench_m:.3} m in the trench, {wanted_m:.3} m by hand; {open_m:.3} m in open water"
+    );
+    assert!((trench_m / wanted_m - 1.0).abs() < 1e-3 && trench_m > 1.1 * open_m);
+    // A flat field is open water: she has no banks.
+    let flat_m = squat_m(Some(field(400.0, |_, _| 14.0)), None);
+    assert!((flat_m / open_m - 1.0).abs() < 1e-9, "{flat_m} {open_m}");
+}
+
 #[test]
 fn off_the_data_a_step_names_ship_place_and_time_and_changes_nothing() {
     let mut setup = with(ship(), over(field(400.0, |_, _| 20.0)), 0.5, 600.0);
@@ -382,4 +418,31 @@ fn a_run_shares_the_field() {
         run.step().expect("a good step");
     }
     assert_eq!(Arc::strong_count(&shared), 6);
+}
+
+/// A stream to the east that grows by 1 kn over the length of a ship that lies north: −½ kn at the stern, ½ kn at the bow.
+/// By hand the cross-flow drag turns her to starboard with ½ ρ T C ω² L⁴/32, ω = 1 kn/L, and does not push her.
+#[test]
+fn a_shear_of_the_current_along_a_ship_turns_her() {
+    let knot_mps = 1852.0 / 3600.0;
+    let grid = CurrentGrid::new(
+        vec![0.0],
+        vec![-192.0, 192.0],
+        vec![0.0],
+        vec![vec2(0.0, -knot_mps), vec2(0.0, knot_mps)],
+    );
+    let current = Some(Current::Grid(grid.expect("a grid")));
+    let mut box_ship = ship();
+    let drag = 0.6;
+    box_ship.hull.low_speed.cross_flow.drag_coefficient = drag;
+    box_ship.hull = Hull::deep(None, box_ship.hull.low_speed);
+    let water = Environment { current, ..Environment::default() };
+    let mut simulation = Simulation::new(with(box_ship, water, 0.5, 10.0)).expect("a set-up");
+    let force = simulation.step().expect("a good step").vessel_forces[0].hull;
+    let turning_radps = knot_mps / 192.0;
+    let by_hand_nm =
+        0.5 * 1025.0 * 8.0 * drag * turning_radps * turning_radps * 192.0_f64.powi(4) / 32.0;
+    println!("yaw moment {:.4e} N m, by hand {by_hand_nm:.4e} N m", force.yaw_nm);
+    assert!((force.yaw_nm / by_hand_nm - 1.0).abs() < 1e-9, "{force:?} {by_hand_nm}");
+    assert!(force.sway_n.abs() < 1e-6 && force.surge_n.abs() < 1e-6, "{force:?}");
 }
