@@ -446,3 +446,33 @@ fn a_shear_of_the_current_along_a_ship_turns_her() {
     assert!((force.yaw_nm / by_hand_nm - 1.0).abs() < 1e-9, "{force:?} {by_hand_nm}");
     assert!(force.sway_n.abs() < 1e-6 && force.surge_n.abs() < 1e-6, "{force:?}");
 }
+
+/// Prints the time of a step afloat in one depth, over a field, and aground on a slope:
+/// `cargo test -p fenderline-sim --test all a_step_over_a_field -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints times"]
+fn a_step_over_a_field_costs_little() {
+    let vessel = ships::kvlcc2();
+    let deep_enough = |north: f64, east: f64| 30.0 + 0.01 * north - 0.004 * east;
+    let on_slope = |_: f64, east: f64| 20.8 - east / 64.0;
+    for (name, bottom, depth_m) in [
+        ("one depth", None, Some(30.0)),
+        ("a field", Some(field(2000.0, deep_enough)), None),
+        ("aground", Some(field(2000.0, on_slope)), None),
+    ] {
+        let tide = Tide::Curve(vec![[0.0, 0.0], [3600.0, 0.1]]);
+        let environment = Environment { bottom, depth_m, tide, ..Environment::default() };
+        let mut setup = with(vessel.ship, environment, 0.5, 1e6);
+        setup.bodies[0].velocity.surge_mps = if name == "aground" { 0.0 } else { 0.5 };
+        let mut simulation = Simulation::new(setup).expect("a good set-up");
+        let mut least_us = f64::INFINITY;
+        for _ in 0..20 {
+            let start = std::time::Instant::now();
+            for _ in 0..50 {
+                simulation.step().expect("a good step");
+            }
+            least_us = least_us.min(start.elapsed().as_secs_f64() * 1e6 / 50.0);
+        }
+        println!("{name}: {least_us:.1} µs a step, aground: {}", simulation.vessels()[0].aground);
+    }
+}
