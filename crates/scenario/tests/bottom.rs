@@ -321,12 +321,12 @@ fn the_same_chart_gives_the_same_bits_in_any_order_of_its_lines() {
         bottom("chart = \"interpolated\"\ncell = 5", &[("c.geojson", file)]).unwrap().field
     };
     let file = made_up();
-    let mut lines: Vec<&str> = file.lines().collect();
+    let lines: Vec<&str> = file.lines().collect();
     let last = lines.len() - 1;
     let mut features: Vec<String> =
         lines[1..last].iter().map(|line| line.trim_end_matches(',').to_owned()).collect();
     features.reverse();
-    let reversed = format!("{}\n{}\n{}", lines[0], features.join(",\n"), lines.pop().unwrap());
+    let reversed = format!("{}\n{}\n{}", lines[0], features.join(",\n"), lines[last]);
     assert!(make(&file) == make(&reversed));
 }
 

@@ -74,7 +74,7 @@ table_keys! {
             Kind::Choice(&SQUATS),
             Means("\"icorels\" if `depth` or `bottom` is given"),
             "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
-             water. The formulas give the sinkage of the deepest point of the hull; here the whole \
+             water, or with the blockage of a channel. The formulas give the sinkage of the deepest point of the hull; here the whole \
              hull sinks by this amount, without trim.",
             &["\"icorels\""],
         ),
@@ -462,6 +462,13 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
         word: "eryuzlu",
         value: Some(Squat::Eryuzlu),
         doc: "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts",
+    },
+    Choice {
+        word: "barrass_channel",
+        value: Some(Squat::BarrassChannel),
+        doc: "Barrass with the blockage of the channel: block coefficient x S2^(2/3) knots^2.08 / 30, S2 = section of \
+              the ship / section of the water around her; with one depth, and in wide water, the section is that of open \
+              water",
     },
 ]);
 

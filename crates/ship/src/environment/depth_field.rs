@@ -73,10 +73,9 @@ impl OnAxis {
         if !inside {
             return None;
         }
-        let line = libm::round(at);
-        if (at - line).abs() <= ON_LINE {
-            let low = line as usize;
-            return Some(OnAxis { low, high: low, share: 0.0 });
+        let nearest = (at + 0.5) as usize; // `at` is not below −ON_LINE
+        if (at - nearest as f64).abs() <= ON_LINE {
+            return Some(OnAxis { low: nearest, high: nearest, share: 0.0 });
         }
         let low = at as usize;
         Some(OnAxis { low, high: low + 1, share: at - low as f64 })
@@ -372,7 +371,7 @@ mod tests {
     }
 
     /// Prints the time of a query in a field of 16 million nodes:
-    /// `cargo test --release -p fenderline-ship --lib depth_field -- --ignored --nocapture`.
+    /// `cargo test -p fenderline-ship --lib depth_field -- --ignored --nocapture`.
     #[test]
     #[ignore = "prints a time"]
     fn a_query_takes_less_than_100_ns() {
@@ -381,14 +380,19 @@ mod tests {
         let [_, far] = field.corners_m();
         // A ship's stations, near each other, as in a run; then places all over the field.
         for (name, size) in [("under a ship", vec2(300.0, 40.0)), ("all over the field", far)] {
-            let places_m: Vec<Vec2> = places(1_000_000, [vec2(0.0, 0.0), size]).collect();
-            let start = std::time::Instant::now();
-            let sum: f64 = places_m.iter().filter_map(|&at_m| field.depth_m(at_m)).sum();
-            let depth_ns = start.elapsed().as_nanos() as f64 / 1e6;
-            let start = std::time::Instant::now();
-            let slopes = places_m.iter().filter_map(|&at_m| field.sounding(at_m));
-            let all: f64 = slopes.map(|(depth_m, slope)| depth_m + slope.x).sum();
-            let both_ns = start.elapsed().as_nanos() as f64 / 1e6;
+            let places_m: Vec<Vec2> = places(200_000, [vec2(0.0, 0.0), size]).collect();
+            // The least of batches: other programs disturb a batch, and never make it faster.
+            let [mut depth_ns, mut both_ns] = [f64::INFINITY; 2];
+            let (mut sum, mut all) = (0.0, 0.0);
+            for batch in places_m.chunks(2000) {
+                let start = std::time::Instant::now();
+                sum += batch.iter().filter_map(|&at_m| field.depth_m(at_m)).sum::<f64>();
+                depth_ns = depth_ns.min(start.elapsed().as_nanos() as f64 / 2000.0);
+                let start = std::time::Instant::now();
+                let slopes = batch.iter().filter_map(|&at_m| field.sounding(at_m));
+                all += slopes.map(|(depth_m, slope)| depth_m + slope.x).sum::<f64>();
+                both_ns = both_ns.min(start.elapsed().as_nanos() as f64 / 2000.0);
+            }
             println!(
                 "{name}: depth {depth_ns:.1} ns, depth and gradient {both_ns:.1} ns ({sum:.3e}, {all:.3e})"
             );

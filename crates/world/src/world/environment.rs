@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use fenderline_contact::number::{greater, lesser};
-use fenderline_contact::{DisplayNumber, Vec2};
+use fenderline_contact::{DisplayNumber, Vec2, vec2};
 use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 
 use fenderline_ship::environment::current::Current;
@@ -29,6 +29,9 @@ impl fmt::Display for NoDepth {
 }
 
 impl std::error::Error for NoDepth {}
+
+/// Strips of each side of a cross-section.
+const STRIPS: u32 = 64;
 
 /// The bottom of the sea by place.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +86,37 @@ impl Bottom {
              {share:.1} % of the nodes without data; {outside}",
             field.cell_m()
         )
+    }
+
+    /// Cross-section of the water at a level above datum (m²): from a place to both sides, at right angles to a heading (a
+    /// unit vector), each side as far as `half_width_m`, the first dry place or the last place with data.
+    #[must_use]
+    pub fn section_m2(
+        &self,
+        (place_m, ahead): (Vec2, Vec2),
+        level_m: f64,
+        half_width_m: f64,
+    ) -> f64 {
+        let wet_m = |at_m: Vec2| self.depth_m(at_m).map_or(0.0, |depth_m| depth_m + level_m);
+        let middle_m = wet_m(place_m);
+        let strip_m = half_width_m / f64::from(STRIPS);
+        [1.0, -1.0].into_iter().fold(0.0, |sum_m2, side| {
+            let out = vec2(-ahead.y, ahead.x) * (side * strip_m);
+            let (mut sum_m2, mut last_m) = (sum_m2, middle_m);
+            for strip in 1..=STRIPS {
+                let next_m = wet_m(place_m + out * f64::from(strip));
+                if last_m <= 0.0 {
+                    break;
+                }
+                // Within a strip that falls dry, the wet part is a triangle.
+                sum_m2 += match next_m > 0.0 {
+                    true => 0.5 * strip_m * (last_m + next_m),
+                    false => 0.5 * strip_m * last_m * last_m / (last_m - next_m),
+                };
+                last_m = next_m;
+            }
+            sum_m2
+        })
     }
 
     /// The least and the greatest depth below datum (m), with the depth where there is no data.

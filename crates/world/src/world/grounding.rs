@@ -25,7 +25,7 @@ use super::vessel::{BOTTOM_FRICTION, SLOW_MPS, VesselSetup};
 /// How much a station sinks into the bottom, over the rise of a ship on a level bottom. It shares the load of several
 /// stations among them. The waterplane is stiffer by the same share, so that a level bottom carries exactly the weight
 /// that the water does not carry. Our choice.
-const YIELD: f64 = 0.01;
+const YIELD: f64 = 0.001;
 /// Places on the way of a step, over its length, and their weights: Simpson's rule in two parts.
 const WAY: [(f64, f64); 5] = [
     (0.0, 1.0 / 12.0),

@@ -12,15 +12,16 @@ use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
 use super::soundings::Soundings;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
+use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
 use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
 use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
-use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
+use fenderline_ship::hydro::shallow::{SHALLOWEST_RATIO, width_of_influence_m};
 use fenderline_ship::hydro::vessels::Origin;
-use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::hydro::{Controls, Force, Mmg, Squat, Velocity};
 use fenderline_ship::seakeeping::Seakeeping;
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
@@ -407,16 +408,36 @@ impl VesselSetup {
         soundings.mean_m.is_some_and(|depth_m| depth_m < least_m)
     }
 
-    /// Velocity through the water at midship.
+    /// Velocity through the water at midship, and the rate of turn through the water: a stream that is stronger across
+    /// the bow than across the stern acts as if the vessel turned the other way.
     #[must_use]
     pub fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
-        let draught_m = self.ship.particulars.draught_m;
-        let current = environment.current(state.position_m, t_s, draught_m);
+        let (current, turning_radps) = self.stream(state, environment, t_s);
         let own =
             Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
-        let yaw_radps = state.yaw_rate_radps;
-        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
-        Velocity { surge_mps: own.x, sway_mps, yaw_radps }
+        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * state.yaw_rate_radps;
+        Velocity { surge_mps: own.x, sway_mps, yaw_radps: state.yaw_rate_radps - turning_radps }
+    }
+
+    /// Velocity of the water along the hull (m/s) and its rate of turn (rad/s): mean and slope of the stream. A current by
+    /// place is taken at three stations, those of Gauss's rule over the length, so that a linear shear is exact; any
+    /// other current is the same along the hull.
+    fn stream(&self, state: &BodyState, environment: &Environment, t_s: f64) -> (Vec2, f64) {
+        let hull = &self.ship.particulars;
+        if !matches!(environment.current, Some(Current::Grid(_))) {
+            return (environment.current(state.position_m, t_s, hull.draught_m), 0.0);
+        }
+        let axes = Rotation::from_angle(state.heading_rad);
+        let out_m = 0.5 * hull.length_m * libm::sqrt(0.6);
+        let at = |x_m: f64| {
+            let arm_m = axes.apply(vec2(x_m - hull.centre_of_gravity_m, 0.0));
+            environment.current(state.position_m + arm_m, t_s, hull.draught_m)
+        };
+        let [aft, middle, fore] = [-out_m, 0.0, out_m].map(at);
+        // Differences from midship: a uniform current gives its velocity to the last bit.
+        let mean = middle + ((aft - middle) + (fore - middle)) * (5.0 / 18.0);
+        let turning_radps = axes.apply_inverse(fore - aft).y / (2.0 * out_m);
+        (mean, turning_radps)
     }
 
     fn drift(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
@@ -464,7 +485,8 @@ impl VesselSetup {
         })
     }
 
-    /// The vessel's squat in the mean depth under her (m); 0 in deep water.
+    /// The vessel's squat in the mean depth under her (m), and by [`Squat::BarrassChannel`] in the cross-section of the water
+    /// at midship; 0 in deep water.
     pub fn squat_m(
         &self,
         state: &BodyState,
@@ -475,7 +497,17 @@ impl VesselSetup {
             return 0.0;
         };
         let surge_mps = self.velocity(state, environment, t_s).surge_mps;
-        squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
+        let hull = &self.ship.particulars;
+        let section_m2 = match (&environment.bottom, squat) {
+            (Some(bottom), Squat::BarrassChannel) => {
+                let midship_m = state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0));
+                let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
+                let half_width_m = 0.5 * width_of_influence_m(hull);
+                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), half_width_m)
+            }
+            _ => f64::INFINITY,
+        };
+        squat.sinkage_in_m(hull, (depth_m, section_m2), surge_mps)
     }
 
     /// The least under-keel clearance with a squat (m); `None` in deep water.
@@ -620,7 +652,7 @@ impl VesselSetup {
         let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = *mass;
         WaterInertia {
             coriolis,
-            current_mps: environment.current(state.position_m, t_s, draught_m),
+            current_mps: self.stream(state, environment, t_s).0,
             acceleration: Wrench {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,
