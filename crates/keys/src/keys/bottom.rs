@@ -19,7 +19,7 @@ pub(super) static BOTTOM: TableSpec = TableSpec {
     rules: Some(|| {
         json!({
             "anyOf": [{ "required": ["survey"] }, { "required": ["chart"] }],
-            "properties": { "survey": { "minItems": 1 } },
+            "allOf": [{ "properties": { "survey": { "minItems": 1 } } }],
             "dependentRequired": { "survey_coordinates": ["survey"], "survey_values": ["survey"] }
         })
     }),

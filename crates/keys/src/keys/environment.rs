@@ -53,7 +53,7 @@ table_keys! {
             Means("the water is as deep everywhere as `depth` says"),
             "Depth of the water by place, instead of `depth`. Waves, which have one depth, take the median of the \
              water.",
-            &["{ chart = \"interpolated\" }"],
+            &["{ chart = \"interpolated\", outside = \"30 m\" }"],
         ),
         WATER_DENSITY: Number = key(
             "water_density",
