@@ -106,7 +106,7 @@ def chart() -> dict[str, object]:
         feature(42, "Polygon", band(nine, five), DRVAL1=5.0, DRVAL2=9.0),
         feature(42, "Polygon", band(five, COAST), DRVAL1=0.0, DRVAL2=5.0),
         feature(46, "Polygon", [channel()], DRVAL1=CHANNEL, OBJNAM="Channel"),
-        feature(46, "Polygon", [[[QUAY[0], BASIN[1] - 150], [QUAY[1], BASIN[1] - 150], [QUAY[1], COAST], [QUAY[0], COAST], [QUAY[0], BASIN[1] - 150]]], DRVAL1=POCKET, OBJNAM="Basin"),
+        feature(46, "Polygon", [[[QUAY[0], BASIN[1] - 150], [QUAY[1], BASIN[1] - 150], [QUAY[1], COAST], [QUAY[0], COAST], [QUAY[0], BASIN[1] - 150]]], DRVAL1=CHANNEL, OBJNAM="Basin"),
         feature(43, "LineString", [[WEST, nine], [east, nine]], VALDCO=9.0),
         feature(43, "LineString", [[WEST, five], [east, five]], VALDCO=5.0),
         feature(71, "Polygon", band(COAST, north), OBJNAM="Mainland"),
