@@ -379,10 +379,10 @@ fn file_named(name: &str) -> Result<String, String> {
                 "properties": { "kind": "quay", "name": "quay 3" }, "geometry": { "type": "Polygon",
                 "coordinates": [[[7.2, 54], [7.2, 54.01], [7.21, 54.01], [7.2, 54]]] } }, { "type": "Feature",
                 "properties": { "kind": "depth_area", "depth_m": 30 }, "geometry": { "type": "Polygon",
-                "coordinates": [[[7.1, 53.95], [7.3, 53.95], [7.3, 54.05], [7.1, 53.95]]] } }] }"#
+                "coordinates": [[[7.16, 53.99], [7.2, 53.99], [7.2, 54.02], [7.16, 53.99]]] } }] }"#
         }
         "depths.asc" | "berth.asc" | "channel.xyz" => {
-            "ncols 2\nnrows 2\nxllcorner -9000\nyllcorner -9000\ncellsize 9000\n30 30\n30 30\n"
+            "ncols 2\nnrows 2\nxllcorner -5000\nyllcorner -5000\ncellsize 5000\n30 30\n30 30\n"
         }
         "current.csv" => "north_m,east_m,north_mps,east_mps\n0,0,1,0\n0,9,1,1\n",
         "response.csv" => {
