@@ -305,11 +305,10 @@ impl<'a> File<'a> {
             let separators = |c: char| c.is_whitespace() || c == ',' || c == ';';
             let mut words = line.split(separators).filter(|word| !word.is_empty());
             let first = words.next().unwrap_or_default();
-            if index == 0
-                && first
-                    .starts_with(|c: char| c.is_ascii_alphabetic() && !"nN".contains(c) || c == '"')
-                || index == 0 && first.to_ascii_lowercase().starts_with("north")
-            {
+            let begins = first.trim_start_matches('"').to_ascii_lowercase();
+            let is_word = begins.starts_with(|c: char| c.is_ascii_alphabetic());
+            // A row may begin with the word for a number that is none.
+            if index == 0 && is_word && begins != "nan" {
                 // Names of columns.
                 let name = first.trim_matches('"').to_ascii_lowercase();
                 is_swapped = name.starts_with("lat") || name.starts_with("north") || name == "y";
