@@ -68,7 +68,7 @@ export class Workbench {
   });
   private readonly picked = h("input", {
     type: "file",
-    accept: ".toml,.geojson,.json,.csv",
+    accept: ".toml,.geojson,.json,.csv,.asc,.xyz,.txt",
     multiple: true,
     class: "hidden",
     "aria-label": "Scenario file",

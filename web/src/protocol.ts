@@ -222,15 +222,51 @@ export interface CommandLimits {
 /** A feature of the chart. */
 export interface ChartInfo {
   kind:
-    "depth_area" | "depth_contour" | "coast" | "quay" | "leading_line" | "beacon" | "buoy" | "name";
+    | "coverage"
+    | "depth_area"
+    | "dredged_area"
+    | "unsurveyed_area"
+    | "depth_contour"
+    | "sounding"
+    | "coast"
+    | "quay"
+    | "pontoon"
+    | "building"
+    | "berth"
+    | "fairway"
+    | "anchorage"
+    | "leading_line"
+    | "bridge"
+    | "overhead_cable"
+    | "rock"
+    | "obstruction"
+    | "wreck"
+    | "mooring"
+    | "landmark"
+    | "light"
+    | "beacon"
+    | "buoy"
+    | "name";
   /** Empty for none. */
   name: string;
-  /** Of depth areas (the least) and depth contours [m]. */
+  /** Below chart datum; of areas the least [m]. */
   depth_m: number | null;
-  /** Of buoys and beacons. */
+  /** Of areas of depth: the greatest [m]. */
+  deepest_m: number | null;
+  /** Of bridges and overhead cables: height above the water [m]. */
+  clearance_m: number | null;
+  /** Of buoys, beacons and lights. */
   colour: "red" | "green" | "yellow" | "black" | "white" | null;
   /** The side of the fairway that a lateral mark is on, for a ship that enters. */
   side: "port" | "starboard" | null;
+  /** Of lights: the character as on a chart, such as "Fl(2) R 6s". */
+  character: string | null;
+  /** Of lights [s]. */
+  period_s: number | null;
+  /** Of lights: directions from the light, clockwise from the first to the second; `null`: all round [rad]. */
+  sector_rad: Pair | null;
+  /** Of lights: nominal range [m]. */
+  range_m: number | null;
   shape: "point" | "line" | "area";
   /** Earth-fixed [m]: one place, one line, or the rings of an area, each without a repeated last place. */
   lines: Pair[][];

@@ -3,7 +3,8 @@
 use fenderline_campaign::Campaign;
 use fenderline_report::plot::counted;
 use fenderline_scenario::{LoadError, printable_number};
-use fenderline_sim::Simulation;
+use fenderline_sim::chart::{Chart, ChartClass};
+use fenderline_sim::{Bottom, Simulation};
 use serde_json::{Value, json};
 
 use crate::campaign;
@@ -75,6 +76,8 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
             "pairs": setup.pairs.len(),
             "steps": simulation.steps_total(),
             "step_s": setup.step_s,
+            "chart": chart_json(&setup.world.chart),
+            "bottom": setup.world.environment.bottom.as_ref().map(Bottom::in_words),
         });
         say_json(&format!("{found:#}\n"))?;
     }
@@ -92,6 +95,15 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         counted(simulation.steps_total(), "step", "steps"),
         printable_number(setup.step_s)
     ))?;
+    if let Some(read) = setup.world.chart.read_in_words() {
+        say(&format!("chart: {read}\n"))?;
+    }
+    if let Some(left_out) = setup.world.chart.left_out_in_words() {
+        say(&format!("left out of the chart: {left_out}\n"))?;
+    }
+    if let Some(bottom) = &setup.world.environment.bottom {
+        say(&format!("{}\n", bottom.in_words()))?;
+    }
     for approach in &setup.approaches {
         say(&format!("{}\n{}\n", approach.sentence(setup), approach.start_sentence(setup)))?;
     }
@@ -99,6 +111,16 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
     }
     Ok(())
+}
+
+/// What was read of a chart and what was left out, by class.
+fn chart_json(chart: &Chart) -> Value {
+    let class = |class: &ChartClass| {
+        let left_out =
+            class.left_out.iter().map(|(count, why)| json!({ "count": count, "why": why }));
+        json!({ "class": class.class, "read": class.read, "left_out": left_out.collect::<Vec<_>>() })
+    };
+    chart.classes.iter().map(class).collect()
 }
 
 /// Prints the JSON Schema of a kind of file.

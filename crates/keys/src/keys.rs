@@ -8,6 +8,7 @@ pub mod approach;
 pub mod azimuth;
 pub mod berthing;
 pub mod body;
+pub mod bottom;
 pub mod chart;
 pub mod coefficients;
 pub mod dolphin;

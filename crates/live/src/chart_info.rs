@@ -1,7 +1,7 @@
 //! The chart as pages get it.
 
 use fenderline_contact::Vec2;
-use fenderline_sim::chart::{Chart, ChartFeature, ChartShape};
+use fenderline_sim::chart::{Chart, ChartFeature, ChartShape, MarkColour};
 
 use crate::message::{ChartInfo, Pair};
 
@@ -16,11 +16,19 @@ fn info(feature: &ChartFeature) -> ChartInfo {
         ChartShape::Line(line) => ("line", vec![places(line)]),
         ChartShape::Area(rings) => ("area", rings.iter().map(|ring| places(ring)).collect()),
     };
+    let light = feature.light.as_ref();
+    let colour = feature.mark.map(|mark| mark.colour).or(light.map(|light| light.colour));
     ChartInfo {
         kind: feature.kind.word(),
         name: feature.name.clone(),
         depth_m: feature.depth_m,
-        colour: feature.mark.map(|mark| mark.colour.word()),
+        deepest_m: feature.deepest_m,
+        clearance_m: feature.clearance_m,
+        colour: colour.map(MarkColour::word),
+        character: light.map(|light| light.character.clone()),
+        period_s: light.and_then(|light| light.period_s),
+        sector_rad: light.and_then(|light| light.sector_rad),
+        range_m: light.and_then(|light| light.range_m),
         side: feature.mark.and_then(|mark| mark.side).map(|side| side.word()),
         shape,
         lines,

@@ -7,6 +7,7 @@ mod assembly;
 mod azimuth;
 mod berthing;
 mod bodies;
+mod bottom;
 mod chains;
 mod chart;
 mod coefficients;
@@ -127,12 +128,13 @@ pub(crate) fn setup(
     let output =
         assembly.output(file.item(ScenarioKey::OUTPUT).map(Entry::table), step_s, duration_s)?;
     let mut materials = assembly.materials(file.given(ScenarioKey::MATERIAL).named())?;
-    let environment =
-        assembly.environment(file.given(ScenarioKey::ENVIRONMENT).table(), duration_s)?;
+    let charted = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
+    let water = file.given(ScenarioKey::ENVIRONMENT).table();
+    let environment = assembly.environment(water, duration_s, &charted)?;
+    let chart = charted.chart;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment, step_s)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     assembly.note_long_waves(file, &environment, &kinds);
-    let chart = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
     let mut bodies = assembly.bodies(file.given(ScenarioKey::BODY), &kinds, &chart)?;
     let names = Names::new(&bodies, &materials);
     let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
@@ -151,7 +153,9 @@ pub(crate) fn setup(
     assembly.roll(of_materials, fender_tables, &mut fenders, &mut materials)?;
     let of_bodies = file.given(ScenarioKey::BODY).named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
-    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds)?;
+    assembly.check_starts(of_bodies, &kinds, &bodies, &environment)?;
+    let in_water = (bodies.as_mut_slice(), &environment);
+    let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds, in_water)?;
     let flow =
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let statistics = assembly.statistics(file, &vessels, &names)?;
@@ -219,6 +223,7 @@ pub(crate) fn setup(
     };
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
+    assembly.note_holes_at_fenders(file, &setup);
     assembly.note_late_arrivals(of_bodies, &setup);
     assembly.note_draughts(file, fender_tables, &setup);
     let orders = file.given(ScenarioKey::ORDER).list();

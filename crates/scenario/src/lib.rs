@@ -54,6 +54,7 @@
 //! ```
 
 mod assemble;
+mod bottom;
 mod chart;
 mod data_files;
 mod files;

@@ -13,8 +13,10 @@ mod bad_hydrodynamics;
 mod bad_input;
 mod banks;
 mod berthing;
+mod bottom;
 mod bounded_file;
 mod chart;
+mod chart_of_s57;
 mod chart_projection;
 mod coefficients;
 #[path = "support/data_with_mistakes.rs"]

@@ -249,7 +249,7 @@ fn tide_and_current_are_added_and_keys_are_set_from_outside() {
     let environment = with(lines, &["environment.long_waves.height=0.6 m"]);
     assert!((environment.level_m(0.0) - 1.8).abs() < 1e-12);
     assert!((environment.level_m(60.0) - 1.2).abs() < 1e-9);
-    assert_eq!(environment.still_depth_at_m(0.0), Some(17.5));
+    assert_eq!(environment.depth_m.map(|m| m + environment.tide.level_m(0.0)), Some(17.5));
     let table = "long_waves = { height = 0.4, period = 100, towards = 0 }";
     let sets = ["environment.long_waves.seed=9", "environment.long_waves.shortest_period=70"];
     assert_ne!(with(table, &sets[..1]).long_waves, with(table, &[]).long_waves);

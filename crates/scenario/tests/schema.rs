@@ -217,6 +217,16 @@ fn fulls() -> Vec<Json> {
             "vessel": "barge", "bollard_pull": "60 tf", "push_at": [0, -10], "above_water": "4 m"
         } }
     });
+    let mut on_bottom = full();
+    let environment = on_bottom["environment"].as_object_mut().expect("a table");
+    environment.remove("depth");
+    environment.insert(
+        "bottom".to_owned(),
+        json!({
+            "survey": ["depths.asc"], "survey_coordinates": "metres", "survey_values": "depths",
+            "chart": "interpolated", "cell": "50 m", "outside": "30 m"
+        }),
+    );
     let mut anchored = full();
     anchored["exercise"] = exercise_at_anchor();
     vec![
@@ -229,6 +239,7 @@ fn fulls() -> Vec<Json> {
         on_dolphins,
         on_tubes,
         of_chart,
+        on_bottom,
         anchored,
     ]
 }
@@ -366,7 +377,12 @@ fn file_named(name: &str) -> Result<String, String> {
         "harbour.geojson" => {
             r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
                 "properties": { "kind": "quay", "name": "quay 3" }, "geometry": { "type": "Polygon",
-                "coordinates": [[[7.2, 54], [7.2, 54.01], [7.21, 54.01], [7.2, 54]]] } }] }"#
+                "coordinates": [[[7.2, 54], [7.2, 54.01], [7.21, 54.01], [7.2, 54]]] } }, { "type": "Feature",
+                "properties": { "kind": "depth_area", "depth_m": 30 }, "geometry": { "type": "Polygon",
+                "coordinates": [[[7.16, 53.99], [7.2, 53.99], [7.2, 54.02], [7.16, 53.99]]] } }] }"#
+        }
+        "depths.asc" | "berth.asc" | "channel.xyz" => {
+            "ncols 2\nnrows 2\nxllcorner -5000\nyllcorner -5000\ncellsize 5000\n30 30\n30 30\n"
         }
         "current.csv" => "north_m,east_m,north_mps,east_mps\n0,0,1,0\n0,9,1,1\n",
         "response.csv" => {
@@ -895,6 +911,8 @@ fn examples_are_accepted() {
                 "/vessel/box ship/current_coefficients/quantity",
                 // A constant tension goes with a winch.
                 "/line/spring/winch",
+                // A survey has the coordinates that it has.
+                "/environment/bottom/survey_coordinates",
             ];
             if !conflicts.contains(&pointer.as_str()) {
                 assert!(accepted(&changed), "{pointer} = {example}");

@@ -207,7 +207,7 @@ pub use fenderline_world::approach::{Approach, Side};
 pub use fenderline_world::chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
 pub use fenderline_world::change::{Change, ChangeError, PlannedChange};
 pub use fenderline_world::dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
-pub use fenderline_world::error::{SetupError, SimError};
+pub use fenderline_world::error::{NoDepthUnder, SetupError, SimError, StepFault};
 pub use fenderline_world::fender::{
     FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated,
 };
@@ -223,12 +223,14 @@ pub use fenderline_world::setup::{
     Setup,
 };
 pub use fenderline_world::start::{BodyStart, Start};
+pub use fenderline_world::world::passing::shallowest_on_track_m;
 pub use fenderline_world::world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
-    AzimuthState, BollardSetup, CurrentTable, Environment, Fault, Faults, Float, Job, LineEnd,
-    LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent,
-    ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
-    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    AzimuthState, BollardSetup, Bottom, CurrentTable, Environment, Fault, Faults, Float, Job,
+    LineEnd, LineHandling, Mooring, MooringSetup, NoDepth, NotAtTheSide, Outside, Pilots,
+    ProviderSetup, PushJob, Sent, Soundings, ThrusterSetup, Tripped, TugAtWork, TugSetup,
+    VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup,
+    mass_matrix,
 };
 pub use fenderline_world::{change, chart, external, factors, order};
 pub use output_plan::{OutputPlan, OutputTable};

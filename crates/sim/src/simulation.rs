@@ -29,7 +29,8 @@ use fenderline_contact::{
 
 use self::buffers::Buffers;
 use self::check::{
-    berthing_study, check_anchors, check_flow, check_lines, check_load, check_planned, count_steps,
+    berthing_study, check_anchors, check_depths, check_flow, check_lines, check_load,
+    check_planned, count_steps,
 };
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{euler, semi_implicit};
@@ -41,7 +42,7 @@ use fenderline_ship::attitude::Attitude;
 use fenderline_world::change::Changes;
 use fenderline_world::contact_totals::ContactTotals;
 use fenderline_world::dolphin::Dolphins;
-use fenderline_world::error::{SetupError, SimError};
+use fenderline_world::error::{NoDepthUnder, SetupError, SimError, StepFault};
 use fenderline_world::fender::FenderSummaries;
 use fenderline_world::fixed_order::sort_loads;
 use fenderline_world::hull::Sides;
@@ -50,7 +51,7 @@ use fenderline_world::model::{Fenders, build_model, inertias};
 use fenderline_world::record::StepRecord;
 use fenderline_world::rigid_body::Inertia;
 use fenderline_world::setup::{Integrator, Load, Method, Setup};
-use fenderline_world::world::{VesselSetup, VesselState, World, motions};
+use fenderline_world::world::{NoDepth, VesselSetup, VesselState, World, motions};
 
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]
@@ -99,6 +100,7 @@ impl Simulation {
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
+        check_depths(&setup, &states)?;
         check_anchors(&setup)?;
         check_flow(&setup)?;
         check_planned(&setup)?;
@@ -141,14 +143,20 @@ impl Simulation {
     /// Advances the simulation by one time step. Steps beyond the run's duration are allowed.
     ///
     /// # Errors
-    /// [`SimError`] if a state exceeds the limits of the contact engine, for example in a run that diverges. The
-    /// simulation is then unchanged.
+    /// [`SimError`] if a state exceeds the limits of the contact engine, for example in a run that diverges, or if a
+    /// vessel is where no depth is known. The simulation is then unchanged.
     pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
         let t_s = self.time_s();
         // Changes are rare, so a copy of the whole simulation costs little.
         let before = self.changes_are_due().then(|| Box::new(self.clone()));
         if before.is_some() {
             self.run_changes();
+        }
+        if let Err(error) = self.sound(t_s) {
+            if let Some(before) = before {
+                *self = *before;
+            }
+            return Err(SimError { t_s, cause: StepFault::NoDepth(error) });
         }
         self.backup();
         self.gather_loads(t_s);
@@ -160,12 +168,21 @@ impl Simulation {
             if let Some(before) = before {
                 *self = *before;
             }
-            return Err(SimError { t_s, cause });
+            return Err(SimError { t_s, cause: StepFault::Engine(cause) });
         }
         self.update_world(t_s);
         self.dolphins.take(self.work.piles());
         self.account_energy();
         self.record(t_s)
+    }
+
+    /// Sounds the depths under the vessels.
+    fn sound(&mut self, t_s: f64) -> Result<(), NoDepthUnder> {
+        let named = |(vessel, place): (usize, NoDepth)| {
+            let body = self.setup.world.vessels[vessel].body;
+            NoDepthUnder { body: self.setup.bodies[body].name.clone(), place }
+        };
+        self.world.sound(&self.setup.world, &self.states, t_s).map_err(named)
     }
 
     /// Copies the parts that a failing step would leave half-changed. The world is copied only if steps change it.
@@ -285,6 +302,7 @@ impl Simulation {
             ledger: (&self.ledger, bodies),
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
+            soundings: &self.world.soundings,
             lines: &self.world.lines,
             anchors: &self.world.anchors,
             dolphins: &self.dolphins.motions,

@@ -3,6 +3,7 @@
 
 mod anchor;
 mod banks;
+mod depth_by_place;
 mod env_moored;
 mod env_mooring;
 mod env_tug;

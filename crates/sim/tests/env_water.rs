@@ -81,21 +81,21 @@ fn water(tide: Tide) -> Environment {
 
 #[test]
 fn the_tide_moves_the_depth() {
-    assert_eq!(water(Tide::Level(1.5)).depth_at_m(99.0), Some(13.5));
+    assert_eq!(water(Tide::Level(1.5)).depth_at_m(Vec2::ZERO, 99.0), Ok(Some(13.5)));
     let curve = water(Tide::Curve(vec![[0.0, 0.0], [3600.0, 2.0]]));
-    assert_eq!(curve.depth_at_m(-5.0), Some(12.0));
-    assert_eq!(curve.depth_at_m(1800.0), Some(13.0));
-    assert_eq!(curve.depth_at_m(7200.0), Some(14.0));
+    assert_eq!(curve.depth_at_m(Vec2::ZERO, -5.0), Ok(Some(12.0)));
+    assert_eq!(curve.depth_at_m(Vec2::ZERO, 1800.0), Ok(Some(13.0)));
+    assert_eq!(curve.depth_at_m(Vec2::ZERO, 7200.0), Ok(Some(14.0)));
     assert_eq!(curve.depth_range_m(), Some([12.0, 14.0]));
     let m2 = TideConstituent { amplitude_m: 2.0, period_s: 44_714.0, lag_rad: 0.0 };
     let tide = water(Tide::Harmonic { mean_m: 3.0, constituents: vec![m2] });
-    assert!((tide.depth_at_m(0.0).unwrap() - 17.0).abs() < 1e-12);
-    assert!((tide.depth_at_m(22_357.0).unwrap() - 13.0).abs() < 1e-12);
+    assert!((tide.depth_at_m(Vec2::ZERO, 0.0).unwrap().unwrap() - 17.0).abs() < 1e-12);
+    assert!((tide.depth_at_m(Vec2::ZERO, 22_357.0).unwrap().unwrap() - 13.0).abs() < 1e-12);
     assert_eq!(tide.depth_range_m(), Some([13.0, 17.0]));
     // The ground falls dry. The depth is not negative.
     let dry = Environment { depth_m: Some(-3.0), ..water(Tide::Level(1.0)) };
-    assert_eq!(dry.depth_at_m(0.0), Some(0.0));
-    assert_eq!(Environment::default().depth_at_m(0.0), None, "deep");
+    assert_eq!(dry.depth_at_m(Vec2::ZERO, 0.0), Ok(Some(0.0)));
+    assert_eq!(Environment::default().depth_at_m(Vec2::ZERO, 0.0), Ok(None), "deep");
 }
 
 #[test]

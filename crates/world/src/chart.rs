@@ -1,4 +1,5 @@
-//! The chart of a berth: the background on which ships and quays are drawn. It exerts no force.
+//! The chart of a berth: the background on which ships and quays are drawn, and where the depths of a bottom may come
+//! from. A chart exerts no force.
 
 use fenderline_contact::Vec2;
 
@@ -9,6 +10,63 @@ pub struct Chart {
     pub features: Vec<ChartFeature>,
     /// The place of the scenario's origin, if the chart was given in longitude and latitude.
     pub origin: Option<GeographicPlace>,
+    /// What was read and what was left out, by class, in alphabetical order.
+    pub classes: Vec<ChartClass>,
+}
+
+impl Chart {
+    /// What was read, by class and number, in words; `None` without a chart.
+    #[must_use]
+    pub fn read_in_words(&self) -> Option<String> {
+        let read = self.classes.iter().filter(|class| class.read > 0);
+        listed(read.map(|class| format!("{} {}", class.read, class.class)))
+    }
+
+    /// What was left out, by class and number, with the reasons; `None`: nothing was.
+    #[must_use]
+    pub fn left_out_in_words(&self) -> Option<String> {
+        let mut reasons: Vec<&str> = Vec::new();
+        let all = || self.classes.iter().flat_map(|class| &class.left_out);
+        for (_, why) in all() {
+            if !reasons.contains(&why.as_str()) {
+                reasons.push(why);
+            }
+        }
+        let of_reason = |why: &str| {
+            let classes = self.classes.iter().filter_map(|class| {
+                let (count, _) = class.left_out.iter().find(|(_, of)| of == why)?;
+                Some(format!("{count} {}", class.class))
+            });
+            Some(format!("{} ({why})", listed(classes)?))
+        };
+        let texts: Vec<String> = reasons.into_iter().filter_map(of_reason).collect();
+        (!texts.is_empty()).then(|| texts.join("; "))
+    }
+}
+
+/// Words with commas between them; `None` without words.
+fn listed(words: impl Iterator<Item = String>) -> Option<String> {
+    let words: Vec<String> = words.collect();
+    (!words.is_empty()).then(|| words.join(", "))
+}
+
+/// What was read of a class of features.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChartClass {
+    /// The class: an acronym of S-57 such as `DEPARE`, or the word of a kind.
+    pub class: String,
+    /// Number of features that were read; a feature of several parts counts once.
+    pub read: usize,
+    /// Features that were left out: how many, and why.
+    pub left_out: Vec<(usize, String)>,
+}
+
+impl ChartClass {
+    /// Number of features that were left out.
+    #[must_use]
+    pub fn left_out(&self) -> usize {
+        self.left_out.iter().map(|(count, _)| count).sum()
+    }
 }
 
 /// A place on the WGS 84 ellipsoid.
@@ -29,41 +87,114 @@ pub struct ChartFeature {
     pub name: String,
     /// Shape and position of the feature.
     pub shape: ChartShape,
-    /// Depth below chart datum; for a depth area, the least depth (m). `None` for other kinds.
+    /// Depth below chart datum; for an area, the least depth (m). `None` where the chart gives none.
     pub depth_m: Option<f64>,
+    /// The greatest depth of an area below chart datum (m). `None` where the chart gives none.
+    pub deepest_m: Option<f64>,
     /// Colour and side of a buoy or beacon; `None` for other kinds.
     pub mark: Option<ChartMark>,
+    /// What a light shows; `None` for other kinds.
+    pub light: Option<ChartLight>,
+    /// Height of a bridge or overhead cable above the water, at the level that the chart counts heights from (m).
+    pub clearance_m: Option<f64>,
+}
+
+/// What a light shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartLight {
+    /// Colour; a light that changes its colour has its first one.
+    pub colour: MarkColour,
+    /// Character as on a chart, such as `Fl(2) R 6s`; empty if the chart does not give it.
+    pub character: String,
+    /// Period (s).
+    pub period_s: Option<f64>,
+    /// Directions from the light between which it is seen, clockwise from the first to the second (rad from north).
+    /// `None`: all round.
+    pub sector_rad: Option<[f64; 2]>,
+    /// Nominal range (m).
+    pub range_m: Option<f64>,
 }
 
 /// Kinds of features of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartKind {
-    /// Land, or the line where it begins.
-    Coast,
+    /// The area that the chart covers.
+    Coverage,
     /// An area in which the water has at least some depth.
     DepthArea,
+    /// An area that is dredged to some depth.
+    DredgedArea,
+    /// An area of unknown depth.
+    UnsurveyedArea,
     /// A line of equal depth.
     DepthContour,
+    /// A depth that was measured at a point.
+    Sounding,
+    /// Land, or the line where it begins.
+    Coast,
     /// A quay, pier or jetty.
     Quay,
-    /// A floating mark.
-    Buoy,
+    /// A pontoon, floating dock or hulk.
+    Pontoon,
+    /// A building.
+    Building,
+    /// A berth.
+    Berth,
+    /// A fairway.
+    Fairway,
+    /// An anchorage.
+    Anchorage,
+    /// A leading line or a recommended track.
+    LeadingLine,
+    /// A bridge.
+    Bridge,
+    /// A cable over the water.
+    Cable,
+    /// A rock under water or awash.
+    Rock,
+    /// An obstruction.
+    Obstruction,
+    /// A wreck.
+    Wreck,
+    /// A dolphin, bollard or other mooring post.
+    Mooring,
+    /// A landmark.
+    Landmark,
+    /// A light.
+    Light,
     /// A fixed mark.
     Beacon,
-    /// The line on which two marks are in transit.
-    LeadingLine,
+    /// A floating mark.
+    Buoy,
     /// A name alone.
     Name,
 }
 
 impl ChartKind {
     /// All kinds, in the order in which they are drawn.
-    pub const ALL: [ChartKind; 8] = [
+    pub const ALL: [ChartKind; 25] = [
+        ChartKind::Coverage,
         ChartKind::DepthArea,
+        ChartKind::DredgedArea,
+        ChartKind::UnsurveyedArea,
         ChartKind::DepthContour,
+        ChartKind::Sounding,
         ChartKind::Coast,
         ChartKind::Quay,
+        ChartKind::Pontoon,
+        ChartKind::Building,
+        ChartKind::Berth,
+        ChartKind::Fairway,
+        ChartKind::Anchorage,
         ChartKind::LeadingLine,
+        ChartKind::Bridge,
+        ChartKind::Cable,
+        ChartKind::Rock,
+        ChartKind::Obstruction,
+        ChartKind::Wreck,
+        ChartKind::Mooring,
+        ChartKind::Landmark,
+        ChartKind::Light,
         ChartKind::Beacon,
         ChartKind::Buoy,
         ChartKind::Name,
@@ -73,15 +204,38 @@ impl ChartKind {
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
-            ChartKind::Coast => "coast",
+            ChartKind::Coverage => "coverage",
             ChartKind::DepthArea => "depth_area",
+            ChartKind::DredgedArea => "dredged_area",
+            ChartKind::UnsurveyedArea => "unsurveyed_area",
             ChartKind::DepthContour => "depth_contour",
+            ChartKind::Sounding => "sounding",
+            ChartKind::Coast => "coast",
             ChartKind::Quay => "quay",
-            ChartKind::Buoy => "buoy",
-            ChartKind::Beacon => "beacon",
+            ChartKind::Pontoon => "pontoon",
+            ChartKind::Building => "building",
+            ChartKind::Berth => "berth",
+            ChartKind::Fairway => "fairway",
+            ChartKind::Anchorage => "anchorage",
             ChartKind::LeadingLine => "leading_line",
+            ChartKind::Bridge => "bridge",
+            ChartKind::Cable => "overhead_cable",
+            ChartKind::Rock => "rock",
+            ChartKind::Obstruction => "obstruction",
+            ChartKind::Wreck => "wreck",
+            ChartKind::Mooring => "mooring",
+            ChartKind::Landmark => "landmark",
+            ChartKind::Light => "light",
+            ChartKind::Beacon => "beacon",
+            ChartKind::Buoy => "buoy",
             ChartKind::Name => "name",
         }
+    }
+
+    /// Areas in which the chart gives a depth.
+    #[must_use]
+    pub fn is_area_of_depth(self) -> bool {
+        matches!(self, ChartKind::DepthArea | ChartKind::DredgedArea)
     }
 }
 

@@ -7,6 +7,7 @@ use fenderline_contact::{DisplayNumber, ModelError, StepError};
 use crate::berthing::BerthingError;
 use crate::change::ChangeError;
 use crate::order::OrderError;
+use crate::world::NoDepth;
 use fenderline_ship::anchor::AnchorError;
 use fenderline_ship::environment::EnvironmentError;
 use fenderline_ship::mooring::MooringError;
@@ -81,6 +82,8 @@ pub enum SetupError {
         /// The body.
         body: String,
     },
+    /// A vessel starts where no depth is known.
+    NoDepth(NoDepthUnder),
     /// A body index that does not exist, or the index of a fixed body where a floating one is needed.
     BadBody {
         /// The part of the set-up that refers to the body.
@@ -135,6 +138,7 @@ impl fmt::Display for SetupError {
                  make it a fixed body"
             ),
             SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
+            SetupError::NoDepth(error) => write!(f, "at the start: {error}"),
             SetupError::BadBody { owner, body } => {
                 write!(f, "a {owner} refers to body {body}, which does not exist or is fixed")
             }
@@ -156,8 +160,46 @@ pub struct SimError {
     /// Start of the step (s).
     pub t_s: f64,
     /// The cause.
-    pub cause: StepError,
+    pub cause: StepFault,
 }
+
+/// The cause of a step that failed.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StepFault {
+    /// The contact engine refuses the step.
+    Engine(StepError),
+    /// A vessel is where no depth is known.
+    NoDepth(NoDepthUnder),
+}
+
+impl fmt::Display for StepFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StepFault::Engine(error) => error.fmt(f),
+            StepFault::NoDepth(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for StepFault {}
+
+/// A vessel at a place where the bottom has no data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoDepthUnder {
+    /// Name of the vessel's body.
+    pub body: String,
+    /// The place under the hull.
+    pub place: NoDepth,
+}
+
+impl fmt::Display for NoDepthUnder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is off the data of the bottom: {}", self.body, self.place)
+    }
+}
+
+impl std::error::Error for NoDepthUnder {}
 
 impl fmt::Display for SimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

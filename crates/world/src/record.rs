@@ -7,7 +7,9 @@ use crate::dolphin::DolphinMotion;
 pub use crate::energy::{ContactEnergy, Energy, LoadWork, WorkCause};
 use crate::hull::HullTouch;
 use crate::ledger::{Bodies, Ledger};
-use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
+use crate::world::{
+    AnchorAtWork, Mooring, Soundings, TugAtWork, VesselForces, VesselState, WorldEvent,
+};
 
 /// The record of one step: states before and after it, and the forces that acted in it.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +44,8 @@ pub struct StepRecord<'a> {
     pub vessels: &'a [VesselState],
     /// Forces on each vessel in this step, by cause.
     pub vessel_forces: &'a [VesselForces],
+    /// The depths under each vessel at the start of the step.
+    pub soundings: &'a [Soundings],
     /// The tugs at the end of the step, in the order of the set-up.
     pub tugs: &'a [TugAtWork],
     /// The lines at the end of the step, in the order of the set-up.

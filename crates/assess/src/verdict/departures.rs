@@ -13,9 +13,10 @@ use fenderline_ship::passing::{HARDLY_SLENDER, NEARLY_CRITICAL};
 use fenderline_world::fender::FenderSetup;
 use fenderline_world::hull::HullTouch;
 use fenderline_world::record::StepRecord;
+use fenderline_world::rigid_body::initial_state;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::Environment;
-use fenderline_world::world::passing::{FULL_FLOW_GAP, gap_in_beams};
+use fenderline_world::world::passing::{FULL_FLOW_GAP, gap_in_beams, shallowest_on_track_m};
 
 /// The share of the sea's energy that may be at frequencies outside the data; our choice. A JONSWAP sea has 2 % of its energy above 2.9
 /// times the frequency of its peak.
@@ -167,7 +168,10 @@ impl Departures {
             }
             if let Some(seakeeping) = &vessel.seakeeping {
                 let draught_m = vessel.ship.particulars.draught_m;
-                let depths_m = [seakeeping.data.depth_m(), environment.depth_at_m(0.0)];
+                let state = initial_state(&setup.bodies[vessel.body]);
+                // A vessel off the data of the bottom has refused the set-up.
+                let Ok(soundings) = vessel.soundings(&state, environment, 0.0) else { continue };
+                let depths_m = [seakeeping.data.depth_m(), soundings.mean_m];
                 if !seakeeping.is_for_depth(depths_m[1], draught_m) {
                     let extent = depths_m.map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
                     always(Law::DepthOfHydrodynamics, subject, extent);
@@ -194,7 +198,10 @@ impl Departures {
             if slender < HARDLY_SLENDER {
                 always(Law::PassingShape, subject, [slender, HARDLY_SLENDER]);
             }
-            let Some([shallowest_m, _]) = environment.depth_range_m() else { continue };
+            let Some(shallowest_m) = shallowest_on_track_m(ship, environment, setup.duration_s)
+            else {
+                continue;
+            };
             let share = ship.track.pace.fastest_mps() / critical_mps(shallowest_m);
             if share > NEARLY_CRITICAL {
                 always(Law::PassingSpeed, subject, [share, NEARLY_CRITICAL]);
@@ -257,7 +264,6 @@ impl Departures {
     /// Adds departures by vessels that are off the grid of the current or in shallow water.
     fn add_vessels(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         let environment = &setup.world.environment;
-        let depth_m = environment.depth_at_m(step.t_s);
         for (index, vessel) in setup.world.vessels.iter().enumerate() {
             let subject = Subject::Vessel(index);
             let state = &step.states[vessel.body];
@@ -266,7 +272,7 @@ impl Departures {
             {
                 self.note(Law::CurrentHeld, subject, step.t_s, [0.0; 2]);
             }
-            let Some(depth_m) = depth_m else { continue };
+            let Some(depth_m) = step.soundings[index].mean_m else { continue };
             let ratio = depth_m / vessel.ship.particulars.draught_m;
             if ratio < SHALLOWEST_RATIO {
                 self.note(Law::ShallowHeld, subject, step.t_s, [ratio, SHALLOWEST_RATIO]);

@@ -128,7 +128,8 @@ impl DowntimePlan {
             );
             return Err(CampaignError::part("downtime", why));
         }
-        match world.environment.depth_m {
+        let bottom = world.environment.bottom.as_ref();
+        match world.environment.depth_m.or(bottom.map(|bottom| bottom.range_m()[1])) {
             Some(depth_m) => {
                 let [_, highest_m] = world.environment.level_range_m();
                 self.weather.check_breaking(depth_m, highest_m)

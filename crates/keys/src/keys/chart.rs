@@ -12,9 +12,11 @@ use crate::units::measures as unit;
 pub(super) static CHART: TableSpec = TableSpec {
     what: "a chart",
     doc: "A chart from GeoJSON files: drawn behind ships and quays. A chart exerts no force, but \
-          bodies may take their outlines from it (`chart_outline`). Each feature has the property \
-          `kind`: \"coast\", \"depth_area\", \"depth_contour\", \"quay\", \"buoy\", \"beacon\", \
-          \"leading_line\" or \"name\"; and may have `name`, `depth_m`, `colour` and `side`.",
+          bodies may take their outlines from it (`chart_outline`), and `environment.bottom` its \
+          depths. A feature has the property `kind`, such as \"coast\", \"depth_area\" or \
+          \"quay\"; or it is one of an electronic chart (S-57), as GDAL writes it: its property \
+          `OBJL` or the `name` of the file says the class. `check` prints what was read and what \
+          was left out.",
     keys: ChartKey::ALL,
     rules: Some(|| {
         json!({

@@ -4,6 +4,7 @@ use fenderline_sim::environment::BankMethod;
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
+use super::bottom::{BOTTOM, BottomKey};
 use super::long_waves::{LONG_WAVES, LongWavesKey};
 use super::passing::{INTERACTION, InteractionKey};
 use super::quantities::{DIRECTION, POSITION, SEED};
@@ -20,12 +21,15 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
     keys: EnvironmentKey::ALL,
     rules: Some(|| {
         json!({
-            "dependentRequired": { "squat": ["depth"] },
+            "not": { "required": ["depth", "bottom"] },
+            "dependentSchemas": {
+                "squat": { "anyOf": [{ "required": ["depth"] }, { "required": ["bottom"] }] }
+            },
             "if": {
                 "required": ["long_waves"],
                 "properties": { "long_waves": { "required": ["height"] } }
             },
-            "then": { "required": ["depth"] }
+            "then": { "anyOf": [{ "required": ["depth"] }, { "required": ["bottom"] }] }
         })
     }),
 };
@@ -42,6 +46,14 @@ table_keys! {
              the depth is less than draught plus squat. The corrections are valid from 1.2 \
              draughts on; below 1.1 draughts they keep their values for 1.1 draughts.",
             &["\"14 m\""],
+        ),
+        BOTTOM: TableOf<BottomKey> = key(
+            "bottom",
+            Kind::Table(&BOTTOM),
+            Means("the water is as deep everywhere as `depth` says"),
+            "Depth of the water by place, instead of `depth`. Waves, which have one depth, take the median of the \
+             water.",
+            &["{ chart = \"interpolated\", outside = \"30 m\" }"],
         ),
         WATER_DENSITY: Number = key(
             "water_density",
@@ -60,9 +72,9 @@ table_keys! {
         SQUAT: OneOf<Option<Squat>> = key(
             "squat",
             Kind::Choice(&SQUATS),
-            Means("\"icorels\" if `depth` is given"),
+            Means("\"icorels\" if `depth` or `bottom` is given"),
             "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
-             water. The formulas give the sinkage of the deepest point of the hull; here the whole \
+             water, or with the blockage of a channel. The formulas give the sinkage of the deepest point of the hull; here the whole \
              hull sinks by this amount, without trim.",
             &["\"icorels\""],
         ),
@@ -450,6 +462,13 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
         word: "eryuzlu",
         value: Some(Squat::Eryuzlu),
         doc: "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts",
+    },
+    Choice {
+        word: "barrass_channel",
+        value: Some(Squat::BarrassChannel),
+        doc: "Barrass with the blockage of the channel: block coefficient x S2^(2/3) knots^2.08 / 30, S2 = section of \
+              the ship / section of the water around her; with one depth, and in wide water, the section is that of open \
+              water",
     },
 ]);
 

@@ -1,5 +1,6 @@
 //! The page of assumptions: method, ships, fenders, water, and the assumptions that must be checked.
 
+use fenderline_contact::BodyState;
 use fenderline_contact::number::greater;
 use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
 use fenderline_sim::{BodySetup, Integrator, Method, Setup};
@@ -90,7 +91,11 @@ fn ships(setup: &Setup) -> Markup {
 /// Depth over draught of a vessel at the start where her added mass is our extrapolation.
 fn extrapolated(setup: &Setup, body: usize) -> Option<f64> {
     let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == body)?;
-    let ratio = setup.world.environment.depth_at_m(0.0)? / vessel.deep.particulars.draught_m;
+    let own = &setup.bodies[body];
+    let (position_m, heading_rad) = (own.position_m, own.heading_rad);
+    let state = BodyState { position_m, heading_rad, ..BodyState::default() };
+    let soundings = vessel.soundings(&state, &setup.world.environment, 0.0).ok()?;
+    let ratio = soundings.mean_m? / vessel.deep.particulars.draught_m;
     Some(ratio).filter(|ratio| *ratio < PUBLISHED_RATIO)
 }
 
@@ -137,6 +142,9 @@ fn water(setup: &Setup, recorder: &Recorder) -> Markup {
         dt { "Water" }
         dd { @match environment.depth_range_m() {
             None => "deep",
+            Some([low_m, high_m]) if environment.bottom.is_some() => {
+                "depth by place, from " (plain(low_m, 4)) " to " (plain(high_m, 4)) " m"
+            }
             Some([low_m, high_m]) => {
                 (plain(low_m, 4)) " m deep"
                 @if high_m > low_m { " at low, " (plain(high_m, 4)) " m at high water" }

@@ -13,6 +13,6 @@ pub(super) fn harbour(outcome: &Outcome<'_>) -> Markup {
     let has = [has_lines, has_tugs, has_banks, !world.flow.passing.is_empty()];
     html! {
         @if has.contains(&true) { (harbour_legend(has)) }
-        @if !world.chart.features.is_empty() { (chart_note()) }
+        @if !world.chart.features.is_empty() { (chart_note(&world.chart, world.environment.bottom.is_some())) }
     }
 }

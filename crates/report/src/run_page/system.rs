@@ -272,7 +272,11 @@ impl Sight<'_> {
         }
         let [low_m, high_m] = environment.level_range_m();
         let mut all = Vec::new();
-        if let Some(depth_m) = environment.depth_m.filter(|depth_m| *depth_m < DEEP_M) {
+        let body = &self.outcome.setup.bodies[fender.body];
+        let face_m = Pose::new(body.position_m, body.heading_rad).apply(fender.position_m);
+        let by_place_m = environment.bottom.as_ref().and_then(|bottom| bottom.depth_m(face_m));
+        let depth_m = environment.depth_m.or(by_place_m);
+        if let Some(depth_m) = depth_m.filter(|depth_m| *depth_m < DEEP_M) {
             let text = format!("seabed {} m", signed(-depth_m));
             all.push(Level { height_m: -depth_m, text, kind: LevelKind::Bed });
         }

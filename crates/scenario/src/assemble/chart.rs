@@ -4,20 +4,22 @@ use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
 use super::assembly::{Assembly, Checked};
+use super::bottom::Charted;
 use crate::chart::projection::Projected;
-use crate::chart::{Budget, Placing, read};
+use crate::chart::{Budget, Counts, Placing, read};
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::Text;
 use fenderline_keys::keys::body::BodyKey;
-use fenderline_keys::keys::chart::{ChartKey, ChartOriginKey, Coordinates};
+use fenderline_keys::keys::chart::{ChartKey, ChartOriginKey, Coordinates, Projection};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     /// The chart; empty without its table.
-    pub(super) fn chart(&self, table: Option<Of<'_, ChartKey>>) -> Checked<Chart> {
-        let Some(table) = table else { return Ok(Chart::default()) };
+    pub(super) fn chart(&mut self, table: Option<Of<'_, ChartKey>>) -> Checked<Charted> {
+        let none = Charted { chart: Chart::default(), projected: None };
+        let Some(table) = table else { return Ok(none) };
         let (placing, origin) = self.placing(table)?;
         let files = table.given(ChartKey::FILES);
         if files.texts().is_empty() {
@@ -27,11 +29,21 @@ impl Assembly<'_, '_> {
         }
         let key = table.path_of(ChartKey::FILES);
         let mut budget = Budget::OF_CHART;
-        let mut features = Vec::new();
+        let (mut features, mut counts) = (Vec::new(), Counts::default());
         for name in files.texts() {
-            features.extend(read((name, self.files.text(name)), &key, &placing, &mut budget)?);
+            let into = (&mut counts, &mut *self.notices);
+            let file = (name.as_str(), self.files.text(name));
+            features.extend(read(file, &key, &placing, &mut budget, into)?);
         }
-        Ok(Chart { features, origin })
+        let projected = match (placing, origin) {
+            (Placing::Degrees(projected), Some(origin)) => {
+                let projection = table.item(ChartKey::PROJECTION).map(|item| item.choice());
+                Some((projected, origin, projection == Some(Projection::Utm)))
+            }
+            _ => None,
+        };
+        let chart = Chart { features, origin, classes: counts.classes() };
+        Ok(Charted { chart, projected })
     }
 
     /// The conversion from the coordinates of the files to those of the scenario, and the place of the scenario's

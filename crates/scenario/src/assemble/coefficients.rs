@@ -140,6 +140,13 @@ impl Assembly<'_, '_> {
                 message: words,
             });
         };
+        if environment.bottom.is_some() {
+            note(format!(
+                "the depth is by place: in less than {least} or more than {most} draughts of \
+                 water the forces at these depths are used"
+            ));
+            return;
+        }
         let run = environment.depth_range_m().map(|depths_m| depths_m.map(|m| m / ship.draught_m));
         match run {
             None => note(format!(

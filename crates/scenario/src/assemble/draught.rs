@@ -49,6 +49,10 @@ impl Assembly<'_, '_> {
         body: usize,
         draught: &Draught,
     ) {
+        // Over a bottom by place a run sounds the depth under each vessel.
+        if setup.world.environment.bottom.is_some() {
+            return;
+        }
         let Some([least_m, _]) = setup.world.environment.depth_range_m() else { return };
         if least_m >= draught.at_least_m {
             return;

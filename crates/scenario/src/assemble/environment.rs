@@ -13,6 +13,7 @@ use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 use super::assembly::{Assembly, Checked};
+use super::bottom::{Charted, median_depth_m};
 use super::vessel::Kinds;
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
@@ -36,16 +37,20 @@ pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
 impl Assembly<'_, '_> {
     pub(super) fn environment(
-        &self,
+        &mut self,
         table: Of<'_, EnvironmentKey>,
         duration_s: f64,
+        charted: &Charted,
     ) -> Checked<Environment> {
         let depth_m = table.item(EnvironmentKey::DEPTH).map(|item| *item.number());
+        let bottom = self.bottom(table, charted)?;
         let tide = match table.item(EnvironmentKey::TIDE) {
             None => Tide::default(),
             Some(item) => self.tide(item)?,
         };
-        let start_m = depth_m.map(|depth_m: f64| depth_m + tide.level_m(0.0));
+        // Waves have one depth.
+        let depth_of_waves_m = depth_m.or(bottom.as_ref().and_then(median_depth_m));
+        let start_m = depth_of_waves_m.map(|depth_m: f64| depth_m + tide.level_m(0.0));
         let wind = match table.item(EnvironmentKey::WIND) {
             None => None,
             Some(item) => Some(self.wind(table, item)?),
@@ -77,6 +82,7 @@ impl Assembly<'_, '_> {
             sea,
             long_waves,
             depth_m,
+            bottom,
             tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,
@@ -84,9 +90,14 @@ impl Assembly<'_, '_> {
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };
-        if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
+        if environment.depth_m.is_some()
+            && environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0)
+        {
             let message = "the bottom is above the water throughout the run";
-            return Err(self.refused(table, table.given(EnvironmentKey::DEPTH), &message));
+            return Err(match table.item(EnvironmentKey::DEPTH) {
+                Some(item) => self.refused(table, item, &message),
+                None => self.refused(table, table.given(EnvironmentKey::BOTTOM), &message),
+            });
         }
         Ok(environment)
     }
@@ -172,7 +183,7 @@ impl Assembly<'_, '_> {
         let Some(item) = table.item(EnvironmentKey::SQUAT) else {
             return Ok(Some(Squat::default()));
         };
-        if table.item(EnvironmentKey::DEPTH).is_none() {
+        if table.first_of(any_keys![EnvironmentKey: DEPTH, BOTTOM]).is_none() {
             let path = table.path_of(EnvironmentKey::SQUAT);
             let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
             return Err(self.sources.error(&item.key_span, &path, message));
@@ -206,6 +217,10 @@ impl Assembly<'_, '_> {
                 "bank suction is UNVALIDATED: Norrbin's formulas are from memory; we read no \
                  source",
             );
+        }
+        // Over a bottom by place the verdict names the depths that a vessel meets.
+        if environment.bottom.is_some() {
+            return;
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
         for (name, kind) in &kinds.all {

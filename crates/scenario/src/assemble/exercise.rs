@@ -317,7 +317,7 @@ impl Assembly<'_, '_> {
         if measure == Measure::Clearance && !setup.bodies.iter().enumerate().any(is_structure) {
             self.note(table, "no effect: never exceeded, as there is no fixed body but the berth");
         }
-        if measure == Measure::UnderKeel && setup.world.environment.depth_m.is_none() {
+        if measure == Measure::UnderKeel && setup.world.environment.is_deep() {
             self.note(table, "no effect: never exceeded, as `[environment]` has no `depth`");
         }
         let number = |name: Key<_, Number>| table.item_if_any(name).map(|item| *item.number());

@@ -204,11 +204,11 @@ impl Assembly<'_, '_> {
             );
             self.note_at(&item.key_span, table.path_of(EnvironmentKey::LONG_WAVES), message);
         }
-        let (Some(period), Some(depth_m)) =
-            (of.item(LongWavesKey::PERIOD), environment.still_depth_at_m(0.0))
+        let (Some(period), Some(depth_m)) = (of.item(LongWavesKey::PERIOD), environment.depth_m)
         else {
             return;
         };
+        let depth_m = greater(depth_m + environment.tide.level_m(0.0), 0.0);
         let site = LongWaveSite { towards_rad: 0.0, depth_m, wall_m: None };
         let wave_m = site.length_m(*period.number());
         if longest_m > LONG_SHIP * wave_m {

@@ -84,7 +84,9 @@ impl Assembly<'_, '_> {
         environment: &Environment,
     ) -> Checked<f64> {
         let key = BerthingKey::UNDER_KEEL_CLEARANCE;
-        let depth_m = environment.depth_at_m(0.0);
+        let depth_m = environment.depth_at_m(body.position_m, 0.0).map_err(|error| {
+            self.sources.error(&table.span, &table.path_of(key), error.to_string())
+        })?;
         if let (Some(depth_m), None) = (depth_m, table.item(key))
             && depth_m < draught_m
         {
@@ -98,10 +100,15 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&table.span, &path, message);
             return Err(error.with_help("check [environment] depth and tide, and the draught"));
         }
-        let (Some(depth_m), Some([least_m, most_m])) = (depth_m, environment.depth_range_m())
-        else {
+        let Some(depth_m) = depth_m else {
             let why = "[environment] has no depth: give it, or this key";
             return self.particular(table, key, None, " m", why);
+        };
+        let [least_m, most_m] = match environment.depth_range_m() {
+            Some(range_m) if environment.bottom.is_none() => range_m,
+            _ => environment
+                .level_range_m()
+                .map(|level_m| greater(depth_m - environment.level_m(0.0) + level_m, 0.0)),
         };
         let Some(item) = table.item(key) else { return Ok(depth_m - draught_m) };
         let given_m = *item.number();

@@ -8,7 +8,7 @@ use fenderline_sim::passing::{
     Berth, DepthFactors, FlowHull, FlowSetup, HARDLY_SLENDER, NEARLY_CRITICAL, PassingSetup,
 };
 use fenderline_sim::track::{Pace, Path, Track};
-use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
+use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup, shallowest_on_track_m};
 
 use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
@@ -107,7 +107,7 @@ impl Assembly<'_, '_> {
             "the flow between vessels is for slender ships in deep water, without lift; nearer \
              than a quarter of the mean beam it is left out",
         );
-        if environment.depth_m.is_some() {
+        if !environment.is_deep() {
             message += ", and the depth is not taken into account";
         }
         message += &none_for_short(hulls, (vessels, bodies));
@@ -244,7 +244,9 @@ impl Assembly<'_, '_> {
         for ((_, table), ship) in tables.iter().zip(&setup.world.flow.passing) {
             self.check_passing_track(table, ship, setup)?;
             let fastest_mps = ship.track.pace.fastest_mps();
-            if let Some([shallowest_m, _]) = setup.world.environment.depth_range_m() {
+            let environment = &setup.world.environment;
+            let shallowest_m = shallowest_on_track_m(ship, environment, setup.duration_s);
+            if let Some(shallowest_m) = shallowest_m {
                 self.check_depth(table, ship, shallowest_m, fastest_mps)?;
             }
             self.note_formulas(table, ship, setup);
@@ -384,7 +386,7 @@ impl Assembly<'_, '_> {
 
     /// Names what is recalled, estimated or left out in the factors.
     fn note_formulas<T>(&mut self, table: Of<'_, T>, ship: &PassingSetup, setup: &Setup) {
-        let is_deep = setup.world.environment.depth_m.is_none();
+        let is_deep = setup.world.environment.is_deep();
         let mut parts = Vec::new();
         match ship.depth {
             DepthFactors::Kriebel if is_deep => {

@@ -45,6 +45,7 @@ impl Assembly<'_, '_> {
             let middle_m = fender.above_water_m;
             let bottom_m = middle_m - 0.5 * fender.height_m;
             let path = table.path_of(FenderKey::ABOVE_WATER);
+            // A field of depths says nothing of the bottom at a quay: its cells reach over the edge.
             match environment.depth_m {
                 Some(depth_m) if middle_m < -depth_m => {
                     let message = format!(

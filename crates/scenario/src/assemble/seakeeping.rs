@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use fenderline_contact::number::greater;
 use fenderline_sim::attitude::{Hydrostatics, Oscillator};
 use fenderline_sim::seakeeping::{Hydrodynamics, Seakeeping};
 use fenderline_sim::{Environment, Float};
@@ -86,7 +87,13 @@ impl Assembly<'_, '_> {
             table.item(VesselKey::ROLL_DAMPING).map_or(ROLL_DAMPING, |of| *of.number());
         let seakeeping = Seakeeping { data: Arc::new(data), roll_damping };
         let data = &seakeeping.data;
-        let depths = [data.depth_m(), environment.depth_at_m(0.0)];
+        // Over a bottom by place the verdict compares with the depth at her start.
+        let level_m = environment.level_m(0.0);
+        let of_run_m = match environment.bottom {
+            Some(_) => data.depth_m(),
+            None => environment.depth_m.map(|depth_m| greater(depth_m + level_m, 0.0)),
+        };
+        let depths = [data.depth_m(), of_run_m];
         let [of_data_m, of_run_m] = depths.map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
         if !seakeeping.is_for_depth(depths[1], draught_m) {
             let in_words = |depth_m: f64| match depth_m.is_finite() {

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use fenderline_contact::{Vec2, vec2};
+use fenderline_contact::number::greater;
+use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
 use fenderline_sim::hydro::actuator::RateLimited;
-use fenderline_sim::hydro::{AddedMass, Ratio};
-use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
+use fenderline_sim::hydro::{AddedMass, Mmg, Ratio};
+use fenderline_sim::{BodySetup, Environment, Float, MassProperties, VesselSetup};
 
 use super::assembly::{Assembly, Checked};
 use super::response::estimate;
@@ -76,9 +77,13 @@ impl Kind {
     ) -> Result<Kind, Box<dyn Display>> {
         let deep = &data.ship;
         let water = environment.water_density_kgpm3;
-        let in_depth = |depth_m: Option<f64>| depth_m.map_or(*deep, |m| deep.at_depth(m));
-        let ship = in_depth(environment.still_depth_at_m(0.0));
-        let low_water_mass = in_depth(environment.depth_range_m().map(|[low, _]| low)).added_mass;
+        // Over a bottom by place, `Assembly::vessels` puts each vessel of the kind into the depth at her start.
+        let in_depth = |level_m: f64| match environment.depth_m {
+            Some(depth_m) => deep.at_depth(greater(depth_m + level_m, 0.0)),
+            None => *deep,
+        };
+        let ship = in_depth(environment.tide.level_m(0.0));
+        let low_water_mass = in_depth(environment.level_range_m()[0]).added_mass;
         let shaft = match data.shaft {
             Some(shaft) => RateLimited {
                 value: 0.0,
@@ -114,13 +119,7 @@ impl Kind {
             drift: Some(drift),
             seakeeping: None,
         };
-        let mass = MassProperties {
-            mass_kg: water * particulars.volume_m3,
-            yaw_inertia_kgm2: water * particulars.yaw_inertia_m5(),
-            added_surge_kg: water * ship.added_mass.surge_m3,
-            added_sway_kg: water * ship.added_mass.sway_m3,
-            added_yaw_kgm2: water * ship.added_mass.yaw_m5,
-        };
+        let mass = mass_of(&ship, water);
         Ok(Kind { setup, place, mass, low_water_mass, data })
     }
 
@@ -149,6 +148,17 @@ impl Kind {
     pub(super) fn size_m(&self) -> [f64; 2] {
         let hull = &self.data.ship.particulars;
         [self.data.length_overall_m.unwrap_or(hull.length_m), hull.beam_m]
+    }
+}
+
+/// Mass and added mass of a ship in water of a density (kg/m³).
+fn mass_of(ship: &Mmg, water: f64) -> MassProperties {
+    MassProperties {
+        mass_kg: water * ship.particulars.volume_m3,
+        yaw_inertia_kgm2: water * ship.particulars.yaw_inertia_m5(),
+        added_surge_kg: water * ship.added_mass.surge_m3,
+        added_sway_kg: water * ship.added_mass.sway_m3,
+        added_yaw_kgm2: water * ship.added_mass.yaw_m5,
     }
 }
 
@@ -250,17 +260,34 @@ impl Assembly<'_, '_> {
         self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
     }
 
-    /// The vessels that bodies name, in the order of the bodies.
+    /// The vessels that bodies name, in the order of the bodies. Over a bottom by place, each vessel and the mass of her
+    /// body are those in the depth at her start.
     pub(super) fn vessels(
         &self,
         bodies: Tables<'_, BodyKey>,
         kinds: &Kinds,
+        (all, environment): (&mut [BodySetup], &Environment),
     ) -> Checked<Vec<VesselSetup>> {
         let mut vessels = Vec::new();
         for (index, ((_, body), kind)) in bodies.iter().zip(kinds.of_bodies()).enumerate() {
             let Some(kind) = kind else { continue };
             let mut setup = kind.setup.clone();
             setup.body = index;
+            if environment.bottom.is_some() {
+                let own = &mut all[index];
+                let state = BodyState {
+                    position_m: own.position_m,
+                    heading_rad: own.heading_rad,
+                    ..BodyState::default()
+                };
+                let soundings = setup
+                    .soundings(&state, environment, 0.0)
+                    .map_err(|error| self.refused(body, body.given(BodyKey::POSITION), &error))?;
+                if let Some(depth_m) = soundings.still_m {
+                    setup.ship = setup.deep.at_depth(depth_m);
+                }
+                own.mass = Some(mass_of(&setup.ship, environment.water_density_kgpm3));
+            }
             if let Some(running) = body.item(BodyKey::RUNNING) {
                 if kind.data.shaft.is_none() {
                     let message = format!("{} has no propeller", kind.data.origin.title);

@@ -1,17 +1,21 @@
 //! From the features of a GeoJSON file to the features of a chart.
 
 use fenderline_contact::{Outline, OutlineError, Vec2};
-use fenderline_sim::chart::{ChartFeature, ChartKind, ChartMark, ChartShape, MarkColour, MarkSide};
+use fenderline_sim::chart::{
+    ChartFeature, ChartKind, ChartLight, ChartMark, ChartShape, MarkColour, MarkSide,
+};
 
 use super::geojson::{Coordinates, Properties, Raw};
 use super::placing::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
+use super::ring;
+use super::s57::{self, Attributes, Class};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
 /// Longest name (bytes), the same as for a body.
-const LONGEST_NAME: usize = 200;
+pub(super) const LONGEST_NAME: usize = 200;
 /// Depths that a chart may have (m): heights that fall dry are negative.
-const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
+pub(super) const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
 
 type Read<T> = Result<T, String>;
 
@@ -19,6 +23,27 @@ type Read<T> = Result<T, String>;
 pub(super) struct Reading<'r> {
     pub(super) placing: &'r Placing,
     pub(super) budget: &'r mut Budget,
+    /// How the rings of areas are checked.
+    pub(super) rings: Rings,
+}
+
+/// How the rings of areas are checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rings {
+    /// As outlines of bodies: no ring touches itself.
+    Outlines,
+    /// As charts have them: a ring may touch itself, but does not cross itself.
+    Charted,
+}
+
+/// Why a feature of S-57 is not in the chart.
+pub(super) enum Refusal {
+    /// The feature is left out and counted.
+    LeftOut(&'static str),
+    /// The feature is left out with a warning.
+    Crossed(String),
+    /// The file is refused.
+    Refused(String),
 }
 
 impl Reading<'_> {
@@ -33,21 +58,66 @@ impl Reading<'_> {
         let none = Properties::default();
         let given = raw.properties.as_ref().unwrap_or(&none);
         let kind = kind(given)?;
-        let name = name(given)?;
-        let (depth_m, mark) = (depth(given, kind)?, mark(given, kind)?);
+        let of_kind = own_attributes(given, kind)?;
         let shapes = self.shapes(raw)?;
-        let feature = |shape| {
+        let feature = |(shape, _)| {
             check_shape(kind, &shape)?;
-            Ok(ChartFeature { kind, name: name.clone(), shape, depth_m, mark })
+            Ok(charted(kind, shape, &of_kind))
         };
         let features: Vec<ChartFeature> = shapes.into_iter().map(feature).collect::<Read<_>>()?;
-        if kind == ChartKind::Name && name.is_empty() {
+        if kind == ChartKind::Name && of_kind.name.is_empty() {
             return Err("it is a name, but has no property `name`".to_owned());
         }
         Ok(features)
     }
 
-    fn shapes(&mut self, raw: &Raw) -> Read<Vec<ChartShape>> {
+    /// As [`Reading::features`] for a feature of S-57.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub(super) fn of_s57(&mut self, raw: &Raw, class: Class) -> Result<Vec<ChartFeature>, Refusal> {
+        let none = Properties::default();
+        let given = raw.properties.as_ref().unwrap_or(&none);
+        let attributes = Attributes::of(class, given).map_err(Refusal::LeftOut)?;
+        if raw.geometry.is_none() {
+            return Err(Refusal::LeftOut("no geometry"));
+        }
+        let shapes = self.shapes(raw).map_err(|why| match why.strip_prefix(CROSSES) {
+            Some(_) => Refusal::Crossed(why),
+            None => Refusal::Refused(why),
+        })?;
+        let fits = |shape: &ChartShape| match class.kind {
+            ChartKind::DepthArea
+            | ChartKind::DredgedArea
+            | ChartKind::UnsurveyedArea
+            | ChartKind::Coverage => matches!(shape, ChartShape::Area(_)),
+            ChartKind::DepthContour => matches!(shape, ChartShape::Line(_)),
+            ChartKind::Buoy | ChartKind::Beacon | ChartKind::Light | ChartKind::Sounding => {
+                matches!(shape, ChartShape::Point(_))
+            }
+            _ => true,
+        };
+        if !shapes.iter().all(|(shape, _)| fits(shape)) {
+            return Err(Refusal::LeftOut("its geometry is not one of its class"));
+        }
+        if class.kind == ChartKind::Sounding {
+            let in_range = |depth_m: &f64| (DEPTHS_M[0]..=DEPTHS_M[1]).contains(depth_m);
+            let depth_of = |third: Option<f64>| third.filter(in_range).or(attributes.depth_m);
+            if shapes.iter().any(|(_, third)| depth_of(*third).is_none()) {
+                return Err(Refusal::LeftOut("no depth"));
+            }
+            let sounding = |(shape, third)| {
+                let feature = charted(class.kind, shape, &attributes);
+                ChartFeature { depth_m: depth_of(third), ..feature }
+            };
+            return Ok(shapes.into_iter().map(sounding).collect());
+        }
+        let charted = |(shape, _)| charted(class.kind, shape, &attributes);
+        Ok(shapes.into_iter().map(charted).collect())
+    }
+
+    /// The parts of a geometry, each point with its third coordinate.
+    fn shapes(&mut self, raw: &Raw) -> Read<Vec<(ChartShape, Option<f64>)>> {
         let Some(geometry) = &raw.geometry else {
             return Err("it has no `geometry`".to_owned());
         };
@@ -56,17 +126,15 @@ impl Reading<'_> {
             geometry.coordinates.as_ref().ok_or_else(missing)
         };
         let shapes = match geometry.kind.as_str() {
-            "Point" => vec![ChartShape::Point(self.point(given()?)?)],
-            "LineString" => vec![ChartShape::Line(self.line(given()?)?)],
-            "Polygon" => vec![ChartShape::Area(self.rings(given()?)?)],
-            "MultiPoint" => {
-                self.each(given()?, |this, at| this.point(at).map(ChartShape::Point))?
-            }
+            "Point" => vec![self.sounded(given()?)?],
+            "LineString" => vec![(ChartShape::Line(self.line(given()?)?), None)],
+            "Polygon" => vec![(ChartShape::Area(self.rings(given()?)?), None)],
+            "MultiPoint" => self.each(given()?, Reading::sounded)?,
             "MultiLineString" => {
-                self.each(given()?, |this, line| this.line(line).map(ChartShape::Line))?
+                self.each(given()?, |this, line| Ok((ChartShape::Line(this.line(line)?), None)))?
             }
             "MultiPolygon" => {
-                self.each(given()?, |this, rings| this.rings(rings).map(ChartShape::Area))?
+                self.each(given()?, |this, rings| Ok((ChartShape::Area(this.rings(rings)?), None)))?
             }
             "GeometryCollection" => {
                 return Err("a GeometryCollection is not read: make each part a feature".to_owned());
@@ -95,8 +163,14 @@ impl Reading<'_> {
         list(all)?.iter().map(|part| one(self, part)).collect()
     }
 
+    fn sounded(&mut self, at: &Coordinates) -> Read<(ChartShape, Option<f64>)> {
+        let point = ChartShape::Point(self.point(at)?);
+        let Coordinates::Position(_, third) = at else { return Ok((point, None)) };
+        Ok((point, *third))
+    }
+
     fn point(&mut self, at: &Coordinates) -> Read<Vec2> {
-        let Coordinates::Position(position) = at else {
+        let Coordinates::Position(position, _) = at else {
             return Err("a position is a list of two numbers".to_owned());
         };
         self.budget.points = self
@@ -127,7 +201,7 @@ impl Reading<'_> {
     fn ring(&mut self, ring: &Coordinates) -> Read<Vec<Vec2>> {
         // The points are compared as written, which makes an error easier to understand; projected
         // points would compare equally well.
-        let (Some(Coordinates::Position(first)), Some(Coordinates::Position(last))) =
+        let (Some(Coordinates::Position(first, _)), Some(Coordinates::Position(last, _))) =
             (list(ring)?.first(), list(ring)?.last())
         else {
             return Err("a ring is a list of positions".to_owned());
@@ -143,7 +217,10 @@ impl Reading<'_> {
             let count = ring.len();
             return Err(format!("a ring has three corners or more, but this one has {count}"));
         }
-        check_ring(&ring)?;
+        match self.rings {
+            Rings::Outlines => check_ring(&ring)?,
+            Rings::Charted => check_charted(&ring)?,
+        }
         Ok(ring)
     }
 }
@@ -153,6 +230,93 @@ fn list(of: &Coordinates) -> Read<&[Coordinates]> {
         Coordinates::List(list) => Ok(list),
         _ => Err("its coordinates are not nested as its geometry needs".to_owned()),
     }
+}
+
+/// The beginning of the reason why a ring is refused that crosses itself.
+const CROSSES: &str = "its ring crosses itself";
+
+/// A ring of a chart does not cross itself.
+fn check_charted(ring: &[Vec2]) -> Read<()> {
+    match ring::crossing(ring) {
+        Ok(None) => Ok(()),
+        Ok(Some(at_m)) => {
+            Err(format!("{CROSSES} {:.1} m north and {:.1} m east of the origin", at_m.x, at_m.y))
+        }
+        Err(ring::Tangled) => Err("its ring is too tangled to check".to_owned()),
+    }
+}
+
+/// The feature of one part of a geometry.
+fn charted(kind: ChartKind, shape: ChartShape, of: &Attributes) -> ChartFeature {
+    ChartFeature {
+        kind,
+        name: of.name.clone(),
+        shape,
+        depth_m: of.depth_m,
+        deepest_m: of.deepest_m,
+        mark: of.mark,
+        light: of.light.clone(),
+        clearance_m: of.clearance_m,
+    }
+}
+
+/// The properties of a feature that has a `kind`.
+fn own_attributes(given: &Properties, kind: ChartKind) -> Read<Attributes> {
+    let name = name(given)?;
+    let depth_m = depth(given, kind)?;
+    let deepest_m = allowed(given.deepest_m, "deepest_m", kind, kind.is_area_of_depth(), DEPTHS_M)?;
+    if let (Some(least_m), Some(most_m)) = (depth_m, deepest_m)
+        && most_m < least_m
+    {
+        return Err(format!("its `deepest_m` of {most_m} is less than its `depth_m` of {least_m}"));
+    }
+    let has_clearance = matches!(kind, ChartKind::Bridge | ChartKind::Cable);
+    let clearance_m =
+        allowed(given.clearance_m, "clearance_m", kind, has_clearance, [0.0, 1_000.0])?;
+    let (mark, light) = (mark(given, kind)?, own_light(given, kind)?);
+    Ok(Attributes { name, depth_m, deepest_m, mark, light, clearance_m })
+}
+
+/// A number that only some kinds have, within its range.
+fn allowed(
+    given: Option<f64>,
+    key: &str,
+    kind: ChartKind,
+    has: bool,
+    [low, high]: [f64; 2],
+) -> Read<Option<f64>> {
+    match given {
+        None => Ok(None),
+        Some(_) if !has => Err(format!("a {} has no `{key}`", kind.word())),
+        Some(value) if (low..=high).contains(&value) => Ok(Some(value)),
+        Some(value) => Err(format!("its `{key}` must be between {low} and {high}, but is {value}")),
+    }
+}
+
+fn own_light(given: &Properties, kind: ChartKind) -> Read<Option<ChartLight>> {
+    let has = kind == ChartKind::Light;
+    let period_s = allowed(given.period_s, "period_s", kind, has, [0.0, 1_000.0])?;
+    let range_m = allowed(given.range_m, "range_m", kind, has, [0.0, 200_000.0])?;
+    let of_light =
+        [("character", given.character.is_some()), ("sector_deg", given.sector_deg.is_some())];
+    if !has {
+        return match of_light.iter().find(|(_, is_given)| *is_given) {
+            Some((key, _)) => Err(format!("a {} has no `{key}`", kind.word())),
+            None => Ok(None),
+        };
+    }
+    let Some(colour) = &given.colour else {
+        return Err(format!("a {} needs `colour`", kind.word()));
+    };
+    let colour = word("colour", colour, &MarkColour::ALL.map(|colour| (colour.word(), colour)))?;
+    let character = given.character.clone().unwrap_or_default();
+    if character.len() > LONGEST_NAME || character.contains(char::is_control) {
+        return Err(format!(
+            "its `character` is longer than {LONGEST_NAME} bytes or no line of text"
+        ));
+    }
+    let sector_rad = given.sector_deg.map(|sector_deg| sector_deg.map(s57::direction_rad));
+    Ok(Some(ChartLight { colour, character, period_s, sector_rad, range_m }))
 }
 
 /// A ring is a simple polygon, as the engine checks it.
@@ -170,7 +334,10 @@ fn kind(given: &Properties) -> Read<ChartKind> {
     let words = || ChartKind::ALL.iter().map(|kind| kind.word());
     let all = || words().collect::<Vec<_>>().join(", ");
     let Some(word) = &given.kind else {
-        return Err(format!("it has no property `kind`, which is one of {}", all()));
+        return Err(format!(
+            "it has no property `kind`, which is one of {}; a feature of S-57 has `OBJL`, or its file the `name` of the layer",
+            all()
+        ));
     };
     ChartKind::ALL.iter().copied().find(|kind| kind.word() == word).ok_or_else(|| {
         match nearest(word, words()) {
@@ -192,22 +359,22 @@ fn name(given: &Properties) -> Read<String> {
 }
 
 fn depth(given: &Properties, kind: ChartKind) -> Read<Option<f64>> {
-    let has_depth = matches!(kind, ChartKind::DepthArea | ChartKind::DepthContour);
-    match given.depth_m {
-        None if has_depth => Err(format!("a {} needs `depth_m`", kind.word())),
-        None => Ok(None),
-        Some(_) if !has_depth => Err(format!("a {} has no `depth_m`", kind.word())),
-        Some(depth_m) if (DEPTHS_M[0]..=DEPTHS_M[1]).contains(&depth_m) => Ok(Some(depth_m)),
-        Some(depth_m) => Err(format!(
-            "its `depth_m` must be between {} and {}, but is {depth_m}",
-            DEPTHS_M[0], DEPTHS_M[1]
-        )),
+    let needs =
+        kind.is_area_of_depth() || matches!(kind, ChartKind::DepthContour | ChartKind::Sounding);
+    if needs && given.depth_m.is_none() {
+        return Err(format!("a {} needs `depth_m`", kind.word()));
     }
+    let may = matches!(kind, ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck);
+    allowed(given.depth_m, "depth_m", kind, needs || may, DEPTHS_M)
 }
 
 fn mark(given: &Properties, kind: ChartKind) -> Read<Option<ChartMark>> {
     if !matches!(kind, ChartKind::Buoy | ChartKind::Beacon) {
-        let key = [(&given.colour, "colour"), (&given.side, "side")];
+        let has_colour = kind == ChartKind::Light;
+        let key = [
+            (given.colour.as_ref().filter(|_| !has_colour), "colour"),
+            (given.side.as_ref(), "side"),
+        ];
         return match key.iter().find(|(value, _)| value.is_some()) {
             Some((_, key)) => Err(format!("a {} has no `{key}`", kind.word())),
             None => Ok(None),
@@ -232,23 +399,52 @@ fn word<T: Copy>(key: &str, given: &str, words: &[(&str, T)]) -> Read<T> {
 
 /// Whether a kind has this shape.
 fn check_shape(kind: ChartKind, shape: &ChartShape) -> Read<()> {
+    use ChartKind as K;
     let (is, fits) = match shape {
-        ChartShape::Point(_) => {
-            ("a point", matches!(kind, ChartKind::Buoy | ChartKind::Beacon | ChartKind::Name))
-        }
+        ChartShape::Point(_) => (
+            "a point",
+            matches!(
+                kind,
+                K::Buoy
+                    | K::Beacon
+                    | K::Name
+                    | K::Light
+                    | K::Sounding
+                    | K::Rock
+                    | K::Obstruction
+                    | K::Wreck
+                    | K::Mooring
+                    | K::Landmark
+            ),
+        ),
         ChartShape::Line(_) => (
             "a line",
             matches!(
                 kind,
-                ChartKind::Coast
-                    | ChartKind::DepthContour
-                    | ChartKind::Quay
-                    | ChartKind::LeadingLine
+                K::Coast
+                    | K::DepthContour
+                    | K::Quay
+                    | K::LeadingLine
+                    | K::Pontoon
+                    | K::Berth
+                    | K::Bridge
+                    | K::Cable
             ),
         ),
-        ChartShape::Area(_) => {
-            ("an area", matches!(kind, ChartKind::Coast | ChartKind::DepthArea | ChartKind::Quay))
-        }
+        ChartShape::Area(_) => (
+            "an area",
+            !matches!(
+                kind,
+                K::Buoy
+                    | K::Beacon
+                    | K::Name
+                    | K::Light
+                    | K::Sounding
+                    | K::DepthContour
+                    | K::LeadingLine
+                    | K::Cable
+            ),
+        ),
     };
     if fits { Ok(()) } else { Err(format!("a {} cannot be {is}", kind.word())) }
 }

@@ -4,10 +4,11 @@ use core::fmt;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::placing::{LARGEST_FILE, MOST_FEATURES};
-use fenderline_keys::error::ScenarioError;
+use fenderline_keys::error::{Place, ScenarioError};
 use fenderline_keys::sources::{Sources, quoted};
 
 /// A file whose features are not read yet.
@@ -15,6 +16,8 @@ pub(super) struct File<'a> {
     sources: Sources<'a>,
     text: &'a str,
     key: &'a str,
+    /// The file's `name`, which GDAL makes the name of the layer; empty without one.
+    layer: String,
     features: Vec<&'a RawValue>,
 }
 
@@ -26,6 +29,7 @@ struct Document<'a> {
     #[serde(borrow, default)]
     features: Option<Vec<&'a RawValue>>,
     crs: Option<System>,
+    name: Option<Value>,
 }
 
 /// The coordinate system of a file, which GeoJSON had before its standard.
@@ -58,22 +62,68 @@ pub(super) struct Geometry {
     pub(super) coordinates: Option<Coordinates>,
 }
 
-/// The properties that a chart uses; others are allowed and not read.
+/// The properties that a chart uses; others are allowed and not read. Those in capitals are the attributes of S-57.
+/// They are numbers, texts or lists, as the program that wrote the file chose.
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Properties {
     pub(super) kind: Option<String>,
     pub(super) name: Option<String>,
     pub(super) depth_m: Option<f64>,
+    pub(super) deepest_m: Option<f64>,
+    pub(super) clearance_m: Option<f64>,
     pub(super) colour: Option<String>,
     pub(super) side: Option<String>,
+    pub(super) character: Option<String>,
+    pub(super) period_s: Option<f64>,
+    pub(super) sector_deg: Option<[f64; 2]>,
+    pub(super) range_m: Option<f64>,
+    #[serde(rename = "OBJL")]
+    pub(super) objl: Option<Value>,
+    #[serde(rename = "OBJNAM")]
+    pub(super) objnam: Option<Value>,
+    #[serde(rename = "DRVAL1")]
+    pub(super) drval1: Option<Value>,
+    #[serde(rename = "DRVAL2")]
+    pub(super) drval2: Option<Value>,
+    #[serde(rename = "VALDCO")]
+    pub(super) valdco: Option<Value>,
+    #[serde(rename = "VALSOU")]
+    pub(super) valsou: Option<Value>,
+    /// What GDAL writes beside the third coordinate of a sounding.
+    #[serde(rename = "DEPTH")]
+    pub(super) depth: Option<Value>,
+    #[serde(rename = "CATLAM")]
+    pub(super) catlam: Option<Value>,
+    #[serde(rename = "CATCOV")]
+    pub(super) catcov: Option<Value>,
+    #[serde(rename = "COLOUR")]
+    pub(super) colour_codes: Option<Value>,
+    #[serde(rename = "LITCHR")]
+    pub(super) litchr: Option<Value>,
+    #[serde(rename = "SIGGRP")]
+    pub(super) siggrp: Option<Value>,
+    #[serde(rename = "SIGPER")]
+    pub(super) sigper: Option<Value>,
+    #[serde(rename = "SECTR1")]
+    pub(super) sectr1: Option<Value>,
+    #[serde(rename = "SECTR2")]
+    pub(super) sectr2: Option<Value>,
+    #[serde(rename = "VALNMR")]
+    pub(super) valnmr: Option<Value>,
+    #[serde(rename = "VERCLR")]
+    pub(super) verclr: Option<Value>,
+    #[serde(rename = "VERCCL")]
+    pub(super) verccl: Option<Value>,
+    #[serde(rename = "VERCSA")]
+    pub(super) vercsa: Option<Value>,
 }
 
-/// Nested lists of numbers. A list of two or more numbers is a position; further numbers, such as a height, are
-/// dropped.
+/// Nested lists of numbers. A list of two or more numbers is a position. The third number is a height, or the depth of
+/// a sounding of S-57; further numbers are dropped.
 #[derive(Debug)]
 pub(super) enum Coordinates {
     Number(f64),
-    Position([f64; 2]),
+    Position([f64; 2], Option<f64>),
     List(Vec<Coordinates>),
 }
 
@@ -100,7 +150,7 @@ impl<'a> File<'a> {
         if text.len() > LARGEST_FILE {
             let most = LARGEST_FILE >> 20;
             let error = sources.file_error(format!("the chart is larger than {most} MiB"));
-            return Err(error.with_help("simplify the lines: a chart has at most 20,000 points"));
+            return Err(error.with_help("cut the chart to the area of the exercise: `python -m fenderline.charts` has `--area`"));
         }
         // Some programs begin a file with a byte order mark, which JSON does not have.
         let json = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -132,7 +182,22 @@ impl<'a> File<'a> {
             let error = sources.file_error(message);
             return Err(error.with_help("convert it to WGS 84 (EPSG:4326)"));
         }
-        Ok(File { sources, text, key, features })
+        let layer = match document.name {
+            Some(Value::String(name)) => name,
+            _ => String::new(),
+        };
+        Ok(File { sources, text, key, layer, features })
+    }
+
+    /// The name of the layer from which GDAL wrote the file; empty without one.
+    pub(super) fn layer(&self) -> &str {
+        &self.layer
+    }
+
+    /// Where a feature is in the file.
+    pub(super) fn place(&self, index: usize) -> Place {
+        let start = self.start(index);
+        self.sources.place(&(start..start + self.features[index].get().len()))
     }
 
     /// Number of features.
@@ -245,10 +310,12 @@ impl<'de> Visitor<'de> for OfCoordinates {
                 let Some(Coordinates::Number(y)) = list.next_element()? else {
                     return Err(not_a_position());
                 };
+                let mut third = None;
                 while let Some(more) = list.next_element()? {
-                    let Coordinates::Number(_) = more else { return Err(not_a_position()) };
+                    let Coordinates::Number(more) = more else { return Err(not_a_position()) };
+                    third = third.or(Some(more));
                 }
-                Ok(Coordinates::Position([x, y]))
+                Ok(Coordinates::Position([x, y], third))
             }
             Some(first) => {
                 let mut all = vec![first];

@@ -5,11 +5,12 @@ use fenderline_sim::chart::GeographicPlace;
 
 use super::projection::Projected;
 
-/// Most features, and most points, of a chart: what a page draws without effort.
-pub(super) const MOST_FEATURES: usize = 5_000;
-pub(super) const MOST_POINTS: usize = 20_000;
-/// Largest file (bytes): ten times of what that many points need.
-pub(super) const LARGEST_FILE: usize = 8 << 20;
+/// Most features, and most points, of a chart: a cell of an electronic chart in full (US4MD81M: 5,000 features of the
+/// classes that are read, 360,000 points).
+pub(super) const MOST_FEATURES: usize = 50_000;
+pub(super) const MOST_POINTS: usize = 500_000;
+/// Largest file (bytes), as of every file that a scenario names.
+pub(super) const LARGEST_FILE: usize = 16 << 20;
 /// Farthest point from the scenario's origin (m). One that is farther has swapped coordinates, or belongs to another place.
 const FARTHEST_M: f64 = 200e3;
 

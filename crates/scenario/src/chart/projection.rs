@@ -41,6 +41,33 @@ impl Projected {
         projected
     }
 
+    /// UTM about an origin, in its zone.
+    pub(crate) fn utm(origin: GeographicPlace) -> Projected {
+        Projected::about(origin, Projection::Utm)
+    }
+
+    /// The origin north of the equator and east of the central meridian (m).
+    pub(crate) fn origin_m(&self) -> Vec2 {
+        self.origin_m
+    }
+
+    /// The place of a point north and east of `origin`, about which this projection is (m): the inverse of
+    /// [`Projected::to_m`].
+    ///
+    /// The place is moved by what is missing, as on a sphere, until nothing is. Grid north differs from true north by a
+    /// few degrees at most, so each round makes the error at least ten times smaller; the number of rounds is fixed, so
+    /// that the bits are the same everywhere.
+    pub(crate) fn to_place(&self, at_m: Vec2, origin: GeographicPlace) -> GeographicPlace {
+        const ROUNDS: usize = 12;
+        let mut place = origin;
+        for _ in 0..ROUNDS {
+            let missing_m = at_m - self.to_m(place);
+            place.latitude_rad += missing_m.x / EQUATOR_M;
+            place.longitude_rad += missing_m.y / (EQUATOR_M * libm::cos(place.latitude_rad));
+        }
+        place
+    }
+
     /// A place in metres north and east of the origin.
     pub(crate) fn to_m(&self, place: GeographicPlace) -> Vec2 {
         let east_rad = wrapped(place.longitude_rad - self.central_meridian_rad);

@@ -26,6 +26,13 @@ pub enum EnvironmentError {
         /// Number of entries given.
         found: usize,
     },
+    /// One depth for all places, and a depth by place.
+    TwoDepths,
+    /// A table of which no entry has data.
+    NoData {
+        /// The table.
+        table: &'static str,
+    },
 }
 
 impl fmt::Display for EnvironmentError {
@@ -38,6 +45,10 @@ impl fmt::Display for EnvironmentError {
             EnvironmentError::Length { table, expected, found } => {
                 write!(f, "{table} needs {expected} entries, but has {found}")
             }
+            EnvironmentError::TwoDepths => {
+                write!(f, "one depth of the water and a bottom by place exclude each other")
+            }
+            EnvironmentError::NoData { table } => write!(f, "{table} has no data"),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The environment of a ship: wind, current, waves, long waves, tide and banks.
+//! The environment of a ship: wind, current, waves, long waves, tide, bottom and banks.
 //!
 //! Everything here is a pure function of time and position, without state, so a run can be copied, restored and
 //! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
@@ -35,6 +35,7 @@
 
 mod bank;
 pub mod current;
+mod depth_field;
 mod error;
 mod harmonics;
 mod load_table;
@@ -45,6 +46,7 @@ pub mod waves;
 pub mod wind;
 
 pub use bank::{Bank, BankMethod, BankWater, ShipAtBank};
+pub use depth_field::{DepthField, MOST_NODES};
 pub use error::EnvironmentError;
 pub use load_table::{LoadTable, Sides};
 pub use long_waves::{LongWaveSite, LongWaveSpectrum, LongWaves};

@@ -4,7 +4,9 @@ use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::{greater, lesser};
 
 use super::particulars::Particulars;
-use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
+use super::shallow::{
+    SHALLOWEST_RATIO, barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m,
+};
 
 /// Above this depth Froude number the squat stays constant, because displacement ships do not go faster in shallow
 /// water.
@@ -16,8 +18,8 @@ pub fn critical_mps(depth_m: f64) -> f64 {
     (STANDARD_GRAVITY_MPS2 * depth_m).sqrt()
 }
 
-/// A squat formula for open water, as given by PIANC (`shallow/squat_formulas.rs`). The formulas are verified against
-/// independent calculations, but not validated against trials.
+/// A squat formula (`shallow/squat_formulas.rs`): three for open water, as given by PIANC, and one for channels. The
+/// formulas are verified against independent calculations, but not validated against trials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
     /// Barrass for open water, [`barrass_squat_m`]. The formula does not depend on depth. For 1.1 to 1.4 draughts.
@@ -27,6 +29,8 @@ pub enum Squat {
     Icorels,
     /// Eryuzlu et al. 1994, [`eryuzlu_squat_m`]: for 1.1 to 2.5 draughts.
     Eryuzlu,
+    /// Barrass with the blockage of the cross-section, [`barrass_channel_squat_m`], in channels and in open water.
+    BarrassChannel,
 }
 
 impl Squat {
@@ -37,6 +41,7 @@ impl Squat {
             Squat::Barrass => "Barrass",
             Squat::Icorels => "ICORELS",
             Squat::Eryuzlu => "Eryuzlu et al. 1994",
+            Squat::BarrassChannel => "Barrass with blockage",
         }
     }
 
@@ -45,12 +50,23 @@ impl Squat {
     pub fn depth_ratios(self) -> Option<[f64; 2]> {
         match self {
             Squat::Barrass => Some([1.1, 1.4]),
-            Squat::Icorels => None,
+            Squat::Icorels | Squat::BarrassChannel => None,
             Squat::Eryuzlu => Some([1.1, 2.5]),
         }
     }
 
-    /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern.
+    /// Maximum sinkage of the keel (m) in open water at a surge speed through the water (m/s), ahead or astern:
+    /// [`Squat::sinkage_in_m`] with the cross-section of open water.
+    ///
+    /// # Panics
+    /// If depth or speed is NaN.
+    #[must_use]
+    pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
+        self.sinkage_in_m(ship, (depth_m, f64::INFINITY), surge_mps)
+    }
+
+    /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern, in water of a depth (m)
+    /// and a cross-section (m²), which only [`Squat::BarrassChannel`] uses.
     ///
     /// Above a depth Froude number of 0.9 the squat is constant: displacement ships do not go faster there, and ICORELS
     /// is singular at 1. Below [`SHALLOWEST_RATIO`] draughts, also aground, the squat for that depth is used. No
@@ -59,7 +75,12 @@ impl Squat {
     /// # Panics
     /// If depth or speed is NaN.
     #[must_use]
-    pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
+    pub fn sinkage_in_m(
+        self,
+        ship: &Particulars,
+        (depth_m, section_m2): (f64, f64),
+        surge_mps: f64,
+    ) -> f64 {
         assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
         let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
         let limit_mps = FASTEST_FROUDE * critical_mps(depth_m);
@@ -68,6 +89,9 @@ impl Squat {
             Squat::Barrass => barrass_squat_m,
             Squat::Icorels => icorels_squat_m,
             Squat::Eryuzlu => eryuzlu_squat_m,
+            Squat::BarrassChannel => {
+                return barrass_channel_squat_m(ship, depth_m, section_m2, speed_mps);
+            }
         };
         formula(ship, depth_m, speed_mps)
             .unwrap_or_else(|error| unreachable!("depth and speed are limited: {error}"))

@@ -1,8 +1,10 @@
 //! Checks of a set-up that concern several of its parts.
 
 use fenderline_assess::berthing::{ShallowFactor, Study};
+use fenderline_contact::BodyState;
 use fenderline_ship::environment::{Bank, BankMethod};
-use fenderline_world::error::SetupError;
+use fenderline_world::error::{NoDepthUnder, SetupError};
+use fenderline_world::rigid_body::initial_state;
 use fenderline_world::setup::{Load, Setup};
 use fenderline_world::world::LineEnd;
 
@@ -92,6 +94,18 @@ pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
+/// Checks that the depth under each vessel is known at the start.
+pub(super) fn check_depths(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
+    for vessel in &setup.world.vessels {
+        let state = &states[vessel.body];
+        vessel.soundings(state, &setup.world.environment, 0.0).map_err(|place| {
+            let body = setup.bodies[vessel.body].name.clone();
+            SetupError::NoDepth(NoDepthUnder { body, place })
+        })?;
+    }
+    Ok(())
+}
+
 /// Checks the anchors and the vessels that carry them.
 pub(super) fn check_anchors(setup: &Setup) -> Result<(), SetupError> {
     let world = &setup.world;
@@ -118,8 +132,9 @@ pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError>
 
 /// The shallow-water factor on a vessel's added mass in sway, for the water at the start.
 fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
-    let depth_m = setup.world.environment.depth_at_m(0.0)?;
     let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == ship)?;
+    let state = initial_state(&setup.bodies[ship]);
+    let depth_m = vessel.soundings(&state, &setup.world.environment, 0.0).ok()?.mean_m?;
     let deep_m3 = vessel.deep.added_mass.sway_m3;
     (deep_m3 > 0.0).then(|| ShallowFactor {
         factor: vessel.ship.added_mass.sway_m3 / deep_m3,

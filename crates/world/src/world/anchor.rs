@@ -73,11 +73,12 @@ impl AnchorSetup {
         let Some(start) = self.start else { return Ok(()) };
         in_range("place of the anchor [m]", start.at_m.length(), 0.0, 1e8)?;
         in_range("chain out [m]", start.chain_m, 0.0, self.gear.chain_length_m)?;
-        let Some(depth_m) = environment.depth_at_m(0.0) else {
+        let state = crate::rigid_body::initial_state(body);
+        let hawse_m = state.pose().apply(self.hawse_m);
+        let Ok(Some(depth_m)) = environment.depth_at_m(hawse_m, 0.0) else {
             return Err(AnchorError::NoBottom { anchor: name() });
         };
-        let state = crate::rigid_body::initial_state(body);
-        let span_m = (state.pose().apply(self.hawse_m) - start.at_m).length();
+        let span_m = (hawse_m - start.at_m).length();
         let reach_m = libm::hypot(span_m, depth_m + self.hawse_above_water_m);
         if start.chain_m < reach_m {
             let chain_m = start.chain_m;
@@ -159,21 +160,22 @@ impl AnchorAtWork {
         };
     }
 
-    /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship.
+    /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship. The bottom is at
+    /// the depth under the hawse pipe; where that place has no data, at the mean depth under the ship (`under_m`).
     pub fn step(
         &mut self,
         index: usize,
         (of, body): (&AnchorSetup, usize),
         (states, shore): (&[BodyState], Shore<'_>),
-        (environment, t_s, step_s): (&Environment, f64, f64),
+        ((environment, under_m), t_s, step_s): ((&Environment, Option<f64>), f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {
         let (at_m, above_water_m) = shore.place(body, of.hawse_m, of.hawse_above_water_m);
-        let hawse = Hawse {
-            at_m: states[body].pose().apply(at_m),
-            above_bottom_m: environment.depth_at_m(t_s).map(|depth_m| depth_m + above_water_m),
-        };
+        let at_m = states[body].pose().apply(at_m);
+        let depth_m = environment.depth_at_m(at_m, t_s).unwrap_or(under_m);
+        let above_bottom_m = depth_m.map(|depth_m| depth_m + above_water_m);
+        let hawse = Hawse { at_m, above_bottom_m };
         let given = (self.load.tension_n, environment.water_density_kgpm3, step_s);
         self.load = of.gear.step(&mut self.state, &hawse, given, &mut |event| {
             events.push(WorldEvent { who: index, kind: WorldEventKind::Anchor(event) });

@@ -1,15 +1,134 @@
 //! Wind, current and water of a run.
 
-use fenderline_contact::Vec2;
-use fenderline_contact::number::greater;
+use std::fmt;
+use std::sync::Arc;
+
+use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::{DisplayNumber, Vec2, vec2};
 use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::Sea;
 use fenderline_ship::environment::wind::Wind;
-use fenderline_ship::environment::{Bank, EnvironmentError, LongWaves, Tide};
+use fenderline_ship::environment::{Bank, DepthField, EnvironmentError, LongWaves, Tide};
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
+
+/// A place at which no depth is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoDepth {
+    /// The place, north and east (m).
+    pub place_m: Vec2,
+}
+
+impl fmt::Display for NoDepth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [north, east] = [self.place_m.x, self.place_m.y].map(DisplayNumber);
+        write!(f, "no depth is known at {north} m north, {east} m east")
+    }
+}
+
+impl std::error::Error for NoDepth {}
+
+/// Strips of each side of a cross-section.
+const STRIPS: u32 = 64;
+
+/// The bottom of the sea by place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bottom {
+    /// Depths below datum. Clones of a set-up share the field.
+    pub field: Arc<DepthField>,
+    /// What holds where the field has no data.
+    pub outside: Outside,
+}
+
+/// The depth where a [`DepthField`] has no data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outside {
+    /// A level bottom at this depth below datum (m).
+    Depth(f64),
+    /// None: a ship that comes to such a place ends the run with an error.
+    Error,
+}
+
+impl Bottom {
+    /// Depth below datum (m) and gradient of the depth at a place; `None` without data.
+    #[must_use]
+    pub fn sounding(&self, place_m: Vec2) -> Option<(f64, Vec2)> {
+        self.field.sounding(place_m).or(match self.outside {
+            Outside::Depth(depth_m) => Some((depth_m, Vec2::ZERO)),
+            Outside::Error => None,
+        })
+    }
+
+    /// Depth below datum at a place (m); `None` without data.
+    #[must_use]
+    pub fn depth_m(&self, place_m: Vec2) -> Option<f64> {
+        self.field.depth_m(place_m).or(match self.outside {
+            Outside::Depth(depth_m) => Some(depth_m),
+            Outside::Error => None,
+        })
+    }
+
+    /// Nodes, cell and range of the field, and what holds outside of it, in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let field = &self.field;
+        let ([north, east], [least_m, most_m]) = (field.nodes(), field.range_m());
+        let holes = field.depths_m().iter().filter(|depth_m| depth_m.is_nan()).count();
+        let share = 100.0 * holes as f64 / field.depths_m().len() as f64;
+        let outside = match self.outside {
+            Outside::Depth(depth_m) => format!("{depth_m} m where there is no data"),
+            Outside::Error => "an error where there is no data".to_owned(),
+        };
+        format!(
+            "bottom: {north} by {east} nodes to the north and east, cells of {} m; {least_m:.1} to {most_m:.1} m below datum; \
+             {share:.1} % of the nodes without data; {outside}",
+            field.cell_m()
+        )
+    }
+
+    /// Cross-section of the water at a level above datum (m²): from a place to both sides, at right angles to a heading (a
+    /// unit vector), each side as far as `half_width_m`, the first dry place or the last place with data.
+    #[must_use]
+    pub fn section_m2(
+        &self,
+        (place_m, ahead): (Vec2, Vec2),
+        level_m: f64,
+        half_width_m: f64,
+    ) -> f64 {
+        let wet_m = |at_m: Vec2| self.depth_m(at_m).map_or(0.0, |depth_m| depth_m + level_m);
+        let middle_m = wet_m(place_m);
+        let strip_m = half_width_m / f64::from(STRIPS);
+        [1.0, -1.0].into_iter().fold(0.0, |sum_m2, side| {
+            let out = vec2(-ahead.y, ahead.x) * (side * strip_m);
+            let (mut sum_m2, mut last_m) = (sum_m2, middle_m);
+            for strip in 1..=STRIPS {
+                let next_m = wet_m(place_m + out * f64::from(strip));
+                if last_m <= 0.0 {
+                    break;
+                }
+                // Within a strip that falls dry, the wet part is a triangle.
+                sum_m2 += match next_m > 0.0 {
+                    true => 0.5 * strip_m * (last_m + next_m),
+                    false => 0.5 * strip_m * last_m * last_m / (last_m - next_m),
+                };
+                last_m = next_m;
+            }
+            sum_m2
+        })
+    }
+
+    /// The least and the greatest depth below datum (m), with the depth where there is no data.
+    #[must_use]
+    pub fn range_m(&self) -> [f64; 2] {
+        let [least_m, most_m] = self.field.range_m();
+        match self.outside {
+            Outside::Depth(depth_m) => [lesser(least_m, depth_m), greater(most_m, depth_m)],
+            Outside::Error => [least_m, most_m],
+        }
+    }
+}
 
 /// Wind, current and water of a [`crate::world::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +147,8 @@ pub struct Environment {
     pub air_density_kgpm3: f64,
     /// Depth of the water below datum (m), negative if the bottom falls dry; `None`: deep.
     pub depth_m: Option<f64>,
+    /// Depth of the water by place, in place of `depth_m`.
+    pub bottom: Option<Bottom>,
     /// Level of the water above datum.
     pub tide: Tide,
     /// Method of squat in water of finite depth; `None`: no squat.
@@ -49,6 +170,7 @@ impl Default for Environment {
             water_density_kgpm3: SEA_WATER_KGPM3,
             air_density_kgpm3: AIR_KGPM3,
             depth_m: None,
+            bottom: None,
             tide: Tide::default(),
             squat: Some(Squat::default()),
             banks: Vec::new(),
@@ -74,32 +196,53 @@ impl Environment {
         [low_m + waves_m[0], high_m + waves_m[1]]
     }
 
-    /// Depth of the water at a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
-    #[must_use]
-    pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
-        self.depth_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0))
-    }
-
-    /// Depth of the water at a time (m) with the tide alone, for hull forces and added mass; `None`: deep.
-    #[must_use]
-    pub fn still_depth_at_m(&self, t_s: f64) -> Option<f64> {
-        self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
-    }
-
-    /// The least and the greatest depth of a run (m); `None`: deep.
-    #[must_use]
-    pub fn depth_range_m(&self) -> Option<[f64; 2]> {
-        self.depth_m
-            .map(|depth_m| self.level_range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
-    }
-
-    /// Checks depth and tide; wind, current, sea and long waves are checked when they are made.
+    /// Depth of the water at a place and a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
     ///
     /// # Errors
-    /// A number out of range, with its name.
+    /// A place without data.
+    pub fn depth_at_m(&self, place_m: Vec2, t_s: f64) -> Result<Option<f64>, NoDepth> {
+        let below_datum_m = match &self.bottom {
+            Some(bottom) => Some(bottom.depth_m(place_m).ok_or(NoDepth { place_m })?),
+            None => self.depth_m,
+        };
+        Ok(below_datum_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0)))
+    }
+
+    /// The least and the greatest depth of a run (m), over all places; `None`: deep.
+    #[must_use]
+    pub fn depth_range_m(&self) -> Option<[f64; 2]> {
+        let one = self.depth_m.map(|depth_m| [depth_m; 2]);
+        let [least_m, most_m] = self.bottom.as_ref().map(Bottom::range_m).or(one)?;
+        let [low_m, high_m] = self.level_range_m();
+        Some([least_m + low_m, most_m + high_m].map(|depth_m| greater(depth_m, 0.0)))
+    }
+
+    /// Whether the water is deep everywhere: neither one depth nor a bottom by place is given.
+    #[must_use]
+    pub fn is_deep(&self) -> bool {
+        self.depth_m.is_none() && self.bottom.is_none()
+    }
+
+    /// Checks depth, bottom and tide; wind, current, sea and long waves are checked when they are made.
+    ///
+    /// # Errors
+    /// A number out of range, with its name; or both one depth and a bottom by place.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         if let Some(depth_m) = self.depth_m {
             within("depth of the water [m]", depth_m, -100.0, 12_000.0)?;
+        }
+        if let Some(bottom) = &self.bottom {
+            if let Outside::Depth(depth_m) = bottom.outside {
+                within(
+                    "depth of the water outside the depth field [m]",
+                    depth_m,
+                    -100.0,
+                    12_000.0,
+                )?;
+            }
+            if self.depth_m.is_some() {
+                return Err(EnvironmentError::TwoDepths);
+            }
         }
         self.tide.check()
     }

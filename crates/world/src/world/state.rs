@@ -3,13 +3,16 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench, vec2};
 
 use super::abilities::Abilities;
 use super::afloat::{Afloat, Lever};
 use super::anchor::AnchorAtWork;
 use super::azimuth_pilot::{self, Stream};
+use super::environment::NoDepth;
 use super::event::{WorldEvent, WorldEventKind};
+use super::grounding;
 use super::line::Mooring;
 use super::line_work;
 use super::passing;
@@ -17,6 +20,7 @@ use super::pilot::{self, PilotWork};
 use super::seaway::{Given, Seaway};
 use super::setup::WorldSetup;
 use super::shore::Shore;
+use super::soundings::Soundings;
 use super::tug::TugAtWork;
 use super::vessel::{VesselForces, VesselSetup, VesselState, WaterInertia, mass_matrix};
 use crate::fender::FenderSetup;
@@ -39,6 +43,10 @@ pub struct World {
     pub forces: Vec<VesselForces>,
     /// The inertia of the water that moves with each vessel.
     pub water_inertia: Vec<WaterInertia>,
+    /// The depths under each vessel at the start of the step: [`World::sound`].
+    pub soundings: Vec<Soundings>,
+    /// The next soundings, which replace the last if all places have data.
+    sounded: Vec<Soundings>,
     /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
     passing: Vec<Force>,
     /// Forces of banks by images on each vessel; computed anew in each step.
@@ -102,6 +110,8 @@ impl World {
             afloat: Vec::new(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
+            soundings: vec![Soundings::default(); setup.vessels.len()],
+            sounded: Vec::with_capacity(setup.vessels.len()),
             passing: vec![Force::default(); setup.vessels.len()],
             banks: vec![Force::default(); setup.vessels.len()],
             masses: masses.collect(),
@@ -161,9 +171,28 @@ impl World {
         }
     }
 
+    /// Sounds the depths under each vessel at a time, for the step that begins then. An error changes nothing.
+    ///
+    /// # Errors
+    /// The first vessel, by index, with a station that has no data, and the place of the station.
+    pub fn sound(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        t_s: f64,
+    ) -> Result<(), (usize, NoDepth)> {
+        self.sounded.clear();
+        for (index, vessel) in setup.vessels.iter().enumerate() {
+            let sounded = vessel.soundings(&states[vessel.body], &setup.environment, t_s);
+            self.sounded.push(sounded.map_err(|error| (index, error))?);
+        }
+        std::mem::swap(&mut self.soundings, &mut self.sounded);
+        Ok(())
+    }
+
     /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
     /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a drifting ship would
-    /// have a drag from the difference of times.
+    /// have a drag from the difference of times. [`World::sound`] must have been called for `t_s`.
     pub fn step(
         &mut self,
         setup: &WorldSetup,
@@ -177,8 +206,9 @@ impl World {
             return; // tugs and anchors are of vessels
         }
         let vessels = (setup.vessels.as_slice(), states);
-        passing::act(&setup.flow, vessels, &setup.environment, t_s, &mut self.passing);
-        passing::act_of_banks(&setup.flow, vessels, &setup.environment, t_s, &mut self.banks);
+        let water = (&setup.environment, self.soundings.as_slice());
+        passing::act(&setup.flow, vessels, water, t_s, &mut self.passing);
+        passing::act_of_banks(&setup.flow, vessels, water, t_s, &mut self.banks);
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
@@ -206,9 +236,10 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
             }
             self.clamped[index] = clamped;
-            own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
-            own.under_keel_m = vessel.under_keel_m(own.squat_m, &setup.environment, t_s);
-            let held = vessel.is_held(&setup.environment, t_s);
+            let soundings = &self.soundings[index];
+            own.squat_m = vessel.squat_m(state, (&setup.environment, soundings), t_s);
+            own.under_keel_m = vessel.under_keel_m(own.squat_m, soundings);
+            let held = vessel.is_held(soundings);
             if held && !own.held {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
             }
@@ -219,7 +250,7 @@ impl World {
             }
             own.aground = aground;
             let (times, here) = ((t_s, velocity_time_s, step_s), (state, &stream.velocity));
-            let around = (&setup.environment, self.gusts[index].as_ref());
+            let around = (&setup.environment, self.gusts[index].as_ref(), soundings);
             let mut forces = vessel.forces(own, here, around, times);
             forces.passing = self.passing[index];
             forces.banks = forces.banks + self.banks[index];
@@ -257,11 +288,46 @@ impl World {
         }
         for &index in &self.order.anchors {
             let (own, of) = (&mut self.anchors[index], &setup.anchors[index]);
-            let water = (&setup.environment, t_s, step_s);
+            let under_m = self.soundings[of.vessel].mean_m;
+            let water = ((&setup.environment, under_m), t_s, step_s);
             let body = setup.vessels[of.vessel].body;
             own.step(index, (of, body), (states, shore), water, loads, &mut self.events);
         }
+        self.press_on_bottom(setup, (states, lags_s), (t_s, acts_s), loads);
         self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
+    }
+
+    /// Adds the force of the bottom on vessels where it is not level. All other forces but contact are in `loads`.
+    fn press_on_bottom(
+        &mut self,
+        setup: &WorldSetup,
+        (states, lags_s): (&[BodyState], &[f64]),
+        (t_s, acts_s): (f64, f64),
+        loads: &mut [Wrench],
+    ) {
+        for (index, vessel) in setup.vessels.iter().enumerate() {
+            if self.soundings[index].is_level {
+                continue;
+            }
+            let (state, load) = (&states[vessel.body], &mut loads[vessel.body]);
+            let axes = Rotation::from_angle(state.heading_rad);
+            let own = axes.apply_inverse(load.force_n);
+            let step = grounding::Step {
+                mass: self.masses[index],
+                given: [own.x, own.y, load.moment_nm],
+                acts_s,
+                lag_s: greater(lags_s[vessel.body], 0.0),
+            };
+            let squat_m = self.vessels[index].squat_m;
+            let force = vessel.on_slope(state, (&setup.environment, squat_m, t_s), &step);
+            if force == Force::default() {
+                continue;
+            }
+            let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
+            load.force_n += axes.apply(vec2(force.surge_n, force.sway_n));
+            load.moment_nm += force.yaw_nm - ahead_m * force.sway_n;
+            self.forces[index].bottom = force;
+        }
     }
 
     /// Finds the attitude afloat of the bodies with hydrodynamic data.

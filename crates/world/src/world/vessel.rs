@@ -6,24 +6,31 @@ use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::current_table::CurrentTable;
-use super::environment::Environment;
+use super::environment::{Environment, NoDepth};
 use super::fault::Faults;
 use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
+use super::soundings::Soundings;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
+use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
 use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
 use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
-use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
+use fenderline_ship::hydro::shallow::{SHALLOWEST_RATIO, width_of_influence_m};
 use fenderline_ship::hydro::vessels::Origin;
-use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::hydro::{Controls, Force, Mmg, Squat, Velocity};
 use fenderline_ship::seakeeping::Seakeeping;
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
+
+/// Coulomb's friction of a bottom (recalled, for sand).
+pub(super) const BOTTOM_FRICTION: f64 = 0.4;
+/// Speed below which the friction of the bottom fades out (m/s), so that the friction never drives a ship; our choice.
+pub(super) const SLOW_MPS: f64 = 0.01;
 
 /// A vessel of a set-up: a body with hull, propulsion and their forces.
 #[derive(Clone, Debug, PartialEq)]
@@ -327,22 +334,22 @@ impl VesselSetup {
     }
 
     /// The forces in a step, from the state at its start. `velocity` is the velocity through the water. Velocities
-    /// belong to `velocity_t_s`, positions to `t_s`. `gusts` are the gusts of the environment over this vessel. Stores
-    /// the force of each azimuth unit in the unit.
+    /// belong to `velocity_t_s`, positions to `t_s`. `gusts` are the gusts of the environment over this vessel,
+    /// `soundings` the depths under her. Stores the force of each azimuth unit in the unit.
     pub fn forces(
         &self,
         vessel: &mut VesselState,
         (state, velocity): (&BodyState, &Velocity),
-        (environment, gusts): (&Environment, Option<&ShipGusts>),
+        (environment, gusts, soundings): (&Environment, Option<&ShipGusts>, &Soundings),
         (t_s, velocity_t_s, step_s): (f64, f64, f64),
     ) -> VesselForces {
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
-        let ship = self.ship_now(environment, t_s);
+        let ship = self.ship_now(environment, soundings);
         let mut parts = ship.parts(velocity, &controls, water);
         if let Some(table) = &self.current_table {
             let draught_m = ship.particulars.draught_m;
-            let ratio = environment.still_depth_at_m(t_s).map(|depth_m| depth_m / draught_m);
+            let ratio = soundings.still_m.map(|depth_m| depth_m / draught_m);
             parts.hull = table.hull((&ship, parts.hull), velocity, water, ratio);
         }
         let mut thrusters = Force::default();
@@ -361,37 +368,76 @@ impl VesselSetup {
             waves: self.drift(state, environment, velocity_t_s),
             excitation: Force::default(),
             radiation: Force::default(),
-            banks: self.banks(state, velocity, environment, t_s),
+            banks: self.banks(state, velocity, environment, soundings),
             passing: Force::default(),
-            bottom: self.bottom(vessel, state, environment, step_s),
+            // `World::step` adds the force of a bottom that is not level, which depends on all other forces.
+            bottom: match soundings.is_level {
+                true => self.bottom(vessel, state, environment, step_s),
+                false => Force::default(),
+            },
         }
     }
 
-    /// Hull, propeller and rudder in the depth at a time. The added mass is that of this depth, and gives the Coriolis
+    /// Hull, propeller and rudder in the depth at a time and a place. The added mass is that of this depth, and gives the Coriolis
     /// terms in the hull's force. The mass with which the vessel moves stays that of the start.
-    fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
-        match (&environment.tide, environment.still_depth_at_m(t_s)) {
-            (Tide::Level(_), _) | (_, None) => self.ship,
-            (_, Some(depth_m)) => self.deep.at_depth(depth_m),
+    fn ship_now(&self, environment: &Environment, soundings: &Soundings) -> Mmg {
+        let is_constant =
+            matches!(environment.tide, Tide::Level(_)) && environment.bottom.is_none();
+        match soundings.still_m {
+            Some(depth_m) if !is_constant => self.deep.at_depth(depth_m),
+            _ => self.ship,
         }
+    }
+
+    /// The depths under the vessel at a time, about the state of her body.
+    ///
+    /// # Errors
+    /// A station under the hull without data: see [`Soundings::under`].
+    pub fn soundings(
+        &self,
+        state: &BodyState,
+        environment: &Environment,
+        t_s: f64,
+    ) -> Result<Soundings, NoDepth> {
+        Soundings::under(&self.ship.particulars, state, environment, t_s)
     }
 
     /// True if the water is shallower than the range of the shallow-water formulas.
-    pub fn is_held(&self, environment: &Environment, t_s: f64) -> bool {
+    pub fn is_held(&self, soundings: &Soundings) -> bool {
         let least_m = SHALLOWEST_RATIO * self.ship.particulars.draught_m;
-        environment.depth_at_m(t_s).is_some_and(|depth_m| depth_m < least_m)
+        soundings.mean_m.is_some_and(|depth_m| depth_m < least_m)
     }
 
-    /// Velocity through the water at midship.
+    /// Velocity through the water at midship, and the rate of turn through the water: a stream that is stronger across
+    /// the bow than across the stern acts as if the vessel turned the other way.
     #[must_use]
     pub fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
-        let draught_m = self.ship.particulars.draught_m;
-        let current = environment.current(state.position_m, t_s, draught_m);
+        let (current, turning_radps) = self.stream(state, environment, t_s);
         let own =
             Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
-        let yaw_radps = state.yaw_rate_radps;
-        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
-        Velocity { surge_mps: own.x, sway_mps, yaw_radps }
+        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * state.yaw_rate_radps;
+        Velocity { surge_mps: own.x, sway_mps, yaw_radps: state.yaw_rate_radps - turning_radps }
+    }
+
+    /// Velocity of the water along the hull (m/s) and its rate of turn (rad/s): mean and slope of the stream. A current by
+    /// place is taken at three stations, those of Gauss's rule over the length, so that a linear shear is exact; any
+    /// other current is the same along the hull.
+    fn stream(&self, state: &BodyState, environment: &Environment, t_s: f64) -> (Vec2, f64) {
+        let hull = &self.ship.particulars;
+        if !matches!(environment.current, Some(Current::Grid(_))) {
+            return (environment.current(state.position_m, t_s, hull.draught_m), 0.0);
+        }
+        let axes = Rotation::from_angle(state.heading_rad);
+        let out_m = 0.5 * hull.length_m * libm::sqrt(0.6);
+        let at = |x_m: f64| {
+            let arm_m = axes.apply(vec2(x_m - hull.centre_of_gravity_m, 0.0));
+            environment.current(state.position_m + arm_m, t_s, hull.draught_m)
+        };
+        let [aft, middle, fore] = [-out_m, 0.0, out_m].map(at);
+        // Differences from midship: a uniform current gives its velocity to the last bit.
+        let mean = middle + ((aft - middle) + (fore - middle)) * (5.0 / 18.0);
+        let turning_radps = axes.apply_inverse(fore - aft).y / (2.0 * out_m);
+        (mean, turning_radps)
     }
 
     fn drift(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
@@ -415,7 +461,7 @@ impl VesselSetup {
         state: &BodyState,
         velocity: &Velocity,
         environment: &Environment,
-        t_s: f64,
+        soundings: &Soundings,
     ) -> Force {
         let mut banks =
             environment.banks.iter().filter(|bank| bank.method() == BankMethod::Norrbin).peekable();
@@ -431,29 +477,55 @@ impl VesselSetup {
             heading_rad: state.heading_rad,
             surge_mps: velocity.surge_mps,
         };
-        let water = BankWater {
-            density_kgpm3: environment.water_density_kgpm3,
-            depth_m: environment.depth_at_m(t_s),
-        };
+        let water =
+            BankWater { density_kgpm3: environment.water_density_kgpm3, depth_m: soundings.mean_m };
         banks.fold(Force::default(), |sum, bank| {
             let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
             sum + Force { surge_n, sway_n, yaw_nm }
         })
     }
 
-    /// The vessel's squat (m); 0 in deep water.
-    pub fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
-        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
+    /// The vessel's squat in the mean depth under her (m), and by [`Squat::BarrassChannel`] in the cross-section of the water
+    /// at midship; 0 in deep water.
+    pub fn squat_m(
+        &self,
+        state: &BodyState,
+        (environment, soundings): (&Environment, &Soundings),
+        t_s: f64,
+    ) -> f64 {
+        let (Some(squat), Some(depth_m)) = (environment.squat, soundings.mean_m) else {
             return 0.0;
         };
         let surge_mps = self.velocity(state, environment, t_s).surge_mps;
-        squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
+        let hull = &self.ship.particulars;
+        let section_m2 = match (&environment.bottom, squat) {
+            (Some(bottom), Squat::BarrassChannel) => {
+                let midship_m = state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0));
+                let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
+                let half_width_m = 0.5 * width_of_influence_m(hull);
+                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), half_width_m)
+            }
+            _ => f64::INFINITY,
+        };
+        squat.sinkage_in_m(hull, (depth_m, section_m2), surge_mps)
     }
 
-    /// Under-keel clearance with a squat (m); `None` in deep water.
-    pub fn under_keel_m(&self, squat_m: f64, environment: &Environment, t_s: f64) -> Option<f64> {
+    /// The least under-keel clearance with a squat (m); `None` in deep water.
+    #[must_use]
+    pub fn under_keel_m(&self, squat_m: f64, soundings: &Soundings) -> Option<f64> {
+        self.clearance_m(squat_m, soundings.least_m)
+    }
+
+    /// The least under-keel clearances with a squat (m) under the forward and under the after half; `None` in deep
+    /// water. The keel is level: the vessel's trim is not taken into account.
+    #[must_use]
+    pub fn clearances_m(&self, squat_m: f64, soundings: &Soundings) -> [Option<f64>; 2] {
+        [soundings.fore_m, soundings.aft_m].map(|depth_m| self.clearance_m(squat_m, depth_m))
+    }
+
+    fn clearance_m(&self, squat_m: f64, depth_m: Option<f64>) -> Option<f64> {
         let draught_m = self.ship.particulars.draught_m;
-        environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
+        depth_m.map(|depth_m| depth_m - draught_m - squat_m)
     }
 
     /// True if the vessel is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again.
@@ -463,9 +535,9 @@ impl VesselSetup {
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
-    /// The drag of the bottom on a ship aground. The bottom carries the weight that the water no longer carries, with
-    /// Coulomb's friction of 0.4 (recalled, for sand). The drag acts against the ship's motion and fades out below 0.01
-    /// m/s, so that it never drives her.
+    /// The drag of a level bottom on a ship aground. The bottom carries the weight that the water no longer carries, with
+    /// Coulomb's friction ([`BOTTOM_FRICTION`]). The drag acts against the ship's motion and fades out below
+    /// [`SLOW_MPS`], so that it never drives her. `world/grounding.rs` has the bottom that is not level.
     fn bottom(
         &self,
         vessel: &VesselState,
@@ -484,7 +556,7 @@ impl VesselSetup {
         let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
         let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
         let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
-        let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
+        let per_speed = BOTTOM_FRICTION * weight_n / (speed_mps + SLOW_MPS);
         // The drag is implicit: its value at the end of the step, from the mass that it decelerates. So a step cannot
         // reverse the ship's motion.
         let [[surge_kg, ..], [_, sway_kg, _], [.., yaw_kgm2]] =
@@ -580,7 +652,7 @@ impl VesselSetup {
         let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = *mass;
         WaterInertia {
             coriolis,
-            current_mps: environment.current(state.position_m, t_s, draught_m),
+            current_mps: self.stream(state, environment, t_s).0,
             acceleration: Wrench {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,

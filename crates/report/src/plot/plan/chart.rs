@@ -3,7 +3,9 @@
 use core::fmt::Write as _;
 
 use fenderline_contact::Vec2;
-use fenderline_sim::chart::{ChartFeature, ChartKind, ChartShape, MarkColour, MarkSide};
+use fenderline_sim::chart::{
+    Chart, ChartFeature, ChartKind, ChartLight, ChartShape, MarkColour, MarkSide,
+};
 use maud::{Markup, html};
 
 use super::map::{Frame, Label, Map, Place};
@@ -35,13 +37,29 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     let label = |feature: &ChartFeature| {
         let text = match (feature.kind, feature.depth_m) {
             (ChartKind::DepthContour, Some(depth_m)) => format!("{depth_m} m"),
-            (ChartKind::Name | ChartKind::Buoy | ChartKind::Beacon, _) => feature.name.clone(),
+            (
+                ChartKind::Sounding | ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck,
+                Some(depth_m),
+            ) => format!("{depth_m}"),
+            (ChartKind::Bridge | ChartKind::Cable, _) => {
+                format!("{} m clear", feature.clearance_m?)
+            }
+            (ChartKind::Light, _) => feature.light.as_ref()?.character.clone(),
+            (ChartKind::Name | ChartKind::Buoy | ChartKind::Beacon | ChartKind::Landmark, _) => {
+                feature.name.clone()
+            }
             _ => return None,
         };
         let points: Vec<Vec2> = feature.shape.points_m().filter(is_in).collect();
         let at = *points.get(points.len() / 2)?;
         let place = match feature.kind {
-            ChartKind::Buoy | ChartKind::Beacon => {
+            ChartKind::Buoy
+            | ChartKind::Beacon
+            | ChartKind::Landmark
+            | ChartKind::Light
+            | ChartKind::Rock
+            | ChartKind::Obstruction
+            | ChartKind::Wreck => {
                 Place::Beside { point_m: at, side: fenderline_contact::vec2(0.0, 1.0) }
             }
             _ => Place::At(points),
@@ -51,11 +69,16 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     features.iter().filter_map(label).collect()
 }
 
-/// What a reader must know of the chart.
-pub fn chart_note() -> Markup {
+/// What a reader must know of the chart: where the depth of the run comes from, and what of the chart is not drawn.
+pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
     html! {
         p class="note" {
-            "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
+            @if has_bottom {
+                "The run has a bottom by place: see the depth of the water. Depths of the chart in metres below chart datum."
+            } @else {
+                "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
+            }
+            @if let Some(left_out) = chart.left_out_in_words() { " Left out of the chart: " (left_out) "." }
         }
     }
 }
@@ -66,7 +89,7 @@ pub(super) fn charted(features: &[ChartFeature], map: &Map) -> Markup {
     html! {
         @for feature in ChartKind::ALL.into_iter().flat_map(of) {
             @match &feature.shape {
-                ChartShape::Point(at_m) => (mark(feature, map.px(*at_m))),
+                ChartShape::Point(at_m) => (point(feature, map.px(*at_m))),
                 ChartShape::Line(line) => (drawn(feature, &map.path(line), false)),
                 ChartShape::Area(rings) => (drawn(feature, &rings_path(rings, map), true)),
             }
@@ -83,10 +106,25 @@ fn rings_path(rings: &[Vec<Vec2>], map: &Map) -> String {
 }
 
 fn drawn(feature: &ChartFeature, path: &str, is_area: bool) -> Markup {
+    let depth_m = feature.depth_m.unwrap_or(0.0);
     let (fill, stroke, width, dashes) = match feature.kind {
-        ChartKind::DepthArea => (depth_fill(feature.depth_m.unwrap_or(0.0)), "none", "0", ""),
+        ChartKind::Coverage => ("none", "none", "0", ""),
+        ChartKind::DepthArea => (depth_fill(depth_m), "none", "0", ""),
+        ChartKind::DredgedArea => (depth_fill(depth_m), "#6d9cbf", "0.8", "6 3"),
+        ChartKind::UnsurveyedArea => ("#dcdcdc", "none", "0", ""),
         ChartKind::DepthContour => ("none", "#6d9cbf", "0.8", ""),
-        ChartKind::Quay => ("#d8d2be", "#4a5460", "1.2", ""),
+        ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck => {
+            (depth_fill(depth_m), "#222", "0.8", "2 2")
+        }
+        ChartKind::Quay
+        | ChartKind::Pontoon
+        | ChartKind::Building
+        | ChartKind::Mooring
+        | ChartKind::Landmark => ("#d8d2be", "#4a5460", "1.2", ""),
+        ChartKind::Berth => ("none", "#4a5460", "0.8", "4 3"),
+        ChartKind::Fairway | ChartKind::Anchorage => ("none", "#a0529b", "0.8", "6 4"),
+        ChartKind::Bridge => ("none", "#4a5460", "2.4", ""),
+        ChartKind::Cable => ("none", "#4a5460", "0.8", "10 3"),
         ChartKind::LeadingLine => ("none", "#4a5460", "0.8", "8 4"),
         _ => ("#ebe5d1", "#8a7d54", "0.9", ""),
     };
@@ -104,6 +142,64 @@ fn depth_fill(depth_m: f64) -> &'static str {
         depth if depth < 10.0 => "#c6e0f1",
         depth if depth < 20.0 => "#e0eff8",
         _ => "#f4fafd",
+    }
+}
+
+/// A buoy, beacon, light, danger or post. A sounding and a name are words alone.
+fn point(feature: &ChartFeature, (x, y): (f64, f64)) -> Markup {
+    let s = MARK;
+    let plus = format!("M{:.1},{y:.1}h{:.1}M{x:.1},{:.1}v{:.1}", x - s, 2.0 * s, y - s, 2.0 * s);
+    match (feature.kind, &feature.light) {
+        (ChartKind::Light, Some(light)) => lamp(light, (x, y)),
+        (ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck, _) => html! {
+            path d=(plus) fill="none" stroke="#222" stroke-width="1" {}
+            @if feature.kind == ChartKind::Wreck {
+                path d=(format!(
+                    "M{:.1},{:.1}v{s:.1}m{s:.1},0v{:.1}", x - 0.5 * s, y - 0.5 * s, -s
+                )) fill="none" stroke="#222" stroke-width="1" {}
+            }
+            @if feature.kind == ChartKind::Obstruction {
+                circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r=(format!("{:.1}", 1.3 * s))
+                    fill="none" stroke="#222" stroke-width="0.8" stroke-dasharray="2 2" {}
+            }
+        },
+        (
+            ChartKind::Mooring
+            | ChartKind::Landmark
+            | ChartKind::Coast
+            | ChartKind::Quay
+            | ChartKind::Pontoon
+            | ChartKind::Building,
+            _,
+        ) => html! {
+            rect x=(format!("{:.1}", x - 0.5 * s)) y=(format!("{:.1}", y - 0.5 * s))
+                width=(s) height=(s) fill="#d8d2be" stroke="#4a5460" stroke-width="0.8" {}
+        },
+        _ => mark(feature, (x, y)),
+    }
+}
+
+/// A light: a dot of its colour, and an arc over its sector. North is up.
+fn lamp(light: &ChartLight, (x, y): (f64, f64)) -> Markup {
+    let fill = match light.colour {
+        MarkColour::Red => "#c8102e",
+        MarkColour::Green => "#0a7a33",
+        MarkColour::Black => "#222",
+        MarkColour::Yellow | MarkColour::White => "#f0b400",
+    };
+    let reach = 4.0 * MARK;
+    html! {
+        @if let Some([from_rad, to_rad]) = light.sector_rad {
+            @let turn_rad = 2.0 * core::f64::consts::PI;
+            @let over_rad = to_rad - from_rad + if to_rad <= from_rad { turn_rad } else { 0.0 };
+            @let end = |rad: f64| (x + reach * libm::sin(rad), y - reach * libm::cos(rad));
+            @let ((x1, y1), (x2, y2)) = (end(from_rad), end(to_rad));
+            @let is_large = u8::from(over_rad > core::f64::consts::PI);
+            path d=(format!("M{x1:.1},{y1:.1}A{reach:.1},{reach:.1} 0 {is_large} 1 {x2:.1},{y2:.1}"))
+                fill="none" stroke=(fill) stroke-width="2" {}
+        }
+        circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="2.5" fill=(fill) stroke="#222"
+            stroke-width="0.6" {}
     }
 }
 

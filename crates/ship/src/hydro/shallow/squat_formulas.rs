@@ -1,4 +1,4 @@
-//! Squat by three formulas for open water of PIANC (Harbour Approach Channels, report 121, 2014). The formulas were
+//! Squat by three formulas for open water, and one with the blockage of a channel. The three are PIANC's (Harbour Approach Channels, report 121, 2014). The formulas were
 //! read in public programs that agree (the first two in stebiondi/pyCoastal), and compared with independently
 //! calculated numbers. Each formula refuses water that is not deeper than the draught.
 
@@ -6,6 +6,7 @@ use super::limits::draught_over_depth;
 use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
+use fenderline_contact::number::{greater, lesser};
 
 /// Largest squat in open shallow water by Barrass: Cb V²/100 (m), V in knots. For h/T 1.1 to 1.4.
 ///
@@ -54,4 +55,61 @@ pub fn eryuzlu_squat_m(
     let draught_m = ship.draught_m;
     let froude = speed_mps.abs() / (STANDARD_GRAVITY_MPS2 * draught_m).sqrt();
     Ok(0.298 * depth_m * depth_m / draught_m * libm::pow(froude, 2.289) * libm::pow(ratio, -2.972))
+}
+
+/// The largest blockage of [`barrass_channel_squat_m`]; in a narrower channel the squat for this blockage is used.
+const MOST_BLOCKAGE: f64 = 0.266;
+
+/// Width of the water that a ship moves, by Barrass: (7.7 + 20 (1 − Cw)²) B (m). The waterplane coefficient Cw is taken as
+/// (1 + 2 Cb)/3 (recalled). A channel that is wider is open water.
+#[must_use]
+pub fn width_of_influence_m(ship: &Particulars) -> f64 {
+    let fine = 1.0 - (1.0 + 2.0 * ship.block_coefficient()) / 3.0;
+    (7.7 + 20.0 * fine * fine) * ship.beam_m
+}
+
+/// Largest squat by Barrass with blockage: Cb S₂^(2/3) V^2.08/30 (m), V in knots, S₂ = S/(1 − S), S = B T/A with the
+/// cross-section A of the water. A is at most that of open water: the width of influence ([`width_of_influence_m`]) times
+/// the depth.
+///
+/// Read in public programs (MIT Design Laboratory, "Ship squatting problem"; a squat calculator of confined water); they
+/// agree. For blockages of 0.1 to 0.266 (recalled).
+///
+/// # Panics
+/// If a number is NaN.
+#[must_use]
+pub fn barrass_channel_squat_m(
+    ship: &Particulars,
+    depth_m: f64,
+    section_m2: f64,
+    speed_mps: f64,
+) -> f64 {
+    assert!(!section_m2.is_nan(), "the section is a number");
+    let open_m2 = width_of_influence_m(ship) * depth_m;
+    let own_m2 = ship.beam_m * ship.draught_m;
+    let least_m2 = own_m2 / MOST_BLOCKAGE;
+    let section_m2 = greater(lesser(section_m2, open_m2), least_m2);
+    let knots = speed_mps.abs() * KNOTS_PER_MPS;
+    let returns = own_m2 / (section_m2 - own_m2);
+    ship.block_coefficient() * libm::pow(returns, 2.0 / 3.0) * libm::pow(knots, 2.08) / 30.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The worked case of a public sheet: 0.60 m in open water, 0.74 m in a channel 200 m wide.
+    #[test]
+    fn a_channel_of_200_m_makes_the_ship_of_the_worked_case_squat_by_074_m() {
+        let ship = Particulars::from_block(190.0, 32.26, 11.9, 0.78).unwrap();
+        let squat_m =
+            |section_m2: f64| barrass_channel_squat_m(&ship, 14.0, section_m2, 9.0 / KNOTS_PER_MPS);
+        assert!((squat_m(f64::INFINITY) - 0.60).abs() < 0.005, "{}", squat_m(f64::INFINITY));
+        assert!((squat_m(200.0 * 14.0) - 0.74).abs() < 0.005, "{}", squat_m(200.0 * 14.0));
+        // Never less in a narrower channel, and finite in one that she fills.
+        let widths_m = [1e9, 400.0, 300.0, 250.0, 200.0, 150.0, 100.0, 40.0, 0.0];
+        let all = widths_m.map(|width_m| squat_m(width_m * 14.0));
+        assert!(all.windows(2).all(|pair| pair[0] <= pair[1]) && all[8].is_finite(), "{all:?}");
+        assert_eq!(squat_m(0.0), squat_m(40.0 * 14.0));
+    }
 }

@@ -1,13 +1,13 @@
 //! The forces of passing ships and of other vessels on each vessel, in a step.
 
-use fenderline_contact::number::bounded;
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 
 use fenderline_ship::distance::of_segments_m;
 use fenderline_ship::hydro::Force;
-use fenderline_ship::passing::{FlowHull, FlowSetup, PassingShip, force_under_way};
+use fenderline_ship::passing::{FlowHull, FlowSetup, PassingSetup, PassingShip, force_under_way};
 
-use crate::world::{Environment, VesselSetup};
+use crate::world::{Environment, Soundings, VesselSetup};
 
 /// Distance between midships, over the mean of the two lengths, at which a force begins to fade, and at which it is
 /// gone. There the force is less than a thousandth of its peak abreast, and a step need not compute it.
@@ -63,11 +63,11 @@ impl<'s> Afloat<'s> {
     }
 }
 
-/// Sets the force on each vessel about midship. Passing ships are where they are at `t_s`.
+/// Sets the force on each vessel about midship; `soundings` are the depths under each. Passing ships are where they are at `t_s`.
 pub fn act(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
-    environment: &Environment,
+    (environment, soundings): (&Environment, &[Soundings]),
     t_s: f64,
     into: &mut [Force],
 ) {
@@ -85,7 +85,7 @@ pub fn act(
             let other = Afloat::of(&ship.hull, now.pose, now.velocity_mps, water);
             let Some([surge_n, sway_n, yaw_nm]) = push(&own, &other, environment) else { continue };
             let across_m = own.pose.apply_inverse(other.pose.position_m).y;
-            let factors = ship.factors(own.hull, environment.depth_at_m(t_s), across_m);
+            let factors = ship.factors(own.hull, soundings[vessel].mean_m, across_m);
             *force = *force
                 + Force {
                     surge_n: factors[0] * surge_n,
@@ -146,6 +146,24 @@ pub fn gap_in_beams(
         pair.map(|index| Afloat::of_vessel(&flow.hulls[index], &vessels[index], states, water));
     let is_slender = one.hull.is_slender() && other.hull.is_slender();
     is_slender.then(|| gap_between(&one, &other))
+}
+
+/// The least depth on the way of a passing ship (m), at the lowest water of the run; `None`: deep. A bottom by place is
+/// sounded at her midship at 512 times of the run, where it has data.
+#[must_use]
+pub fn shallowest_on_track_m(
+    ship: &PassingSetup,
+    environment: &Environment,
+    duration_s: f64,
+) -> Option<f64> {
+    let Some(bottom) = &environment.bottom else {
+        return environment.depth_range_m().map(|[shallowest_m, _]| shallowest_m);
+    };
+    let at_s = (0..=511).map(|part| duration_s * f64::from(part) / 511.0);
+    let depths_m = at_s.filter_map(|t_s| bottom.depth_m(ship.track.at(t_s).pose.position_m));
+    let least_m = depths_m.fold(f64::INFINITY, lesser);
+    let [low_m, _] = environment.level_range_m();
+    least_m.is_finite().then(|| greater(least_m + low_m, 0.0))
 }
 
 /// A smooth step: 0 below the first limit, 1 above the second, with a continuous slope.

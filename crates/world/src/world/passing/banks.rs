@@ -7,7 +7,7 @@ use fenderline_ship::hydro::Force;
 use fenderline_ship::passing::{FlowSetup, force_of_wall};
 
 use super::act::{Afloat, smooth};
-use crate::world::{Environment, VesselSetup};
+use crate::world::{Environment, Soundings, VesselSetup};
 
 /// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it is
 /// gone; our choice.
@@ -23,7 +23,7 @@ const FADES: [f64; 2] = [8.0, 10.0];
 pub fn act_of_banks(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
-    environment: &Environment,
+    (environment, soundings): (&Environment, &[Soundings]),
     t_s: f64,
     into: &mut [Force],
 ) {
@@ -32,13 +32,14 @@ pub fn act_of_banks(
     if flow.hulls.is_empty() || !environment.banks.iter().any(|bank| by_image(&bank)) {
         return;
     }
-    for ((hull, setup), into) in flow.hulls.iter().zip(vessels).zip(into) {
+    let depths = soundings.iter().zip(into);
+    for ((hull, setup), (soundings, into)) in flow.hulls.iter().zip(vessels).zip(depths) {
         if !hull.is_slender() {
             continue;
         }
         let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
         // For a ship aground the bottom is at the keel.
-        let depth_m = environment.depth_at_m(t_s).map(|depth_m| greater(depth_m, hull.draught_m));
+        let depth_m = soundings.mean_m.map(|depth_m| greater(depth_m, hull.draught_m));
         for bank in environment.banks.iter().filter(by_image) {
             let share = share_of(&own, bank.ends_m());
             if share == 0.0 {
