@@ -4,9 +4,13 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::path::Path;
+use std::sync::Arc;
 
+use fenderline_contact::vec2;
 use fenderline_scenario::Scenario;
-use fenderline_sim::Simulation;
+use fenderline_sim::environment::DepthField;
+use fenderline_sim::hydro::Squat;
+use fenderline_sim::{Bottom, Outside, Setup, Simulation};
 
 thread_local! {
     /// Allocator calls of this thread. The test harness has other threads.
@@ -50,11 +54,15 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Number of allocator calls in the steps between two times (s).
-fn allocations(scenario: &str, from_s: f64, until_s: f64) -> u64 {
+/// The set-up of a scenario of the repository.
+fn load(scenario: &str) -> Setup {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(scenario);
-    let scenario = Scenario::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
-    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    Scenario::load(&path, &[]).unwrap_or_else(|error| panic!("{error}")).setup
+}
+
+/// Number of allocator calls in the steps between two times (s).
+fn allocations(setup: Setup, from_s: f64, until_s: f64) -> u64 {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
     let mut before = 0;
     let last = simulation.steps_until(until_s);
     let first = simulation.steps_until(from_s);
@@ -87,6 +95,24 @@ fn a_warm_step_allocates_nothing() {
         ("environment/across_a_tidal_stream.toml", 10.0, 60.0),
         ("environment/dredged_anchor.toml", 100.0, 200.0),
     ] {
-        assert_eq!(allocations(scenario, from_s, until_s), 0, "allocations in {scenario}");
+        assert_eq!(allocations(load(scenario), from_s, until_s), 0, "allocations in {scenario}");
     }
+}
+
+/// A ship that sits on a slope with her side, beside her fenders.
+#[test]
+fn a_warm_step_on_a_slope_allocates_nothing() {
+    let mut setup = load("environment/aground_at_low_water.toml");
+    let node = |index: usize| 15.0 + 0.2 * ((index / 101) as f32 - 50.0);
+    let depths_m = (0..101 * 101).map(node).collect();
+    let field = DepthField::new(vec2(-500.0, -500.0), 10.0, 101, 101, depths_m).expect("a field");
+    let environment = &mut setup.world.environment;
+    environment.depth_m = None;
+    environment.bottom = Some(Bottom { field: Arc::new(field), outside: Outside::Error });
+    environment.squat = Some(Squat::BarrassChannel);
+    setup.bodies[0].position_m.y = -110.0;
+    let mut simulation = Simulation::new(setup.clone()).expect("a good set-up");
+    simulation.step().expect("a good step");
+    assert!(simulation.vessels()[0].aground, "{:?}", simulation.vessels()[0].under_keel_m);
+    assert_eq!(allocations(setup, 10.0, 60.0), 0);
 }
