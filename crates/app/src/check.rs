@@ -15,8 +15,8 @@ use crate::played::error;
 use crate::terminal::{notice, say, say_json};
 use crate::vessels::estimates;
 
-/// Checks a scenario as `run` does, or a campaign as `campaign` does, and writes nothing. With `--json` a mistake is printed as
-/// JSON, and as text to standard error.
+/// Checks a scenario as `run` does, or a campaign as `campaign` does, and writes nothing. With `--json` a mistake is
+/// printed as JSON, and as text to standard error.
 ///
 /// # Errors
 /// Bad input.
@@ -104,7 +104,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
 /// Prints the JSON Schema of a kind of file.
 ///
 /// # Errors
-/// Standard output that cannot be written.
+/// Fails if standard output cannot be written.
 pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
     let schema = match of {
         SchemaOf::Scenario => fenderline_scenario::schema(),

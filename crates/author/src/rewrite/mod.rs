@@ -1,5 +1,5 @@
-//! Writes a scenario anew: the keys of a file, some of them changed, as a new file that people can read. Comments are
-//! lost, values stay as they were written.
+//! Writes a scenario anew: the keys of its file, some of them changed, become a new file that people can read. Comments
+//! of the file are lost, and values stay as they were written.
 
 mod write;
 
@@ -11,11 +11,11 @@ use fenderline_keys::overrides::{self, Override};
 use fenderline_keys::sources::Sources;
 use fenderline_keys::syntax;
 
-/// A change of a key. An item of a list goes by its number from 0.
+/// A change of a key. A path names an item of a list by the item's number, counted from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
     path: Vec<String>,
-    /// The new value as TOML; `None`: the key is removed.
+    /// The new value of the key as TOML; if `None`, the key is removed.
     value: Option<String>,
 }
 
@@ -26,7 +26,7 @@ impl Edit {
         Edit { path: names(path), value: Some(value.into()) }
     }
 
-    /// Removes a key, if it exists.
+    /// Removes a key of the file if the key exists.
     #[must_use]
     pub fn remove(path: &[&str]) -> Edit {
         Edit { path: names(path), value: None }
@@ -37,13 +37,13 @@ fn names(path: &[&str]) -> Vec<String> {
     path.iter().map(|&name| name.to_owned()).collect()
 }
 
-/// Writes a scenario with overrides and then edits, in their order.
+/// Writes a scenario file with overrides and then edits of its keys, in their order.
 ///
 /// # Errors
-/// A text that is not TOML, or an override of a key that there is not.
+/// Fails for a text that is not TOML, and for an override of a key that does not exist.
 ///
 /// # Panics
-/// If the value of an edit is not TOML.
+/// Panics if the value of an edit is not TOML.
 pub fn rewritten(
     text: &str,
     file_name: &str,

@@ -1,4 +1,5 @@
-//! TOML from its tree: tables under headers, in the order of the file; small values stay in one line.
+//! Writes TOML from its tree of keys: tables stand under headers, in the order of the file, and small values stay in
+//! one line.
 
 use core::fmt::Write as _;
 
@@ -32,7 +33,7 @@ pub(super) fn document(document: &DeTable<'_>) -> String {
     text
 }
 
-/// True for values that need headers: a table, or a list of tables.
+/// True for values that are written under headers: a table, or a list of tables.
 fn is_deep(value: &DeValue<'_>) -> bool {
     match value {
         DeValue::Table(_) => true,
@@ -44,7 +45,7 @@ fn is_deep(value: &DeValue<'_>) -> bool {
     }
 }
 
-/// A table under a header. A table that holds only tables, such as the table of all bodies, has no header.
+/// Writes a table under its header. A table that holds only tables, such as the table of all bodies, has no header.
 fn section(text: &mut String, path: &str, table: &DeTable<'_>) {
     let pairs = in_order(table);
     let holds_tables = |value: &DeValue<'_>| match value {
@@ -69,14 +70,14 @@ fn section(text: &mut String, path: &str, table: &DeTable<'_>) {
     }
 }
 
-/// The keys of a table, each in a line.
+/// Writes the keys of a table, each in a line.
 fn lines(text: &mut String, table: &DeTable<'_>) {
     for (name, value) in in_order(table) {
         let _ = writeln!(text, "{} = {}", key(name), inline(value));
     }
 }
 
-/// The keys of a table by their places in the file.
+/// The keys of a table in the order of their places in the file.
 fn in_order<'t, 'a>(table: &'t DeTable<'a>) -> Vec<Pair<'t, 'a>> {
     let mut pairs: Vec<_> = table.iter().collect();
     pairs.sort_by_key(|(name, _)| name.span().start);
@@ -106,7 +107,7 @@ fn inline(value: &DeValue<'_>) -> String {
     }
 }
 
-/// A whole number, with the prefix of its base.
+/// A whole number as text, with the prefix of its base.
 fn whole(integer: &DeInteger<'_>) -> String {
     let prefix = match integer.radix() {
         2 => "0b",
@@ -117,7 +118,7 @@ fn whole(integer: &DeInteger<'_>) -> String {
     format!("{prefix}{}", integer.as_str())
 }
 
-/// A key, in quotes where it needs them.
+/// A key as text, in quotes where its letters need them.
 fn key(name: &str) -> String {
     let is_bare =
         !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');

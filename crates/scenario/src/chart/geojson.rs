@@ -1,4 +1,5 @@
-//! The syntax of GeoJSON (RFC 7946), feature by feature, so that a mistake names its feature and memory stays small.
+//! Reads the syntax of GeoJSON (RFC 7946) feature by feature, so that an error can name its feature and the program
+//! needs little memory.
 
 use core::fmt;
 
@@ -10,7 +11,7 @@ use super::placing::{LARGEST_FILE, MOST_FEATURES};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::{Sources, quoted};
 
-/// A file whose features are not read yet.
+/// A GeoJSON file whose features are not read yet.
 pub(super) struct File<'a> {
     sources: Sources<'a>,
     text: &'a str,
@@ -18,7 +19,7 @@ pub(super) struct File<'a> {
     features: Vec<&'a RawValue>,
 }
 
-/// The outermost object.
+/// The outermost object of a GeoJSON file.
 #[derive(Deserialize)]
 struct Document<'a> {
     #[serde(rename = "type")]
@@ -28,19 +29,19 @@ struct Document<'a> {
     crs: Option<System>,
 }
 
-/// The coordinate system of a file, which GeoJSON had before its standard.
+/// The coordinate system that a GeoJSON file states; GeoJSON files had this object before the standard.
 #[derive(Deserialize)]
 struct System {
     properties: NameOfSystem,
 }
 
-/// The name of a coordinate system.
+/// The name of the coordinate system that a GeoJSON file states.
 #[derive(Deserialize)]
 struct NameOfSystem {
     name: String,
 }
 
-/// A feature.
+/// A feature of a GeoJSON file.
 #[derive(Debug, Deserialize)]
 pub(super) struct Raw {
     #[serde(rename = "type")]
@@ -49,7 +50,7 @@ pub(super) struct Raw {
     pub(super) properties: Option<Properties>,
 }
 
-/// A geometry; only a collection of geometries has no coordinates.
+/// The geometry of a feature; only a collection of geometries has no coordinates.
 #[derive(Debug, Deserialize)]
 pub(super) struct Geometry {
     #[serde(rename = "type")]
@@ -58,7 +59,7 @@ pub(super) struct Geometry {
     pub(super) coordinates: Option<Coordinates>,
 }
 
-/// The properties that a chart uses; others are allowed and not read.
+/// The properties of a feature that a chart uses; the program ignores all other properties.
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Properties {
     pub(super) kind: Option<String>,
@@ -68,8 +69,8 @@ pub(super) struct Properties {
     pub(super) side: Option<String>,
 }
 
-/// Nested lists of numbers. A list of two or more numbers is a position; further numbers, such as a height, are
-/// dropped.
+/// Coordinates as nested lists of numbers. A list of two or more numbers is a position; the program ignores its further
+/// numbers, such as a height.
 #[derive(Debug)]
 pub(super) enum Coordinates {
     Number(f64),
@@ -78,18 +79,18 @@ pub(super) enum Coordinates {
 }
 
 impl Raw {
-    /// The feature's name; empty for none.
+    /// The feature's name; empty if the feature has no name.
     pub(super) fn name(&self) -> String {
         self.properties.as_ref().and_then(|given| given.name.clone()).unwrap_or_default()
     }
 }
 
 impl<'a> File<'a> {
-    /// Finds the features of a file.
+    /// Finds the features of a GeoJSON file.
     ///
     /// # Errors
-    /// A file that is too large, is no JSON, is no collection of features, has too many, or states a coordinate system
-    /// that is not WGS 84 where degrees are expected.
+    /// Fails if the file is too large, is not JSON, is not a collection of features, or has too many features, or if it
+    /// states another coordinate system than WGS 84 where degrees are expected.
     pub(super) fn open(
         name: &'a str,
         text: &'a str,
@@ -116,7 +117,7 @@ impl<'a> File<'a> {
             .ok_or_else(|| sources.file_error("the FeatureCollection has no `features`"))?;
         if features.len() > MOST_FEATURES {
             let message = format!(
-                "the chart has {} features, but at most {MOST_FEATURES} are read",
+                "the chart has {} features, but may have at most {MOST_FEATURES}",
                 features.len()
             );
             return Err(sources.file_error(message));
@@ -130,7 +131,7 @@ impl<'a> File<'a> {
                 quoted(&system)
             );
             let error = sources.file_error(message);
-            return Err(error.with_help("convert it to WGS 84 (EPSG:4326)"));
+            return Err(error.with_help("convert the file to WGS 84 (EPSG:4326)"));
         }
         Ok(File { sources, text, key, features })
     }
@@ -143,7 +144,8 @@ impl<'a> File<'a> {
     /// Reads a feature.
     ///
     /// # Errors
-    /// A value of the wrong type, a number that is not one, lists that are nested too deep.
+    /// Fails if the feature has a value of the wrong type or something that is not a number, or if its lists are nested
+    /// too deep.
     pub(super) fn feature(&self, index: usize) -> Result<Raw, ScenarioError> {
         let raw = self.features[index].get();
         serde_json::from_str(raw).map_err(|error| {
@@ -153,7 +155,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// An error about a feature.
+    /// Makes an error about a feature of the file.
     pub(super) fn refused(&self, index: usize, name: &str, why: String) -> ScenarioError {
         let start = self.start(index);
         self.error(index, name, start..start + self.features[index].get().len(), &why)
@@ -171,15 +173,15 @@ impl<'a> File<'a> {
         self.sources.error(&span, self.key, message)
     }
 
-    /// Where a feature begins in the file (bytes).
+    /// Place at which a feature begins in the file (bytes).
     fn start(&self, index: usize) -> usize {
         self.features[index].get().as_ptr() as usize - self.text.as_ptr() as usize
     }
 }
 
-/// An error of the reader of JSON.
+/// An error of the JSON parser.
 struct Fault {
-    /// Where (bytes).
+    /// Place of the error in the text (bytes).
     at: usize,
     why: String,
 }
@@ -190,7 +192,7 @@ impl Fault {
         let why = whole.rfind(" at line ").map_or(&*whole, |end| &whole[..end]);
         let why = why
             .strip_prefix("recursion limit exceeded")
-            .map_or_else(|| why.to_owned(), |_| "its lists are nested too deep".to_owned());
+            .map_or_else(|| why.to_owned(), |_| "the lists are nested too deep".to_owned());
         // The reader counts lines from 1 and bytes of a line from 1.
         let line = text.split_inclusive('\n').take(error.line().saturating_sub(1));
         let at = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
@@ -238,7 +240,7 @@ impl<'de> Visitor<'de> for OfCoordinates {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Coordinates, A::Error> {
-        let not_a_position = || Error::custom("a position is a list of two numbers");
+        let not_a_position = || Error::custom("a position must be a list of two numbers");
         match list.next_element()? {
             None => Ok(Coordinates::List(Vec::new())),
             Some(Coordinates::Number(x)) => {

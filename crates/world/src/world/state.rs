@@ -1,4 +1,4 @@
-//! The state of a world, and a step of it.
+//! The state of a world, and a step of the world.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -30,26 +30,28 @@ use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
 use fenderline_ship::seakeeping::{Motion, SubSteps};
 
-/// The variable state of a world: plain data, and values that are computed anew.
+/// The variable state of a world: plain data, and values that each step calculates anew.
 #[derive(Clone, Debug)]
 pub struct World {
-    /// The vessels, in the order of the set-up.
+    /// The states of the vessels, in the order of the set-up.
     pub vessels: Vec<VesselState>,
     /// The forces on each vessel in the last step.
     pub forces: Vec<VesselForces>,
     /// The inertia of the water that moves with each vessel.
     pub water_inertia: Vec<WaterInertia>,
-    /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
+    /// Forces of passing ships and of other vessels on each vessel. Each step calculates these forces anew.
     passing: Vec<Force>,
-    /// Forces of banks by images on each vessel; computed anew in each step.
+    /// Forces of banks by images on each vessel. Each step calculates these forces anew.
     banks: Vec<Force>,
-    /// For each vessel, the constant part of its motion by hydrodynamic data.
+    /// For each vessel, the constant part of the motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
-    /// For each vessel, the matrix with which the engine moves her, over surge, sway and yaw (kg, kg·m, kg·m²).
+    /// For each vessel, the mass matrix with which the engine moves the vessel, for surge, sway and yaw (kg, kg·m,
+    /// kg·m²).
     masses: Vec<[[f64; 3]; 3]>,
-    /// The states of the bodies between which lines pull: see [`World::look_ahead`]. Empty without hydrodynamic data.
+    /// The states of the bodies between which lines pull; see [`World::look_ahead`]. The list is empty if no vessel has
+    /// hydrodynamic data.
     ahead: Vec<BodyState>,
-    /// For each body, its attitude afloat; empty without hydrodynamic data.
+    /// For each body, the attitude of the body afloat. The list is empty if no vessel has hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     /// The mooring lines.
     pub lines: Vec<Mooring>,
@@ -57,20 +59,20 @@ pub struct World {
     pub anchors: Vec<AnchorAtWork>,
     /// The vector tugs.
     pub tugs: Vec<TugAtWork>,
-    /// What happened in the last step.
+    /// The events of the last step.
     pub events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
-    /// The gusts of the set-up over each vessel.
+    /// The gusts of the set-up at each vessel.
     gusts: Vec<Option<ShipGusts>>,
-    /// Orders sorted by time, and the number of those that have been carried out.
+    /// Orders sorted by time, and the number of orders that the world has already carried out.
     orders: Vec<Order>,
     pub(super) taken: usize,
-    /// Vessels with an order beyond a stop in the last step, so that the event is reported once.
+    /// For each vessel, true if an order was beyond a stop in the last step, so that there is only one event.
     pub(super) clamped: Vec<bool>,
     pilots: PilotWork,
     /// The order of summation.
     pub order: SumOrder,
-    /// For each body, whether it is fixed: the tide rises and falls around it.
+    /// For each body, true if the body is fixed: the tide rises and falls around such a body.
     fixed: Vec<bool>,
 }
 
@@ -122,8 +124,8 @@ impl World {
         }
     }
 
-    /// Resets to the world at the start of another run with this set-up. Only wind and current of the set-up may have
-    /// changed.
+    /// Resets the world to the start of another run with this set-up. Of this set-up, only the wind and the current may
+    /// have changed.
     pub fn restart(&mut self, setup: &WorldSetup, states: &[BodyState]) {
         for (own, new) in self.vessels.iter_mut().zip(start_vessels(setup, &self.seaways, states)) {
             *own = new;
@@ -147,7 +149,7 @@ impl World {
         self.clamped.fill(false);
     }
 
-    /// Takes the gusts of the set-up again, because its wind may have changed.
+    /// Takes the gusts of the set-up again, because the wind of the set-up may have changed.
     pub fn renew_gusts(&mut self, setup: &WorldSetup) {
         let gusts = setup.environment.wind.as_ref().and_then(Wind::gusts);
         for (own, vessel) in self.gusts.iter_mut().zip(&setup.vessels) {
@@ -161,9 +163,9 @@ impl World {
         }
     }
 
-    /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
-    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a drifting ship would
-    /// have a drag from the difference of times.
+    /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities in
+    /// `states` are those at `velocity_time_s`. The velocities of the water are from the same time. Otherwise, a
+    /// drifting ship would have a drag from the difference between the two times.
     pub fn step(
         &mut self,
         setup: &WorldSetup,
@@ -264,7 +266,7 @@ impl World {
         self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
-    /// Finds the attitude afloat of the bodies with hydrodynamic data.
+    /// Calculates the attitude afloat of the bodies with hydrodynamic data.
     fn find_afloat(&mut self, setup: &WorldSetup, bodies: usize) {
         if self.seaways.iter().all(Option::is_none) {
             return;
@@ -276,7 +278,7 @@ impl World {
         }
     }
 
-    /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
+    /// Calculates where the bodies with hydrodynamic data are in the middle of the time for which loads act; see
     /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
@@ -300,8 +302,8 @@ impl World {
         }
     }
 
-    /// Replaces the load of vessels with hydrodynamic data by the load that gives their motion in six degrees of
-    /// freedom.
+    /// Replaces the load of vessels with hydrodynamic data by the load that gives the motion of the vessel in six
+    /// degrees of freedom.
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
@@ -349,8 +351,8 @@ impl World {
         }
     }
 
-    /// The lines as they will be when the orders that wait for the step at a time are carried out. Of two orders in one
-    /// step, the second must not be judged as if there were no first.
+    /// The lines as they will be after the orders that wait for the step at this time. If two orders are for the same
+    /// step, the check of the second order must take the first order into account.
     pub fn lines_after_orders(
         &self,
         setup: &WorldSetup,
@@ -359,8 +361,8 @@ impl World {
         line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
-    /// Checks that a line can be sent to a bollard at a time. Line and bollard are given by index; `lines` are the
-    /// lines at that time.
+    /// Checks that an order can send a line to a bollard at a time. `line` and `bollard` are indices; `lines` are the
+    /// lines at this time.
     pub fn may_send(
         &self,
         lines: &[Mooring],
@@ -374,8 +376,7 @@ impl World {
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
-    /// An anchor as it will be when the orders that wait for the step at a time are carried out. See
-    /// [`World::lines_after_orders`].
+    /// An anchor as it will be after the orders that wait for the step at this time. See [`World::lines_after_orders`].
     pub fn anchor_after_orders(
         &self,
         setup: &WorldSetup,
@@ -394,12 +395,13 @@ impl World {
         after
     }
 
-    /// The orders that wait for a step, given by its start and length (s).
+    /// The orders that wait for a step, which is given by its start and its length (s).
     fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
         self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
     }
 
-    /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
+    /// Adds an order. The world then forgets the orders that it has carried out, so that memory does not grow in a run
+    /// of hours.
     pub fn order(&mut self, order: Order) {
         self.orders.drain(..self.taken);
         self.taken = 0;
@@ -407,19 +409,19 @@ impl World {
         self.orders.insert(place, order);
     }
 
-    /// Drops the pending orders for which `keep` returns false.
+    /// Removes the pending orders for which `keep` returns false.
     pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.orders.drain(..self.taken);
         self.taken = 0;
         self.orders.retain(keep);
     }
 
-    /// The pending orders by time.
+    /// The pending orders, sorted by time.
     pub fn pending_orders(&self) -> &[Order] {
         &self.orders[self.taken..]
     }
 
-    /// Takes the pending orders of another world.
+    /// Replaces the orders by the pending orders of another world.
     pub fn take_orders_of(&mut self, other: &World) {
         self.orders = other.pending_orders().to_vec();
         self.taken = 0;
@@ -473,14 +475,15 @@ impl World {
         }
     }
 
-    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s): they give the heights of fenders above the keels.
+    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s). These values give
+    /// the heights of fenders above the keels.
     pub fn heights<'a>(&'a self, setup: &WorldSetup, (t_s, step_s): (f64, f64)) -> Heights<'a> {
         let level_m = setup.environment.level_m(t_s + 0.5 * step_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
 
-    /// Moves the vessels in heave, roll and pitch after a step, from the vessels' own forces and from contact at the
+    /// Moves the vessels in heave, roll and pitch after a step, under the vessels' own forces and under contact at the
     /// height of the fenders.
     pub fn settle(
         &mut self,
@@ -558,7 +561,8 @@ impl World {
     }
 }
 
-/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` without data.
+/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` for a vessel without
+/// hydrodynamic data.
 pub fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     let of = |vessel: &VesselSetup| {
         vessel.seakeeping.as_ref().map(|ship| Arc::new(Motion::new(ship, step_s)))
@@ -566,7 +570,7 @@ pub fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     setup.vessels.iter().map(of).collect()
 }
 
-/// The vessels at the start of a run.
+/// The states of the vessels at the start of a run.
 fn start_vessels<'a>(
     setup: &'a WorldSetup,
     seaways: &'a [Option<Seaway>],
