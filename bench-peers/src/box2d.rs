@@ -1,4 +1,4 @@
-//! Box2D 3.2, in single precision and with its usual four sub-steps.
+//! Box2D 3.2 as a peer in the benchmarks, in single precision and with its usual four sub-steps a step.
 
 use std::marker::PhantomData;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -15,17 +15,17 @@ use boxdd_sys::ffi::{
 
 use crate::{Peer, PeerBody, PeerState};
 
-/// Sub-steps of a step, as Box2D's documents recommend.
+/// Sub-steps that Box2D takes in a step, as its documents recommend.
 const SUB_STEPS: i32 = 4;
 
 /// A world of Box2D.
 pub struct Box2d {
     world: b2WorldId,
     bodies: Vec<b2BodyId>,
-    /// What floats: its number, and its steady force.
+    /// Each floating body: its number, and the steady force on the body.
     floating: Vec<(usize, b2BodyId, b2Vec2)>,
     step_s: f32,
-    /// Its calls are for one thread.
+    /// Makes Box2D's calls stay on one thread.
     _one_thread: PhantomData<*const ()>,
 }
 
@@ -102,13 +102,13 @@ impl Drop for Box2d {
     }
 }
 
-/// Box2D has one list of worlds a process: one thread at a time makes or ends one.
+/// Box2D has one list of worlds in a process, so that only one thread at a time may make or end a world.
 fn worlds() -> MutexGuard<'static, ()> {
     static WORLDS: Mutex<()> = Mutex::new(());
     WORLDS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Contacts with points of a body.
+/// Number of contacts of a body that have at least one contact point.
 fn touching(id: b2BodyId) -> usize {
     // SAFETY: the body lives. The list has room for as many contacts as Box2D is told, and Box2D says how many of its
     // entries it has written.
@@ -121,7 +121,7 @@ fn touching(id: b2BodyId) -> usize {
     }
 }
 
-/// Puts a body into a state.
+/// Puts a body at a position and heading, with a velocity and a yaw rate.
 fn put(id: b2BodyId, state: PeerState) {
     let rotation =
         b2Rot { c: libm::cos(state.heading_rad) as f32, s: libm::sin(state.heading_rad) as f32 };
@@ -133,7 +133,7 @@ fn put(id: b2BodyId, state: PeerState) {
     }
 }
 
-/// Makes a body in its state at the start.
+/// Makes a body with the position and motion that it has at the start.
 fn create(world: b2WorldId, body: &PeerBody) -> b2BodyId {
     let corners: Vec<b2Vec2> = body.outline_m.iter().map(|&corner| vector(corner)).collect();
     let kind: b2BodyType = match body.mass {

@@ -1,4 +1,4 @@
-//! Chipmunk 7, in double precision and with its usual ten iterations.
+//! Chipmunk 7 as a peer in the benchmarks, in double precision and with its usual ten iterations a step.
 
 use std::ffi::{c_int, c_void};
 
@@ -54,7 +54,7 @@ pub struct Chipmunk {
     space: Space,
     bodies: Vec<Body>,
     shapes: Vec<Shape>,
-    /// What floats: its number, and its steady force.
+    /// Each floating body: its number, and the steady force on the body.
     floating: Vec<(usize, Body, Vector)>,
     step_s: f64,
 }
@@ -138,7 +138,7 @@ impl Drop for Chipmunk {
     }
 }
 
-/// Puts a body into a state.
+/// Puts a body at a position and heading, with a velocity and a yaw rate.
 fn put(body: Body, state: PeerState) {
     // SAFETY: bodies live as long as their space, and are made and used by it alone.
     unsafe {
@@ -149,8 +149,8 @@ fn put(body: Body, state: PeerState) {
     }
 }
 
-/// Makes a body in its state at the start. It is put there before its shape is added: thousands of shapes at one place would all be
-/// pairs to look at.
+/// Makes a body with the position and motion that it has at the start. The body is put at its place before its shape is
+/// added: thousands of shapes at one place would all be pairs to look at.
 fn create(space: Space, body: &PeerBody) -> (Body, Shape) {
     let corners: Vec<Vector> = body.outline_m.iter().map(|&corner| vector(corner)).collect();
     // SAFETY: space, body and shape live; the corners live through the call, which copies them.

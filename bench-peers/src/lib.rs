@@ -1,11 +1,11 @@
-//! Box2D 3.2 and Chipmunk 7 behind one small, safe interface, for the benchmarks alone.
+//! The physics engines Box2D 3.2 and Chipmunk 7 behind one small, safe interface, for the benchmarks alone.
 //!
-//! Box2D is built from its sources by the crate `boxdd-sys`. Chipmunk comes from the system (`libchipmunk-dev` of Debian,
-//! which has its run-time checks on): no crate that builds it compiles with a present C library. One that was built without the
-//! checks is linked by `RUSTFLAGS="-L FOLDER"`.
+//! Box2D is built from its sources by the crate `boxdd-sys`. Chipmunk is the library of the system (`libchipmunk-dev`
+//! of Debian, which has Chipmunk's run-time checks on): no crate that builds Chipmunk compiles with a present C
+//! library. A Chipmunk that was built without run-time checks is linked by `RUSTFLAGS="-L FOLDER"`.
 //!
-//! Both run as they come, but for gravity and sleep, which are off. This is the only crate outside the interfaces of C and
-//! of FMI that has `unsafe` code.
+//! Box2D and Chipmunk run with their usual settings, but for gravity and sleep, which are off. This crate is the only
+//! one outside the interfaces of C and of FMI that has `unsafe` code.
 
 mod box2d;
 mod chipmunk;
@@ -16,13 +16,13 @@ pub use chipmunk::Chipmunk;
 /// A convex body.
 #[derive(Clone, Debug)]
 pub struct PeerBody {
-    /// Its outline in its own frame, in the positive sense, at most eight corners (m).
+    /// Outline of the body in the body's frame, in the positive sense, at most eight corners (m).
     pub outline_m: Vec<[f64; 2]>,
-    /// Mass (kg) and yaw inertia (kg·m²) about the origin of its frame; `None` if it is fixed.
+    /// Mass (kg) and yaw inertia (kg·m²) of the body about the origin of its frame; `None` if the body is fixed.
     pub mass: Option<[f64; 2]>,
-    /// Its state at the start.
+    /// Position and motion of the body at the start.
     pub state: PeerState,
-    /// Steady force at the origin of its frame, earth-fixed (N).
+    /// Steady force on the body at the origin of its frame, in earth-fixed axes (N).
     pub force_n: [f64; 2],
     /// Coefficient of friction.
     pub friction: f64,
@@ -30,39 +30,40 @@ pub struct PeerBody {
     pub restitution: f64,
 }
 
-/// Where a body is and how it moves, earth-fixed.
+/// Where a body is and how it moves, in earth-fixed axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PeerState {
-    /// Position of the frame's origin (m).
+    /// Position of the origin of the body's frame (m).
     pub position_m: [f64; 2],
-    /// Heading, from x to y (rad).
+    /// Heading of the body, turning from x to y (rad).
     pub heading_rad: f64,
-    /// Velocity of the frame's origin (m/s).
+    /// Velocity of the origin of the body's frame (m/s).
     pub velocity_mps: [f64; 2],
     /// Yaw rate (rad/s).
     pub yaw_rate_radps: f64,
 }
 
-/// A world of bodies that an engine moves. Bodies are counted in the order in which they were given.
+/// A world of bodies that a physics engine moves. Bodies are counted in the order in which they were given to the
+/// world.
 pub trait Peer {
-    /// A world of these bodies, in their states at the start, with steps of `step_s` seconds.
+    /// Makes a world of `bodies`, placed as they are at the start, with steps of `step_s` seconds.
     ///
     /// # Panics
-    /// Panics if an outline is not convex.
+    /// Panics if the outline of a body is not convex.
     fn new(bodies: &[PeerBody], step_s: f64) -> Self
     where
         Self: Sized;
 
-    /// Puts a body into a state.
+    /// Puts a body at a position and heading, with a velocity and a yaw rate.
     fn set_state(&mut self, body: usize, state: PeerState);
 
-    /// Sets another steady force on a body (N). A fixed body has none.
+    /// Sets the steady force on a body anew (N). A fixed body has no steady force.
     fn set_force(&mut self, body: usize, force_n: [f64; 2]);
 
-    /// The present state of a body.
+    /// The present position and motion of a body.
     fn state(&self, body: usize) -> PeerState;
 
-    /// One step. Both engines forget forces after each, so that they are set anew.
+    /// One step. Box2D and Chipmunk forget the forces after each step, so that a step sets them anew.
     fn step(&mut self);
 
     /// Pairs in contact.

@@ -1,9 +1,9 @@
-//! What comes out at time steps from 0.01 to 2 s against the right answer: our engine by both
-//! methods, and rapier2d-f64.
+//! Answers of contact engines at time steps from 0.01 to 2 s beside the right answers: our engine by both methods, and
+//! rapier2d-f64.
 //!
-//! Forces are the mean over a step from the change of momentum, the same for all, but for the peaks
-//! within the step where an engine tells them. Every scene is turned by 0.4 rad and 1 km from the
-//! chart's origin, so that nothing is right because its numbers are round.
+//! A force is the mean over a step, found from the change of momentum in the same way for all engines; peaks within the
+//! step are taken from an engine that tells them. Every scene is turned by 0.4 rad and 1 km from the chart's origin, so
+//! that nothing is right because its numbers are round.
 
 use fenderline_contact::{BodyState, Material, Pose, Vec2, vec2};
 use serde_json::json;
@@ -14,26 +14,26 @@ use crate::world::{Engine, World};
 
 const STEPS_S: [f64; 5] = [0.01, 0.1, 0.5, 1.0, 2.0];
 
-/// The converged solution is that of the coupled method at this step (s).
+/// Time step at which the coupled method's answer is taken as converged (s).
 const CONVERGED_S: f64 = 1e-4;
 
 const HEADING_RAD: f64 = 0.4;
 
-/// The tug: a block of 32 × 13 m with a flat bow, against a wall.
+/// Mass of the tug: a block of 32 × 13 m with a flat bow, which pushes against a wall.
 const TUG: Mass = Mass { mass_kg: 920e3, yaw_inertia_kgm2: 920e3 * 8.0 * 8.0 };
 const BOW_M: f64 = 13.0;
 const HALF_TUG_M: f64 = 16.0;
 const TUG_MPS: f64 = 2.06;
 const PUSH_N: f64 = 500e3;
-/// The wall's width; it is as thick.
+/// Width of the wall, and its thickness (m).
 const WALL_M: f64 = 60.0;
 
-/// The ship: a block of 200 × 32 m on eight fenders of 4 × 4 m.
+/// Mass of the ship: a block of 200 × 32 m on eight fenders of 4 × 4 m.
 const SHIP: Mass = Mass { mass_kg: 1e8, yaw_inertia_kgm2: 1e8 * 50.0 * 50.0 };
 const ONTO_FENDERS_N: f64 = 800e3;
 const ALONG_FENDERS_N: f64 = 200e3;
 
-/// One answer and how it should be.
+/// A quantity that is measured in a scene, and its right value.
 #[derive(Clone, Copy)]
 struct Quantity {
     case: &'static str,
@@ -41,21 +41,21 @@ struct Quantity {
     unit: &'static str,
     /// In closed form.
     right: f64,
-    /// Printed as value × this.
+    /// Factor by which the quantity is multiplied before it is printed.
     scale: f64,
 }
 
-/// One quantity by one engine.
+/// A quantity with the values that one engine finds for it.
 pub(crate) struct Figure {
     quantity: Quantity,
     engine: Engine,
-    /// By the coupled method at [`CONVERGED_S`], where that takes seconds, no more.
+    /// The value by the coupled method at the step [`CONVERGED_S`]; `None` where that run would take too long.
     converged: Option<f64>,
     /// At each of [`STEPS_S`].
     values: [f64; 5],
 }
 
-/// All figures: a few seconds.
+/// All figures of the accuracy table; finding them takes a few seconds.
 pub(crate) fn figures() -> Vec<Figure> {
     let impact = table_of(&impact_quantities(), impact, true);
     let push = table_of(&[depth_of_push()], |engine, step_s| [push(engine, step_s)], true);
@@ -85,7 +85,8 @@ fn table_of<const N: usize>(
     figures
 }
 
-/// A flat bow of width w on the wall: ω = √(kw/m), force v√(kwm), depth v/ω, rebound γv, no spin.
+/// The right answers for a flat bow of width w that hits the wall: ω = √(kw/m), force v√(kwm), depth v/ω, rebound γv,
+/// no spin.
 fn impact_quantities() -> [Quantity; 4] {
     let stiffness_npm = RUBBER.stiffness_npm2 * BOW_M;
     let omega = libm::sqrt(stiffness_npm / TUG.mass_kg);
@@ -100,8 +101,8 @@ fn impact_quantities() -> [Quantity; 4] {
     ]
 }
 
-/// The four quantities of the impact, each the worst of eight gaps: at two seconds a step the tug
-/// goes 4.12 m, and it matters where in the step she touches.
+/// The four quantities of the impact, each the worst of eight gaps between tug and wall. The gap matters: at two
+/// seconds a step the tug goes 4.12 m, and touches the wall early or late in a step.
 fn impact(engine: Engine, step_s: f64) -> [f64; 4] {
     let quantities = impact_quantities();
     let mut worst = quantities.map(|quantity| quantity.right);
@@ -145,7 +146,7 @@ fn push(engine: Engine, step_s: f64) -> f64 {
     tug.depth_m()
 }
 
-/// A tug, bow towards a wall.
+/// A tug whose bow pushes against a wall.
 struct TugAtWall {
     world: Box<dyn World>,
     step_s: f64,
@@ -199,13 +200,13 @@ impl TugAtWall {
         }
     }
 
-    /// How deep the bow is in the wall; negative for a gap.
+    /// How deep the bow is in the wall (m); negative for a gap.
     fn depth_m(&self) -> f64 {
         chart().apply_inverse(self.world.state(0).position_m).x - self.gap_m
     }
 }
 
-/// What friction holds does not move.
+/// The speed along the fenders of a ship that friction holds, whose right value is zero.
 fn creep_of_ship() -> Quantity {
     Quantity {
         case: "ship held by friction",
@@ -216,9 +217,9 @@ fn creep_of_ship() -> Quantity {
     }
 }
 
-/// Mean speed along eight fenders under steady loads: over five minutes, after five in which the
-/// loads rise and five to settle. The loads rise slowly, and the speed is the slope of a line through
-/// all positions, so that what swings about its place does not count.
+/// Mean speed of the ship along eight fenders over five minutes of steady loads, after five minutes in which the loads
+/// rise and five minutes to settle. The loads rise slowly, and the speed is the slope of a line through all positions,
+/// so that a swing about a fixed place does not count as speed.
 fn creep_mps(engine: Engine, step_s: f64) -> f64 {
     const RISE_S: f64 = 300.0;
     const SETTLE_S: f64 = 300.0;
@@ -253,7 +254,7 @@ fn creep_mps(engine: Engine, step_s: f64) -> f64 {
     slope(&held.collect::<Vec<_>>()).abs()
 }
 
-/// Of the line through points, by least squares.
+/// Slope of the straight line through points, by least squares.
 fn slope(points: &[(f64, f64)]) -> f64 {
     let share = 1.0 / points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() * share;
@@ -270,7 +271,7 @@ fn chart() -> Pose {
     Pose::new(vec2(1000.0, -700.0), HEADING_RAD)
 }
 
-/// Values, and errors where the right answer is not zero.
+/// Values of a figure at the time steps; where the right answer is not zero, also their errors.
 pub(crate) fn table(figures: &[Figure]) -> Table {
     let steps = STEPS_S.map(|step_s| format!("Δt {step_s} s"));
     let mut head = vec!["case", "quantity", "right", "converged", "engine"];
@@ -293,9 +294,13 @@ pub(crate) fn table(figures: &[Figure]) -> Table {
         row.extend(figure.values.map(|value| figure.quantity.judged(value)));
         table.row(row);
     }
-    table.note("right: in closed form. converged: the coupled method at Δt 1e-4 s. tug head-on: the worst of eight gaps.");
-    table.note("rapier2d has rigid contacts of its default softness, and tells no forces within a step: its force is the");
-    table.note("step's change of momentum over Δt, its depth that at the step's end.");
+    table.note("right: the exact answer, in closed form.");
+    table.note("converged: the answer of the coupled method at a time step of 1e-4 s.");
+    table.note("tug head-on: the worst answer of eight gaps between bow and wall.");
+    table.note(
+        "rapier2d has rigid contacts of its default softness, and tells no forces within a step.",
+    );
+    table.note("rapier2d's force is the change of momentum over a step divided by Δt; its depth is the depth at the end of the step.");
     table
 }
 
@@ -323,7 +328,7 @@ impl Quantity {
     }
 }
 
-/// The same in SI units.
+/// The figures as JSON, in SI units.
 pub(crate) fn json(figures: &[Figure]) -> String {
     let rows: Vec<serde_json::Value> = figures
         .iter()

@@ -1,4 +1,4 @@
-//! How much faster than real time the whole berthing of `scenarios/berth/alongside_with_two_tugs.toml` runs on one core:
+//! How much faster than real time one core runs the whole berthing of `scenarios/berth/alongside_with_two_tugs.toml`:
 //! ship, tugs, gusts, current, eight fenders, six lines and the pilots, without result files.
 
 use std::hint::black_box;
@@ -11,7 +11,7 @@ use crate::table::Table;
 
 const FILE: &str = "alongside_with_two_tugs.toml";
 const TEXT: &str = include_str!("../../scenarios/berth/alongside_with_two_tugs.toml");
-/// A run takes half a second.
+/// Most rounds of this bench: a run of the berthing takes half a second.
 const MOST_ROUNDS: usize = 9;
 
 /// Times the whole run.
@@ -30,11 +30,13 @@ pub(crate) fn bench(rounds: usize) -> Table {
         format!("{wall_s:.3}"),
         format!("{:.0}", simulated_s / wall_s),
     ]);
-    table.note(&format!("median; {steps} steps, one core, no result files"));
+    table.note(&format!(
+        "The time is the median of the rounds: {steps} steps on one core, without result files."
+    ));
     table
 }
 
-/// The first steps, to be counted by a profiler.
+/// Runs the first `count` steps of the berthing, so that a profiler can count their instructions.
 pub(crate) fn steps(count: usize) {
     let scenario = Scenario::parse(TEXT, FILE).expect("the scenario is good");
     let mut simulation = Simulation::new(scenario.setup).expect("the set-up is good");

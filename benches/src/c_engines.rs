@@ -1,4 +1,4 @@
-//! Box2D and Chipmunk playing a scene: as they come, but for gravity and sleep, which are off.
+//! Box2D and Chipmunk playing a scene with their usual settings, but for gravity and sleep, which are off.
 
 use fenderline_bench_peers::{Peer, PeerBody, PeerState};
 use fenderline_contact::{BodyState, Vec2, vec2};
@@ -6,14 +6,14 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use crate::scenes::{Part, Plan};
 use crate::world::World;
 
-/// A scene in one of them.
+/// A scene in Box2D or Chipmunk.
 struct InPeer<P> {
     peer: P,
-    /// What floats, and its state at the start.
+    /// The floating bodies: number of each, and its position and motion at the start.
     floating: Vec<(usize, PeerState)>,
 }
 
-/// The scene as an engine plays it.
+/// The scene as the peer `P`, Box2D or Chipmunk, plays it.
 pub(crate) fn world<P: Peer + 'static>(plan: &Plan, step_s: f64) -> Box<dyn World> {
     let (bodies, floating) = bodies(plan);
     Box::new(InPeer { peer: P::new(&bodies, step_s), floating })

@@ -1,4 +1,4 @@
-//! Instructions of a warm step: this program runs itself under valgrind for two numbers of steps
+//! Counts the processor's instructions in a warm step: this program runs itself under valgrind for two numbers of steps
 //! and takes the difference, which leaves the start-up out.
 
 use std::io::ErrorKind;
@@ -8,7 +8,7 @@ use crate::step::Play;
 use crate::table::Table;
 use crate::world::Engine;
 
-/// Scene, contacts in it, and the two numbers of steps: whole bursts between restarts.
+/// Name of the scene, number of contacts in it, and the two numbers of steps, which are whole bursts between restarts.
 const SCENES: [(&str, u64, u64, u64); 4] = [
     ("tug", 1, 640, 6400),
     ("ship", 8, 640, 3200),
@@ -40,7 +40,8 @@ pub(crate) fn bench() -> Result<Table, String> {
 }
 
 fn instructions(scene: &str, method: &str, play: Play, steps: u64) -> Result<u64, String> {
-    let this = std::env::current_exe().map_err(|e| format!("this program's own path: {e}"))?;
+    let this = std::env::current_exe()
+        .map_err(|e| format!("the path of this program is not known: {e}"))?;
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(this)
@@ -58,10 +59,10 @@ fn instructions(scene: &str, method: &str, play: Play, steps: u64) -> Result<u64
         return Err(format!("valgrind failed ({}):\n{said}", output.status));
     }
     collected(&said)
-        .ok_or_else(|| format!("no count of instructions in valgrind's output:\n{said}"))
+        .ok_or_else(|| format!("valgrind's output has no count of instructions:\n{said}"))
 }
 
-/// The number in `==123== Collected : 4567`.
+/// The number of instructions in valgrind's line `==123== Collected : 4567`.
 fn collected(said: &str) -> Option<u64> {
     said.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
 }

@@ -1,5 +1,5 @@
-//! A campaign: berthings of a ship at eight fenders, 60 s at 0.1 s. Time of a run in a campaign, with its draw and its row, beside that of the
-//! bare steps; and on two threads beside one.
+//! Times a campaign: berthings of a ship at eight fenders, each 60 s long, at steps of 0.1 s. The time of a run with
+//! its draw and its row stands beside the time of the bare steps, and the time on two threads beside that on one.
 
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -32,13 +32,13 @@ at_least = "-4 deg"
 at_most = "4 deg"
 "#;
 
-/// Runs in a round: few, so that some rounds are not interrupted on a machine with other work.
+/// Runs in a round: so few that some rounds are not disturbed by other programs of the machine.
 const RUNS: u64 = 40;
 
-/// Runs in a round on threads: long beside starting them.
+/// Runs in a round on threads: so many that starting the threads takes little of the time.
 const RUNS_ON_THREADS: u64 = 400;
 
-/// How many times as fast two threads may be asked to be.
+/// How many times as fast as one thread two threads are to be.
 const AIM_OF_TWO: f64 = 1.9;
 
 /// Minutes that 10⁶ runs may take on two cores.
@@ -57,7 +57,7 @@ fn runs() -> Result<(Runs, PathBuf), String> {
     Ok((Runs::new(campaign).map_err(|e| e.to_string())?, folder))
 }
 
-/// The bare steps of the same runs: one simulation, started again.
+/// The bare steps of the campaign's runs: one simulation, started again for each run.
 fn steps(runs: &Runs, simulation: &mut Simulation) {
     let base = runs.base();
     let mut start = base.setup.start();
@@ -71,10 +71,10 @@ fn steps(runs: &Runs, simulation: &mut Simulation) {
     }
 }
 
-/// Times a campaign and its bare steps.
+/// Times a campaign and the bare steps of its runs.
 ///
 /// # Errors
-/// The scenario or the folder for temporary files.
+/// Fails if the scenario is not good or the folder for temporary files cannot be made.
 pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
     let (runs, folder) = runs()?;
     let mut runner = Runner::new(&runs);
@@ -135,8 +135,10 @@ pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
         format!("{of_two:.2} of ≥ {AIM_OF_TWO}"),
         verdict(of_two >= AIM_OF_TWO),
     ]);
-    table.note("Least of the rounds by the clock: a ship of 300 m at eight cone fenders, 600 steps a run; of one thread, two cores by halving. Last");
-    table.note("row: how many times as fast two threads are, the median of the rounds; two processes of one thread each can be no faster.");
+    table.note("Times are the least of the rounds by the clock: a ship of 300 m at eight cone fenders, 600 steps a run.");
+    table.note("The time on two cores is half the time of one thread.");
+    table.note("The last row says how many times as fast as one thread two threads are: the median of the rounds.");
+    table.note("Two threads can be no faster than two processes of one thread each.");
     // An error is ignored: it is a folder for temporary files.
     let _ = std::fs::remove_dir_all(folder);
     Ok(table)

@@ -1,4 +1,4 @@
-//! The clip against parry2d and i_overlay.
+//! Our clip of two convex polygons timed beside those of parry2d and i_overlay.
 
 use fenderline_contact::{ConvexPolygon, PairClip};
 
@@ -9,24 +9,24 @@ use crate::rounds::{Contender, median, median_ratio, nanoseconds_a_call};
 use crate::shapes;
 use crate::table::Table;
 
-/// Corners of the fender and of the hull, and how many times parry2d's speed a shallow overlap
-/// has to reach.
+/// Corners of the fender and of the hull, and how many times as fast as parry2d our clip has to be where the two
+/// overlap little.
 const SIZES: [(usize, usize, f64); 4] =
     [(4, 4, 4.0), (8, 24, 12.0), (24, 24, 13.0), (64, 64, 16.0)];
 
-/// Corners of the fender and of the hull in further rows of bodies that are apart and were never near before.
+/// Corners of the fender and of the hull in further rows of polygons that are apart and were never near before.
 const LARGE: [(usize, usize); 3] = [(4, 1000), (200, 200), (1000, 1000)];
 
-/// Of parry2d's search for the distance of bodies that are apart.
+/// How many times as fast as parry2d's search for the distance our clip has to be for polygons that are apart.
 const APART_TO_REACH: f64 = 12.0;
 
 /// Never slower than parry2d.
 const ELSE_TO_REACH: f64 = 1.0;
 
-/// i_overlay takes so long that one call in eight will do.
+/// i_overlay takes long, so that it makes only one call while the others make this number of calls.
 const OVERLAY_EVERY: usize = 8;
 
-/// One row of the table.
+/// One row of the table that this bench prints.
 #[derive(Clone, Copy)]
 struct Case {
     name: &'static str,
@@ -63,12 +63,15 @@ pub(crate) fn bench(rounds: usize) -> Table {
     for (fender, hull) in LARGE {
         table.row(row(fender, hull, apart_and_cold(), rounds));
     }
+    table.note("Times are medians; ratios of times are taken round by round.");
+    table.note("parry2d: the function `convex_polygons_intersection_points` of that library finds the overlap.");
+    table.note("In the rows `apart`, also in the row `cold`, parry2d is that library's GJK search with the last \
+                direction kept.");
+    table.note("The rows `apart` ask for the distance of the polygons, or for no more than that they are apart.");
+    table.note("area differs by: the largest relative difference between our area of the overlap and parry2d's.");
     table.note(
-        "medians; ratios are taken round by round. parry2d: convex_polygons_intersection_points;",
+        "parry2d takes a corner that lies on an edge as rounding puts it, inside or outside.",
     );
-    table.note("in `apart` its GJK with the last direction kept, also in `cold`: the distance, or no more than that they are apart.");
-    table.note("area differs by: largest relative difference between ours and parry2d's, which takes corners");
-    table.note("on an edge as it comes.");
     table
 }
 
@@ -87,7 +90,7 @@ fn cases(shallow: f64) -> [Case; 7] {
     ]
 }
 
-/// Only our clip forgets the last call.
+/// The row of polygons that are apart, where our clip forgets the last call; parry2d's search keeps its last direction.
 fn apart_and_cold() -> Case {
     Case {
         name: "apart: distance, cold",

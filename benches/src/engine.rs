@@ -1,4 +1,4 @@
-//! Our engine, playing a scene by either method.
+//! Our engine, playing a scene by the paper's method or by the coupled one.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -11,27 +11,27 @@ use fenderline_contact::{
 use crate::scenes::{Mass, Part, Plan};
 use crate::world::World;
 
-/// Which of the two methods.
+/// The contact method by which our engine steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Method {
-    /// The paper's; the host moves the bodies by forward Euler, as the paper does.
+    /// The paper's method; the host moves the bodies by forward Euler, as the paper does.
     Paper,
-    /// The coupled one, which moves the bodies.
+    /// The coupled method, which moves the bodies too.
     Coupled,
 }
 
-/// A scene in our engine.
+/// A scene of the benches in our contact engine.
 pub(crate) struct Ours {
     model: Model,
     memory: Memory,
     work: Workspace,
     states: Vec<BodyState>,
     loads: Vec<Wrench>,
-    /// Δt over mass and over yaw inertia, of what floats (s/kg, s/(kg·m²)).
+    /// Δt over mass and over yaw inertia of each floating body (s/kg, s/(kg·m²)); `None` for a fixed body.
     paces: Vec<Option<(f64, f64)>>,
     method: Method,
     step_s: f64,
-    /// One step after the start.
+    /// States of the bodies and the engine's memory one step after the start of the scene, from which a restart begins.
     begun: Option<(Vec<BodyState>, Memory)>,
 }
 
@@ -53,7 +53,7 @@ impl Ours {
         }
     }
 
-    /// The same without a report of each contact.
+    /// Turns off the reports of single contacts.
     pub(crate) fn brief(mut self) -> Ours {
         self.work.report_contacts(false);
         self
@@ -128,7 +128,7 @@ fn pace(mass: Mass, step_s: f64) -> (f64, f64) {
     (step_s / mass.mass_kg, step_s / mass.yaw_inertia_kgm2)
 }
 
-/// What floats, one quay, and a face on it for each fixed block.
+/// The model's floating bodies and one quay, with a fender face on the quay for each fixed block.
 fn on_one_quay(plan: &Plan) -> (Vec<Part>, Vec<Fender>) {
     let (fixed, mut parts): (Vec<Part>, Vec<Part>) =
         plan.parts.iter().cloned().partition(|part| part.mass.is_none());

@@ -1,5 +1,5 @@
-//! One ship along many fenders: a step of the engine, and one of the whole simulator with its ledger and summaries, as the number
-//! of fenders grows.
+//! Times one ship along many fenders as the number of fenders grows: a step of the engine, and a step of the whole
+//! simulator with its ledger and summaries.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -16,7 +16,8 @@ use crate::world::Engine;
 /// Numbers of fenders.
 const COUNTS: [usize; 3] = [100, 300, 1000];
 
-/// A step with the largest number takes at most this (µs), and the time grows at most with this power of the number.
+/// With the largest number of fenders a step is to take at most this time (µs), and the time is to grow at most with
+/// this power of the number.
 const MOST_US: f64 = 800.0;
 const MOST_POWER: f64 = 1.15;
 
@@ -64,8 +65,9 @@ pub(crate) fn bench(rounds: usize) -> Table {
         cells.extend([format!("{ratio:.3}"), format!("n^{power:.2}"), reached.to_owned()]);
         table.row(cells);
     }
-    table.note(&format!("least of the rounds; to reach: ≤ {MOST_US} µs at 1,000 fenders and growth ≤ n^{MOST_POWER}. One ship of 298 m pressed on fenders side by"));
-    table.note("side; the engine and rapier2d begin anew every 17 steps, as in `step`. Growth: from 100 to 1,000.");
+    table.note(&format!("To reach: ≤ {MOST_US} µs at 1,000 fenders and growth ≤ n^{MOST_POWER}; times are the least of the rounds."));
+    table.note("A ship of 298 m is pressed on fenders side by side; the engine and rapier2d begin anew every 17 steps, as in `step`.");
+    table.note("growth: the power of the number of fenders with which the time grows from 100 to 1,000 fenders.");
     table
 }
 
@@ -84,7 +86,7 @@ impl What {
     }
 }
 
-/// So many steps of a settled ship along fenders, to be counted by a profiler.
+/// Runs `steps` steps of a settled ship along `count` fenders, so that a profiler can count them.
 pub(crate) fn run(count: usize, steps: usize) {
     let mut simulation = ship_alongside(count);
     for _ in 0..steps {
@@ -92,7 +94,7 @@ pub(crate) fn run(count: usize, steps: usize) {
     }
 }
 
-/// Some steps of a simulation that never ends.
+/// Takes some steps of a simulation that never ends, and says how long they took.
 fn steps(simulation: &mut Simulation) -> Duration {
     let start = Instant::now();
     for _ in 0..BURST {
@@ -101,7 +103,7 @@ fn steps(simulation: &mut Simulation) -> Duration {
     start.elapsed()
 }
 
-/// The ship of `Scene::Fenders`, pressed on as many fenders of a quay, and settled.
+/// A ship like that of `Scene::Fenders`, pressed on `count` fenders of a quay and settled there.
 fn ship_alongside(count: usize) -> Simulation {
     let apart_m = 240.0 / count as f64;
     let (first_m, width_m) = (-145.0 + 0.5 * apart_m, 0.8 * apart_m);

@@ -1,4 +1,4 @@
-//! The first step of many tugs on fenders, all contacts new and every buffer empty, beside a warm one.
+//! Times the first step of many tugs on fenders, with all contacts new and every buffer empty, beside a warm step.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use crate::world::Engine;
 
 const COUNTS: [usize; 2] = [1_000, 10_000];
 
-/// The first step takes at most so many times a warm one.
+/// The first step may take at most this number of times as long as a warm step.
 const MOST_RATIO: f64 = 3.0;
 
 const ENGINES: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
@@ -31,7 +31,8 @@ pub(crate) fn bench(rounds: usize) -> Table {
             table.row(row(engine, &plan, count, rounds));
         }
     }
-    table.note("least of the rounds. First: a new memory and an empty workspace; making the model is off the clock. Warm: as in `step`.");
+    table.note("least of the rounds. First step: a new memory and an empty workspace; making the model is off \
+                the clock. Warm: as in `step`.");
     table
 }
 

@@ -1,5 +1,6 @@
-//! Ships on their own, each in a simulation with its quay, that take one step after the other: what a docking environment of the
-//! Python package does, without observations and rewards. The scenario is the environment's.
+//! Times ships that take a step one after the other, each in a simulation of its own with its quay: what a docking
+//! environment of the Python package does, without observations and rewards. The scenario is that of the docking
+//! environment.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -18,14 +19,14 @@ const TEXT: &str = include_str!("../../crates/python/python/fenderline/scenarios
 
 /// Numbers of ships.
 const COUNTS: [usize; 3] = [1, 64, 1024];
-/// Steps of all ships together in a round: some milliseconds.
+/// Steps of all ships together in a round, which takes some milliseconds.
 const STEPS: usize = 4096;
-/// Steps a second of a core that are to be reached with many ships: half a million on two.
+/// Steps a second that one core is to reach with many ships; two cores then reach half a million.
 const AIM: f64 = 250e3;
-/// Steps after which a ship starts again: those of an episode.
+/// Number of steps after which a ship starts again, as at the end of an episode.
 const EPISODE: u64 = 900;
 
-/// Times a step of each number of ships.
+/// Times a step for each number of ships.
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&["ships", "a step [µs]", "1,000 steps a second", "to reach", ""]);
     let mut contenders = COUNTS.map(|count| {
@@ -51,19 +52,20 @@ pub(crate) fn bench(rounds: usize) -> Table {
             .to_owned(),
         ]);
     }
-    table.note("least of the rounds, one core; the ships of `fenderline.docking` with four orders a step, without observation and reward.");
+    table.note("Times are the least of the rounds on one core.");
+    table.note("Ships are those of `fenderline.docking` with four orders a step, without observation and reward.");
     table.note("To reach: half a million steps a second on two cores.");
     table
 }
 
-/// So many steps of a fleet, to be counted by a profiler.
+/// Takes `steps` steps of a fleet of `count` ships, so that a profiler can count them.
 pub(crate) fn steps(count: usize, steps: usize) {
     Fleet::new(count).steps(steps);
 }
 
 struct Fleet {
     simulations: Vec<Simulation>,
-    /// Orders to rudder, engine and the two thrusters, from −1 to 1.
+    /// Orders to rudder, engine and the two thrusters, each from −1 to 1.
     draws: Vec<[f64; 4]>,
     step: usize,
 }

@@ -1,4 +1,4 @@
-//! Chains of tugs and rafts of barges: one island of many floating bodies, as its size grows.
+//! Times chains of tugs and rafts of barges: one island of many floating bodies that touch, as its size grows.
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
 use crate::scenes::Scene;
@@ -6,16 +6,16 @@ use crate::step::{BURST, STEP_S, burst};
 use crate::table::Table;
 use crate::world::Engine;
 
-/// A kind of island at rising sizes, and what to reach.
+/// A kind of island with rising sizes, and the times to reach.
 struct Kind {
     name: &'static str,
-    /// Number of bodies of a size, and its scene.
+    /// Number of bodies in an island of a size, and the scene of that size.
     bodies: fn(usize) -> usize,
     scene: fn(usize) -> Scene,
     sizes: &'static [usize],
-    /// Most milliseconds a step of some sizes.
+    /// For some sizes, the most milliseconds that a step may take.
     most_ms: &'static [(usize, f64)],
-    /// Largest power of the number of bodies with which the time grows, from the first size to the last.
+    /// Largest power of the number of bodies with which the time may grow from the first size to the last.
     most_power: f64,
 }
 
@@ -55,8 +55,11 @@ pub(crate) fn bench(rounds: usize) -> Table {
     for kind in &KINDS {
         rows(kind, rounds).into_iter().for_each(|row| table.row(row));
     }
-    table.note("least of the rounds. Each engine begins anew every 17 steps, as in `step`. rapier2d solves no forces: it stops after");
-    table.note("a fixed number of sweeps. Growth: power of the number of bodies, from the first size to this one.");
+    table.note(
+        "Times are the least of the rounds; each engine begins anew every 17 steps, as in `step`.",
+    );
+    table.note("rapier2d solves no forces: it stops after a fixed number of sweeps.");
+    table.note("growth: the power of the number of bodies with which the time grows from the first size to the size of the row.");
     table
 }
 
@@ -88,7 +91,7 @@ fn rows(kind: &Kind, rounds: usize) -> Vec<Vec<String>> {
     kind.sizes.iter().enumerate().map(row).collect()
 }
 
-/// Milliseconds a step of a size, by each engine.
+/// Milliseconds that each engine takes for a step of an island of a size.
 fn step_ms(kind: &Kind, size: usize, rounds: usize) -> [f64; 2] {
     let plan = (kind.scene)(size).plan();
     let mut contenders = ENGINES.map(|engine| {

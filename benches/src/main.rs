@@ -1,5 +1,6 @@
-//! Benches of the contact engine against its peers, in one process, so that the ratios hold where
-//! the times do not. Nothing is written but what `--out` names, and nothing here passes or fails a build.
+//! Benches that time the contact engine and its peers in one process, because the ratios of times hold where the times
+//! differ from machine to machine. The benches write nothing but the file that `--out` names, and no figure makes a
+//! build pass or fail.
 //!
 //! ```text
 //! cargo run --release -p fenderline-bench -- clip [--markdown] [--rounds N]
@@ -21,7 +22,7 @@
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD anew|steady N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
-#![allow(clippy::disallowed_methods, reason = "what is measured and drawn, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "a bench measures and draws; it computes no results")]
 
 mod accuracy;
 mod berth;
@@ -91,8 +92,7 @@ pairs-10000, chain-N, raft-N, stars-N, coast-N or combs-N; METHOD is coupled, pa
 with -brief, or rapier2d; with the feature `peers` also Box2D and Chipmunk;
 --out writes the figures as JSON too";
 
-/// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a
-/// few per cent.
+/// Rounds of a bench where the caller gives no number: enough that the medians of two runs agree to a few per cent.
 const ROUNDS: usize = 41;
 
 fn main() -> ExitCode {
@@ -172,7 +172,9 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let engine = engines.find(|engine| engine.name() == *method);
             let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
             let play = Play::ALL.into_iter().find(|known| known.name() == *play);
-            let play = play.ok_or_else(|| format!("a scene plays `anew` or `steady`\n{USAGE}"))?;
+            let play = play.ok_or_else(|| {
+                format!("a scene plays `anew` or `steady`, nothing else\n{USAGE}")
+            })?;
             step::steps(scene, *engine, count_of(steps)?, play);
         }
         ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
@@ -226,6 +228,6 @@ fn options_of(options: &[&str]) -> Result<(Style, usize), String> {
 fn count_of(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(count) if count > 0 => Ok(count),
-        _ => Err(format!("`{text}` is not a count of at least 1\n{USAGE}")),
+        _ => Err(format!("the count `{text}` is not a whole number of at least 1\n{USAGE}")),
     }
 }

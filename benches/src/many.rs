@@ -1,5 +1,6 @@
-//! Many runs of one scenario with other numbers on one core: the impact of a tug, 200 steps, by both contact methods. A run is
-//! set up anew, as one reads a scenario file, or one simulation is started again.
+//! Times many runs of one scenario, each with other numbers, on one core: the impact of a tug, 200 steps, by both
+//! contact methods. A run is set up in one of two ways: its scenario is read and assembled anew, or one simulation is
+//! started again.
 
 use std::hint::black_box;
 
@@ -12,24 +13,24 @@ use crate::table::Table;
 const FILE: &str = "experiment_2_4kn.toml";
 const TEXT: &str = include_str!("../../scenarios/paper/experiment_2_4kn.toml");
 
-/// Runs in a round: few, so that some rounds are not interrupted on a machine with other work.
+/// Runs in a round: so few that some rounds are not disturbed by other programs of the machine.
 const RUNS: usize = 20;
 
-/// Steps a second that are to be reached, by method.
+/// Steps a second that each contact method is to reach.
 const METHODS: [(&str, f64); 2] = [("paper", 3e6), ("coupled", 2e6)];
 
-/// How each run is set up.
+/// How the runs are set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SetUp {
-    /// The scenario is read and assembled with this run's numbers.
+    /// The scenario is read and assembled anew with the numbers of the run.
     Anew,
-    /// One simulation is started again with them.
+    /// One simulation is started again with the numbers of the run.
     Restart,
-    /// As `Restart`, but no step is taken.
+    /// One simulation is started again as in `Restart`, but takes no step.
     RestartAlone,
 }
 
-/// The runs of one method.
+/// The runs by one contact method.
 struct Study {
     method: Vec<Override>,
     scenario: Scenario,
@@ -47,7 +48,7 @@ impl Study {
         Ok(Study { method, scenario, simulation })
     }
 
-    /// Runs at speeds from 0.2 to 2.1 m/s.
+    /// Runs with speeds of the tug from 0.2 to 2.1 m/s.
     fn run(&mut self, count: usize, set_up: SetUp) {
         let mut start = self.scenario.setup.start();
         for run in 0..count {
@@ -71,7 +72,7 @@ impl Study {
     }
 }
 
-/// Times the runs by both methods.
+/// Times the runs by both contact methods.
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&[
         "method",
@@ -106,17 +107,18 @@ pub(crate) fn bench(rounds: usize) -> Table {
             ]);
         }
     }
-    table.note("least of the rounds, one core; the impact of a tug, 200 steps, speeds from 0.2 to 2.1 m/s. anew: the scenario is read for each");
-    table.note("run; restart: one simulation is started again with the run's numbers, as run_many of the Python package does.");
+    table.note("Times are the least of the rounds on one core: the impact of a tug, 200 steps, speeds from 0.2 to 2.1 m/s.");
+    table.note("anew: the scenario is read for each run.");
+    table.note("restart: one simulation is started again with the run's numbers, as `run_many` of the Python package does.");
     table
 }
 
-/// Runs, to be counted by a profiler.
+/// Makes `count` runs, so that a profiler can count their instructions.
 pub(crate) fn runs(method: &str, set_up: &str, count: usize) -> Result<(), String> {
     let set_up = match set_up {
         "anew" => SetUp::Anew,
         "restart" => SetUp::Restart,
-        _ => return Err(format!("a run is set up `anew` or by `restart`, not `{set_up}`")),
+        _ => return Err(format!("`{set_up}` is no way to set up a run: `anew` or `restart` is")),
     };
     Study::new(method)?.run(count, set_up);
     Ok(())

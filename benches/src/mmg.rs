@@ -1,5 +1,5 @@
-//! Steps a second of a ship in three degrees of freedom, one core: by the MMG model alone, under way in a turn,
-//! crabbing, and going astern, where the propeller's series is summed up.
+//! Times the steps a second of a ship in three degrees of freedom by the MMG model alone, on one core: under way in a
+//! turn, crabbing, and going astern, where the propeller's force is a series that is summed up.
 
 use std::hint::black_box;
 
@@ -9,11 +9,11 @@ use fenderline_sim::hydro::{Controls, Force, Model3, Motion, Velocity, Water};
 use crate::rounds::{Contender, median, nanoseconds_a_call};
 use crate::table::Table;
 
-/// Steps in a round: about 2 ms.
+/// Steps of the ship in a round, which takes about 2 ms.
 const STEPS: usize = 10_000;
 const STEP_S: f64 = 0.1;
 
-/// A state of a ship that the steps begin from.
+/// A ship's velocities, controls and outer force from which the steps begin.
 struct Case {
     name: &'static str,
     model: Model3,
@@ -24,8 +24,12 @@ struct Case {
 
 fn cases() -> [Case; 4] {
     let library = VesselLibrary::built_in();
-    let model =
-        |name| Model3::new(library.vessel(name).expect("the vessel is built in").ship, Water::SEA);
+    let model = |name| {
+        Model3::new(
+            library.vessel(name).expect("the vessel is one of the program's own").ship,
+            Water::SEA,
+        )
+    };
     let (tanker, container) = (model("kvlcc2"), model("kcs"));
     let ahead = Velocity { surge_mps: 7.9, ..Velocity::default() };
     let turning = Controls { shaft_rps: 1.78, rudder_rad: 0.6 };
@@ -64,7 +68,7 @@ fn cases() -> [Case; 4] {
     ]
 }
 
-/// Times every case by both integrators.
+/// Times every case by both integrators, semi-implicit and Runge-Kutta.
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&["ship", "semi-implicit [M steps/s]", "Runge-Kutta 4 [M steps/s]"]);
     for case in cases() {
@@ -76,7 +80,10 @@ pub(crate) fn bench(rounds: usize) -> Table {
         let millions = |nanoseconds: &[f64]| format!("{:.2}", 1e3 / median(nanoseconds));
         table.row(vec![case.name.to_owned(), millions(&times[0]), millions(&times[1])]);
     }
-    table.note("medians over the rounds; one core; hull, propeller and rudder each step, four times by Runge-Kutta");
+    table.note("Figures are medians over the rounds on one core.");
+    table.note(
+        "In a step, the forces of hull, propeller and rudder are found once, by Runge-Kutta four times.",
+    );
     table
 }
 

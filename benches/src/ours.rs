@@ -1,4 +1,4 @@
-//! Our clip, run along a path.
+//! Our clip of two convex polygons, called for all poses of a path.
 
 use std::hint::black_box;
 
@@ -6,7 +6,7 @@ use fenderline_contact::{ConvexPolygon, PairClip};
 
 use crate::paths::Path;
 
-/// One round. Cold: each call forgets what the last one found.
+/// One round. If `cold`, each call forgets what the last call found.
 pub(crate) fn round(
     pair: &mut PairClip,
     first: &ConvexPolygon,
@@ -23,7 +23,7 @@ pub(crate) fn round(
     }
 }
 
-/// Area at each call (m²).
+/// Area of the overlap at each call (m²).
 pub(crate) fn areas_m2(first: &ConvexPolygon, second: &ConvexPolygon, path: &Path) -> Vec<f64> {
     let mut pair = PairClip::default();
     path.iter()

@@ -1,5 +1,5 @@
-//! Two outlines that are not convex, of 100, 300 and 1,000 corners: a step of the engine, of rapier2d with the same convex
-//! pieces, and i_overlay's area of the overlap alone.
+//! Times two outlines that are not convex, of 100, 300 and 1,000 corners: a step of our engine, a step of rapier2d with
+//! the same convex pieces, and i_overlay's area of the overlap alone.
 
 use fenderline_contact::Vec2;
 
@@ -13,16 +13,16 @@ use crate::world::Engine;
 /// Corners of each outline.
 const SIZES: [usize; 3] = [100, 300, 1000];
 
-/// A step of the largest takes at most this (µs).
+/// A step of the largest outlines is to take at most this time (µs).
 const MOST_US: f64 = 300.0;
 
-/// A name, and the scene of so many corners.
+/// Name of a pair of outlines, and the scene of outlines of a given number of corners.
 type Kind = (&'static str, fn(usize) -> Scene);
 
 const KINDS: [Kind; 3] = [
-    ("star slides along a star", Scene::Stars),
-    ("star slides along a comb", Scene::StarOnComb),
-    ("comb on a comb, tooth on tooth", Scene::Combs),
+    ("a star slides along a star", Scene::Stars),
+    ("a star slides along a comb", Scene::StarOnComb),
+    ("a comb on a comb, tooth on tooth", Scene::Combs),
 ];
 
 const ENGINES: [Engine; 2] = [Engine::Coupled, Engine::Rapier];
@@ -44,9 +44,10 @@ pub(crate) fn bench(rounds: usize) -> Table {
             table.row(row(name, &scene(corners).plan(), corners, rounds));
         }
     }
-    table.note("least of the rounds. The engine and rapier2d begin anew every 17 steps, as in `step`; rapier2d has the convex pieces that");
-    table.note("our engine cuts the outlines into. i_overlay: the overlap of the two outlines at their start, without contacts or motion.");
-    table.note("contacts: connected overlaps.");
+    table.note("Times are the least of the rounds; the engine and rapier2d begin anew every 17 steps, as in `step`.");
+    table.note("rapier2d has the convex pieces that our engine cuts the outlines into.");
+    table.note("i_overlay finds the overlap of the two outlines at their start, without contacts or motion.");
+    table.note("contacts: the number of connected overlaps.");
     table
 }
 

@@ -1,5 +1,5 @@
-//! How the bodies move from call to call: closed loops that a bench runs round and round, as a
-//! simulation would move them in steps of 0.1 s, 1 km from the chart's origin.
+//! How two polygons move from call to call of a clip: closed loops that a bench runs round and round, with the motion
+//! of a simulation at steps of 0.1 s, 1 km from the chart's origin.
 
 use std::f64::consts::TAU;
 
@@ -8,21 +8,21 @@ use fenderline_contact::{ConvexPolygon, Pose, Rotation, Vec2, vec2};
 /// Calls in a loop.
 pub(crate) const CALLS: usize = 1024;
 
-/// The two poses of each call.
+/// The poses of the two polygons at each call.
 pub(crate) type Path = Vec<[Pose; 2]>;
 
-/// How the second body lies against the first.
+/// How the second polygon lies against the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Approach {
-    /// 2 to 40 cm into the hull's side, sliding 20 m fore and aft.
+    /// The second polygon is 2 to 40 cm deep in the hull's side and slides 20 m fore and aft.
     Shallow,
-    /// 5 to 50 cm off the hull's side, sliding the same way.
+    /// The second polygon is 5 to 50 cm off the hull's side and slides 20 m fore and aft.
     Near,
-    /// A good part of the second body within the first, at an angle.
+    /// A good part of the second polygon lies within the first, at an angle.
     Deep,
 }
 
-/// The loop of the second polygon along the first.
+/// The loop that the second polygon makes along the first.
 pub(crate) fn path(approach: Approach, first: &ConvexPolygon, second: &ConvexPolygon) -> Path {
     (0..CALLS).map(|call| at(approach, first, second, call as f64 / CALLS as f64)).collect()
 }
@@ -51,7 +51,7 @@ fn at(approach: Approach, first: &ConvexPolygon, second: &ConvexPolygon, turn: f
     [hull, pose]
 }
 
-/// How far the starboard side reaches at `x_m` (m).
+/// How far the polygon reaches to starboard at the length `x_m` (m).
 fn starboard_side_m(polygon: &ConvexPolygon, x_m: f64) -> f64 {
     let vertices = polygon.vertices();
     let edges = (0..vertices.len()).map(|i| (vertices[i], vertices[(i + 1) % vertices.len()]));

@@ -1,5 +1,5 @@
-//! The peers, each by its best interface with its buffers reused: the second polygon is placed in
-//! the first one's frame, as we do, and area and centroid come from the vertices they give.
+//! The peers of our clip, each by its best interface with its buffers reused: the second polygon is placed in the frame
+//! of the first, as our clip does, and area and centroid come from the vertices that the peer gives.
 
 use std::hint::black_box;
 
@@ -14,10 +14,10 @@ use parry2d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
 use parry2d_f64::shape::ConvexPolygon;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
 
-/// A path in parry's types.
+/// The two polygons and their path in parry's types.
 pub(crate) type ParryPath = Vec<[Pose; 2]>;
 
-/// The same poses in parry's types.
+/// The poses of a path in parry's types.
 pub(crate) fn parry_path(path: &[[ours::Pose; 2]]) -> ParryPath {
     let pose = |p: ours::Pose| Pose {
         rotation: Rotation { re: p.rotation.cos, im: p.rotation.sin },
@@ -55,7 +55,7 @@ impl Parry {
         }
     }
 
-    /// Area (m²) and centroid (m).
+    /// Area (m²) and centroid (m) of the overlap.
     #[inline]
     pub(crate) fn overlap(&mut self, one: Pose, two: Pose) -> (f64, Vec2) {
         let second_in_first = one.inv_mul(&two);
@@ -67,7 +67,7 @@ impl Parry {
     }
 }
 
-/// parry2d's Gilbert–Johnson–Keerthi search, which begins with the direction the last call found.
+/// parry2d's Gilbert–Johnson–Keerthi search, which begins with the direction that its last call found.
 pub(crate) struct Gjk {
     first: ConvexPolygon,
     second: ConvexPolygon,
@@ -97,7 +97,7 @@ impl Gjk {
         }
     }
 
-    /// No more than that the two are apart, as our clip answers.
+    /// Finds no more than that the two polygons are apart, as our clip does.
     pub(crate) fn apart_round(&mut self, path: &ParryPath) {
         for poses in path {
             let [one, two] = *black_box(poses);
@@ -122,7 +122,7 @@ impl Gjk {
     }
 }
 
-/// i_overlay, which works on an integer grid.
+/// The peer i_overlay, which works on an integer grid.
 pub(crate) struct Overlay {
     first: Vec<[f64; 2]>,
     second: Vec<Vec2>,
@@ -149,7 +149,7 @@ impl Overlay {
         }
     }
 
-    /// Area (m²) and centroid (m).
+    /// Area (m²) and centroid (m) of the overlap.
     fn overlap(&mut self, one: ours::Pose, two: ours::Pose) -> (f64, Vec2) {
         let second_in_first = one.to(two);
         let place = |&v: &Vec2| {
@@ -164,7 +164,7 @@ impl Overlay {
     }
 }
 
-/// About the first vertex, as ours.
+/// Area and centroid of a polygon, summed up about its first vertex as in our clip.
 #[inline]
 fn area_and_centroid(mut vertices: impl Iterator<Item = Vec2>) -> (f64, Vec2) {
     let (Some(origin), Some(second)) = (vertices.next(), vertices.next()) else {

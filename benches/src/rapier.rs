@@ -1,4 +1,4 @@
-//! rapier2d-f64 playing a scene: as it comes, but for gravity and sleep, which are off.
+//! rapier2d-f64 playing a scene with its usual settings, but for gravity and sleep, which are off.
 
 use fenderline_contact::{BodyState, ConvexPolygon, Outline, Vec2, vec2};
 use rapier2d_f64::prelude::{
@@ -13,7 +13,7 @@ use crate::world::World;
 pub(crate) struct Rapier {
     world: PhysicsWorld,
     handles: Vec<RigidBodyHandle>,
-    /// What floats, and its state at the start.
+    /// The floating bodies, and the state of each at the start.
     floaters: Vec<(RigidBodyHandle, BodyState)>,
 }
 
@@ -81,7 +81,8 @@ impl World for Rapier {
     }
 }
 
-/// One convex shape, or for an outline that is not convex a compound of the pieces that our engine has.
+/// The shape of a body: one convex shape, or for an outline that is not convex a compound of the pieces that our engine
+/// cuts it into.
 fn collider(outline_m: &[Vec2]) -> ColliderBuilder {
     let outline = Outline::new(outline_m).expect("the scenes' outlines are sound").0;
     let shape = |piece: &[Vec2]| {

@@ -1,11 +1,11 @@
-//! Times by rounds: every contender runs once a round, so that what slows the machine down slows
-//! all of them down, and what counts is the median of the ratios.
+//! Times contenders by rounds: every contender runs once in a round, so that a disturbance of the machine slows them
+//! all down, and the median of the ratios counts.
 
 use std::time::{Duration, Instant};
 
-/// One contender: what it does in a round, and how many calls that is.
+/// One contender: what it does in a round, and the number of calls in a round.
 pub(crate) struct Contender<'a> {
-    /// Runs a whole round and says how long its calls took.
+    /// Runs a whole round and returns how long its calls took.
     pub(crate) round: Box<dyn FnMut() -> Duration + 'a>,
     /// Calls in a round.
     pub(crate) calls: usize,
@@ -23,7 +23,7 @@ impl<'a> Contender<'a> {
     }
 }
 
-/// Nanoseconds a call, for every contender (outer) and round (inner).
+/// Nanoseconds a call, for every contender (outer list) and round (inner list).
 pub(crate) fn nanoseconds_a_call(contenders: &mut [Contender<'_>], rounds: usize) -> Vec<Vec<f64>> {
     let mut times = vec![Vec::with_capacity(rounds); contenders.len()];
     for contender in contenders.iter_mut() {
@@ -41,7 +41,7 @@ pub(crate) fn nanoseconds_a_call(contenders: &mut [Contender<'_>], rounds: usize
     times
 }
 
-/// The least of the values: on a machine with other work, the time without it, if a round is short.
+/// The least of the values; if rounds are short, this is a time that no other program of the machine has disturbed.
 pub(crate) fn least(values: &[f64]) -> f64 {
     values.iter().copied().fold(f64::INFINITY, f64::min)
 }
@@ -52,7 +52,7 @@ pub(crate) fn median(values: &[f64]) -> f64 {
     sorted[sorted.len() / 2]
 }
 
-/// Median over the rounds of `slower / faster`.
+/// Median over the rounds of the ratio `slower / faster`.
 pub(crate) fn median_ratio(slower: &[f64], faster: &[f64]) -> f64 {
     median(&slower.iter().zip(faster).map(|(s, f)| s / f).collect::<Vec<_>>())
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use fenderline_contact::{BodyState, Material, Rotation, Vec2, Wrench, vec2};
 
-/// A fender of 500 kN/m² with friction, as in the paper's Table 1.
+/// The material of a fender of 500 kN/m² with friction, as in the paper's Table 1.
 pub(crate) const RUBBER: Material = Material {
     stiffness_npm2: 500e3,
     damping_nspm2: 0.0,
@@ -14,8 +14,8 @@ pub(crate) const RUBBER: Material = Material {
     restitution: 0.1,
 };
 
-/// How fast the bodies of a [`Scene`] come on (m/s), and how deep they are in their fenders at first (m):
-/// little enough for rapier2d, which pushes bodies out of each other, to keep all contacts.
+/// Speed at which the bodies of a [`Scene`] come on (m/s), and how deep they are in their fenders at first (m): so
+/// little that rapier2d, which pushes bodies out of each other, keeps all contacts.
 const APPROACH_MPS: f64 = 0.05;
 const DEPTH_M: f64 = 0.02;
 
@@ -26,24 +26,23 @@ pub(crate) enum Scene {
     Tug,
     /// A ship alongside eight fenders.
     Ship,
-    /// The same, the fenders being faces of one quay where the engine has such.
+    /// A ship alongside eight fenders, which are faces of one quay in an engine that has faces.
     Faces,
-    /// The same ship alongside so many narrow fenders, faces of one quay where the engine has such.
+    /// A ship alongside the given number of narrow fenders, which are faces of one quay in an engine that has faces.
     Fenders(usize),
-    /// The same, with each fender a body of its own.
+    /// A ship alongside the given number of narrow fenders, each a body of its own.
     Blocks(usize),
-    /// So many tugs, each against a fender of its own, in a square of them; any body may touch any
-    /// other.
+    /// The given number of tugs in a square, each against a fender of its own; any body may touch any other.
     Pairs(usize),
-    /// So many tugs in a line, each pressed on the one before it, the first on a quay.
+    /// The given number of tugs in a line, each pressed on the tug before it, the first on a quay.
     Chain(usize),
-    /// A square of barges, so many a side, pressed into the corner of two quays.
+    /// A square of barges, with the given number along each side, pressed into the corner of two quays.
     Raft(usize),
-    /// Two stars of so many corners, one fixed, that touch with a few of their rays.
+    /// Two stars with the given number of corners each, one of them fixed, that touch with a few of their rays.
     Stars(usize),
-    /// A star of so many corners on a coast of as many, a comb.
+    /// A floating star with the given number of corners against a coast with as many, which has the outline of a comb.
     StarOnComb(usize),
-    /// Two combs of so many corners, one fixed, that touch with all of their teeth.
+    /// Two combs with the given number of corners each, one of them fixed, that touch with all of their teeth.
     Combs(usize),
 }
 
@@ -71,7 +70,7 @@ impl Scene {
         }
     }
 
-    /// The scene at its start: every contact there is, coming on slowly and pressed by a load.
+    /// The scene at its start, where the bodies of every contact come on slowly and a load presses them together.
     pub(crate) fn plan(self) -> Plan {
         let mut plan = Plan::new(RUBBER);
         match self {
@@ -100,33 +99,33 @@ impl Scene {
 /// One body.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
-    /// Outline in the body's frame, in the positive sense (m).
+    /// Outline of the body in the body's frame, in the positive sense (m).
     pub(crate) outline_m: Vec<Vec2>,
-    /// `None` for what is fixed.
+    /// Mass and yaw inertia of the body; `None` for a fixed body.
     pub(crate) mass: Option<Mass>,
     pub(crate) state: BodyState,
-    /// Steady load at the centre of gravity.
+    /// Steady load on the body at its centre of gravity.
     pub(crate) load: Wrench,
 }
 
-/// The same in all directions: rapier2d knows no other.
+/// Mass and yaw inertia of a body; the mass is the same in surge and sway, because rapier2d knows no other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Mass {
     pub(crate) mass_kg: f64,
     pub(crate) yaw_inertia_kgm2: f64,
 }
 
-/// All bodies of a scene.
+/// All bodies of a scene, with the material of their contacts.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) parts: Vec<Part>,
     pub(crate) material: Material,
-    /// Any body may touch any other; else what floats may touch what is fixed, pairs named one by
-    /// one.
+    /// Whether any body may touch any other; otherwise each floating body may touch each fixed one, and the pairs are
+    /// named one by one.
     pub(crate) anyone: bool,
-    /// What is fixed is a row of blocks along an east quay: our engine plays them as faces of one body.
+    /// Whether the fixed bodies are a row of blocks along an east quay, which our engine plays as faces of one body.
     pub(crate) faces: bool,
-    /// Size of each such block along the quay and across it (m).
+    /// Size of each fender block along the quay and across it (m).
     pub(crate) fender_m: (f64, f64),
 }
 
@@ -151,7 +150,7 @@ impl Plan {
         self.parts.push(Part { outline_m, mass: Some(mass), state, load });
     }
 
-    /// A tug of the paper's size, bow to the east, at a fender's block.
+    /// A tug of the paper's size with her bow to the east, at the block of a fender.
     fn tug_at_fender(&mut self, at_m: Vec2) {
         let mass = Mass { mass_kg: 1.01e6, yaw_inertia_kgm2: 6.0e7 };
         self.floating(corners(&TUG), mass, coming(at_m, 0.25 * TAU + 0.01), vec2(0.0, 300e3));
@@ -159,7 +158,7 @@ impl Plan {
         self.fixed(corners(&FENDER), beyond, 0.0);
     }
 
-    /// The paper's container ship along eight fenders on its starboard side.
+    /// The paper's container ship with eight fenders along her starboard side.
     fn ship_at_fenders(&mut self) {
         let mass = Mass { mass_kg: 9.06e7, yaw_inertia_kgm2: 4.9e11 };
         self.floating(corners(&SHIP), mass, coming(vec2(0.0, 0.0), 1e-5), vec2(0.0, 2.4e6));
@@ -169,7 +168,8 @@ impl Plan {
         }
     }
 
-    /// The same ship, with so many fenders side by side along her parallel middle body, gaps of a fifth between them.
+    /// The paper's container ship with `count` fenders side by side along her parallel middle body, and gaps of a fifth
+    /// of their spacing between them.
     fn ship_at_many_fenders(&mut self, count: usize) {
         const ALONG_M: f64 = 240.0;
         let mass = Mass { mass_kg: 9.06e7, yaw_inertia_kgm2: 4.9e11 };
@@ -193,7 +193,7 @@ impl Plan {
         self.anyone = true;
     }
 
-    /// Each tug presses on by 30 kN: statically the contact k from the end carries k times that.
+    /// Each tug of the chain presses on with 30 kN: at rest, the contact k from the end carries k times 30 kN.
     fn chain_of_tugs(&mut self, count: usize) {
         let mass = Mass { mass_kg: 1.01e6, yaw_inertia_kgm2: 6.0e7 };
         for k in 0..count {
@@ -204,7 +204,7 @@ impl Plan {
         self.anyone = true;
     }
 
-    /// Each barge is pressed by 30 kN on the east quay and by 10 kN on the north one.
+    /// Each barge of the raft is pressed by 30 kN towards the east quay and by 10 kN towards the north quay.
     fn raft_of_barges(&mut self, side: usize) {
         let (length_m, width_m) = BARGE_M;
         let mass = Mass { mass_kg: 1.0e6, yaw_inertia_kgm2: 1.4e8 };
@@ -224,7 +224,8 @@ impl Plan {
 }
 
 impl Plan {
-    /// A star slides along and is pressed on a fixed outline that reaches so far to the west of its centre.
+    /// A star slides along a fixed outline and is pressed on it; the outline reaches `reach_m` to the west of its
+    /// centre.
     fn star_at(&mut self, fixed_m: Vec<Vec2>, corners: usize, reach_m: f64) {
         let mass = Mass { mass_kg: 8.0e6, yaw_inertia_kgm2: 1.0e10 };
         let mut state = coming(vec2(0.0, 0.0), 0.003);
@@ -234,7 +235,7 @@ impl Plan {
         self.anyone = true;
     }
 
-    /// A comb, teeth to the east, on the teeth of another.
+    /// A comb with its teeth to the east is pressed on the teeth of another comb.
     fn combs(&mut self, corners: usize) {
         let mass = Mass { mass_kg: 2.0e7, yaw_inertia_kgm2: 1.5e11 };
         let mut state = coming(vec2(0.3 * TOOTH_M, 0.0), 0.5 * TAU + 1e-6);
@@ -245,11 +246,11 @@ impl Plan {
     }
 }
 
-/// Radius of a star's rays, and their length (m).
+/// Radius of a star out to the tips of its rays, and length of a ray (m).
 const STAR_M: f64 = 50.0;
 const RAY_M: f64 = 0.3;
 
-/// Every other corner is the tip of a ray.
+/// Outline of a star: every other corner is the tip of a ray.
 fn star(corners: usize) -> Vec<Vec2> {
     let corner = |k: usize| {
         let radius_m = if k.is_multiple_of(2) { STAR_M } else { STAR_M - RAY_M };
@@ -258,11 +259,11 @@ fn star(corners: usize) -> Vec<Vec2> {
     (0..corners).map(corner).collect()
 }
 
-/// Width of a comb's teeth and of the gaps between them, and their length (m).
+/// Width of a comb's teeth and of the gaps between them, and length of a tooth (m).
 const TOOTH_M: f64 = 0.6;
 const TOOTH_LENGTH_M: f64 = 1.0;
 
-/// Four corners a tooth, on a back to the east; the tips are on the line y = 0.
+/// Outline of a comb: four corners a tooth on a back to the east; the tips of the teeth are on the line y = 0.
 fn comb(corners: usize) -> Vec<Vec2> {
     let teeth = corners / 4;
     let half_m = TOOTH_M * (teeth as f64 - 0.5);
@@ -283,10 +284,10 @@ fn comb(corners: usize) -> Vec<Vec2> {
     (0..teeth).flat_map(tooth).map(|(x, y)| vec2(x, y)).collect()
 }
 
-/// Length and width of a raft's barges (m).
+/// Length and width of the barges of a raft (m).
 const BARGE_M: (f64, f64) = (40.0, 11.0);
 
-/// 32 × 13 m with a flat bow of 10 m.
+/// Corners of the tug: 32 × 13 m with a flat bow of 10 m.
 const TUG: [(f64, f64); 8] = [
     (-16.0, -5.5),
     (-14.0, -6.5),
@@ -302,19 +303,19 @@ const TUG: [(f64, f64); 8] = [
 const SHIP: [(f64, f64); 6] =
     [(-149.0, -23.0), (104.0, -23.0), (149.0, -3.0), (149.0, 3.0), (104.0, 23.0), (-149.0, 23.0)];
 
-/// A block of 4 × 1 m.
+/// Corners of a fender: a block of 4 × 1 m.
 const FENDER: [(f64, f64); 4] = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
 
 /// Size of a fender's block along the quay and across it (m).
 const FENDER_M: (f64, f64) = (4.0, 1.0);
 
-/// A block about the origin, its length along x.
+/// Outline of a block about the origin, with its length along x.
 pub(crate) fn block(length_m: f64, width_m: f64) -> Vec<Vec2> {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
     corners(&[(-x, -y), (x, -y), (x, y), (-x, y)])
 }
 
-/// A block with its corners cut off, so that barges of a raft do not touch across a corner.
+/// Outline of a barge: a block with its corners cut off, so that barges of a raft do not touch across a corner.
 fn barge(length_m: f64, width_m: f64) -> Vec<Vec2> {
     const CUT_M: f64 = 1.0;
     let (x, y) = (0.5 * length_m, 0.5 * width_m);

@@ -8,12 +8,12 @@ const LENGTH_M: f64 = 298.0;
 const BEAM_M: f64 = 46.0;
 const FENDER_RADIUS_M: f64 = 3.0;
 
-/// A hull of 298 × 46 m with so many corners: a box, or a superellipse with full sides.
+/// A hull of 298 × 46 m with `corners` corners: a box, or a superellipse with full sides.
 pub(crate) fn hull(corners: usize) -> ConvexPolygon {
     full_sided(corners, LENGTH_M, BEAM_M)
 }
 
-/// A vessel of half the hull's length.
+/// A vessel of half the hull's length and 0.7 times its beam.
 pub(crate) fn vessel(corners: usize) -> ConvexPolygon {
     full_sided(corners, 0.5 * LENGTH_M, 0.7 * BEAM_M)
 }
@@ -44,7 +44,7 @@ fn full_sided(corners: usize, length_m: f64, beam_m: f64) -> ConvexPolygon {
     ConvexPolygon::new(&vertices)
 }
 
-/// Unit vectors all round, none along an axis.
+/// Unit vectors in equal steps all round, none of them along an axis.
 fn directions(corners: usize) -> impl Iterator<Item = Vec2> {
     (0..corners).map(move |i| {
         Rotation::from_angle(TAU * (i as f64 + 0.37) / corners as f64).apply(vec2(1.0, 0.0))

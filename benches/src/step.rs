@@ -1,5 +1,5 @@
-//! A whole step of the engine, by both methods, against rapier2d-f64, and with the feature `peers` against Box2D and
-//! Chipmunk.
+//! Times a whole step of our engine, by both methods, against rapier2d-f64, and with the feature `peers` against Box2D
+//! and Chipmunk.
 
 use std::time::{Duration, Instant};
 
@@ -10,19 +10,18 @@ use crate::world::{Engine, World};
 
 pub(crate) const STEP_S: f64 = 0.1;
 
-/// Steps on the clock after each restart: the bodies come on and are pressed in, and every contact
-/// lives through all of them.
+/// Steps on the clock after each restart: in them the bodies come on and are pressed together, and no contact ends.
 pub(crate) const BURST: usize = 16;
 
-/// Steps of a steady scene before the clock.
+/// Steps of a scene that plays steadily before the clock starts.
 const SETTLING: usize = 200;
 
-/// Whether a scene begins anew all the time.
+/// Whether a scene is restarted all the time or goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Play {
-    /// It begins anew every 17 steps.
+    /// The scene begins anew every 17 steps.
     Anew,
-    /// It goes on, from [`SETTLING`] steps after its start.
+    /// The scene goes on without restarts, and the clock starts [`SETTLING`] steps after its start.
     Steady,
 }
 
@@ -37,15 +36,17 @@ impl Play {
     }
 }
 
-/// A scene and what to reach in it.
+/// A scene of the bench and the times to reach in it.
 struct Case {
     name: &'static str,
     scene: Scene,
-    /// Does the paper's method play it? Not islands of many bodies, which it does not solve together.
+    /// Whether the paper's method plays the scene. The paper's method does not play islands of many bodies, because it
+    /// does not solve them together.
     paper: bool,
     /// Restarts a round.
     bursts: usize,
-    /// Most microseconds a step, most of rapier2d's time: either will do.
+    /// The most microseconds that a step may take, and the largest share of rapier2d's time that it may take: meeting
+    /// one of these limits is enough.
     most_us: Option<f64>,
     most_of_rapier: Option<f64>,
 }
@@ -125,7 +126,7 @@ const CASES: [Case; 9] = [
     },
 ];
 
-/// All scenes, or the one.
+/// Times all scenes, or only the scene `only`.
 pub(crate) fn bench(rounds: usize, only: Option<Scene>) -> Table {
     let mut head = vec![
         "scene",
@@ -146,15 +147,21 @@ pub(crate) fn bench(rounds: usize, only: Option<Scene>) -> Table {
             }
         }
     }
-    table.note("medians; ratios are taken round by round. Δt 0.1 s; moving the bodies and the broad phase included.");
-    table.note("anew: each engine begins anew every 17 steps from the same state, pressed by the same steady load; the first");
-    table.note("of the 17 is off the clock. steady: without restarts, from 200 steps after the start. contacts: pairs in the");
-    table.note("last step's solve. faces: of one quay; to the peers, blocks. brief: without a report of each contact; wrenches,");
-    table.note("motions and events are the same. Above 1 the peer is faster. Peers stop after a fixed number of sweeps.");
+    table.note("Times are medians, and ratios of times are taken round by round.");
+    table.note("A step is 0.1 s; its time includes moving the bodies and the broad phase.");
+    table.note("anew: each engine begins anew every 17 steps from the same state, pressed by the same steady load.");
+    table.note("The first of the 17 steps of `anew` is off the clock.");
+    table.note("steady: each engine runs without restarts, and the clock starts 200 steps after the start.");
+    table.note("contacts: the number of pairs in the last step's solve.");
+    table.note("faces: our engine has the fenders as faces of one quay, the other engines have them as blocks.");
+    table.note("brief: a step without a report of each contact; wrenches, motions and events are the same as with the report.");
+    table.note(
+        "A ratio above 1 says that the peer is faster. Peers stop after a fixed number of sweeps.",
+    );
     table
 }
 
-/// The head of the column of ratios to a peer.
+/// Head of the column that holds the ratios to a peer's time.
 fn of(peer: Engine) -> &'static str {
     match peer {
         #[cfg(feature = "peers")]
@@ -230,7 +237,7 @@ impl Case {
     }
 }
 
-/// One restart, off the clock, and the steps on it.
+/// Restarts a world off the clock, and times the steps after the restart.
 pub(crate) fn burst(world: &mut dyn World) -> Duration {
     world.restart();
     on_clock(world, BURST)
@@ -245,7 +252,8 @@ fn on_clock(world: &mut dyn World, steps: usize) -> Duration {
     start.elapsed()
 }
 
-/// So many warm steps of an engine, to be counted: anew with restarts and their copying, steady after [`SETTLING`] steps.
+/// Takes `count` warm steps of an engine, so that a profiler can count them: `Anew` with its restarts and their
+/// copying, `Steady` after [`SETTLING`] steps.
 pub(crate) fn steps(scene: Scene, engine: Engine, count: usize, play: Play) {
     let mut world = engine.world(&scene.plan(), STEP_S);
     if play == Play::Steady {

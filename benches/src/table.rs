@@ -1,15 +1,15 @@
 //! A table on the terminal or in markdown.
 
-/// How a table is printed.
+/// Whether a table is printed for the terminal or in markdown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
-    /// Columns lined up by spaces.
+    /// The columns are lined up by spaces.
     Plain,
     /// A markdown table.
     Markdown,
 }
 
-/// Rows of text under a head, with notes below.
+/// A table: rows of text under a head, with notes below.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     head: Vec<String>,
@@ -27,7 +27,7 @@ impl Table {
     }
 
     pub(crate) fn row(&mut self, cells: Vec<String>) {
-        assert_eq!(cells.len(), self.head.len(), "a cell for every column");
+        assert_eq!(cells.len(), self.head.len(), "a row has a cell for every column");
         self.rows.push(cells);
     }
 

@@ -1,4 +1,5 @@
-//! Thousands of independent pairs on several threads: a model, a memory and a workspace for each thread.
+//! Times thousands of independent pairs of bodies on several threads: a model, a memory and a workspace for each
+//! thread.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -39,12 +40,16 @@ pub(crate) fn bench(rounds: usize) -> Table {
             if *own == states[0] { "✓" } else { "✗" }.to_owned(),
         ]);
     }
-    table.note(&format!("{PAIRS} tugs on fenders, coupled-brief, on {cores} cores. Each thread has a model of its own of its tugs and"));
-    table.note("fenders, and is started for each step. Least of the rounds: beside other work all of them are slower with more threads.");
+    table.note(&format!("{PAIRS} tugs on fenders, by the coupled method without reports of contacts, on {cores} cores."));
+    table.note(
+        "Each thread has a model of its own tugs and their fenders, and is started for each step.",
+    );
+    table.note("Times are the least of the rounds: where other programs run too, times on more threads are \
+                slower in all rounds.");
     table
 }
 
-/// The scene in so many models.
+/// The scene split into `count` models of our engine, one for each thread.
 fn team(plan: &Plan, count: usize) -> Vec<Ours> {
     // A tug and its fender are neighbours in the list.
     let each = (plan.parts.len() / 2).div_ceil(count) * 2;
@@ -55,7 +60,7 @@ fn team(plan: &Plan, count: usize) -> Vec<Ours> {
         .collect()
 }
 
-/// One restart, off the clock, and the steps on it.
+/// Restarts the models off the clock, and times the steps after the restart.
 fn burst(team: &mut [Ours]) -> Duration {
     team.iter_mut().for_each(Ours::restart);
     let start = Instant::now();

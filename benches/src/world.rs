@@ -1,4 +1,4 @@
-//! What a bench asks of an engine that plays a scene.
+//! What a bench asks of each engine that plays a scene.
 
 #[cfg(feature = "peers")]
 use fenderline_bench_peers::{Box2d, Chipmunk};
@@ -10,24 +10,24 @@ use crate::engine::{Method, Ours};
 use crate::rapier::Rapier;
 use crate::scenes::Plan;
 
-/// A scene within an engine, with its bodies moved by it or, where the engine only gives forces, by
-/// the host's part of the same step.
+/// A scene within an engine; the engine moves the bodies, or the host does in the same step where the engine only gives
+/// forces.
 pub(crate) trait World {
-    /// Back to one step after the scene's start, warm.
+    /// Goes back to the moment one step after the scene's start, with warm buffers.
     fn restart(&mut self);
 
     /// One step of all.
     fn step(&mut self);
 
-    /// Another steady load on a body.
+    /// Sets a new steady load on a body.
     fn load(&mut self, body: usize, force_n: Vec2);
 
     fn state(&self, body: usize) -> BodyState;
 
-    /// Pairs in the last step's solve.
+    /// Number of pairs in contact in the last step's solve.
     fn touching(&self) -> usize;
 
-    /// Largest normal force (N) and depth (m) within the last step, where the engine tells.
+    /// Largest normal force (N) and depth (m) within the last step; `None` where the engine does not tell them.
     fn peaks(&self) -> Option<(f64, f64)>;
 }
 
@@ -36,11 +36,12 @@ pub(crate) trait World {
 pub(crate) enum Engine {
     /// Ours, the default.
     Coupled,
-    /// The same without a report of each contact: wrenches and motions, as rapier2d gives them.
+    /// Our engine by the coupled method without a report of each contact: only wrenches and motions, as rapier2d gives
+    /// them.
     CoupledBrief,
-    /// Ours, by the paper's method and forward Euler.
+    /// Our engine by the paper's method, with forward Euler.
     Paper,
-    /// The same without a report of each contact.
+    /// Our engine by the paper's method without a report of each contact.
     PaperBrief,
     /// rapier2d-f64.
     Rapier,
@@ -53,19 +54,19 @@ pub(crate) enum Engine {
 }
 
 impl Engine {
-    /// Those that differ in what they answer.
+    /// The engines whose answers differ.
     pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
 
-    /// Ours, that differ in the time they take.
+    /// The variants of our engine, which differ in the time they take.
     pub(crate) const OURS: &[Engine] =
         &[Engine::Coupled, Engine::CoupledBrief, Engine::Paper, Engine::PaperBrief];
 
-    /// Is it ours by the paper's method?
+    /// Whether the engine is ours by the paper's method.
     pub(crate) fn is_paper(self) -> bool {
         matches!(self, Engine::Paper | Engine::PaperBrief)
     }
 
-    /// The peers in this build; rapier2d is the first.
+    /// The peers in this build, of which rapier2d is the first.
     #[cfg(feature = "peers")]
     pub(crate) const PEERS: &[Engine] = &[Engine::Rapier, Engine::Box2d, Engine::Chipmunk];
     #[cfg(not(feature = "peers"))]

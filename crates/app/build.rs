@@ -1,8 +1,10 @@
-//! Lists the libraries for FMUs that the program carries in itself: those of the folder that `FENDERLINE_FMU_LIBRARIES`
-//! names, in `x86_64-linux/libfenderline_fmu.so` and so on. Without the variable it carries none, and `fenderline fmu` takes
-//! the library that cargo puts beside it. `cargo xtask program` builds a program with its library.
+//! Lists the FMU libraries that are built into the program: those in the folder that the environment variable
+//! `FENDERLINE_FMU_LIBRARIES` names, such as `x86_64-linux/libfenderline_fmu.so`. Without that variable no library is
+//! built in, and `fenderline fmu` takes the library that cargo puts beside the program. `cargo xtask program` builds
+//! the program with the FMU library in it.
 //!
-//! It also finds the example scenarios, and the commit that `fenderline --version` names, and the features that the program is built with.
+//! This build script also finds the example scenarios, the commit that `fenderline --version` names, and the features
+//! that the program is built with.
 
 #[path = "build/commit.rs"]
 mod commit;
@@ -11,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 const VARIABLE: &str = "FENDERLINE_FMU_LIBRARIES";
-/// Folder of a platform, by the platform tuple of FMI 3.0, and the library's file name.
+/// For each platform: its folder, named by the platform tuple of FMI 3.0, and the file name of the FMU library.
 const PLACES: [(&str, &str); 5] = [
     ("x86_64-linux", "libfenderline_fmu.so"),
     ("aarch64-linux", "libfenderline_fmu.so"),
@@ -49,7 +51,7 @@ fn main() {
     std::fs::write(out.join("fmu_libraries.rs"), list).expect("OUT_DIR can be written");
 }
 
-/// Cargo's features of the program that are on, in the order of their names.
+/// The cargo features that the program is built with, in the order of their names.
 fn features() -> Vec<String> {
     let on = std::env::vars().filter_map(|(name, _)| {
         let feature = name.strip_prefix("CARGO_FEATURE_")?.to_lowercase().replace('_', "-");
@@ -60,8 +62,8 @@ fn features() -> Vec<String> {
     on
 }
 
-/// The folder of the example scenarios: the crate's own in a package, a link in a checkout; a checkout on Windows may have a text
-/// file in place of the link.
+/// The folder of the example scenarios. In a package it is the crate's own folder `scenarios`; in a git checkout
+/// `scenarios` is a link, for which a checkout on Windows may have a text file.
 fn scenarios() -> PathBuf {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let linked = own.join("scenarios");

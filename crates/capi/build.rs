@@ -1,5 +1,6 @@
-//! Gives the shared library a SONAME (an install name on macOS) if `FENDERLINE_SONAME` names one, as `cargo xtask dist` does. A
-//! plain build gives none, so that programs find `libfenderline.so` under the name that cargo gives it.
+//! Gives the shared library a SONAME (an install name on macOS) if `FENDERLINE_SONAME` names one, as `cargo xtask dist`
+//! does. A build without this variable sets no SONAME, so that programs find `libfenderline.so` under the name that
+//! cargo gives the file.
 
 const VARIABLE: &str = "FENDERLINE_SONAME";
 

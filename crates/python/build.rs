@@ -1,5 +1,6 @@
-//! On macOS an extension module finds Python's functions when the interpreter loads it: the linker has to be told that they come
-//! later. Maturin does so by itself; this is for a plain `cargo build` or `cargo test`.
+//! On macOS an extension module finds Python's functions when the interpreter loads the module: the linker has to be
+//! told that the functions come later. Maturin tells the linker so by itself; this script is for a plain `cargo build`
+//! or `cargo test`.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -1,10 +1,10 @@
-//! Lists the data files that the program carries in itself: every `.toml` of `fenders/` and of `vessels/`, so that a new
-//! file there needs no line of code.
+//! Lists the data files that are built into the program: every `.toml` file of `fenders/` and `vessels/`. A new file in
+//! one of these folders therefore needs no line of code.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// Folder, and the name of its list.
+/// The folders with data files, each with the name of the list of its files.
 const LISTS: [(&str, &str); 2] = [("fenders", "FENDER_FILES"), ("vessels", "VESSEL_FILES")];
 
 fn main() {
@@ -22,7 +22,7 @@ fn main() {
             .expect("a string");
         for file in files {
             let name = file.file_name().and_then(|name| name.to_str()).expect("a plain name");
-            let path = file.to_str().expect("the repository's path is text");
+            let path = file.to_str().expect("the path of the repository is valid text");
             writeln!(lists, "    ({name:?}, include_str!({path:?})),").expect("a string");
         }
         lists += "];\n";

@@ -1,5 +1,5 @@
-//! Embeds the pages of `web` in the program. If the pages are missing or older than their sources, npm builds them
-//! first. Without Node or its packages the program is built without pages, and says so.
+//! Embeds the pages of `web` in the program. If the built pages are missing or older than their sources, npm builds
+//! them first. Without Node or its packages, the program is built without pages, and says so when it serves.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::SystemTime;
 
-/// Folders in `web` without sources of the live server's pages.
+/// Folders in `web` that hold no sources of the live server's pages.
 const NOT_SOURCES: [&str; 7] =
     ["node_modules", "dist", "e2e", "e2e-page", "run", "test", "screenshots"];
 
@@ -34,10 +34,10 @@ fn watch(path: &Path) {
     println!("cargo::rerun-if-changed={}", path.display());
 }
 
-/// The folder of built pages.
+/// Builds the pages if they are old, and returns the folder of built pages.
 fn built(web: &Path) -> Result<PathBuf, String> {
     if !web.join("package.json").is_file() {
-        return Err("their sources, the folder `web`, are not beside the crates".into());
+        return Err("the sources of the pages, the folder `web`, are not beside the crates".into());
     }
     let Ok(entries) = fs::read_dir(web) else { return Err("`web` cannot be read".into()) };
     for entry in entries.flatten() {
@@ -49,7 +49,7 @@ fn built(web: &Path) -> Result<PathBuf, String> {
     // Builds of two profiles at the same time must not write to the same folders.
     let lock = std::env::temp_dir().join("fenderline-pages.lock");
     let lock = fs::File::create(&lock).map_err(|e| format!("{}: {e}", lock.display()))?;
-    lock.lock().map_err(|e| format!("waiting for another build of the pages: {e}"))?;
+    lock.lock().map_err(|e| format!("cannot wait for another build of the pages: {e}"))?;
     let dist = web.join("dist");
     if is_up_to_date(web, &dist) {
         // Builds again if somebody builds the pages by hand.
@@ -64,7 +64,7 @@ fn built(web: &Path) -> Result<PathBuf, String> {
     Ok(dist)
 }
 
-/// Copies the built pages and lists them. The program then keeps the pages of its build.
+/// Copies the built pages and lists them. With the copy, the program keeps the pages with which it was built.
 fn embed(dist: &Path, out: &Path) -> Result<String, String> {
     let copy = out.join("pages");
     if copy.exists() {
@@ -76,7 +76,7 @@ fn embed(dist: &Path, out: &Path) -> Result<String, String> {
     copy_folder(dist, &copy, "", &mut files)?;
     files.sort();
     for (path, file) in files {
-        let file = file.to_str().expect("the target folder's path is Unicode");
+        let file = file.to_str().expect("the path of the target folder must be Unicode");
         writeln!(list, "    ({path:?}, include_bytes!({file:?})),").expect("a string");
     }
     list += "];\n";
@@ -93,7 +93,10 @@ fn copy_folder(
     fs::create_dir_all(to).map_err(failed)?;
     for entry in fs::read_dir(from).map_err(failed)? {
         let entry = entry.map_err(failed)?;
-        let name = entry.file_name().into_string().map_err(|_| "a name is not Unicode")?;
+        let name = entry
+            .file_name()
+            .into_string()
+            .map_err(|_| "the name of a page's file is not Unicode")?;
         let (path, copy) = (format!("{under}/{name}"), to.join(&name));
         if entry.file_type().map_err(failed)?.is_dir() {
             copy_folder(&entry.path(), &copy, &path, files)?;
@@ -123,7 +126,7 @@ fn changed(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|of| of.modified()).ok()
 }
 
-/// The time of the last change in a folder of sources.
+/// The time of the last change to a file in a folder of sources.
 fn newest(folder: &Path) -> Option<SystemTime> {
     let mut newest_yet = None;
     for entry in fs::read_dir(folder).ok()?.flatten() {
@@ -145,7 +148,7 @@ fn npm(web: &Path, arguments: &[&str]) -> Result<(), String> {
     let mut command = Command::new(program);
     command.args(arguments).current_dir(web).stdin(Stdio::null());
     let output = command.output().map_err(|e| match e.kind() {
-        std::io::ErrorKind::NotFound => "npm, which builds them, was not found".to_owned(),
+        std::io::ErrorKind::NotFound => "npm, which builds the pages, was not found".to_owned(),
         _ => format!("{called}: {e}"),
     })?;
     if output.status.success() {

@@ -1,5 +1,6 @@
-//! Says where the published numbers, scenarios and hydrodynamic data are that the crate carries in itself. In a package their folders
-//! are the crate's own. In a checkout they are links to those at the top; a checkout on Windows may have text files in place of links.
+//! Tells the compiler where the published numbers, scenarios and hydrodynamic data are that are built into the crate.
+//! In a package of the crate, the folders with these data are the crate's own. In a checkout, the crate's folders with
+//! these data are links to the folders at the top; a checkout on Windows may have text files in place of links.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Random bodies, fenders, curves, loads and steps by the coupled method: no panic, finite states, N ≥ 0 and
+//! Fuzzes the coupled method with random bodies, fenders, curves, loads and steps: no panic, finite states, N ≥ 0 and
 //! F₁ = −F₂.
 #![no_main]
 
@@ -21,7 +21,10 @@ fuzz_target!(|bytes: &[u8]| {
         let step_s = [1e-3, 0.05, 0.1, 0.5, 1.0, 2.0][usize::from(input.byte()) % 6];
         let before = memory.clone();
         if advance(&model, &mut memory, &mut work, &states, &loads, step_s).is_err() {
-            assert_eq!(memory, before, "a refused step changed the memory");
+            assert_eq!(
+                memory, before,
+                "the engine has changed its memory in a step that it refused"
+            );
             return;
         }
         check(&model, &work);
@@ -60,7 +63,7 @@ fn check(model: &Model, work: &Workspace) {
     assert!(total.length() <= 1e-9 * largest_n, "{total:?} of {largest_n} N");
 }
 
-/// Two to four bodies near each other; `None` where an outline or a law is refused.
+/// A scene of two to four bodies near each other; `None` if an outline or a law is refused.
 fn scene(input: &mut Input<'_>) -> Option<(Model, Vec<BodyState>, Vec<Wrench>)> {
     let mut builder = Model::builder();
     let count = 2 + input.byte() % 3;
@@ -93,7 +96,7 @@ fn scene(input: &mut Input<'_>) -> Option<(Model, Vec<BodyState>, Vec<Wrench>)> 
     Some((builder.build().ok()?, states, loads))
 }
 
-/// Three to eight corners, convex or not.
+/// An outline of three to eight corners, convex or not.
 fn outline(input: &mut Input<'_>) -> Option<Outline> {
     let corners = 3 + input.byte() % 6;
     let corners: Vec<Vec2> =
@@ -101,7 +104,7 @@ fn outline(input: &mut Input<'_>) -> Option<Outline> {
     Outline::new(&corners).ok().map(|(outline, _)| outline)
 }
 
-/// 1 t to 1e8 t, equal in surge and sway or not.
+/// A mass from 1 t to 1e8 t, equal in surge and sway or not.
 fn mass(input: &mut Input<'_>) -> Mobility {
     let mass_kg = power_of_ten(input, 3.0, 11.0);
     let yaw_inertia_kgm2 = mass_kg * power_of_ten(input, 0.0, 4.0);
@@ -156,7 +159,7 @@ fn fender(input: &mut Input<'_>, key: u32, bodies: u32) -> Fender {
     }
 }
 
-/// An area law, or a curve of up to six points, which may fall like a buckling fender's.
+/// The law of a fender: an area law, or a curve of up to six points, which may fall as that of a buckling fender does.
 fn law(input: &mut Input<'_>, projection_m: f64) -> FenderLaw {
     let points = input.byte() % 7;
     if points == 0 {
@@ -171,7 +174,7 @@ fn law(input: &mut Input<'_>, projection_m: f64) -> FenderLaw {
     FenderLaw::Curve(curve)
 }
 
-/// 10 to a power from `low` to `high`.
+/// A random number: 10 to a power from `low` to `high`.
 fn power_of_ten(input: &mut Input<'_>, low: f64, high: f64) -> f64 {
     10.0_f64.powf(low + (high - low) * f64::from(input.byte()) / 255.0)
 }

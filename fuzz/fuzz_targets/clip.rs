@@ -1,5 +1,5 @@
-//! Two convex polygons that move past one another: at every step the overlap is valid, and the same warm,
-//! cold and with the two swapped.
+//! Fuzzes the clip with two convex polygons that move past one another: at every step the overlap is valid, and is the
+//! same warm, cold and with the polygons swapped.
 #![no_main]
 
 use fenderline_contact::{Clip, ConvexPolygon, PairClip, Pose, vec2};

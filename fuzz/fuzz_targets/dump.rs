@@ -1,5 +1,5 @@
-//! Any bytes as a dump of an engine: either an error, or steps that are replayed to an end without a panic. What was read
-//! gives an engine that can be saved and restored.
+//! Fuzzes the replay of an engine's dump with any bytes: either an error, or steps that are replayed to an end without
+//! a panic. An engine that a dump gives can be saved and restored.
 #![no_main]
 
 use std::sync::LazyLock;
@@ -11,7 +11,7 @@ use fenderline_fuzz::input::Input;
 use fenderline_sim::{MassProperties, Method};
 use libfuzzer_sys::fuzz_target;
 
-/// Real dumps: of each method and kind of host.
+/// Real dumps, one for each kind of method and host.
 static DUMPS: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let co_simulation = HostSettings { delay_steps: 1, integration: HostIntegration::SemiImplicit };
     let settings = [
@@ -41,10 +41,10 @@ fuzz_target!(|bytes: &[u8]| {
     let mut engine = dump.into_engine();
     let saved = engine.save();
     engine.restore(&saved).expect("its own bytes");
-    assert_eq!(engine.save(), saved, "a restored engine saves other bytes");
+    assert_eq!(engine.save(), saved, "a restored engine saves the same bytes as before");
 });
 
-/// Overwrites bytes. Each takes three of the input: two for the place and one for the value.
+/// Overwrites bytes. Each overwritten byte takes three bytes of the input: two for its place and one for its value.
 fn mutated(real: &[u8], mut input: Input<'_>) -> Vec<u8> {
     let mut bytes = real.to_vec();
     while !input.is_empty() {
@@ -62,7 +62,8 @@ fn with_check_sum(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// A ship against a quay with a panel on two cones, held by a chain: all that a model can have.
+/// The dump of a ship against a quay with a panel on two cones, held by a chain: the scene has everything that a model
+/// can have.
 fn dump(settings: &Settings) -> Result<Vec<u8>, EngineError> {
     let mut builder = EngineBuilder::new();
     let rubber = Material {

@@ -1,4 +1,4 @@
-//! Any text as a scenario file: no panic and no hang, and an accepted scenario can be built and stepped.
+//! Fuzzes the scenario reader with any text: no panic and no hang, and an accepted scenario can be built and stepped.
 #![no_main]
 
 use fenderline_scenario::Scenario;

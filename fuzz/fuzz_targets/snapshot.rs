@@ -1,5 +1,5 @@
-//! Any bytes as a snapshot: either an error that changes nothing, or a memory whose steps give finite
-//! forces.
+//! Fuzzes the restoring of the engine's memory with any bytes as a snapshot: either an error that changes nothing, or a
+//! memory whose steps give finite forces.
 #![no_main]
 
 use std::sync::LazyLock;
@@ -15,10 +15,10 @@ const STEP_S: f64 = 0.1;
 
 static SCENE: LazyLock<Scene> = LazyLock::new(Scene::new);
 
-/// A tug in the corner of an L-shaped quay, and a ship beside it.
+/// The scene of the snapshots: a tug in the corner of an L-shaped quay, and a ship beside her.
 struct Scene {
     model: Model,
-    /// Snapshots along a run, with the states that follow each.
+    /// Snapshots of the memory along a run, each with the states of the bodies that follow it.
     saved: Vec<(Vec<u8>, [BodyState; 3])>,
 }
 
@@ -39,10 +39,10 @@ fuzz_target!(|bytes: &[u8]| {
     memory.restore(&scene.model, other).expect("a real snapshot");
     let before = memory.clone();
     if memory.restore(&scene.model, &claimed).is_err() {
-        assert_eq!(memory, before, "a failed restore changed the memory");
+        assert_eq!(memory, before, "a restore that failed left the memory unchanged");
         return;
     }
-    assert_eq!(memory.snapshot(), claimed, "the restored memory gives another snapshot");
+    assert_eq!(memory.snapshot(), claimed, "the restored memory gives the same snapshot");
     let mut work = Workspace::new(&scene.model);
     for _ in 0..4 {
         step(&scene.model, &mut memory, &mut work, states, STEP_S).expect("good states");
@@ -54,7 +54,7 @@ fuzz_target!(|bytes: &[u8]| {
     }
 });
 
-/// Overwrites bytes. Each takes three of the input: two for the place and one for the value.
+/// Overwrites bytes. Each overwritten byte takes three bytes of the input: two for its place and one for its value.
 fn mutated(real: &[u8], mut input: Input<'_>) -> Vec<u8> {
     let mut bytes = real.to_vec();
     while !input.is_empty() {

@@ -1,17 +1,17 @@
 //! Reads a fuzzer's bytes as numbers.
 
-/// Reads bytes from the front, then zeros, so that any input is valid.
+/// Reads bytes from the front of the input, then zeros, so that any input is valid.
 #[derive(Clone, Debug)]
 pub struct Input<'a>(&'a [u8]);
 
 impl<'a> Input<'a> {
-    /// Starts at the first byte.
+    /// Starts at the first byte of the input.
     #[must_use]
     pub fn new(bytes: &'a [u8]) -> Input<'a> {
         Input(bytes)
     }
 
-    /// True when all bytes are used up.
+    /// True when all bytes of the input are used up.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -29,13 +29,13 @@ impl<'a> Input<'a> {
         u16::from_le_bytes([self.byte(), self.byte()])
     }
 
-    /// A coordinate in [−128, 128) on a grid of 1/256. Sums and products are exact, so that coincident edges
-    /// and corners on edges are common.
+    /// A coordinate in [−128, 128) on a grid of 1/256. Sums and products of such coordinates are exact, so that
+    /// coincident edges and corners on edges are common.
     pub fn coordinate_m(&mut self) -> f64 {
         f64::from(self.word() as i16) / 256.0
     }
 
-    /// A heading: often a multiple of a right angle, else any.
+    /// A heading: often a multiple of a right angle, otherwise any angle.
     pub fn heading_rad(&mut self) -> f64 {
         let choice = self.byte();
         match choice {

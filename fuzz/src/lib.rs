@@ -1,4 +1,4 @@
-//! Shared by the fuzz targets: bytes read as numbers, and convex polygons made from them.
+//! What the fuzz targets share: bytes read as numbers, and convex polygons made from them.
 
 pub mod input;
 pub mod polygon;

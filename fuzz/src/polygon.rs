@@ -4,10 +4,10 @@ use fenderline_contact::{ConvexPolygon, Vec2};
 
 use crate::input::Input;
 
-/// Sizes of polygons: fenders, tugs and ships (factor on coordinates within ±128 m).
+/// Factors on coordinates within ±128 m, for polygons as large as fenders, tugs and ships.
 const SCALES: [f64; 4] = [1.0, 1.0 / 64.0, 1.0 / 8.0, 4.0];
 
-/// The convex hull of some points; `None` where they lie on a line.
+/// A convex polygon: the convex hull of some points; `None` if the points lie on a line.
 pub fn polygon(input: &mut Input<'_>) -> Option<ConvexPolygon> {
     let count = 3 + usize::from(input.byte() % 30);
     let scale = SCALES[usize::from(input.byte() % 4)];
@@ -19,8 +19,8 @@ pub fn polygon(input: &mut Input<'_>) -> Option<ConvexPolygon> {
     (hull.len() >= 3).then(|| ConvexPolygon::new(&hull))
 }
 
-/// Andrew's monotone chain: corners in the positive sense, without straight ones. Exact for
-/// coordinates on [`Input::coordinate_m`]'s grid.
+/// Finds the convex hull by Andrew's monotone chain: corners in the positive sense, without corners on a straight edge.
+/// The result is exact for coordinates on the grid of [`Input::coordinate_m`].
 fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     points.dedup();
@@ -34,7 +34,7 @@ fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     hull
 }
 
-/// One half of the hull, from the first point to the last.
+/// One half of the convex hull, from the first point to the last.
 fn chain(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
     let mut kept: Vec<Vec2> = Vec::new();
     for point in points {

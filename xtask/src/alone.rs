@@ -1,5 +1,5 @@
-//! The program copied alone into an empty folder, in a mount namespace where the sources, cargo and Node are hidden: each
-//! of its commands works there.
+//! Copies the program alone into an empty folder, in a mount namespace where the sources, cargo and Node are hidden,
+//! and checks that each of its commands works there.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
@@ -13,7 +13,7 @@ use crate::step::{Done, Step, run_all};
 
 const NAME: &str = "the program alone in an empty folder";
 
-/// The step of `cargo xtask test all`. It takes the program as users build it.
+/// This step belongs to `cargo xtask test all`. The step tests the program as users build it.
 pub(crate) const STEP: Step = Step { name: NAME, run: || alone("release") };
 
 /// `cargo xtask alone`.
@@ -24,18 +24,18 @@ pub(crate) fn alone_command(profile: &str) -> ExitCode {
 /// A scenario that needs the fender library, and one that needs the vessel library.
 const BERTHING: &str = "scenarios/berth/eight_cones_at_5_deg.toml";
 const VESSELS: &str = "scenarios/berth/alongside_with_two_tugs.toml";
-/// Rows of a fender's curve for `fender fit`.
+/// Rows of a fender's measured curve for the command `fender fit`.
 const CURVE: &str =
     "deflection_m,reaction_kn\n0,0\n0.1,200\n0.2,300\n0.3,360\n0.4,400\n0.5,430\n0.6,450\n";
 
-/// A study of two cases for `campaign`.
+/// A study of two cases for the command `campaign`.
 const STUDY: &str = "scenario = \"berthing.toml\"\n\
     [variable.duration]\nkey = \"time.duration\"\nvalues = [\"5 s\", \"10 s\"]\n";
 
 /// Berthing speeds for `statistics`.
 const SPEEDS: &str = "speed [cm/s]\n4.1\n5.2\n6.0\n6.3\n7.1\n7.4\n8.8\n9.9\n11.5\n15.2\n16.0\n";
 
-/// Commands with their arguments, and files that they must write.
+/// Commands of the program with their arguments, and the files that each command must write.
 const COMMANDS: [(&[&str], &[&str]); 21] = [
     (&["--version"], &[]),
     (&["run", "berthing.toml", "--out", "run"], &["run/report.html", "run/summary.json"]),
@@ -84,10 +84,10 @@ const COMMANDS: [(&[&str], &[&str]); 21] = [
     (&["help"], &[]),
 ];
 
-/// Commands that have a test of their own here.
+/// Commands that this module tests in another way.
 const OTHERS: [&str; 2] = ["serve", "replay"];
 
-/// Exit codes that are no failure: a verdict of a run (1) is one of its results.
+/// An exit code that is no failure: 1 stands for a verdict on a run, which is a result.
 const VERDICT: i32 = 1;
 
 fn alone(profile: &str) -> Result<Done, String> {
@@ -117,14 +117,14 @@ fn alone(profile: &str) -> Result<Done, String> {
     }
     place.serve()?;
     place.all_were_called()?;
-    println!("each command works alone, `serve` with its pages");
+    println!("each command of the program works alone, `serve` with its pages");
     Ok(Done::Good)
 }
 
-/// The empty folder, and what is hidden from it. Removed when it is dropped.
+/// The empty folder of the test, and what is hidden from it. The folder is removed when this value is dropped.
 struct Place {
     folder: PathBuf,
-    /// Folders over which an empty one is mounted, and files over which an empty one is.
+    /// Folders and files that are hidden, by mounting an empty folder or file over each.
     hidden_folders: Vec<PathBuf>,
     hidden_files: Vec<PathBuf>,
 }
@@ -149,7 +149,8 @@ impl Place {
         Ok(Place { folder, hidden_folders, hidden_files })
     }
 
-    /// A command in the namespace, in the folder, with an empty environment. It keeps the process id that it starts with.
+    /// A command that runs in the namespace and the empty folder, with no environment variables. The command keeps the
+    /// process id that it starts with.
     fn namespace(&self, arguments: &[&str]) -> Result<Command, String> {
         let quoted = |path: &PathBuf| {
             let path = path.to_str().ok_or_else(|| format!("{}: not Unicode", path.display()))?;
@@ -174,7 +175,7 @@ impl Place {
         Ok(command)
     }
 
-    /// Whether the namespace hides what it should.
+    /// Checks that the namespace hides the sources, cargo and Node.
     fn is_hidden(&self) -> Result<(), String> {
         for hidden in self.hidden_folders.iter().map(|folder| folder.join("Cargo.toml")) {
             let hidden = hidden.display().to_string();
@@ -203,7 +204,7 @@ impl Place {
         Ok(text(&output.stdout))
     }
 
-    /// Serves, fetches the pages, stops as Ctrl-C does, and replays the session.
+    /// Starts the live server, fetches its pages, stops it as Ctrl-C does, and replays the session.
     fn serve(&self) -> Result<(), String> {
         let mut command = self.namespace(&[
             "./fenderline",
@@ -228,12 +229,12 @@ impl Place {
                 let (_, rest) = line.split_once("http://")?;
                 Some(rest.split(['/', ' ']).next()?.trim_end_matches('.').to_owned())
             })
-            .ok_or("serve has printed no address")?;
+            .ok_or("`serve` has printed no address")?;
         let page = get(&address, "/")?;
         let script = page
             .split('"')
             .find(|text| text.starts_with("./assets/") && text.ends_with(".js"))
-            .ok_or_else(|| format!("serve has no pages in it:\n{page}"))?;
+            .ok_or_else(|| format!("the page that `serve` shows has no script:\n{page}"))?;
         let script = get(&address, &script[1..])?;
         if !script.starts_with("HTTP/1.1 200") || script.len() < 10_000 {
             return Err(format!("the script of the page: {} bytes", script.len()));
@@ -243,18 +244,21 @@ impl Place {
         if !status.success() {
             return Err(format!("serve, interrupted: {status}"));
         }
-        println!("fenderline serve: its page and a script of {} kB", script.len() / 1000);
+        println!(
+            "fenderline serve: the page was fetched, and its script of {} kB",
+            script.len() / 1000
+        );
         let sessions = self.folder.join("s");
         let recorded = std::fs::read_dir(&sessions)
             .map_err(|e| format!("{}: {e}", sessions.display()))?
             .flatten()
             .next()
-            .ok_or("serve has recorded no session")?;
+            .ok_or("`serve` has recorded no session")?;
         let recorded = format!("s/{}", recorded.file_name().to_string_lossy());
         self.call(&["replay", &recorded]).map(|_| ())
     }
 
-    /// Whether each command of the program's help was called.
+    /// Checks that the test has called each command that the program's help lists.
     fn all_were_called(&self) -> Result<(), String> {
         let help = self.call(&["--help"])?;
         let commands = help.split_once("Commands:").map_or("", |(_, rest)| rest);
@@ -281,7 +285,7 @@ impl Drop for Place {
     }
 }
 
-/// Killed when it is dropped.
+/// A running live server, which is killed when this value is dropped.
 struct Server(Child);
 
 impl Drop for Server {
@@ -295,7 +299,7 @@ fn is_root() -> bool {
     run_quietly(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }
 
-/// A file of the server, with the head of the answer.
+/// Fetches a file of the server, with the head of the answer.
 fn get(address: &str, path: &str) -> Result<String, String> {
     let failed = |e: std::io::Error| format!("http://{address}{path}: {e}");
     let mut stream = TcpStream::connect(address).map_err(failed)?;

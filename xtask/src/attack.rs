@@ -1,5 +1,5 @@
-//! `cargo xtask attack`: every hostile check of the repository for a given time, from a given seed. Each part is a test
-//! that otherwise runs for seconds with all other tests.
+//! `cargo xtask attack` runs every hostile check of the repository for a given time, from a given seed. Each part of
+//! the attack is a test that otherwise runs for seconds, together with all other tests.
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
@@ -11,33 +11,33 @@ use crate::fuzz;
 use crate::live_load;
 use crate::step::{Done, Step};
 
-/// Default time for all parts together (s).
+/// Default time for all parts of the attack together (s).
 const SECONDS: u64 = 600;
-/// The time in continuous integration (s): each part is seen to work, and tries the same every time.
+/// Time of the attack in continuous integration (s): long enough to show that each part works.
 const SECONDS_OF_GATE: u64 = 120;
-/// The seed in continuous integration, so that its outcome depends on the change alone.
+/// Seed of the attack in continuous integration: a fixed seed, so that the outcome depends on the change alone.
 const SEED_OF_GATE: u64 = 20_261_122;
 
-/// The step of `cargo xtask test all`.
+/// This step belongs to `cargo xtask test all`.
 pub(crate) const STEP: Step =
     Step { name: "attacks", run: || attack(SECONDS_OF_GATE, SEED_OF_GATE, &[]) };
 
-/// One part of the attacks.
+/// One part of the attack on the program.
 struct Part {
     name: &'static str,
-    /// What the part does, for the output.
+    /// What the part of the attack does, for the output.
     what: &'static str,
     attack: Kind,
 }
 
 enum Kind {
-    /// A test, by its file and name.
+    /// One test, named by its file and its function.
     Test { test: &'static str },
-    /// Tests that take a number of cases instead of a time: for each environment variable the cases per second.
+    /// Tests that take a number of cases in place of a time; for each environment variable, the cases per second.
     Counted { tests: &'static [&'static str], counts: &'static [(&'static str, u64)] },
-    /// The live server with steering and hostile clients.
+    /// A test of the live server with steering and hostile clients.
     LiveLoad,
-    /// Tests of the Python package, where `crates/python/test.py` has installed it.
+    /// Tests of the Python package, which `crates/python/test.py` must have installed.
     Python,
     /// The fuzz targets.
     Fuzz,
@@ -50,17 +50,17 @@ const fn test(test: &'static str) -> Kind {
 const PARTS: [Part; 12] = [
     Part {
         name: "files",
-        what: "changed scenarios, checked and run",
+        what: "scenarios with random changes, checked and run",
         attack: test("attack_files::a_changed_scenario_is_refused_or_runs"),
     },
     Part {
         name: "odd-files",
-        what: "pipes, devices, folders, links and sockets in every place for a file",
+        what: "paths to pipes, devices, folders, links and sockets in every place for a file",
         attack: test("attack_files::paths_without_a_regular_file_are_refused_at_once"),
     },
     Part {
         name: "one-folder",
-        what: "eight runs at once into one folder, on slowed files",
+        what: "eight runs at once into one folder, on a slowed file system",
         attack: Kind::Counted {
             tests: &[
                 "one_folder::one_of_eight_runs_at_once_writes_the_folder_and_seven_are_refused",
@@ -70,7 +70,7 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "recordings",
-        what: "recordings damaged and forged, in memory",
+        what: "recordings that are damaged and forged, replayed in memory",
         attack: Kind::Counted {
             tests: &[
                 "recordings::a_thousand_damaged_recordings_are_all_detected",
@@ -82,7 +82,7 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "recording-files",
-        what: "recordings damaged and forged, by `fenderline replay`",
+        what: "recordings that are damaged and forged, replayed by `fenderline replay`",
         attack: Kind::Counted {
             tests: &[
                 "recordings::damaged_recordings_are_never_reported_as_whole_and_never_take_long",
@@ -92,33 +92,34 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "server",
-        what: "malformed request heads, and any command from every link",
+        what: "malformed heads of requests, and all commands from the links of all roles",
         attack: test("attack_server::the_server_survives_any_message"),
     },
     Part {
         name: "server-load",
-        what: "fifty hostile clients beside eight that steer",
+        what: "fifty hostile clients beside eight clients that steer",
         attack: Kind::LiveLoad,
     },
     Part {
         name: "providers",
-        what: "providers that reply with anything, at any time, or not at all",
+        what: "providers that reply with anything, at any time, or never",
         attack: test("attack_providers::no_provider_stops_a_run_or_outlives_it"),
     },
     Part {
         name: "hosts",
-        what: "hosts in C that teleport, pass wrong velocities, step by 1e-9 to 1e6 s and alter saved states",
+        what: "hosts in C that move bodies at a stroke, pass wrong velocities, step by 1e-9 to 1e6 s and alter \
+               saved states",
         attack: test("attack_hosts::inconsistent_hosts"),
     },
     Part {
         name: "fmi",
-        what: "altered and invented FMI 3 states, inputs and steps of any size, calls in any order",
+        what: "FMI 3: altered and invented states, inputs and steps of any size, calls in any order",
         attack: test("attack_fmi3::altered_states_of_fmi_3"),
     },
     Part { name: "python", what: "inconsistent hosts, through Python", attack: Kind::Python },
     Part {
         name: "fuzz",
-        what: "engine, clip, scenario and snapshot, guided by coverage",
+        what: "fuzz targets for engine, clip, scenario and snapshot, guided by coverage",
         attack: Kind::Fuzz,
     },
 ];
@@ -151,21 +152,21 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
     }
 }
 
-/// The number of the day: without a seed, each day tries other things.
+/// The seed of an attack that is given no seed: the number of the day, so that each day tries other things.
 fn seed_of_the_day() -> u64 {
     const DAY_S: u64 = 86_400;
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs() / DAY_S)
 }
 
-/// The named parts; all if none is named.
+/// The parts of the attack that have the given names; all parts if no name is given.
 fn parts(named: &[&str]) -> Vec<&'static Part> {
     PARTS.iter().filter(|part| named.is_empty() || named.contains(&part.name)).collect()
 }
 
-/// Runs the parts in parallel, each for the whole time, with its output in `target/attack`.
+/// Runs the parts of the attack in parallel, each for the whole time, with its output in `target/attack`.
 ///
 /// # Errors
-/// Which parts did not survive.
+/// Fails with the names of the parts that found a fault.
 fn together(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
     let folder = PathBuf::from("target/attack");
     std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
@@ -206,7 +207,7 @@ fn together(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
     if lost.is_empty() { Ok(Done::Good) } else { Err(format!("lost: {}", lost.join(", "))) }
 }
 
-/// Runs one part after the other; each has an equal share of the time.
+/// Runs the parts of the attack one after the other, each for an equal share of the time.
 ///
 /// # Errors
 /// What did not survive.
@@ -255,7 +256,7 @@ fn named_tests(names: &[&str]) -> Command {
     command
 }
 
-/// Runs tests by their names. A name that no test has is a failure: nothing would be attacked.
+/// Runs the tests that have the given names. A name that no test has is a failure, because nothing would be attacked.
 fn run_named(command: &mut Command, count: usize) -> Result<(), String> {
     let printed = run_quietly(command)?;
     println!("{}", printed.trim());
@@ -268,14 +269,14 @@ fn run_named(command: &mut Command, count: usize) -> Result<(), String> {
     }
 }
 
-/// In the virtual environment that the tests of the package made.
+/// Runs the Python part of the attack in the virtual environment that the tests of the package made.
 fn python(seconds: u64, seed: u64) -> Result<(), String> {
     let target =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
     let python = target.join("python-package/bin/python");
     if !python.is_file() {
         println!(
-            "   not run: the package is not installed; `python3 crates/python/test.py` does it"
+            "   not run: the Python package is not installed; `python3 crates/python/test.py` installs it"
         );
         return Ok(());
     }

@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: the engine against its peers, and its instructions per step. The results are reported and never
-//! fail a build: times on one machine say little about another.
+//! `cargo xtask bench` times the engine against its peers, and counts the engine's instructions per step. The results
+//! are reported and never fail a build: times on one machine say little about another.
 
 use std::process::ExitCode;
 
@@ -25,7 +25,7 @@ const BENCHES: [&str; 15] = [
     "callgrind",
 ];
 
-/// Runs the named benches; all if none is named.
+/// Runs the benches that have the given names; all benches if no name is given.
 pub(crate) fn bench(names: &[&str]) -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !BENCHES.contains(name)) {
         eprintln!("there is no bench `{unknown}`; there are {}", BENCHES.join(", "));
@@ -65,13 +65,13 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
     code
 }
 
-/// The instruction counts as a step of `cargo xtask test all`: they are printed and decide nothing.
+/// Runs the counts of instructions as a step of `cargo xtask test all`, which prints them and decides nothing by them.
 ///
 /// # Errors
-/// None: what could not be counted is told.
+/// Never fails: what could not be counted is printed.
 pub(crate) fn reported() -> Result<Done, String> {
     if bench(&["callgrind"]) != ExitCode::SUCCESS {
-        println!("instruction counts: not to be had here");
+        println!("the number of instructions cannot be counted on this machine");
     }
     Ok(Done::Good)
 }

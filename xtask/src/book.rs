@@ -1,5 +1,5 @@
-//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a
-//! file or a function that does not exist is a failure.
+//! `cargo xtask book` builds the book of `docs/` into `target/book`. The build of the book fails for a warning, for a
+//! dead link, and for a text that names a file or a function that does not exist.
 //!
 //! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. `docs/generate` makes reference
 //! pages and figures from the program's output. Nothing generated is committed.
@@ -14,10 +14,10 @@ use crate::step::{Done, Step};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// As a step of `cargo xtask test all`, and alone.
+/// The step that builds the book, for `cargo xtask test all` and alone.
 pub(crate) const STEP: Step = Step { name: "the book", run: book };
 
-/// Folder for the data that the book is made from.
+/// Folder for the data from which the book is made.
 const DATA: &str = "book-data";
 
 fn book() -> Result<Done, String> {
@@ -53,7 +53,7 @@ fn book() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The program whose tables and runs the book shows: `FENDERLINE_BIN`, or the release build.
+/// Path of the program whose tables and runs the book shows: the one in `FENDERLINE_BIN`, or the release build.
 fn program() -> Result<PathBuf, String> {
     if let Some(program) = std::env::var_os("FENDERLINE_BIN") {
         return std::path::absolute(&program).map_err(|e| format!("FENDERLINE_BIN: {e}"));

@@ -1,4 +1,4 @@
-//! The npm package, and the page that runs scenarios in a browser without a server.
+//! Builds and tests the npm package, and the page that runs scenarios in a browser without a server.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -13,17 +13,17 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The npm package's folder.
 pub(crate) const PACKAGE: &str = "crates/wasm/npm";
 const WEB: &str = "web";
-/// The folder that any web server can serve.
+/// The folder with the page that runs scenarios; any web server can serve this folder.
 const PAGE: &str = "target/page";
 
-/// The package as it is published: made small by `wasm-opt`, tested under Node, its steps timed.
+/// Builds the npm package as it is published, made small by `wasm-opt`; tests it under Node and times its steps.
 const PACKAGE_WHOLE: Step = Step { name: "the npm package", run: package_whole };
-/// The page as it is published, driven in a browser.
+/// Builds the page without a server as it is published, and tests it in a browser.
 const PAGE_WHOLE: Step = Step { name: "the page without a server", run: page_whole };
-/// The package without `wasm-opt`, which takes a minute, tested under Node.
+/// Builds the npm package without `wasm-opt`, because that program takes a minute, and tests it under Node.
 pub(crate) const PACKAGE_TESTED: Step =
     Step { name: "the npm package, not made small", run: package_tested };
-/// The page of that package, driven in a browser.
+/// Builds the page from the package without `wasm-opt`, and tests it in a browser.
 pub(crate) const PAGE_DRIVEN: Step =
     Step { name: "the page without a server, in a browser", run: page_driven };
 
@@ -37,13 +37,13 @@ pub(crate) fn page_command() -> ExitCode {
     run_all(&[PACKAGE_WHOLE, PAGE_WHOLE])
 }
 
-/// Builds the package as it is published, and tests it.
+/// Builds the npm package as it is published, and tests it.
 ///
 /// # Errors
-/// A failed build or test.
+/// Fails if a build or a test fails.
 pub(crate) fn package_whole() -> Result<Done, String> {
     let done = package(&["optimize", "test", "ratio"])?;
-    println!("{PACKAGE} is ready: `npm pack` there makes the file to publish");
+    println!("{PACKAGE} is ready: `npm pack` in this folder makes the file to publish");
     Ok(done)
 }
 
@@ -51,7 +51,7 @@ fn package_tested() -> Result<Done, String> {
     package(&["test"])
 }
 
-/// Builds the package and runs its `scripts`.
+/// Builds the npm package and runs the given `scripts` of it.
 fn package(scripts: &[&str]) -> Result<Done, String> {
     for missing in [tools::node(), tools::wasm_target()] {
         if let Err(missing) = missing {
@@ -83,18 +83,18 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The program, and that which makes the same runs as the package natively.
+/// Paths of the program, and of the example `native`, which makes the same runs as the package.
 fn native_programs() -> Result<[PathBuf; 2], String> {
     Ok([built::program("release")?, built::example("release", "native")?])
 }
 
 fn page_whole() -> Result<Done, String> {
     let done = page_driven()?;
-    println!("{PAGE} is ready: any web server serves it");
+    println!("{PAGE} is ready: any web server can serve this folder");
     Ok(done)
 }
 
-/// Builds the page of the package that was built before, weighs it, and runs all tests of `web/e2e-page`.
+/// Builds the page from the npm package that was built before, measures its size, and runs all tests of `web/e2e-page`.
 fn page_driven() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium(), tools::wasm_target()] {
         if let Err(missing) = missing {

@@ -1,6 +1,6 @@
-//! The one place where the tasks have cargo build. All builds of a profile select the same packages: cargo gives a
-//! dependency the features that all selected packages ask of it, so that another selection would compile most crates once
-//! more.
+//! All builds by cargo that the tasks need are made in this module. All builds of a profile select the same packages:
+//! cargo gives a dependency the features that all selected packages ask of it, so that a build with another selection
+//! would compile most crates once more.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -8,13 +8,13 @@ use std::process::Command;
 use crate::command::{cargo, run};
 use crate::virtual_environment::target_folder;
 
-/// The packages with tests: all but the benches and the maker of the npm package's JavaScript, whose libraries take long
-/// to build.
+/// The packages with tests: all but the benches and `xtask-bindgen`, whose libraries take long to build.
 pub(crate) const TESTED: [&str; 5] =
     ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
-/// What of them has tests. Examples have none: with `--examples` cargo would build each as a test, under another name.
+/// The kinds of targets that have tests in these packages. Examples are left out: with `--examples` cargo would build
+/// each example as a test, under another name.
 pub(crate) const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
-/// The packages that users build, and an example that steps.
+/// The packages that users build, and the package of an example that steps a scenario.
 const USED: [&str; 10] = [
     "--package",
     "fenderline",
@@ -28,9 +28,9 @@ const USED: [&str; 10] = [
     "fenderline-sim",
 ];
 
-/// A build of `target` (`--lib`, or `--bin` or `--example` with a name) by `profile`, `dev` or `release`. By `dev` it is the
-/// build of all tests, which contains libraries and programs: a plain build would leave out the features that tests ask of
-/// dependencies.
+/// The command that builds `target` (`--lib`, or `--bin` or `--example` with a name) by the profile `profile`, which is
+/// `dev` or `release`. With `dev` this is the build of all tests, which contains libraries and programs: a build of the
+/// target alone would leave out the features that tests ask of dependencies.
 pub(crate) fn build(profile: &str, target: &[&str]) -> Command {
     if profile == "dev" {
         let mut build = cargo(["test", "--quiet", "--no-run"]);
@@ -43,17 +43,17 @@ pub(crate) fn build(profile: &str, target: &[&str]) -> Command {
     }
 }
 
-/// The names of the steps of `cargo xtask test` that are done, for the steps after them.
+/// The environment variable that tells a step of `cargo xtask test` the names of the steps that are done.
 pub(crate) const DONE: &str = "FENDERLINE_STEPS_DONE";
 
-/// Whether an earlier step of the same run has built the program. Cargo would find the same, after it has waited for
-/// every other build of that folder.
+/// Whether an earlier step of the same run has built the program. Cargo itself would find the program built too, but
+/// only after waiting for every other build in its folder.
 fn is_built(profile: &str) -> bool {
     let step = if profile == "dev" { "build" } else { profile };
     std::env::var(DONE).is_ok_and(|done| done.split(',').any(|name| name == step))
 }
 
-/// Builds the program, unless an earlier step has built it; returns its path.
+/// Builds the program unless an earlier step has built it, and returns the path of the program.
 ///
 /// # Errors
 /// A build that fails.
@@ -66,7 +66,7 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     Ok(program)
 }
 
-/// Builds an example; returns its path.
+/// Builds an example and returns the path of the example's program.
 ///
 /// # Errors
 /// A build that fails.
@@ -82,12 +82,12 @@ pub(crate) fn example(profile: &str, name: &str) -> Result<PathBuf, String> {
     Ok(folder(profile).join("examples").join(program))
 }
 
-/// The folder of what a profile builds.
+/// The folder into which cargo puts the builds of a profile.
 pub(crate) fn folder(profile: &str) -> PathBuf {
     target_folder().join(if profile == "dev" { "debug" } else { profile })
 }
 
-/// A run of the programs `tests/all.rs`; the arguments go to the tests.
+/// The command that runs the programs `tests/all.rs`; the arguments go to the tests.
 pub(crate) fn tests(arguments: &[&str]) -> Command {
     let mut tests = cargo(["test", "--quiet", "--test", "all"]);
     tests.args(TESTED).arg("--").args(arguments);

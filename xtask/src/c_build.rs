@@ -1,4 +1,4 @@
-//! Programs against the C interface, built with all warnings as errors.
+//! Builds programs that use the C interface, with all warnings as errors.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,10 +11,10 @@ pub(crate) const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedanti
 pub(crate) const SANITIZERS: [&str; 2] =
     ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
-/// System libraries that the static library needs.
+/// System libraries with which the static library must be linked.
 pub(crate) const SYSTEM: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
 
-/// The library, built, and a folder for programs.
+/// The C library that was built, and a folder for programs.
 pub(crate) struct Build {
     pub(crate) folder: PathBuf,
     pub(crate) library: PathBuf,
@@ -31,7 +31,7 @@ impl Build {
         Ok(Build { folder, library })
     }
 
-    /// Compiles one file to a program; without options, against the shared library.
+    /// Compiles a C file to a program, with `options`; if none are given, against the shared library.
     pub(crate) fn compile(
         &self,
         name: &str,
@@ -73,7 +73,10 @@ impl Build {
         if exported != declared {
             return Err(format!("exported: {exported:?}\ndeclared: {declared:?}"));
         }
-        println!("{} functions, all of the header and no other symbol", exported.len());
+        println!(
+            "the library exports {} functions, which are all of the header, and no other symbol",
+            exported.len()
+        );
         Ok(())
     }
 

@@ -1,6 +1,6 @@
-//! `cargo xtask c`: the C interface, used from C. Examples and guide are compiled with all warnings as errors, run
-//! under the address and undefined-behaviour sanitizers, and their numbers are compared with `fenderline run`. Random
-//! sequences of calls follow.
+//! `cargo xtask c` tests the C interface by programs in C. The examples and the guide are compiled with all warnings as
+//! errors and run under the address and undefined-behaviour sanitizers, and their numbers are compared with
+//! `fenderline run`. Then random sequences of calls to the C interface are run.
 
 use std::path::Path;
 use std::process::{Child, Command, ExitCode, Stdio};
@@ -15,11 +15,11 @@ use crate::wrappers;
 
 /// Default number of random sequences of calls.
 pub(crate) const SEQUENCES: u64 = 100_000;
-/// Divisors for the runs under sanitizers and under valgrind, which are slower.
+/// The numbers of sequences under sanitizers and under valgrind, which are slow, are the full number divided by these.
 const SANITIZED_SHARE: u64 = 4;
 const VALGRIND_SHARE: u64 = 1000;
 
-/// The scenario whose run the first example repeats, and its steps.
+/// The scenario whose run the first C example repeats, and the number of its steps.
 const SCENARIO: (&str, &str) = ("scenarios/paper/experiment_2_4kn.toml", "200");
 
 /// `cargo xtask c`.
@@ -42,7 +42,7 @@ pub(crate) fn c_command(sequences: u64) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// The examples and the guide.
+/// Compiles and runs the C examples and the guide.
 pub(crate) fn examples() -> Result<Done, String> {
     if let Err(missing) = tools::c_compiler() {
         return Ok(Done::NotRun(missing));
@@ -69,7 +69,9 @@ fn examples_in(build: &Build) -> Result<(), String> {
     let bodies =
         std::fs::read_to_string(&bodies).map_err(|e| format!("{}: {e}", bodies.display()))?;
     let forces = same_forces(&printed, &bodies)?;
-    println!("examples/c/ship.c: {forces} forces and moments, the bits of `fenderline run`");
+    println!(
+        "examples/c/ship.c prints {forces} forces and moments with the same bits as `fenderline run`"
+    );
 
     let tug = build.compile("by_calls", Path::new("examples/c/by_calls.c"), &SANITIZERS)?;
     let printed = run_quietly(&mut Command::new(&tug))?;
@@ -81,10 +83,10 @@ fn examples_in(build: &Build) -> Result<(), String> {
     };
     if !(near(0, 500e3 / 6.5e6) && near(1, 500e3)) {
         return Err(format!(
-            "examples/c/by_calls.c does not rest at thrust over stiffness:\n{printed}"
+            "the body of examples/c/by_calls.c does not rest where thrust over stiffness says:\n{printed}"
         ));
     }
-    println!("examples/c/by_calls.c: rests at thrust over stiffness");
+    println!("examples/c/by_calls.c: the body rests at thrust over stiffness");
 
     let text =
         std::fs::read_to_string("docs/guides/c.md").map_err(|e| format!("the guide: {e}"))?;
@@ -99,11 +101,13 @@ fn examples_in(build: &Build) -> Result<(), String> {
         let printed = run_quietly(Command::new(&program).env_remove("LD_LIBRARY_PATH"))?;
         guide.expects(&printed)?;
     }
-    println!("docs/guides/c.md: prints the stated output, with the static and the shared library");
+    println!(
+        "the guide docs/guides/c.md prints the stated output, with the static and the shared library"
+    );
     build.exports()
 }
 
-/// C++11 accepts the program too.
+/// Checks that C++11 also accepts the program of the guide.
 fn is_also_cpp(source: &Path) -> Result<(), String> {
     let mut cpp = Command::new("c++");
     cpp.args(["-x", "c++", "-std=c++11", "-fsyntax-only", "-Iinclude"]).args(WARNINGS);
@@ -135,17 +139,19 @@ fn same_forces(printed: &str, bodies: &str) -> Result<usize, String> {
     for (own, other) in ours.iter().zip(&run) {
         if own != other {
             let (t_s, body) = (f64::from_bits(own.0), &own.1);
-            return Err(format!("at {t_s} s, {body}: the example's force is not that of the run"));
+            return Err(format!(
+                "at {t_s} s, the force on {body} in the example is not that of the run"
+            ));
         }
     }
     if ours.iter().all(|row| row.2 == [0; 3]) {
-        return Err("no body was in contact".to_owned());
+        return Err("no body was in contact during the run".to_owned());
     }
     Ok(3 * ours.len())
 }
 
-/// Random sequences of calls. A plain build runs all of them and a build with sanitizers a part, at the same time.
-/// Their results must be the same.
+/// Random sequences of calls. A plain build runs all sequences, and a build with sanitizers runs a part of them at the
+/// same time. The results of both builds must be the same.
 pub(crate) fn random_calls(sequences: u64) -> Result<Done, String> {
     if let Err(missing) = tools::c_compiler() {
         return Ok(Done::NotRun(missing));
@@ -179,9 +185,9 @@ fn random_calls_in(build: &Build, sequences: u64) -> Result<(), String> {
         let mut valgrind = Command::new("valgrind");
         valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]);
         run_quietly(valgrind.arg(&plain).arg(&some))?;
-        println!("{some} sequences under valgrind: no invalid read or write, no leak");
+        println!("valgrind has found no invalid read or write and no leak in {some} sequences");
     } else {
-        println!("valgrind is not installed: no sequences under it");
+        println!("valgrind is not installed: no sequences were run under it");
     }
     Ok(())
 }

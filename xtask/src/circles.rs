@@ -1,8 +1,8 @@
 //! `cargo xtask circles`: checks that no files of a crate `use` each other in a circle.
 //!
-//! A text scan, not a compiler: it reads the `use` declarations and the paths that are written out in code
-//! (`super::item()`), outside `mod tests` and comments. Of a path it takes the longest part that names a file. A re-export
-//! of a child (`pub use child::Item;`) does not count.
+//! The check is a text scan, not a compiler: it reads the `use` declarations and the paths that are written out in code
+//! (`super::item()`), outside `mod tests` and comments. From each path the scan takes the longest part that names a
+//! file. A re-export of a child module (`pub use child::Item;`) does not count as a use.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,10 +10,10 @@ use std::path::Path;
 
 use crate::step::{Done, Step};
 
-/// The step of `cargo xtask test all`.
+/// This step belongs to `cargo xtask test all`.
 pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
 
-/// Folders of the crates that are scanned: all.
+/// Folders of the crates that are scanned, which are all crates.
 const CRATES: [&str; 22] = [
     "crates/contact",
     "crates/ship",
@@ -39,7 +39,7 @@ const CRATES: [&str; 22] = [
     "xtask",
 ];
 
-/// A file by its module path; the crate's root is empty.
+/// A file by its module path; the path of the crate's root is empty.
 type Module = Vec<String>;
 
 fn circles() -> Result<Done, String> {
@@ -63,7 +63,7 @@ fn text(module: &[String]) -> String {
     if module.is_empty() { "lib".to_owned() } else { module.join("::") }
 }
 
-/// The source text of each file, without `mod tests`.
+/// The source text of each file of a crate, without `mod tests`.
 fn sources(root: &Path) -> Result<BTreeMap<Module, String>, String> {
     let mut found = BTreeMap::new();
     let mut folders = vec![(root.to_owned(), Module::new())];
@@ -90,7 +90,7 @@ fn sources(root: &Path) -> Result<BTreeMap<Module, String>, String> {
     Ok(found)
 }
 
-/// Which files each file uses.
+/// For each file of a crate, the files that it uses.
 fn uses(sources: &BTreeMap<Module, String>) -> BTreeMap<Module, BTreeSet<Module>> {
     let of_file = |(module, source): (&Module, &String)| {
         let mut used = BTreeSet::new();
@@ -108,7 +108,7 @@ fn uses(sources: &BTreeMap<Module, String>) -> BTreeMap<Module, BTreeSet<Module>
     sources.iter().map(of_file).collect()
 }
 
-/// The `use` declarations of a source: whether each re-exports, and its tree without white space.
+/// The `use` declarations of a source text: whether each re-exports, and its tree of names without white space.
 fn declarations(source: &str) -> Vec<(bool, String)> {
     let mut found = Vec::new();
     let mut lines = source.lines();
@@ -132,7 +132,8 @@ fn declarations(source: &str) -> Vec<(bool, String)> {
     found
 }
 
-/// The paths that begin with `crate::` or `super::` in the code of a source, without its comments and `use` declarations.
+/// The paths that begin with `crate::` or `super::` in the code of a source, without its comments and
+/// `use` declarations.
 fn written_out(source: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut in_use = false;
@@ -155,7 +156,7 @@ fn written_out(source: &str) -> Vec<String> {
     found
 }
 
-/// The single paths of a tree such as `a::{b, c::{d, e}}`.
+/// The single paths in a `use` tree such as `a::{b, c::{d, e}}`.
 fn paths(tree: &str) -> Vec<String> {
     let Some((head, body)) = tree.split_once('{') else { return vec![tree.to_owned()] };
     let body = body.strip_suffix('}').unwrap_or(body);
@@ -176,7 +177,7 @@ fn paths(tree: &str) -> Vec<String> {
     items.flat_map(|item| paths(item)).map(|path| format!("{head}{path}")).collect()
 }
 
-/// The file that a path of `module` leads to; `None` outside the crate and for a re-export of a child.
+/// The file that a path in the file `module` leads to; `None` outside the crate and for a re-export of a child.
 fn target(
     module: &Module,
     path: &str,
@@ -213,7 +214,7 @@ fn child(module: &[String], name: &str) -> Module {
     module.iter().cloned().chain([name.to_owned()]).collect()
 }
 
-/// Sets of more than one file in which each reaches every other.
+/// Sets of two or more files in which each file uses every other, directly or by way of further files.
 fn components(uses: &BTreeMap<Module, BTreeSet<Module>>) -> Vec<BTreeSet<Module>> {
     let reached: BTreeMap<&Module, BTreeSet<Module>> = uses
         .keys()

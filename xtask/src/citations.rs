@@ -1,18 +1,18 @@
 //! Checks that the files and functions that documents name exist.
 //!
-//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word
-//!   in capitals in it marks a pattern, which is not checked.
-//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type,
-//!   of a file that the same line names.
-//! - A code span that is a name, such as `advance_in_place`, must occur in some source.
-//! - Code that cites a Markdown file must cite one that exists.
+//! - A code span of a Markdown file that looks like a path of the repository must be a path that exists. A code span
+//!   with `…`, `*`, `<`, `{` or a word in capitals is a pattern, which is not checked.
+//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and a code span `Name` in a table's column must be a
+//!   type, of a file that the same line names.
+//! - A code span that is a name, such as `advance_in_place`, must occur in a source file.
+//! - Code that cites a Markdown file must cite a file that exists.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::command::run_quietly;
 
-/// Folders whose names at the start of a code span mark it as a path of the repository.
+/// Folders of the repository: a code span that begins with one of these names counts as a path.
 const FOLDERS: [&str; 14] = [
     "benches",
     "crates",
@@ -30,17 +30,17 @@ const FOLDERS: [&str; 14] = [
     ".ci",
 ];
 const MAP: &str = "ARCHITECTURE.md";
-/// Names in documents that belong to other projects.
+/// Names in documents that belong to other projects, and are not checked.
 const OF_OTHERS: [&str; 3] = ["mjModel", "mjData", "fmi2Error"];
-/// Texts that name files and functions of the past.
+/// Documents that name files and functions of the past, and are not checked.
 const OF_THE_PAST: [&str; 2] = ["CHANGELOG.md", "docs/before_0.1.0.md"];
-/// The most words of the map.
+/// The most words that `ARCHITECTURE.md` may have.
 const MAP_WORDS: usize = 2000;
 
 /// Checks all tracked files.
 ///
 /// # Errors
-/// All dead citations, one on each line.
+/// Fails with all names of files and functions that do not exist, one on each line.
 pub(crate) fn check() -> Result<(), String> {
     let listed = run_quietly(std::process::Command::new("git").args([
         "ls-files",
@@ -72,12 +72,14 @@ pub(crate) fn check() -> Result<(), String> {
     let map = read(MAP)?;
     let count = map.split_whitespace().count();
     if count > MAP_WORDS {
-        dead.push(format!("{MAP}: {count} words, more than {MAP_WORDS}"));
+        dead.push(format!("{MAP} has {count} words, which are more than {MAP_WORDS}"));
     }
     dead.extend(map.lines().enumerate().flat_map(|(index, line)| {
-        dead_functions(line, &|path| std::fs::read_to_string(path).ok())
-            .into_iter()
-            .map(move |name| format!("{MAP}:{}: no `{name}` in the files of this line", index + 1))
+        dead_functions(line, &|path| std::fs::read_to_string(path).ok()).into_iter().map(
+            move |name| {
+                format!("{MAP}:{}: none of the files that this line names has `{name}`", index + 1)
+            },
+        )
     }));
     if dead.is_empty() { Ok(()) } else { Err(dead.join("\n")) }
 }
@@ -86,7 +88,7 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))
 }
 
-/// Paths in code spans of a Markdown text that are not in the repository. Texts of the past are left out.
+/// Paths in code spans of a Markdown text that are not in the repository. Documents of the past are left out.
 fn dead_in_document(name: &str, text: &str) -> Vec<String> {
     if OF_THE_PAST.contains(&name) {
         return Vec::new();
@@ -131,13 +133,13 @@ fn unknown_names(name: &str, text: &str, words: &BTreeSet<&str>) -> Vec<String> 
         .collect()
 }
 
-/// Whether git ignores a path, as it does for build outputs.
+/// Whether git ignores a path, as it ignores build outputs.
 fn is_ignored(path: &str) -> bool {
     let mut git = std::process::Command::new("git");
     run_quietly(git.args(["check-ignore", "--quiet", path])).is_ok()
 }
 
-/// Markdown files that a source cites and that do not exist.
+/// Markdown files that a source file cites and that do not exist.
 fn dead_in_code(name: &str, text: &str) -> Vec<String> {
     let mut dead = Vec::new();
     for (index, line) in text.lines().enumerate() {
@@ -151,7 +153,7 @@ fn dead_in_code(name: &str, text: &str) -> Vec<String> {
     dead
 }
 
-/// Functions and types that a line of the map names and that none of the files on the line defines.
+/// Functions and types that a line of `ARCHITECTURE.md` names and that none of the files on the line defines.
 fn dead_functions(line: &str, source: &dyn Fn(&str) -> Option<String>) -> Vec<String> {
     let sources: Vec<String> =
         code_spans(line).filter(|span| is_path(span)).filter_map(source).collect();
@@ -180,12 +182,12 @@ fn dead_functions(line: &str, source: &dyn Fn(&str) -> Option<String>) -> Vec<St
         .collect()
 }
 
-/// The texts between single backticks.
+/// The texts between single backticks in a Markdown line.
 fn code_spans(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }
 
-/// Whether a code span names a file or folder of the repository, and is not a pattern.
+/// Whether a code span names a file or folder of the repository and is not a pattern.
 fn is_path(span: &str) -> bool {
     let is_pattern = span.contains(|c: char| c.is_whitespace() || "*…<{[()$:=".contains(c))
         || span.split(['/', '.']).any(|part| {

@@ -11,7 +11,7 @@ pub(crate) fn workspace_root() -> PathBuf {
     own.parent().map_or_else(|| own.clone(), PathBuf::from)
 }
 
-/// The cargo that runs this program.
+/// A command of the cargo that runs this program, with arguments.
 pub(crate) fn cargo<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
@@ -19,10 +19,10 @@ pub(crate) fn cargo<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> 
     command
 }
 
-/// Runs `command`; its output is printed as it comes.
+/// Runs `command` and lets it print its output directly.
 ///
 /// # Errors
-/// The command and its exit status, if it fails.
+/// If the command fails, the error names the command and its exit status.
 pub(crate) fn run(command: &mut Command) -> Result<(), String> {
     let status = command.stdin(Stdio::null()).status().map_err(|e| format!("{command:?}: {e}"))?;
     if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
@@ -31,7 +31,7 @@ pub(crate) fn run(command: &mut Command) -> Result<(), String> {
 /// Runs `command` and returns its output.
 ///
 /// # Errors
-/// The command, its exit status and its output, if it fails.
+/// If the command fails, the error names the command, its exit status and its output.
 pub(crate) fn run_quietly(command: &mut Command) -> Result<String, String> {
     let output = command.stdin(Stdio::null()).output().map_err(|e| format!("{command:?}: {e}"))?;
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();

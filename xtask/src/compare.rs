@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Tolerance of a number, relative to the largest of its column. Two correct programs agree this closely
-/// (validation/independent/README.md has the measurement).
+/// Tolerance for equal numbers, relative to the largest number of their column. Two correct programs agree to this
+/// tolerance (`validation/independent/README.md` has the measurement).
 const SAME: f64 = 1e-9;
 
 /// Checks that two folders hold the same files with the same bytes.
 ///
 /// # Errors
-/// The first difference, or a folder that is empty or cannot be read.
+/// Fails with the first difference between the folders, or for a folder that is empty or cannot be read.
 pub(crate) fn same_bytes(one: &Path, two: &Path) -> Result<(), String> {
     let (names, others) = (names(one)?, names(two)?);
     if names.is_empty() || names != others {
@@ -26,7 +26,7 @@ pub(crate) fn same_bytes(one: &Path, two: &Path) -> Result<(), String> {
             let same = bytes.iter().zip(&others).take_while(|(a, b)| a == b).count();
             let line = bytes[..same].iter().filter(|&&b| b == b'\n').count() + 1;
             let (first, second) = (first.display(), second.display());
-            return Err(format!("{first} and {second} differ at byte {same}, line {line}"));
+            return Err(format!("{first} and {second} differ at byte {same}, in line {line}"));
         }
     }
     Ok(())
@@ -41,7 +41,7 @@ fn names(folder: &Path) -> Result<BTreeSet<OsString>, String> {
 /// Checks that two tables (CSV without quoted cells) hold the same text, and the same numbers to within [`SAME`].
 ///
 /// # Errors
-/// The first difference, or a file that cannot be read.
+/// Fails with the first difference between the tables, or for a file that cannot be read.
 pub(crate) fn same_numbers(one: &Path, two: &Path) -> Result<(), String> {
     let read =
         |path: &Path| std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()));

@@ -1,5 +1,5 @@
-//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions
-//! of `validation/finite_elements/requirements.txt`, into a virtual environment below `target`.
+//! `cargo xtask finite-elements` computes fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the
+//! versions of `validation/finite_elements/requirements.txt`, into a virtual environment below `target`.
 
 use std::process::{Command, ExitCode};
 
@@ -10,7 +10,8 @@ use crate::tools;
 
 const SCRIPT: &str = "validation/finite_elements/analyse.py";
 
-/// Runs all studies and the comparison with the program's laws, and writes data files and tables.
+/// Runs all studies by finite elements and the comparison with the program's fender laws, and writes data files and
+/// tables.
 pub(crate) fn finite_elements_command() -> ExitCode {
     let whole = || {
         built::program("release")?;
@@ -29,7 +30,7 @@ pub(crate) fn finite_elements_command() -> ExitCode {
     }
 }
 
-/// Compares coarse meshes with the stored results.
+/// Computes the fenders with coarse meshes and compares with the stored results.
 pub(crate) fn small() -> Result<Done, String> {
     analyse(&["--small"])
 }

@@ -7,12 +7,12 @@ use crate::command::{cargo, run};
 use crate::step::Done;
 use crate::tools;
 
-/// The fuzz targets' own workspace.
+/// The manifest of the fuzz targets, which are a workspace of their own.
 pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
-/// Default time for each target (s).
+/// Default time for each fuzz target (s).
 pub(crate) const SECONDS: u64 = 20;
 
-/// A target, and folders with inputs to start from besides its seeds.
+/// A fuzz target, and folders that have inputs to start from besides the target's seeds.
 pub(crate) const TARGETS: [(&str, &[&str]); 5] = [
     ("advance", &[]),
     ("clip", &[]),
@@ -36,7 +36,7 @@ pub(crate) fn fuzz_command(seconds: u64) -> ExitCode {
     }
 }
 
-/// Runs each target for `seconds`.
+/// Runs each fuzz target for `seconds` seconds.
 pub(crate) fn fuzz(seconds: u64) -> Result<Done, String> {
     if let Err(missing) = tools::cargo_fuzz() {
         return Ok(Done::NotRun(missing));
@@ -50,8 +50,9 @@ pub(crate) fn fuzz(seconds: u64) -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The command for one target. It uses no sanitizer: sanitizers need a nightly toolchain and find faults of unsafe
-/// code, which the targets do not have. Debug assertions and overflow checks are on.
+/// The command that runs one fuzz target. Fuzzing uses no sanitizer: sanitizers need a nightly toolchain and find
+/// faults of unsafe code, which the targets do not have. Debug assertions and overflow checks are on in the fuzz
+/// targets.
 fn fuzz_one(target: &str, corpus: &Path, more: &[&str], seconds: u64) -> Command {
     let mut command = cargo(["fuzz", "run", "--fuzz-dir", "fuzz", "--sanitizer", "none", target]);
     command.arg(corpus).arg(Path::new("fuzz/seeds").join(target)).args(more);

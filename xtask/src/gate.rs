@@ -1,5 +1,5 @@
-//! Runs the steps of `cargo xtask test` side by side: each step is a process of its own with its output in a file, which
-//! is printed as a whole when the step ends. A table of all times follows.
+//! Runs the steps of `cargo xtask test` side by side: each step is a process of its own with its output in a file,
+//! which is printed as a whole when the step ends. A table of the times of all steps follows at the end.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use crate::built;
 use crate::step::Step;
 use crate::virtual_environment::target_folder;
 
-/// Folder of the output of each step, under `target`.
+/// Folder below `target` for the output of each step.
 const FOLDER: &str = "steps";
 /// The exit code of a step whose tool is missing.
 const NOT_RUN: u8 = 3;
@@ -21,22 +21,22 @@ const MISSING: &str = "== not run: ";
 
 /// A step among others.
 pub(crate) struct Gated {
-    /// Name of the step on the command line.
+    /// Name of the step, as it is given on the command line.
     pub(crate) key: &'static str,
     /// What the step does.
     pub(crate) step: Step,
-    /// Names of the steps that end before it begins, where they are part of the run.
+    /// Names of the steps that must end before this step begins, if they are part of the run.
     pub(crate) after: &'static [&'static str],
     /// What the step uses.
     pub(crate) uses: Uses,
 }
 
-/// What a step uses while it runs.
+/// What a step uses while it runs, so that no other step may use it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Uses {
     /// A processor.
     Processor,
-    /// A processor, and a folder of builds that one cargo at a time may write, such as `debug`.
+    /// A processor, and a folder of builds, such as `debug`, into which only one cargo at a time may write.
     Builds(&'static str),
 }
 
@@ -52,7 +52,7 @@ struct Ended {
     index: usize,
     began_s: f64,
     wall_s: f64,
-    /// Processor time of the step's programs (s), where the system tells.
+    /// Processor time that the step's programs have used (s); `None` where the system does not tell.
     processor_s: Option<f64>,
     outcome: Outcome,
 }
@@ -65,8 +65,8 @@ enum Outcome {
     Failed,
 }
 
-/// Runs `steps`. Where `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. What comes after
-/// a step that failed does not begin; all others do, so that one run shows all failures.
+/// Runs `steps`. If the variable `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. Steps
+/// that depend on a failed step do not begin; all other steps do, so that one run shows all failures.
 pub(crate) fn run_gated(steps: &[Gated]) -> ExitCode {
     match run_steps(steps) {
         Ok(ended) => {
@@ -80,7 +80,7 @@ pub(crate) fn run_gated(steps: &[Gated]) -> ExitCode {
     }
 }
 
-/// Runs one step in this process, for [`run_gated`] in another.
+/// Runs one step in this process, which [`run_gated`] has started from another process.
 pub(crate) fn run_one(gated: &Gated) -> ExitCode {
     let done = (gated.step.run)();
     if let Some(seconds) = processor_time_of_children_s() {
@@ -166,7 +166,7 @@ fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
     Ok(ended)
 }
 
-/// Whether the step may begin now: what it comes after has ended, and what it uses is free.
+/// Whether the step may begin now: the steps that it waits for have ended, and what it uses is free.
 fn is_ready(
     steps: &[Gated],
     index: usize,
@@ -188,7 +188,7 @@ fn is_ready(
     }
 }
 
-/// A copy, as cargo may build this program anew while the steps run.
+/// Copies this program, because cargo may build it anew while the steps run, and returns the copy's path.
 fn copy_of_this_program(folder: &Path) -> Result<PathBuf, String> {
     std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     let own = std::env::current_exe().map_err(|e| format!("this program: {e}"))?;
@@ -201,7 +201,7 @@ fn output(folder: &Path, step: &Gated) -> PathBuf {
     folder.join(step.key).with_extension("txt")
 }
 
-/// Starts a step; `done` names those that are done.
+/// Starts a step in a process of its own; `done` names the steps that are done.
 fn start(program: &Path, key: &str, done: &str, output: &Path) -> Result<Child, String> {
     let failed = |e| format!("{}: {e}", output.display());
     let file = File::create(output).map_err(failed)?;

@@ -1,11 +1,11 @@
-//! Guides whose snippets form one program, and that state its output.
+//! Reads guides whose code snippets together form one program, and which state the program's output.
 
 /// A guide.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Guide {
-    /// All snippets of the language, joined.
+    /// The program: all snippets of the guide in its language, joined.
     pub(crate) program: String,
-    /// The stated output: the last block of the language `text`.
+    /// The output that the guide states: its last code block of the language `text`.
     printed: String,
 }
 
@@ -13,7 +13,7 @@ impl Guide {
     /// Reads the fenced code blocks of `language` in a Markdown text.
     ///
     /// # Errors
-    /// No such block, no stated output, or a block without an end.
+    /// Fails if the text has no code block of the language, states no output, or has a block without an end.
     pub(crate) fn read(text: &str, language: &str) -> Result<Guide, String> {
         let (mut program, mut printed) = (String::new(), String::new());
         let mut within: Option<&str> = None;
@@ -39,10 +39,10 @@ impl Guide {
         Ok(Guide { program, printed })
     }
 
-    /// Checks that the program printed the stated output.
+    /// Checks that the program printed the output that the guide states.
     ///
     /// # Errors
-    /// Both texts, if they differ.
+    /// If the outputs differ, the error has both texts.
     pub(crate) fn expects(&self, printed: &str) -> Result<(), String> {
         if printed == self.printed {
             return Ok(());

@@ -1,5 +1,5 @@
-//! `cargo xtask hosts`: tests the FMUs in FMPy, libcosim and ecos. These come from PyPI, in the versions of
-//! `crates/fmu/hosts/requirements.txt`, into a virtual environment below `target`.
+//! `cargo xtask hosts` tests the FMUs in the masters FMPy, libcosim and ecos. The three masters come from PyPI, in the
+//! versions of `crates/fmu/hosts/requirements.txt`, into a virtual environment below `target`.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -27,7 +27,7 @@ pub(crate) fn hosts_command() -> ExitCode {
     }
 }
 
-/// FMPy, libcosim and ecos, and the guide.
+/// Tests the FMUs in FMPy, libcosim and ecos, and tests the guide for FMUs.
 pub(crate) fn hosts() -> Result<Done, String> {
     let python = match tools::python() {
         Ok(python) => python,

@@ -1,15 +1,15 @@
-//! `cargo xtask live-load`: the live server with eight clients that steer and fifty hostile ones.
+//! `cargo xtask live-load` tests the live server with eight clients that steer and fifty hostile clients.
 
 use std::process::ExitCode;
 
 use crate::built;
 use crate::command::run;
 
-/// Default length of a run (s), also in continuous integration.
+/// Default length of a run under load (s), also in continuous integration.
 pub(crate) const SECONDS: u64 = 20;
 
-/// Prints late ticks, delays and memory. Fails if memory grew or a tick was missed; missed ticks do not count if times
-/// are only reported.
+/// Runs the live server under load and prints late ticks, delays and memory. Fails if the server's memory grew or a
+/// tick was missed; missed ticks are no failure if times are only reported.
 pub(crate) fn live_load(seconds: u64, times_reported_only: bool) -> Result<(), String> {
     let program = built::program("release")?;
     // The clients are built without optimisation, the server under load as users have it.

@@ -1,7 +1,7 @@
 //! The project's own tasks, run as `cargo xtask NAME`; `USAGE` lists them.
 //!
-//! `test` is what a change must pass, and what continuous integration runs. The crate has no dependencies, so that it
-//! builds in seconds on a machine that has only Rust.
+//! The task `test` runs everything that a change must pass, and is what continuous integration runs. The crate `xtask`
+//! has no dependencies, so that it builds in seconds on a machine that has only Rust.
 
 mod alone;
 mod attack;

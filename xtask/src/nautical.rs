@@ -1,4 +1,4 @@
-//! Sentences for chart programs, read by independent parsers, two for each kind.
+//! Lets independent parsers, two for each kind, read the sentences for chart programs.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -8,17 +8,17 @@ use crate::command::{run, run_quietly};
 use crate::step::{Done, Step};
 use crate::tools::{self, Missing};
 
-/// The parsers, from Python's package index.
+/// The parsers of NMEA and AIS sentences, from Python's package index.
 const PARSERS: [&str; 4] =
     ["pynmea2==1.19.0", "pynmeagps==1.1.8", "pyais==3.3.1", "simpleais==0.7.3"];
-/// Where they are installed, inside the build folder.
+/// Folder below the build folder in which the parsers are installed.
 const FOLDER: &str = "target/nautical-python";
 
-/// As a step of `cargo xtask test all`, and alone.
+/// The step that lets parsers read the sentences, for `cargo xtask test all` and alone.
 pub(crate) const STEP: Step =
     Step { name: "sentences for chart programs, by two parsers each", run: parsers };
 
-/// Runs `crates/nautical/check.py` on the output of the example.
+/// Runs `crates/nautical/check.py` on the sentences that the example of the crate prints.
 fn parsers() -> Result<Done, String> {
     let python = match tools::python() {
         Ok(python) => python,

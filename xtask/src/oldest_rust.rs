@@ -1,4 +1,4 @@
-//! `cargo xtask oldest-rust`: whether all that users build compiles with the oldest Rust that `Cargo.toml` names.
+//! `cargo xtask oldest-rust` checks that everything users build compiles with the oldest Rust that `Cargo.toml` names.
 
 use std::process::{Command, ExitCode};
 
@@ -7,7 +7,7 @@ use crate::step::{Done, Step, run_all};
 use crate::tools::Missing;
 use crate::virtual_environment::target_folder;
 
-/// What a user builds: the program, the libraries for other programs, the Python package, these tasks.
+/// The packages that users build: the program, the libraries for other programs, the Python package, these tasks.
 const PACKAGES: [&str; 5] =
     ["fenderline", "fenderline-capi", "fenderline-fmu", "fenderline-python", "xtask"];
 
@@ -16,7 +16,8 @@ pub(crate) fn oldest_rust_command() -> ExitCode {
     run_all(&[Step { name: "the oldest Rust that the manifest names", run: oldest_rust }])
 }
 
-/// As a step of `cargo xtask test all`: where rustup cannot have that Rust, the step says so and is good.
+/// Runs the check as a step of `cargo xtask test all`: if rustup cannot get the oldest Rust, the step says so and
+/// passes.
 ///
 /// # Errors
 /// As [`oldest_rust`].

@@ -10,7 +10,7 @@ use crate::tools;
 
 const FOLDER: &str = "web";
 
-/// Format, types, lints, unit tests, and the size of the pages in the program.
+/// Checks the pages: format, types, lints, unit tests, and the size of the pages in the program.
 pub(crate) const CHECKED: Step = Step { name: "the pages", run: check };
 /// The tests of `web/e2e`.
 pub(crate) const DRIVEN: Step = Step { name: "the pages in a browser", run: in_a_browser };
@@ -30,8 +30,8 @@ fn check() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Runs all tests of `web/e2e` but those of speed against the program; in one, a pilot and a tug master bring a ship alongside on two
-/// pages.
+/// Runs all tests of `web/e2e` but those of speed against the program; in one of them, a pilot and a tug master bring a
+/// ship alongside on two pages.
 fn in_a_browser() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
         if let Err(missing) = missing {
@@ -45,7 +45,7 @@ fn in_a_browser() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Runs the tests of the pages' speed and memory, for which a processor should be free.
+/// Runs the tests of the pages' speed and memory, which need a processor that is otherwise free.
 fn speed() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
         if let Err(missing) = missing {
@@ -67,7 +67,7 @@ pub(crate) fn npm_in(folder: &str, arguments: &[&str]) -> Command {
     command
 }
 
-/// The target folder, as cargo reports it.
+/// The target folder that cargo reports.
 pub(crate) fn target_folder() -> Result<PathBuf, String> {
     const KEY: &str = "\"target_directory\":\"";
     let metadata = run_quietly(&mut cargo(["metadata", "--format-version", "1", "--no-deps"]))?;

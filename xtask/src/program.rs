@@ -1,5 +1,5 @@
-//! `cargo xtask program [PROFILE]`: the program `fenderline` for this machine as one file that needs nothing else: with the pages,
-//! the library of FMUs and all data in it.
+//! `cargo xtask program [PROFILE]` builds the program `fenderline` for this machine as one file that needs nothing
+//! else: the pages, the library of FMUs and all data are in it.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -8,7 +8,7 @@ use crate::built;
 use crate::command::{run, run_quietly};
 use crate::virtual_environment::target_folder;
 
-/// The variable with which the build of the program finds the libraries; see `crates/app/build.rs`.
+/// The environment variable by which the build of the program finds the libraries of FMUs; see `crates/app/build.rs`.
 pub(crate) const LIBRARIES: &str = "FENDERLINE_FMU_LIBRARIES";
 
 /// `cargo xtask program`.
@@ -28,7 +28,7 @@ pub(crate) fn program_command(profile: &str) -> ExitCode {
 /// Builds the program and returns its path.
 ///
 /// # Errors
-/// A build that fails, or one without pages.
+/// Fails if the build fails, or if it gives a program without pages.
 pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     let target = target_folder();
     run(&mut built::build(profile, &["--lib"]))?;
@@ -48,8 +48,9 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     Ok(program)
 }
 
-/// Copies a program or library without its debug information and local symbols, if its content differs from the copy's: an
-/// unchanged copy keeps its time, so that nothing is built again. Copies it as it is where `strip` is not installed.
+/// Copies a program or library without its debug information and local symbols, if the copy's content would change: an
+/// unchanged copy keeps its time, so that nothing is built again. If `strip` is not installed, copies the file as it
+/// is.
 pub(crate) fn copy_stripped(strip: &str, from: &Path, to: &Path) -> Result<(), String> {
     let failed = |path: &Path, e: std::io::Error| format!("{}: {e}", path.display());
     let folder = to.parent().unwrap_or(Path::new(""));

@@ -1,11 +1,11 @@
-//! The scenario files of the project.
+//! Lists the scenario files of the project.
 
 use std::path::{Path, PathBuf};
 
-/// Every `.toml` file under `scenarios/`, in a fixed order.
+/// Every `.toml` file below the folder `scenarios/`, in a fixed order.
 ///
 /// # Errors
-/// A folder that cannot be read, or no scenario at all.
+/// Fails for a folder that cannot be read, and if there is no scenario at all.
 pub(crate) fn all() -> Result<Vec<PathBuf>, String> {
     let mut found = Vec::new();
     collect(Path::new("scenarios"), &mut found)?;

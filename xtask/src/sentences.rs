@@ -1,27 +1,27 @@
 //! `cargo xtask sentences SEED [COUNT] [PATH...]`: draws sentences at random, for a reader who has not seen the code.
 //!
 //! The reader says each sentence again in other words. A sentence that cannot be said again is a riddle, and is mended.
-//! Sentences come from doc comments, from texts in the code (errors, columns, help) and from Markdown documents. Texts
-//! of tests are left out. A `PATH` limits the draw to files whose path begins with it.
+//! Sentences come from doc comments, from texts in the code (errors, columns, help) and from Markdown documents.
+//! Sentences from tests are left out. A `PATH` limits the draw to files whose paths begin with it.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use crate::command::run_quietly;
 
-/// Sentences that are drawn without a count.
+/// Number of sentences that are drawn if no count is given.
 pub(crate) const COUNT: usize = 50;
 /// A shorter sentence, such as "Name of the body.", is not drawn.
 const FEWEST_WORDS: usize = 5;
-/// Words before a full stop that does not end a sentence.
+/// Abbreviations whose full stop does not end a sentence.
 const ABBREVIATIONS: [&str; 15] = [
     "al.", "cf.", "e.g.", "eq.", "Eq.", "eqs.", "Eqs.", "Fig.", "Figs.", "i.e.", "No.", "p.",
     "pp.", "ref.", "vol.",
 ];
-/// Documents of the past, which stay as they were.
+/// Documents of the past, which stay as they were and are not drawn from.
 const LEFT_OUT: [&str; 2] = ["CHANGELOG.md", "docs/before_0.1.0.md"];
 
-/// A sentence, and where it begins.
+/// A sentence of the repository, and the file and line where it begins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Sentence {
     file: String,
@@ -92,7 +92,7 @@ fn of_file(name: &str, text: &str) -> Vec<Sentence> {
     found
 }
 
-/// Lines of doc comments without their marks; an empty line where code stands between two comments.
+/// Lines of doc comments without their marks; each line of code gives an empty line.
 fn doc_lines(source: &str) -> Vec<(usize, &str)> {
     let stripped = |line| {
         let line = str::trim_start(line);
@@ -101,14 +101,15 @@ fn doc_lines(source: &str) -> Vec<(usize, &str)> {
     (1..).zip(source.lines().map(stripped)).collect()
 }
 
-/// Paragraphs, list items and table cells of Markdown; no code, no headings, no tags.
+/// Paragraphs, list items and table cells of a Markdown text, without code, headings and tags.
 fn markdown(lines: &[(usize, &str)]) -> Vec<Paragraph> {
     let mut found = Vec::new();
     let mut open = Paragraph::default();
     let mut in_code = false;
     for &(number, line) in lines {
         let line = line.trim();
-        let is_fence = line.starts_with("```");
+        // Code, and equations between lines of `$$`.
+        let is_fence = line.starts_with("```") || line == "$$";
         in_code ^= is_fence;
         let is_row = line.starts_with('|') && line.ends_with('|');
         if is_fence || in_code || is_row || line.is_empty() || line.starts_with(['#', '<']) {
@@ -136,7 +137,7 @@ fn is_list_mark(word: &str) -> bool {
         || (!number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// String literals of Rust code that are prose.
+/// String literals of a Rust source that are prose.
 fn literals(source: &str) -> Vec<Paragraph> {
     let mut found = Vec::new();
     let mut rest = source;
@@ -164,7 +165,7 @@ fn literals(source: &str) -> Vec<Paragraph> {
     found
 }
 
-/// The text of a literal whose quotation mark was read, and what follows the literal.
+/// The text of a literal whose opening quotation mark was read, and the source after the literal.
 fn literal(source: &str, raw: bool) -> (String, &str) {
     let mut text = String::new();
     let mut chars = source.char_indices();
@@ -190,7 +191,7 @@ fn literal(source: &str, raw: bool) -> (String, &str) {
     (text, "")
 }
 
-/// Whether a text reads as sentences: nearly all words are words or placeholders, and no mark-up is in it.
+/// Whether a text reads as sentences: nearly all of its words are words or placeholders, and it has no mark-up.
 fn is_prose(text: &str) -> bool {
     let is_word = |word: &&str| {
         let word = word.trim_matches(|c: char| ",.;:()`'\"{}".contains(c));
@@ -226,7 +227,7 @@ impl Paragraph {
     }
 }
 
-/// Whether a sentence ends with `word`, before the word `next`.
+/// Whether a sentence ends with the word `word`, which stands before the word `next`.
 fn ends_a_sentence(word: &str, next: Option<&str>) -> bool {
     let Some(next) = next else { return true };
     let bare = word.trim_end_matches(['"', ')', '*', '_', '”']);
@@ -237,7 +238,7 @@ fn ends_a_sentence(word: &str, next: Option<&str>) -> bool {
         && next.chars().find(|c| !"\"(*_“[".contains(*c)).is_some_and(|c| !c.is_lowercase())
 }
 
-/// `count` of the sentences, or all if there are fewer, in random order without repetition.
+/// `count` sentences in random order without repetition, or all sentences if there are fewer.
 fn draw(all: &[Sentence], seed: u64, count: usize) -> Vec<Sentence> {
     let mut left = all.to_vec();
     let mut state = seed;
@@ -249,7 +250,7 @@ fn draw(all: &[Sentence], seed: u64, count: usize) -> Vec<Sentence> {
     drawn
 }
 
-/// The next number of SplitMix64 (Steele, Lea and Flood, 2014).
+/// The next number of the random generator SplitMix64 (Steele, Lea and Flood, 2014).
 fn next_random(state: &mut u64) -> u64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

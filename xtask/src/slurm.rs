@@ -1,7 +1,8 @@
-//! `cargo xtask slurm`: a campaign as an array of a real Slurm on this machine, merged, gives the table of one process byte for byte.
+//! `cargo xtask slurm` runs a campaign as an array of a real Slurm on this machine, and checks that the merged result
+//! is the table of one process, byte for byte.
 //!
-//! Slurm runs without accounts or services: `munged`, `slurmctld` and `slurmd` are started here with files in a folder of their own, and
-//! end with it.
+//! The test needs no accounts or services of Slurm: it starts `munged`, `slurmctld` and `slurmd` with files in a folder
+//! of their own, and ends them with that folder.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
@@ -12,7 +13,7 @@ use crate::program::program;
 use crate::step::{Done, Step, run_all};
 use crate::tools::Missing;
 
-/// The step of `cargo xtask test all`.
+/// This step belongs to `cargo xtask test all`.
 pub(crate) const STEP: Step = Step { name: "a campaign as an array of Slurm", run: slurm };
 
 /// `cargo xtask slurm`.
@@ -22,10 +23,10 @@ pub(crate) fn slurm_command() -> ExitCode {
 
 /// Tasks of the array.
 const TASKS: usize = 4;
-/// How long daemons and array may take.
+/// Longest time that the daemons and the array may take.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A campaign of some seconds.
+/// A campaign that takes some seconds.
 const CAMPAIGN: &str = r#"
 scenario = "quay.toml"
 number = 120
@@ -56,7 +57,7 @@ fn slurm() -> Result<Done, String> {
         return Ok(Done::NotRun(missing));
     }
     if output(Command::new("id").arg("-u"))?.trim() != "0" {
-        println!("not run: Slurm's daemons start as root alone");
+        println!("not run: Slurm's daemons can be started by root alone");
         return Ok(Done::Good);
     }
     let program = program("release")?;
@@ -91,7 +92,7 @@ fn slurm() -> Result<Done, String> {
             std::fs::read(&path).map_err(|e| format!("{}: {e}", path.display()))
         };
         if read("whole")? != read("merged")? {
-            return Err(format!("{table} of the array differs from that of one process"));
+            return Err(format!("the {table} of the array differs from that of one process"));
         }
     }
     println!("an array of {TASKS} tasks gives the tables of one process, byte for byte");
@@ -103,7 +104,7 @@ fn output(command: &mut Command) -> Result<String, String> {
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// A folder for everything; removed when it is dropped.
+/// A folder for all files of the test, which is removed when this value is dropped.
 struct Place {
     folder: PathBuf,
 }
@@ -122,14 +123,14 @@ impl Place {
         self.folder.join(name)
     }
 
-    /// A program of Slurm that talks to our cluster.
+    /// The command of a Slurm program that talks to the cluster of this test.
     fn of_cluster(&self, program: &str) -> Command {
         let mut command = Command::new(program);
         command.env("SLURM_CONF", self.path("slurm.conf"));
         command
     }
 
-    /// What the daemons and tasks wrote.
+    /// What Slurm's daemons and tasks have written into the folder.
     fn told(&self) -> String {
         let mut text = String::new();
         let Ok(entries) = std::fs::read_dir(&self.folder) else { return text };
@@ -156,7 +157,7 @@ impl Drop for Place {
     }
 }
 
-/// The daemons; they end when it is dropped.
+/// Slurm's daemons, which end when this value is dropped.
 struct Cluster {
     daemons: Vec<Child>,
 }
@@ -214,7 +215,7 @@ impl Drop for Cluster {
     }
 }
 
-/// A key of its own, which nobody else reads.
+/// Writes a key for this cluster alone, which nobody else can read.
 fn write_key(path: &Path) -> Result<(), String> {
     use std::io::{Read as _, Write as _};
     use std::os::unix::fs::OpenOptionsExt as _;
@@ -227,7 +228,7 @@ fn write_key(path: &Path) -> Result<(), String> {
     written.map_err(|e: std::io::Error| format!("{}: {e}", path.display()))
 }
 
-/// A cluster of this machine alone, on ports of its own.
+/// The configuration of a cluster that is this machine alone, on ports of its own.
 fn configuration(place: &Place, host: &str) -> String {
     let folder = place.folder.display();
     // Two free ports would need to be kept until the daemons have them; by process they do not meet in practice.

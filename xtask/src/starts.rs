@@ -1,8 +1,9 @@
-//! `cargo xtask starts`: the README's three ways to start, each command as it stands there, in a place that has nothing of this
-//! checkout's builds: a new clone of the last commit, an empty home folder, a new Python environment, few variables.
+//! `cargo xtask starts` tries the README's three ways to start, with each command as the README has it, in a place
+//! without this checkout's builds: a new clone of the last commit, an empty home folder, a new Python environment, few
+//! variables.
 //!
-//! Packages come from crates.io, PyPI and npm; cargo takes those that it has downloaded before. It builds everything from nothing,
-//! which takes longer than all of `cargo xtask test` should, so it is not part of that.
+//! Packages come from crates.io, PyPI and npm; cargo takes packages that it has downloaded before. This task builds
+//! everything from nothing, which would take too long in `cargo xtask test all`, and is therefore no part of it.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -17,7 +18,8 @@ pub(crate) fn starts_command() -> ExitCode {
     run_all(&[Step { name: "the README's three ways to start, in a clean place", run: starts }])
 }
 
-/// What the beginnings of variables' names are that the commands keep: where programs, packages and their certificates are found.
+/// Beginnings of the names of environment variables that the commands keep: variables that say where programs, packages
+/// and certificates are found.
 const KEPT: [&str; 14] = [
     "PATH",
     "LANG",
@@ -75,19 +77,23 @@ fn starts_in(place: &Path) -> Result<(), String> {
     })?;
     let force_n = printed.trim().parse::<f64>();
     if !force_n.is_ok_and(|force_n| force_n.is_finite() && force_n > 1e5) {
-        return Err(format!("no force of a tug at 4 knots: {printed}"));
+        return Err(format!("the run has printed no force of a tug at 4 knots: {printed}"));
     }
     println!("the largest force: {} N", printed.trim());
     timed(&page, |line| run(&mut clean(line)))?;
     is_there(&clone.join("target/page/index.html"))
 }
 
-/// The commands of each of the three ways: the indented lines below its name in the section *Start*.
+/// The commands of each of the three ways to start: the indented lines below the name of the way in the section *Start*
+/// of the README.
 fn commands(readme: &str) -> Result<[Vec<&str>; 3], String> {
     let section = readme.split("\n## Start\n").nth(1).and_then(|rest| rest.split("\n## ").next());
     let section = section.ok_or("the README has no section \"Start\"")?;
     let of = |name: &str| {
-        let rest = section.split(name).nth(1).ok_or(format!("the README has no {name}"))?;
+        let rest = section
+            .split(name)
+            .nth(1)
+            .ok_or(format!("the README's section \"Start\" has no {name}"))?;
         let rest = rest.split("\n**").next().unwrap_or(rest);
         let lines: Vec<&str> = rest.lines().filter_map(|line| line.strip_prefix("    ")).collect();
         if lines.is_empty() {
@@ -99,7 +105,7 @@ fn commands(readme: &str) -> Result<[Vec<&str>; 3], String> {
     Ok([of("**The program**")?, of("**Python**")?, of("**A page in the browser**")?])
 }
 
-/// Runs the lines and prints what they took.
+/// Runs the lines of a way to start, and prints how long each line took.
 fn timed(
     lines: &[&str],
     mut run_line: impl FnMut(&str) -> Result<(), String>,
@@ -113,7 +119,8 @@ fn timed(
     Ok(())
 }
 
-/// A line of the README in the clone. Settings of registries that are in the real home are kept; downloads of cargo too.
+/// The command that runs a line of the README in the clone. The command keeps the settings of registries in the real
+/// home, and the downloads of cargo.
 fn clean(line: &str, clone: &Path, home: &Path, python: &Path) -> Command {
     let mut command = Command::new("sh");
     command.args(["-c", line]).current_dir(clone).env_clear();

@@ -1,5 +1,5 @@
-//! `cargo xtask state-hashes [REVISION]`: a hash of all numbers that each scenario writes, compared with that of an
-//! older revision of the program. It shows that a change of names or structure changed no result.
+//! `cargo xtask state-hashes [REVISION]` makes a hash of all numbers that each scenario writes, and compares it with
+//! that of an older revision of the program. An equal hash shows that a change of names or structure changed no result.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,13 +8,13 @@ use std::process::{Command, ExitCode};
 use crate::command::{cargo, run, run_quietly};
 use crate::scenarios;
 
-/// Folder for programs, checkouts and results, under `target`.
+/// Folder below `target` for programs, checkouts and results.
 const FOLDER: &str = "target/state-hashes";
 
-/// Hash of a scenario's numbers, by scenario.
+/// The hashes of the numbers that each scenario writes.
 type Hashes = BTreeMap<PathBuf, Result<Vec<u64>, String>>;
 
-/// Prints a line for each scenario; with a revision, reports which scenarios differ.
+/// Prints a line for each scenario; with a revision, also reports which scenarios differ from it.
 pub(crate) fn state_hashes_command(revision: Option<&str>) -> ExitCode {
     match state_hashes(revision) {
         Ok(true) => ExitCode::SUCCESS,
@@ -41,7 +41,10 @@ fn state_hashes(revision: Option<&str>) -> Result<bool, String> {
             Some(Some(Ok(before))) => {
                 same = false;
                 let (lost, gained) = (missing(before, now), missing(now, before));
-                format!(" DIFFERS: {lost} earlier columns of numbers are missing, {gained} are new")
+                format!(
+                    " DIFFERS: {lost} columns of numbers of the older program are missing, {gained} columns \
+                         are new"
+                )
             }
         };
         println!("{:016x} {}{verdict}", hash(now.iter().copied()), scenario.display());
@@ -52,12 +55,12 @@ fn state_hashes(revision: Option<&str>) -> Result<bool, String> {
     Ok(same)
 }
 
-/// The number of hashes in `some` that `others` lacks; both are sorted.
+/// How many hashes of the sorted list `some` are missing in the sorted list `others`.
 fn missing(some: &[u64], others: &[u64]) -> usize {
     some.iter().filter(|column| others.binary_search(column).is_err()).count()
 }
 
-/// Hashes of the program and scenarios of a revision, built in a separate checkout.
+/// Hashes of the scenarios of a revision, run by the program of that revision, which is built in a separate checkout.
 fn of_revision(folder: &Path, revision: &str) -> Result<Hashes, String> {
     let name: String = revision.chars().filter(char::is_ascii_alphanumeric).collect();
     let checkout = folder.join(FOLDER).join(format!("checkout-{name}"));
@@ -75,7 +78,7 @@ fn of_revision(folder: &Path, revision: &str) -> Result<Hashes, String> {
     of_checkout(&checkout, &folder.join(FOLDER).join(format!("results-{name}")))
 }
 
-/// Builds the program of a checkout and runs each of its scenarios. The build shares this workspace's target folder, so
+/// Builds the program of a checkout and runs each of its scenarios. The build uses this workspace's target folder, so
 /// that dependencies are compiled once.
 fn of_checkout(checkout: &Path, results: &Path) -> Result<Hashes, String> {
     let target = std::env::current_dir().map_err(|e| format!("this folder: {e}"))?.join("target");
@@ -98,7 +101,7 @@ fn of_checkout(checkout: &Path, results: &Path) -> Result<Hashes, String> {
     Ok(hashes.collect())
 }
 
-/// Runs a scenario into an empty folder and hashes its results.
+/// Runs a scenario into an empty folder and hashes the numbers of its results.
 fn play(program: &Path, checkout: &Path, scenario: &Path, out: &Path) -> Result<Vec<u64>, String> {
     if out.exists() {
         std::fs::remove_dir_all(out).map_err(|e| format!("{}: {e}", out.display()))?;
@@ -113,8 +116,8 @@ fn play(program: &Path, checkout: &Path, scenario: &Path, out: &Path) -> Result<
     columns(out)
 }
 
-/// A hash of each column of numbers in all tables of a folder, sorted. Names and order of columns and tables, and cells
-/// of text, do not count.
+/// The sorted hashes of all columns of numbers in the tables of a folder. The names and the order of columns and tables
+/// do not count, nor do cells of text.
 fn columns(folder: &Path) -> Result<Vec<u64>, String> {
     let unreadable = |path: &Path, e: std::io::Error| format!("{}: {e}", path.display());
     let mut hashes = Vec::new();
@@ -142,7 +145,7 @@ fn columns_of(table: &str) -> Vec<u64> {
     columns.into_iter().filter(|column| !column.is_empty()).map(hash).collect()
 }
 
-/// FNV-1a over the bytes of 64-bit words.
+/// The FNV-1a hash over the bytes of 64-bit words.
 fn hash(words: impl IntoIterator<Item = u64>) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     for word in words {

@@ -1,4 +1,4 @@
-//! Runs a list of steps in order, up to the first failure, each with a heading and its time.
+//! Runs a list of steps in order, up to the first failure, each step with a heading and its time.
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -10,7 +10,7 @@ use crate::tools::Missing;
 pub(crate) enum Done {
     /// The step passed.
     Good,
-    /// The step did not run, because a tool is missing.
+    /// The step did not run, because a tool that it needs is missing.
     NotRun(Missing),
 }
 
@@ -18,7 +18,7 @@ pub(crate) enum Done {
 pub(crate) struct Step {
     /// Heading.
     pub(crate) name: &'static str,
-    /// Runs the step. The error is a message for the user.
+    /// Runs the step. The step's error is a message for the user.
     pub(crate) run: fn() -> Result<Done, String>,
 }
 

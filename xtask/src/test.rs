@@ -1,4 +1,4 @@
-//! `cargo xtask test`: everything that a change must pass.
+//! `cargo xtask test` runs everything that a change must pass.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -29,11 +29,11 @@ use crate::tools;
 use crate::workflows;
 use crate::wrappers;
 
-/// Folders of `target` that one cargo at a time writes.
+/// Folders below `target` into which only one cargo at a time writes.
 const DEBUG: Uses = Uses::Builds("debug");
 const RELEASE: Uses = Uses::Builds("release");
 
-/// The steps that begin first, as the browser takes longest.
+/// The steps that begin first, because the tests in a browser take longest.
 const FIRST: [Gated; 3] = [
     gated("release", "the program as users build it", release_built, &[], RELEASE),
     Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
@@ -45,7 +45,7 @@ const FIRST: [Gated; 3] = [
     },
 ];
 
-/// The steps that need Rust alone: what a contributor runs.
+/// The steps that need only Rust, which a contributor runs.
 const OWN: [Gated; 7] = [
     gated("format", "format", format, &[], Uses::Processor),
     gated("no-std", "the contact engine is no_std with one dependency", no_std, &[], DEBUG),
@@ -56,7 +56,7 @@ const OWN: [Gated; 7] = [
     gated("cases", "published cases", validate, &["build"], Uses::Processor),
 ];
 
-/// The steps that also need other tools, or compile everything once more.
+/// The steps that also need other tools, or that compile everything once more.
 const MORE: [Gated; 26] = [
     gated("lints", "lints", lints, &["build"], DEBUG),
     Gated { key: "speed", step: pages::FAST, after: &["browser"], uses: Uses::Processor },
@@ -152,7 +152,7 @@ const fn gated(
     Gated { key, step: Step { name, run }, after, uses }
 }
 
-/// `cargo xtask test [all | STEP...]`: without names the steps that need Rust alone.
+/// `cargo xtask test [all | STEP...]`: without names it runs the steps that need only Rust.
 pub(crate) fn test_command(names: &[&str]) -> ExitCode {
     let all = || FIRST.into_iter().chain(OWN).chain(MORE);
     if let Some(unknown) =
@@ -170,7 +170,7 @@ pub(crate) fn test_command(names: &[&str]) -> ExitCode {
     run_gated(&steps)
 }
 
-/// `cargo xtask step NAME`: one step in this process, as `test` starts it.
+/// `cargo xtask step NAME` runs one step in this process, as `test` starts a step.
 pub(crate) fn step_command(name: &str) -> ExitCode {
     match FIRST.into_iter().chain(OWN).chain(MORE).find(|step| step.key == name) {
         Some(step) => run_one(&step),
@@ -192,8 +192,8 @@ fn lints() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Compiles the engine for a target without `std` if the toolchain has one. Otherwise checks the source: in a crate
-/// that declares `no_std` and does not name `std` outside tests, no path to `std` resolves.
+/// Compiles the contact engine for a target without `std` if the toolchain has one. Otherwise checks the engine's
+/// source: in a crate that declares `no_std` and does not name `std` outside tests, no path to `std` resolves.
 fn no_std() -> Result<Done, String> {
     const ENGINE: &str = "fenderline-contact";
     const ROOT: &str = "crates/contact/src/lib.rs";
@@ -211,13 +211,16 @@ fn no_std() -> Result<Done, String> {
     let tree = run_quietly(&mut cargo(tree))?;
     let names: Vec<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
     if names != [ENGINE, "libm"] {
-        return Err(format!("{ENGINE} should depend on libm alone:\n{tree}"));
+        return Err(format!("{ENGINE} must depend on libm alone, but depends on:\n{tree}"));
     }
     if let Some(target) = tools::bare_target() {
         run(&mut cargo(["check", "--package", ENGINE, "--target", target]))?;
         println!("compiled for {target}");
     } else {
-        println!("checked by declaration and dependencies; no target without std is installed");
+        println!(
+            "the engine was checked by its declaration and dependencies, because no target without std is \
+                  installed"
+        );
     }
     Ok(Done::Good)
 }
@@ -226,8 +229,8 @@ fn tests_built() -> Result<Done, String> {
     built::program("dev").map(|_| Done::Good)
 }
 
-/// The property tests draw the same cases every time, so that the outcome depends on the change only. `cargo test`
-/// without the seed draws new cases, as the fuzz targets do.
+/// With this seed the property tests draw the same cases every time, so that the outcome depends on the change only.
+/// Without the seed, `cargo test` draws new cases, as the fuzz targets do.
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
     let mut tests = cargo(["test"]);
@@ -267,7 +270,7 @@ fn scenarios_accepted() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// All result files of some runs, byte for byte.
+/// Checks that all result files of some runs are the same, byte for byte.
 fn same_bits() -> Result<Done, String> {
     let folder = std::env::temp_dir().join(format!("fenderline-xtask-{}", std::process::id()));
     let compared = same_bits_in(&folder);
@@ -342,7 +345,7 @@ fn independent() -> Result<Done, String> {
     compared.map(|()| Done::Good)
 }
 
-/// Tests the package in a clean virtual environment, with test tools from PyPI.
+/// Tests the Python package in a clean virtual environment, with test tools from PyPI.
 fn python_package() -> Result<Done, String> {
     match tools::python_environments() {
         Ok(python) => {
@@ -355,7 +358,7 @@ fn python_package() -> Result<Done, String> {
     .map(|()| Done::Good)
 }
 
-/// A short run; `cargo xtask passivity` has twenty times as many impacts.
+/// Runs few random impacts on fenders; `cargo xtask passivity` has twenty times as many.
 fn passive() -> Result<Done, String> {
     passivity::passivity(5_000).map(|()| Done::Good)
 }

@@ -1,5 +1,5 @@
-//! Whether cargo compiles every test file: a crate with a `tests/all.rs` names its files there, and a file that is not
-//! named would never run.
+//! Checks that cargo compiles every test file: a crate with a `tests/all.rs` names its test files there, and a file
+//! that is not named would never run.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,10 +1,10 @@
-//! Finds the programs beyond Rust that some steps need.
+//! Finds the programs other than Rust that some steps need.
 
 use std::process::Command;
 
 use crate::command::{cargo, run_quietly};
 
-/// A tool that is not installed.
+/// A tool that a step needs and that is not installed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Missing {
     /// Name of the tool.
@@ -13,7 +13,7 @@ pub(crate) struct Missing {
     pub(crate) install: &'static str,
 }
 
-/// Python new enough to read TOML.
+/// Finds a Python that is new enough to read TOML.
 pub(crate) fn python() -> Result<&'static str, Missing> {
     let asks = "import sys, tomllib; sys.exit(sys.version_info < (3, 11))";
     answers(Command::new("python3").args(["-c", asks]))
@@ -21,7 +21,7 @@ pub(crate) fn python() -> Result<&'static str, Missing> {
         .ok_or(Missing { tool: "Python 3.11 or later", install: "from your distribution" })
 }
 
-/// Python with venv and pip, and access to a package index.
+/// Finds a Python with venv and pip, and access to a package index.
 pub(crate) fn python_environments() -> Result<&'static str, Missing> {
     let python = python()?;
     let finds = ["install", "--dry-run", "--quiet", "--no-deps", "--ignore-installed", "maturin"];
@@ -41,7 +41,7 @@ pub(crate) fn cargo_deny() -> Result<(), Missing> {
         .ok_or(Missing { tool: "cargo-deny", install })
 }
 
-/// cargo-fuzz, and the C++ compiler that its library needs.
+/// Finds cargo-fuzz, and the C++ compiler that its library needs.
 pub(crate) fn cargo_fuzz() -> Result<(), Missing> {
     let install = "cargo install --locked cargo-fuzz";
     answers(&mut cargo(["fuzz", "--version"]))
@@ -53,7 +53,7 @@ pub(crate) fn cargo_fuzz() -> Result<(), Missing> {
         .ok_or(Missing { tool: "a C++ compiler", install: "g++ or clang of your distribution" })
 }
 
-/// A C compiler with the address and undefined-behaviour sanitizers, a C++ compiler for the header, and `nm`.
+/// Finds a C compiler with the address and undefined-behaviour sanitizers, a C++ compiler for the header, and `nm`.
 pub(crate) fn c_compiler() -> Result<(), Missing> {
     let mut cc = Command::new("cc");
     cc.args(["-x", "c", "-fsanitize=address,undefined", "/dev/null", "-shared", "-fPIC"]);
@@ -66,7 +66,7 @@ pub(crate) fn c_compiler() -> Result<(), Missing> {
     })
 }
 
-/// CMake and pkg-config, which find the C package.
+/// Finds CMake and pkg-config, by which programs find the C package.
 pub(crate) fn cmake() -> Result<(), Missing> {
     let both = answers(Command::new("cmake").arg("--version"))
         && answers(Command::new("pkg-config").arg("--version"));
@@ -76,7 +76,7 @@ pub(crate) fn cmake() -> Result<(), Missing> {
     })
 }
 
-/// Mono, with its C# compiler.
+/// Finds Mono with its C# compiler.
 pub(crate) fn mono() -> Result<(), Missing> {
     let both = answers(Command::new("mcs").arg("--version"))
         && answers(Command::new("mono").arg("--version"));
@@ -91,14 +91,14 @@ pub(crate) fn valgrind() -> Result<(), Missing> {
         .ok_or(Missing { tool: "valgrind", install: "from your distribution" })
 }
 
-/// A C compiler, which builds Box2D for the benches, and the library Chipmunk.
+/// Finds a C compiler, which builds Box2D for the benches, and the library Chipmunk.
 pub(crate) fn c_peers() -> Result<(), Missing> {
     answers(Command::new("cc").args(["-shared", "-o", "/dev/null", "-lchipmunk"]))
         .then_some(())
         .ok_or(Missing { tool: "Chipmunk or a C compiler", install: "libchipmunk-dev and gcc" })
 }
 
-/// Node and npm, new enough for the pages' tools.
+/// Finds Node and npm that are new enough for the pages' tools.
 pub(crate) fn node() -> Result<(), Missing> {
     let asks = "const [a, b] = process.versions.node.split('.').map(Number); \
                 process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)";
@@ -108,7 +108,7 @@ pub(crate) fn node() -> Result<(), Missing> {
     .ok_or(Missing { tool: "Node 20.19 or later with npm", install: "from your distribution" })
 }
 
-/// Chromium, or the browser that `CHROMIUM` names.
+/// Finds Chromium, or the browser that the variable `CHROMIUM` names.
 pub(crate) fn chromium() -> Result<(), Missing> {
     let browser = std::env::var("CHROMIUM").unwrap_or_else(|_| "/usr/bin/chromium".into());
     answers(Command::new(browser).arg("--version"))
@@ -116,7 +116,7 @@ pub(crate) fn chromium() -> Result<(), Missing> {
         .ok_or(Missing { tool: "Chromium", install: "from your distribution" })
 }
 
-/// Rust's library for WebAssembly in browsers.
+/// Finds Rust's standard library for WebAssembly in browsers.
 pub(crate) fn wasm_target() -> Result<(), Missing> {
     const TARGET: &str = "wasm32-unknown-unknown";
     is_installed(TARGET).then_some(()).ok_or(Missing {
@@ -125,7 +125,7 @@ pub(crate) fn wasm_target() -> Result<(), Missing> {
     })
 }
 
-/// An installed target without an operating system, if any.
+/// Finds an installed target of Rust without an operating system, if there is one.
 pub(crate) fn bare_target() -> Option<&'static str> {
     ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"]
         .into_iter()

@@ -1,22 +1,22 @@
-//! Python virtual environments below the target folder, with packages of fixed versions from PyPI.
+//! Makes Python virtual environments below the target folder, with packages of fixed versions from PyPI.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::run_quietly;
 
-/// The folder of build outputs.
+/// The folder into which cargo puts build outputs.
 pub(crate) fn target_folder() -> PathBuf {
     let folder =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
     std::path::absolute(&folder).unwrap_or(folder)
 }
 
-/// The Python of the virtual environment `folder` with the packages of `requirements`. The environment is created again
-/// if the requirements have changed.
+/// The Python of the virtual environment `folder`, which has the packages of the list `requirements`. The virtual
+/// environment is made again if the requirements have changed.
 ///
 /// # Errors
-/// No such list, or a package that could not be installed.
+/// Fails if the list does not exist, or if a package could not be installed.
 pub(crate) fn environment(
     python: &str,
     folder: &Path,

@@ -1,5 +1,5 @@
-//! `cargo xtask windows [PROFILE]`: the program, an FMU and the C library for Windows, under Wine, beside those for Linux. All
-//! that they compute and write is the same to the bit.
+//! `cargo xtask windows [PROFILE]` runs the program, an FMU and the C library for Windows under Wine, beside those for
+//! Linux. Everything that the Windows and the Linux programs compute and write must be the same to the bit.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -16,15 +16,15 @@ use crate::wine;
 const TRIPLE: &str = "x86_64-pc-windows-gnu";
 const NAME: &str = "Windows: program, FMU and C library under Wine";
 
-/// Scenarios that both programs run.
+/// Scenarios that the programs for Windows and Linux both run.
 const SCENARIOS: [&str; 3] = [
     "scenarios/paper/experiment_2_4kn.toml",
     "scenarios/berth/eight_cones_at_5_deg.toml",
     "scenarios/berth/alongside_with_two_tugs.toml",
 ];
-/// The scenario of the FMUs, its communication step (s) and number of steps.
+/// The scenario of the FMUs, the communication step (s) and the number of steps.
 const FMU: (&str, &str, &str) = ("scenarios/berth/eight_cones_at_5_deg.toml", "0.1", "300");
-/// The scenario of the C example and its steps.
+/// The scenario of the C example and the number of its steps.
 const EXAMPLE: [&str; 2] = ["scenarios/paper/experiment_2_4kn.toml", "200"];
 
 /// `cargo xtask windows`.
@@ -59,7 +59,7 @@ fn windows(profile: &str) -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The two programs, each with the libraries of FMUs for both systems.
+/// The programs for Windows and Linux, each with the FMU libraries for both systems.
 struct Built {
     linux: PathBuf,
     windows: PathBuf,
@@ -97,7 +97,7 @@ impl Built {
     }
 }
 
-/// Both programs run the scenario; all files are the same.
+/// Lets both programs run the scenario, and checks that all of their files are the same.
 fn runs(built: &Built, results: &Path, scenario: &str) -> Result<(), String> {
     let name = Path::new(scenario).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let (here, there) =
@@ -113,11 +113,11 @@ fn runs(built: &Built, results: &Path, scenario: &str) -> Result<(), String> {
     let lock = there.join(".fenderline.lock");
     std::fs::remove_file(&lock).map_err(|e| format!("{}: {e}", lock.display()))?;
     same_bytes(&here, &there)?;
-    println!("fenderline.exe run {scenario}: all files are those of Linux");
+    println!("fenderline.exe run {scenario}: all files are the same as on Linux");
     Ok(())
 }
 
-/// A path within this folder, which both systems understand.
+/// A path relative to the present folder, which both systems understand.
 fn relative(path: &Path) -> &Path {
     let Ok(current) = std::env::current_dir() else { return path };
     path.strip_prefix(current).unwrap_or(path)
@@ -129,11 +129,14 @@ fn validation(built: &Built, results: &Path) -> Result<(), String> {
     let mut validate = wine::command(&built.windows)?;
     run_quietly(validate.args(["validate", "--out"]).arg(relative(&there)))?;
     same_bytes(&here, &there)?;
-    println!("fenderline.exe validate: all cases, the same pages and tables");
+    println!(
+        "fenderline.exe validate: all cases pass, and pages and tables are the same as on Linux"
+    );
     Ok(())
 }
 
-/// Both programs write an FMU with both libraries: the files in it are the same. A master steps each library.
+/// Lets both programs write an FMU with the libraries of both systems, and checks that the files in the FMUs are the
+/// same. A master then steps the library of each system.
 fn fmus(built: &Built, results: &Path) -> Result<(), String> {
     let (scenario, step_s, steps) = FMU;
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
@@ -201,7 +204,7 @@ fn fmus(built: &Built, results: &Path) -> Result<(), String> {
     let windows = run_quietly(wine.args(arguments(&there.join("binaries/win64/ship.dll"), uri)))?;
     compare_lines(&linux, &windows, steps.parse().unwrap_or(0))?;
     println!(
-        "the FMU that fenderline.exe wrote: {} outputs of win64 and linux64 in {steps} steps, the same bits",
+        "the FMU that fenderline.exe wrote gave {} outputs of win64 and linux64 in {steps} steps, with the same bits",
         references.len()
     );
     Ok(())
@@ -212,7 +215,7 @@ fn attribute<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     text.split_once(&format!("{name}=\""))?.1.split_once('"').map(|(value, _)| value)
 }
 
-/// The same lines, but for the ends that Windows gives them.
+/// Checks that two texts have the same lines, but for the line ends of Windows.
 fn compare_lines(linux: &str, windows: &str, least: usize) -> Result<(), String> {
     let (linux, windows): (Vec<&str>, Vec<&str>) =
         (linux.lines().collect(), windows.lines().collect());
@@ -227,7 +230,7 @@ fn compare_lines(linux: &str, windows: &str, least: usize) -> Result<(), String>
     Ok(())
 }
 
-/// The C example, linked with the DLL and with the Linux library.
+/// Runs the C example, linked with the DLL for Windows and with the library for Linux.
 fn example(profile: &str, folder: &Path) -> Result<(), String> {
     let subfolder = if profile == "dev" { "debug" } else { profile };
     let built = target_folder().join(TRIPLE).join(subfolder);

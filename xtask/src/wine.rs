@@ -1,4 +1,4 @@
-//! Windows programs under Wine, in a prefix of their own below the target folder.
+//! Runs Windows programs under Wine, whose files are in a prefix of their own below the target folder.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -6,8 +6,8 @@ use std::process::Command;
 use crate::command::run_quietly;
 use crate::virtual_environment::target_folder;
 
-/// Rust's standard library takes random numbers from this DLL of Windows 10, which Wine before 8.13 lacks. This one hands
-/// on those of `RtlGenRandom`.
+/// Rust's standard library takes random numbers from a DLL of Windows 10, which Wine before 8.13 lacks. The DLL that is
+/// built from this text hands on the random numbers of `RtlGenRandom`.
 const RANDOM: &str = "\
 #include <windows.h>
 BOOLEAN NTAPI SystemFunction036(PVOID buffer, ULONG length);
@@ -24,7 +24,8 @@ __declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE buffer, SIZE_T length)
 }
 ";
 
-/// Wine for programs of 64 bits. Debian keeps it out of the path where `wine` itself is not installed.
+/// Finds a Wine that runs programs of 64 bits. Debian keeps `wine64` out of the path if the package `wine` itself is
+/// not installed.
 ///
 /// # Errors
 /// It is not installed.
@@ -36,10 +37,11 @@ pub(crate) fn find() -> Result<PathBuf, String> {
         .ok_or_else(|| "Wine is missing; install: wine64 of Debian".into())
 }
 
-/// The command that runs a Windows program. The DLL that old Wine lacks is put beside the program.
+/// The command that runs a Windows program under Wine. The DLL that old versions of Wine lack is put beside the
+/// program.
 ///
 /// # Errors
-/// Wine or the C compiler for Windows is missing.
+/// Fails if Wine or the C compiler for Windows is missing.
 pub(crate) fn command(program: &Path) -> Result<Command, String> {
     let wine = find()?;
     let source = target_folder().join("bcryptprimitives.c");

@@ -1,7 +1,9 @@
-//! `cargo xtask workflows`: the workflows of `.github` checked by actionlint (forms, expressions, names of machines) and by zizmor
-//! (pinned actions, permissions, injections). Both come from PyPI, in the versions of `xtask/workflow-requirements.txt`.
+//! `cargo xtask workflows` lets actionlint check the workflows of `.github` (forms, expressions, names of machines),
+//! and zizmor (pinned actions, permissions, injections). Both checkers come from PyPI, in the versions of
+//! `xtask/workflow-requirements.txt`.
 //!
-//! What a workflow runs must be a command of the repository: each `cargo xtask NAME` is one that `cargo xtask` lists.
+//! Whatever a workflow runs must be a command of the repository: each `cargo xtask NAME` must be a task that
+//! `cargo xtask` lists.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -11,7 +13,7 @@ use crate::step::{Done, Step, run_all};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// As a step of `cargo xtask test all`, and alone.
+/// The step that checks the workflows, for `cargo xtask test all` and alone.
 pub(crate) const STEP: Step = Step { name: "workflows", run: workflows };
 
 const FOLDER: &str = ".github/workflows";
@@ -46,7 +48,7 @@ fn workflows() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// All workflows, in the order of their names.
+/// All workflow files, in the order of their names.
 fn files() -> Result<Vec<PathBuf>, String> {
     let entries = std::fs::read_dir(FOLDER).map_err(|e| format!("{FOLDER}: {e}"))?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -54,7 +56,7 @@ fn files() -> Result<Vec<PathBuf>, String> {
     Ok(files)
 }
 
-/// Tasks that a workflow calls and `usage` does not list.
+/// Tasks that a workflow calls and that `usage` does not list.
 fn unknown_tasks(workflow: &str, usage: &str) -> Vec<String> {
     let called = workflow.split("cargo xtask ").skip(1);
     let names = called.map(|after| after.split(|c: char| !(c.is_alphanumeric() || c == '-')));

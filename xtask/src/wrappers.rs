@@ -1,5 +1,5 @@
-//! The C++ header and the C# file over the C interface: their examples and the guide of game loops, compiled with all warnings as
-//! errors and run. Part of `cargo xtask c`.
+//! Tests the C++ header and the C# file over the C interface: compiles their examples and the guide of game loops with
+//! all warnings as errors, and runs them. The tests of the wrappers are part of `cargo xtask c`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,7 +14,8 @@ use crate::tools;
 const EXAMPLE: &str = "examples/cpp/game_loop.cpp";
 const GUIDE: &str = "docs/guides/game_loop.md";
 
-/// The C++ example, the checks of the wrapper and the guide, as C++17 and C++20; `fenderline replay` of the example's dump.
+/// Tests the C++ example, the checks of the wrapper and the guide, as C++17 and C++20, and lets `fenderline replay`
+/// replay the example's dump.
 pub(crate) fn cpp() -> Result<Done, String> {
     if let Err(missing) = tools::c_compiler() {
         return Ok(Done::NotRun(missing));
@@ -43,7 +44,7 @@ fn cpp_in(build: &Build) -> Result<(), String> {
     println!("{EXAMPLE}, wrapper.cpp and {GUIDE}: as C++17 and C++20 under sanitizers");
     let mut program = Command::new(built::program("release")?);
     let replayed = run_quietly(program.arg("replay").arg(&dump))?;
-    if !replayed.contains("the same bits in all steps") {
+    if !replayed.contains("all steps gave the same bits as recorded") {
         return Err(format!("fenderline replay of the example's dump:\n{replayed}"));
     }
     println!("fenderline replay: {}", replayed.lines().next().unwrap_or_default());
@@ -60,7 +61,7 @@ fn compile(build: &Build, source: &Path, standard: &str) -> Result<PathBuf, Stri
     Ok(program)
 }
 
-/// The C# example prints what the C++ one prints.
+/// Checks that the C# example prints what the C++ example prints.
 pub(crate) fn csharp() -> Result<Done, String> {
     for missing in [tools::c_compiler(), tools::mono()] {
         if let Err(missing) = missing {
@@ -93,7 +94,8 @@ fn csharp_in(build: &Build) -> Result<(), String> {
     Ok(())
 }
 
-/// Every function that the C# file imports is one of the header, and its version of the interface is the header's.
+/// Checks that the header has every function that the C# file imports, and that both have the same version of the
+/// interface.
 fn functions_exist() -> Result<(), String> {
     let read = |file: &str| std::fs::read_to_string(file).map_err(|e| format!("{file}: {e}"));
     let (own, header) = (read("bindings/csharp/Fenderline.cs")?, read("include/fenderline.h")?);

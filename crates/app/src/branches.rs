@@ -1,4 +1,4 @@
-//! The branches of a recorded session beside each other: each is stepped through from the start of the session.
+//! Compares the branches of a recorded session: each branch is simulated again from the start of the session.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_live::{Repeat, Session};
@@ -9,15 +9,17 @@ use fenderline_sim::berth::Berth;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 
-/// Most branches that are shown beside each other: more lines cannot be told apart. The latest ones.
+/// Largest number of branches that are shown beside each other: the lines of more branches cannot be told apart. The
+/// latest branches are shown.
 const MOST: usize = 8;
-/// Simulated time between two points of a way (s).
+/// Simulated time between two points of a ship's path (s).
 const EVERY_S: f64 = 1.0;
 
-/// The outcomes of all branches with steps; none where there is only one, or when `interrupt` was asked.
+/// The outcomes of all branches that have time steps. The list is empty if only one branch has steps, or if the user
+/// interrupts.
 ///
 /// # Errors
-/// A step that the simulation cannot make.
+/// Fails if the simulation cannot make a time step.
 pub(crate) fn outcomes(
     session: &Session,
     interrupt: &Interrupt,
@@ -98,7 +100,7 @@ fn largest_line_share(simulation: &Simulation) -> f64 {
     lines.map(share).fold(0.0, greater)
 }
 
-/// The ship that the branches are compared by: the pilot's own, and the berth that she comes to.
+/// The ship by which the branches are compared, namely the pilot's own ship, and the berth that she comes to.
 struct Ship {
     body: usize,
     berth: Option<Berth>,
@@ -127,7 +129,8 @@ impl Ship {
         }
     }
 
-    /// The speed of the faster of her ends towards the fenders, of those that are near.
+    /// Speed of the ship's bow or stern towards the fenders (m/s): of those ends that are near the berth, the faster
+    /// one.
     fn approach_mps(&self, simulation: &Simulation) -> Option<f64> {
         let berth = self.berth?;
         let outline = &simulation.setup().bodies[self.body].outline;

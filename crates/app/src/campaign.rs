@@ -32,11 +32,13 @@ use crate::output::write_whole;
 use crate::progress::Progress;
 use crate::terminal::{answer, say};
 
-/// Makes all runs and writes their tables, or does what the subcommand says. A run that cannot be made is a row with its error.
+/// Makes all runs of the campaign and writes their tables, or does what the subcommand says. A run that cannot be made
+/// becomes a row of the table with its error.
 ///
 /// # Errors
-/// Bad input: the campaign's file, or a scenario of which no run can be made. A file that cannot be written. A run that was not
-/// made: exit code 1, with all files written. An interrupt: the rows so far are written.
+/// Fails if the campaign file is wrong, if no run of its scenario can be made, or if a file cannot be written. If a
+/// single run of the campaign was not made, all files are written and the exit code is 1. If the user interrupts the
+/// campaign, the rows so far are written.
 pub(crate) fn campaign(args: &CampaignArgs) -> Result<(), Failure> {
     match (&args.part, &args.run) {
         (Some(CampaignPart::Merge(args)), _) => merge::merge(args),
@@ -132,7 +134,7 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     gathered.outcome()
 }
 
-/// Makes the runs that have no row, until the rule ends the campaign or the user asks.
+/// Makes the runs that have no row in the table yet, until the stop rule ends the campaign or the user interrupts.
 fn make_missing(
     runs: &Runs,
     store: &mut Store<'_>,
@@ -157,13 +159,13 @@ fn make_missing(
     })
 }
 
-/// The number of threads given, else that of the machine.
+/// The number of threads that the user gave, else the number of the machine's threads.
 fn threads(given: Option<NonZero<usize>>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     given.map_or_else(all, NonZero::get)
 }
 
-/// What does not go along with a share of the runs.
+/// Refuses options that do not go together with `--shard`, which makes only one share of the runs.
 fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option<String> {
     if shard == Shard::WHOLE {
         return None;
@@ -188,7 +190,8 @@ fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option
         .then(|| format!("there are {} shards for {} runs", shard.of, runs.count()))
 }
 
-/// Removes the documents of the campaign that is replaced: they would stand beside the rows of another.
+/// Removes the report and the figure of the campaign that is replaced, so that they do not stand beside the rows of the
+/// new campaign.
 fn remove_documents(folder: &Path) -> Result<(), Failure> {
     for name in [report::REPORT, FIGURE] {
         let path = folder.join(name);

@@ -1,4 +1,4 @@
-//! The libraries of FMUs that this program carries, put in by the build script.
+//! The FMU libraries that the build script has put into this program.
 
 include!(concat!(env!("OUT_DIR"), "/fmu_libraries.rs"));
 

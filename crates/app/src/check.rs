@@ -16,8 +16,8 @@ use crate::played::error;
 use crate::terminal::{notice, say, say_json};
 use crate::vessels::estimates;
 
-/// Checks a scenario as `run` does, or a campaign as `campaign` does, and writes nothing. With `--json` a mistake is printed as
-/// JSON, and as text to standard error.
+/// Checks a scenario as `run` does, or a campaign as `campaign` does, and writes nothing. With `--json` a mistake is
+/// printed as JSON, and as text to standard error.
 ///
 /// # Errors
 /// Bad input.
@@ -126,7 +126,7 @@ fn chart_json(chart: &Chart) -> Value {
 /// Prints the JSON Schema of a kind of file.
 ///
 /// # Errors
-/// Standard output that cannot be written.
+/// Fails if standard output cannot be written.
 pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
     let schema = match of {
         SchemaOf::Scenario => fenderline_scenario::schema(),

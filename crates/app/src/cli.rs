@@ -22,8 +22,8 @@ use crate::version;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
 ///
-/// Exit codes: 0 done, 1 the case failed (or its verdict is a failure: see `run --allow-failures`), 2 bad input, 130 the
-/// run was interrupted by Ctrl-C; its results up to then are written.
+/// Exit codes: 0 done, 1 the case failed (or its verdict is a failure: see `run --allow-failures`), 2 bad input, 130
+/// the run was interrupted by Ctrl-C; its results up to then are written.
 #[derive(Debug, Parser)]
 #[command(name = "fenderline", version, long_version = version::long(), propagate_version = true)]
 pub(crate) struct Cli {
@@ -40,14 +40,17 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Print an example scenario, or write it to a new file
     Init(InitArgs),
-    /// Run a scenario, or repeat a recorded session, and write only documents: the report as a page or PDF, an Excel workbook
+    /// Run a scenario, or repeat a recorded session, and write only documents: the report as a page or PDF, an Excel
+    /// workbook
     Report(ReportArgs),
-    /// Find the largest value of a key, such as the speed of a passing ship, with which a run stays within all limits, by bisection
+    /// Find the largest value of a key, such as the speed of a passing ship, with which a run stays within all limits,
+    /// by bisection
     Limit(LimitArgs),
-    /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a table with a
-    /// row a case, and a figure or report
+    /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a
+    /// table with a row a case, and a figure or report
     Campaign(CampaignArgs),
-    /// Statistics of a column of a table, such as measured berthing speeds: exceedance, fits and design values with their bands
+    /// Statistics of a column of a table, such as measured berthing speeds: exceedance, fits and design values with
+    /// their bands
     Statistics(StatisticsArgs),
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
@@ -72,7 +75,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Run a scenario in real time, steered from browsers
     Serve(ServeArgs),
-    /// Replay a session that `serve` recorded, or a dump of an engine's steps; exit code 1 if the result differs in any bit
+    /// Replay a session that `serve` recorded, or a dump of an engine's steps; exit code 1 if the result differs in any
+    /// bit
     Replay(ReplayArgs),
     /// Print the completions for a shell, such as `fenderline completions bash`
     Completions(CompletionsArgs),
@@ -92,7 +96,7 @@ pub(crate) enum Example {
 }
 
 impl Example {
-    /// In the order of the list.
+    /// All example scenarios, in the order of the printed list.
     pub(crate) const ALL: [Example; 6] = [
         Example::Berthing,
         Example::Dolphins,
@@ -147,7 +151,7 @@ pub(crate) struct ManArgs {
     pub(crate) out: Option<PathBuf>,
 }
 
-/// A file to write, which standard output cannot be.
+/// Parses the path of a file to write; refuses `-`, which would stand for standard output.
 fn output_file() -> impl TypedValueParser<Value = PathBuf> {
     let file = |path: PathBuf| match path.as_os_str() == "-" {
         true => Err("this file cannot be written to standard output; write ./- for a file named -"),
@@ -156,7 +160,7 @@ fn output_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(file)
 }
 
-/// A folder for several files.
+/// Parses the path of a folder for several files; refuses `-`, which would stand for standard output.
 fn output_folder() -> impl TypedValueParser<Value = PathBuf> {
     let folder = |path: PathBuf| match path.as_os_str() == "-" {
         true => Err(
@@ -168,7 +172,7 @@ fn output_folder() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(folder)
 }
 
-/// A file to read, which standard input cannot be.
+/// Parses the path of a file to read; refuses `-`, which would stand for standard input.
 fn input_file() -> impl TypedValueParser<Value = PathBuf> {
     let file = |path: PathBuf| match path.as_os_str() == "-" {
         true => Err("this command does not read standard input; write ./- for a file named -"),
@@ -185,35 +189,37 @@ pub(crate) enum FenderCommand {
 
 #[derive(Debug, Args)]
 pub(crate) struct FitArgs {
-    /// csv file with the columns deflection_m, deflection_mm or deflection_percent (of the height), reaction_n, reaction_kn
-    /// or reaction_percent (of --rated-reaction), and optionally unloading (0 or 1), speed_mps, temperature_c
+    /// csv file with the columns deflection_m, deflection_mm or deflection_percent (of the height), reaction_n,
+    /// reaction_kn or reaction_percent (of --rated-reaction), and optionally unloading (0 or 1), speed_mps,
+    /// temperature_c
     #[arg(value_name = "CURVES.csv", value_parser = input_file())]
     pub(crate) curves: PathBuf,
     /// Fender file to write
     #[arg(short, long, value_name = "FENDER.toml", value_parser = output_file())]
     pub(crate) out: PathBuf,
-    /// Extent in the direction of compression, uncompressed, such as "1.2 m"; a plain number is in metres
+    /// Height of the uncompressed fender in the direction of compression, such as "1.2 m"; a plain number is in metres
     #[arg(long, value_name = "LENGTH", value_parser = length_m, allow_hyphen_values = true)]
     pub(crate) height: f64,
-    /// Length along the berth, such as "2 m"
+    /// Length of the fender along the berth, such as "2 m"
     #[arg(long, value_name = "LENGTH", value_parser = length_m, allow_hyphen_values = true)]
     pub(crate) length: Option<f64>,
-    /// Rated deflection, such as "864 mm" or "72 %" of the height [default: the end of the loading curve]
+    /// Rated deflection of the fender, such as "864 mm" or "72 %" of its height [default: the end of the loading curve]
     #[arg(long, value_name = "LENGTH", value_parser = length_or_share, allow_hyphen_values = true)]
     pub(crate) rated_deflection: Option<LengthOrShare>,
-    /// Rated reaction of the catalogue, such as "585 kN" [default: that of the curve at the rated deflection]
+    /// Rated reaction in the catalogue, such as "585 kN" [default: the reaction of the curve at the rated deflection]
     #[arg(long, value_name = "FORCE", value_parser = force_n, allow_hyphen_values = true)]
     pub(crate) rated_reaction: Option<f64>,
-    /// Energy returned on unloading, such as "60 %", for a file without an unloading curve; a plain number is in per cent
+    /// Share of the energy that the fender returns on unloading, such as "60 %", for a file without an unloading curve;
+    /// a plain number is in per cent
     #[arg(long, value_name = "PERCENT", value_parser = percent, allow_hyphen_values = true)]
     pub(crate) returned_energy: Option<f64>,
     /// Largest permitted difference between fit and rows, in per cent of the rated reaction
     #[arg(long, value_name = "PERCENT", default_value = "0.5 %", value_parser = percent, allow_hyphen_values = true)]
     pub(crate) tolerance: f64,
-    /// Name of the family [default: the name of the file]
+    /// Name of the fender's family [default: the name of the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) family: Option<String>,
-    /// Designation of the size [default: the name of the file]
+    /// Designation of the fender's size [default: the name of the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) designation: Option<String>,
     /// Source of the curves [default: the name of their file]
@@ -222,19 +228,19 @@ pub(crate) struct FitArgs {
     /// Standing of the source
     #[arg(long, value_enum, default_value_t = FitStanding::Derived)]
     pub(crate) standing: FitStanding,
-    /// Page to write, with the fit and the rows
+    /// HTML page to write, which shows the fit and the rows of the csv file
     #[arg(long, value_name = "PAGE.html", value_parser = output_file())]
     pub(crate) plot: Option<PathBuf>,
 }
 
-/// Standing of the source of curves.
+/// How far the source of a fender's curves has been checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FitStanding {
-    /// Measured, or read in a public source
+    /// The curves were measured, or read in a public source
     Found,
     /// Computed
     Derived,
-    /// To be checked against the document
+    /// The curves are still to be checked against the document
     Recalled,
 }
 
@@ -243,7 +249,7 @@ pub(crate) struct ServeArgs {
     /// Scenario file, or a recorded session to continue
     #[arg(value_name = "SCENARIO.toml", value_parser = input_file())]
     pub(crate) scenario: PathBuf,
-    /// Port; 0 takes a free one
+    /// Port of the server; 0 takes a free port
     #[arg(long, value_name = "N", default_value_t = 8090)]
     pub(crate) port: u16,
     /// Address to listen on
@@ -252,10 +258,10 @@ pub(crate) struct ServeArgs {
     /// Allow other machines to connect; needed with any --bind other than loopback
     #[arg(long)]
     pub(crate) allow_remote: bool,
-    /// Host name by which other machines reach this one; repeatable
+    /// Host name by which other machines reach this machine; repeatable
     #[arg(long, value_name = "NAME")]
     pub(crate) host: Vec<String>,
-    /// Folder with built pages [default: those that the program carries in itself]
+    /// Folder with the built web pages [default: the pages that are built into the program]
     #[arg(long, value_name = "DIR")]
     pub(crate) page: Option<PathBuf>,
     /// Folder with scenarios to open from the page [default: the folder of the scenario]
@@ -267,14 +273,14 @@ pub(crate) struct ServeArgs {
     /// Start paused [default: start when the first page connects]
     #[arg(long)]
     pub(crate) paused: bool,
-    /// Port that chart programs connect to for NMEA 0183 and AIS sentences; 0 takes a free one
+    /// Port that chart programs connect to for NMEA 0183 and AIS sentences; 0 takes a free port
     #[arg(long, value_name = "N")]
     pub(crate) nmea_tcp: Option<u16>,
     /// UDP address to send NMEA 0183 and AIS sentences to, such as 127.0.0.1:10110
     #[arg(long, value_name = "ADDR:PORT")]
     pub(crate) nmea_udp: Option<SocketAddr>,
-    /// Latitude and longitude of the scenario's origin in these sentences (degrees); by default that of the scenario's chart,
-    /// and 0,0 without one
+    /// Latitude and longitude of the scenario's origin in the NMEA and AIS sentences (degrees) [default: the origin of
+    /// the scenario's chart, or 0,0 without a chart]
     #[arg(long, value_name = "LAT,LON", value_parser = origin, allow_hyphen_values = true)]
     pub(crate) origin: Option<ChartOrigin>,
     /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable
@@ -294,7 +300,7 @@ pub(crate) struct RunArgs {
     /// Scenario file, or a session that `serve` recorded; `-` reads a scenario from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Branch of a recorded session [default: the one that was steered last]
+    /// Branch of a recorded session [default: the branch that was steered last]
     #[arg(long, value_name = "N")]
     pub(crate) branch: Option<usize>,
     /// Folder for the results [default: `out/` and the name of the scenario file]
@@ -306,14 +312,15 @@ pub(crate) struct RunArgs {
     /// Exit code 0 even where a structure was struck, a fender failed, a line parted or the results are not valid
     #[arg(long)]
     pub(crate) allow_failures: bool,
-    /// Refuse a scenario with notices, such as one of a ship that starts inside a fender: exit code 2, and no run. Exit code 1 where the run
-    /// left the range of its data, such as that of a wind that ends before the run
+    /// Refuse a scenario with notices, such as one of a ship that starts inside a fender: exit code 2, and no run. Exit
+    /// code 1 where the run left the range of its data, such as a record of wind that ends before the run
     #[arg(long)]
     pub(crate) strict: bool,
     /// Print summary.json instead of the summary in words
     #[arg(long)]
     pub(crate) json: bool,
-    /// Time that one row of a table stands for, such as 1 or "1 s"; 0: every step; short for --set output.interval=S
+    /// Time that one row of a table stands for, such as 1 or "1 s"; 0 gives a row for every step; short for --set
+    /// output.interval=S
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub(crate) interval: Option<String>,
     /// Tables to write, such as fenders,lines; short for --set output.tables=[…]
@@ -332,13 +339,14 @@ pub(crate) struct ReportArgs {
     /// Scenario file, or a session that `serve` recorded; `-` reads a scenario from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Branch of a recorded session [default: the one that was steered last]
+    /// Branch of a recorded session [default: the branch that was steered last]
     #[arg(long, value_name = "N")]
     pub(crate) branch: Option<usize>,
-    /// Page to write [default, if no other document is asked for: the scenario's name with `.html`]
+    /// Report page to write [default, if no other document is asked for: the scenario's name with `.html`]
     #[arg(long, value_name = "FILE.html", value_parser = output_file())]
     pub(crate) html: Option<PathBuf>,
-    /// Time that one row of a sheet stands for, such as 1 or "1 s"; 0: every step; short for --set output.interval=S
+    /// Time that one row of a sheet stands for, such as 1 or "1 s"; 0 gives a row for every step; short for --set
+    /// output.interval=S
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub(crate) interval: Option<String>,
     /// Exit code 0 even where a structure was struck, a fender failed or a line parted
@@ -353,10 +361,11 @@ pub(crate) struct ReportArgs {
 }
 
 impl RunArgs {
-    /// The changes of the scenario, the shorthands for its output first.
+    /// The changes of the scenario that the command line asks for: first the short options for `output`, then the
+    /// others.
     ///
     /// # Errors
-    /// A text that is not `KEY=VALUE`, or an empty one.
+    /// Fails if a text is not of the form `KEY=VALUE`, or is empty.
     pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
         let mut all = Vec::new();
         if let Some(interval) = &self.interval {
@@ -378,10 +387,10 @@ impl RunArgs {
 }
 
 impl ReportArgs {
-    /// All changes of the scenario.
+    /// All changes of the scenario that the command line asks for.
     ///
     /// # Errors
-    /// A text that is not `KEY=VALUE`, or an empty one.
+    /// Fails if a text is not of the form `KEY=VALUE`, or is empty.
     pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
         let mut all = Vec::new();
         if let Some(interval) = &self.interval {
@@ -405,11 +414,11 @@ pub(crate) struct CampaignArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum CampaignPart {
-    /// Put the shares of a campaign together: the table is that of one campaign, byte for byte
+    /// Put the shares of a campaign together; the table equals that of an undivided campaign, byte for byte
     Merge(CampaignMergeArgs),
     /// Run one case of a campaign by itself, as `fenderline run` does, with its report
     Replay(CampaignReplayArgs),
-    /// Write the report of a campaign's table again, as of one that Python made
+    /// Write the report of a campaign's table again, for instance of a table that Python made
     Report(CampaignReportArgs),
 }
 
@@ -424,10 +433,11 @@ pub(crate) struct CampaignRunArgs {
     /// Go on with the campaign that the folder holds
     #[arg(long, conflicts_with = "replace")]
     pub(crate) resume: bool,
-    /// Remove the campaign that the folder holds, and begin again
+    /// Remove the campaign that the folder holds, and begin anew
     #[arg(long)]
     pub(crate) replace: bool,
-    /// Make one share of the runs, as 2/8 for the second of eight; `campaign merge` puts them together
+    /// Make one share of the runs, such as 2/8 for the second of eight shares; `campaign merge` puts the shares
+    /// together
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub(crate) shard: Option<Shard>,
     /// Write the report as PDF too; needs a browser (Chromium, Chrome or Edge)
@@ -436,16 +446,16 @@ pub(crate) struct CampaignRunArgs {
     /// Write the table as an Excel workbook too
     #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
     pub(crate) xlsx: Option<PathBuf>,
-    /// Variable on the horizontal axis of the figure [default: the first one whose values are numbers]
+    /// Variable on the horizontal axis of the figure [default: the first variable whose values are numbers]
     #[arg(long, value_name = "NAME")]
     pub(crate) x: Option<String>,
-    /// Variable that makes the lines of the figure [default: the first of the others]
+    /// Variable that makes the lines of the figure [default: the first of the other variables]
     #[arg(long, value_name = "NAME")]
     pub(crate) lines: Option<String>,
-    /// Threads; the results do not depend on their number [default: all of the machine]
+    /// Number of threads; the results do not depend on it [default: all threads of the machine]
     #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<NonZero<usize>>,
-    /// Run nothing; print the command that runs this case by itself, with its report
+    /// Run nothing; print the command that runs the case of this number by itself, with its report
     #[arg(long, value_name = "CASE")]
     pub(crate) command: Option<u64>,
 }
@@ -471,7 +481,7 @@ pub(crate) struct CampaignReplayArgs {
     /// Number of the case, as in the column `case` of the table
     #[arg(value_name = "CASE")]
     pub(crate) case: u64,
-    /// Folder for tables, summary and report [default: `out/case_` and the number]
+    /// Folder for tables, summary and report [default: `out/case_` and the number of the case]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
 }
@@ -494,22 +504,23 @@ fn shard(text: &str) -> Result<Shard, String> {
     let parts = text
         .split_once('/')
         .and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
-    let (number, of) = parts.ok_or("write it as 2/8 for the second of eight shares")?;
+    let (number, of) = parts.ok_or("write a share as 2/8 for the second of eight shares")?;
     Shard::new(number, of)
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct StatisticsArgs {
-    /// Table: a csv file with a line of names, as in `speed [cm/s]`, or a Parquet file, such as the table of a campaign
+    /// Table to read: a csv file whose first line names the columns, as in `speed [cm/s]`, or a Parquet file, such as
+    /// the table of a campaign
     #[arg(value_name = "TABLE", value_parser = input_file())]
     pub(crate) table: PathBuf,
-    /// Column of numbers [default: list the columns]
+    /// Column whose numbers are analysed [default: list the columns]
     #[arg(long, value_name = "NAME")]
     pub(crate) column: Option<String>,
     /// Column with the weights of importance sampling [default: all rows count alike]
     #[arg(long, value_name = "NAME", requires = "column")]
     pub(crate) weights: Option<String>,
-    /// Berthings a year [default: values of rare single berthings]
+    /// Number of berthings a year [default: design values refer to rare single berthings]
     #[arg(long, value_name = "N", allow_hyphen_values = true, requires = "column")]
     pub(crate) per_year: Option<f64>,
     /// Return periods in years [default: 10,50,100]
@@ -521,17 +532,17 @@ pub(crate) struct StatisticsArgs {
         requires = "per_year"
     )]
     pub(crate) return_period: Vec<f64>,
-    /// Lifetime in years, for the largest of its berthings
+    /// Lifetime in years, for the largest value among all berthings of the lifetime
     #[arg(long, value_name = "YEARS", allow_hyphen_values = true, requires = "per_year")]
     pub(crate) life: Option<f64>,
-    /// Laws to fit: normal, lognormal, weibull, gumbel, gev, gpd [default: lognormal,weibull,gumbel,gev; gpd too with
-    /// --threshold]
+    /// Probability laws to fit: normal, lognormal, weibull, gumbel, gev, gpd [default: lognormal,weibull,gumbel,gev;
+    /// gpd too with --threshold]
     #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "column")]
     pub(crate) fit: Vec<Law>,
-    /// Threshold of the fit gpd, in the unit of the column
+    /// Threshold above which the law gpd (generalised Pareto) is fitted, in the unit of the column
     #[arg(long, value_name = "X", allow_hyphen_values = true, requires = "column")]
     pub(crate) threshold: Option<f64>,
-    /// Confidence level of the bands
+    /// Confidence level of the confidence bands
     #[arg(long, value_name = "LEVEL", default_value = "0.95", allow_hyphen_values = true)]
     pub(crate) confidence: Confidence,
     /// Print JSON instead of text
@@ -544,12 +555,12 @@ pub(crate) struct StatisticsArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
-    /// Sweep every force over its whole domain instead: continuity, mirror image, laws of physics, ratios to references; exit code 1 if
-    /// one fails
+    /// Instead of the published cases, sweep every force over its whole domain and check continuity, mirror image, laws
+    /// of physics and ratios to references; exit code 1 if a check fails
     #[arg(long)]
     pub(crate) sweeps: bool,
-    /// Folder for validation.html, validation.csv and validation.json; with --sweeps for sweeps.html, sweeps.csv, sweeps.json and a
-    /// picture of each sweep [default: none]
+    /// Folder for validation.html, validation.csv and validation.json; with --sweeps for sweeps.html, sweeps.csv,
+    /// sweeps.json and a picture of each sweep [default: none]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
     /// Print JSON instead of tables
@@ -571,11 +582,11 @@ pub(crate) struct ManoeuvreArgs {
     /// Rudder angle of turning circle and zig-zag in degrees [default: hard over; 10 and 20]
     #[arg(long, value_name = "DEG", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) rudder: Option<f64>,
-    /// Speed of approach in knots [default: the vessel's own]
+    /// Speed of approach in knots [default: the speed in the vessel's data]
     #[arg(long, value_name = "KN", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) speed: Option<f64>,
-    /// Water depth in metres or draughts, such as 31.2 or "1.5 T"; the measures are printed beside those in deep
-    /// water [default: deep water only]
+    /// Water depth in metres or draughts, such as 31.2 or "1.5 T"; the results are printed beside those in deep water
+    /// [default: deep water only]
     #[arg(long, value_name = "DEPTH", allow_hyphen_values = true)]
     pub(crate) depth: Option<WaterDepth>,
     /// Side force for crabbing in kilonewtons [default: the drag in deep water at a Froude number of 0.01]
@@ -629,15 +640,15 @@ pub(crate) struct FmuArgs {
     /// Version of the standard
     #[arg(long, value_enum, default_value_t = FmiVersion::Two)]
     pub(crate) fmi: FmiVersion,
-    /// File to write; its name without extension is the name of the model. A description for the Open Simulation
-    /// Platform is written beside it
+    /// FMU file to write; its name without extension is the name of the model. A description for the Open Simulation
+    /// Platform is written beside the FMU
     #[arg(short, long, value_name = "X.fmu", value_parser = output_file())]
     pub(crate) out: PathBuf,
     /// Platforms that the FMU runs on, by the names of FMI 3.0: x86_64-linux, aarch64-linux, x86_64-windows
     /// [default: all that this program has a library for]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = platform)]
     pub(crate) platforms: Vec<Platform>,
-    /// Shared library of the FMU in place of the program's own; once for each platform
+    /// Shared library for the FMU, used in place of the library that is built into the program; once for each platform
     #[arg(long, value_name = "PATH", conflicts_with = "platforms")]
     pub(crate) library: Vec<PathBuf>,
     #[command(flatten)]
@@ -691,7 +702,7 @@ pub(crate) enum SchemaOf {
     Campaign,
 }
 
-/// A manoeuvre, or all that the vessel can do.
+/// The choice of one manoeuvre, or of all manoeuvres that the vessel can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ManoeuvreChoice {
     /// This one.
@@ -726,19 +737,19 @@ impl ValueEnum for ManoeuvreChoice {
 /// A manoeuvre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Manoeuvre {
-    /// Turning circle to either side
+    /// Turning circles to starboard and to port
     Turning,
-    /// Zig-zag 10°/10° and 20°/20°, first to either side
+    /// Zig-zag 10°/10° and 20°/20°, each begun to starboard and to port
     Zigzag,
-    /// From full ahead to standstill by the propeller astern
+    /// Crash stop: from full ahead to standstill by the propeller astern
     CrashStop,
-    /// Sideways under a steady force at midship, engine stopped
+    /// Crabbing: motion sideways under a steady force at midship, engine stopped
     Crabbing,
     /// Pull on a bollard, ahead and astern
     BollardPull,
 }
 
-/// A water depth on the command line.
+/// A water depth as given on the command line, in metres or in draughts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WaterDepth {
     /// In metres.
@@ -782,17 +793,18 @@ fn platform(text: &str) -> Result<Platform, String> {
     })
 }
 
-/// A number above zero and below a million; no rudder, ship or tug needs more.
+/// Parses a number of threads.
 fn threads(text: &str) -> Result<NonZero<usize>, String> {
     let number = text.parse::<NonZero<usize>>().ok().filter(|number| number.get() <= MOST_THREADS);
-    number.ok_or_else(|| format!("must be a whole number from 1 to {MOST_THREADS}"))
+    number.ok_or_else(|| format!("the number of threads must be from 1 to {MOST_THREADS}"))
 }
 
+/// Parses a number above zero and below a million; no angle, speed or force of a manoeuvre needs more.
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number < 1e6 => Ok(number),
-        Ok(_) => Err("it must be above 0 and below 1000000".to_owned()),
-        Err(_) => Err("it is not a number".to_owned()),
+        Ok(_) => Err("the number must be above 0 and below 1000000".to_owned()),
+        Err(_) => Err("the value is not a number".to_owned()),
     }
 }
 
@@ -801,16 +813,16 @@ pub(crate) struct LimitArgs {
     /// Scenario file; `-` reads it from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Key to change, such as passing.feeder.speed; larger values must be worse
+    /// Key of the scenario to change, such as passing.feeder.speed; larger values must be worse
     #[arg(long, value_name = "KEY")]
     pub(crate) key: String,
-    /// Least value, with its unit, such as "2 kn"
+    /// Smallest value of the key, with its unit, such as "2 kn"
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) from: String,
-    /// Largest value, with the same unit
+    /// Largest value of the key, with the same unit
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) to: String,
-    /// Accuracy, in the unit of the values [default: a hundredth of the range]
+    /// Accuracy of the limit, in the unit of the values [default: a hundredth of the range]
     #[arg(long, value_name = "NUMBER")]
     pub(crate) within: Option<f64>,
     /// Print the limit that was found and all runs as JSON
@@ -825,17 +837,18 @@ pub(crate) struct CheckArgs {
     /// Scenario or campaign file; `-` reads a scenario from standard input
     #[arg(value_name = "FILE.toml")]
     pub(crate) scenario: PathBuf,
-    /// Exit code 2 where there are notices, such as that of a ship that starts inside a fender, or of a campaign's case that cannot start
+    /// Exit code 2 if there are notices, such as one of a ship that starts inside a fender, or of a campaign's case
+    /// that cannot start
     #[arg(long)]
     pub(crate) strict: bool,
-    /// Print the mistake or the notices as JSON, each with file, line, column and key
+    /// Print the mistake or the notices of the file as JSON, each with file, line, column and key
     #[arg(long)]
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) changes: Changes,
 }
 
-/// The documents of a run for people, beside the tables.
+/// Options for the documents of a run that people read (PDF report, Excel workbook), beside the result tables.
 #[derive(Debug, Default, Args)]
 pub(crate) struct Documents {
     /// Write the report as PDF too; needs a browser (Chromium, Chrome or Edge)
@@ -844,12 +857,13 @@ pub(crate) struct Documents {
     /// Write the results as an Excel workbook too
     #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
     pub(crate) xlsx: Option<PathBuf>,
-    /// Tables to add to the workbook, a sheet each with its time series, such as fenders,lines [default: none]
+    /// Result tables to add to the workbook, each as a sheet with its time series, such as fenders,lines [default:
+    /// none]
     #[arg(long, value_name = "NAMES", requires = "xlsx")]
     pub(crate) sheets: Option<String>,
 }
 
-/// Lines of the report's title page; each is short for `--set report.KEY=TEXT`.
+/// Options for the lines of the report's title page; each option is short for `--set report.KEY=TEXT`.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Title page of the report")]
 pub(crate) struct TitlePage {
@@ -868,7 +882,7 @@ pub(crate) struct TitlePage {
     /// Status of the document, such as "for review"
     #[arg(long, value_name = "TEXT")]
     status: Option<String>,
-    /// Date of the document, as it is to be printed
+    /// Date of the document, as the title page is to show it
     #[arg(long, value_name = "TEXT")]
     date: Option<String>,
     /// Author of the document
@@ -880,7 +894,7 @@ pub(crate) struct TitlePage {
 }
 
 impl TitlePage {
-    /// The lines that are given, as overrides of the scenario.
+    /// The lines of the title page that the user gave, as overrides of the scenario.
     ///
     /// # Errors
     /// An empty text.
@@ -906,7 +920,7 @@ impl TitlePage {
     }
 }
 
-/// A text as a basic string of TOML.
+/// Writes a text as a basic string of TOML.
 fn toml_text(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
@@ -932,17 +946,17 @@ pub(crate) struct Changes {
     /// Contact method; short for --set contact.method=METHOD
     #[arg(long, value_name = "METHOD")]
     method: Option<String>,
-    /// Override one key of the scenario, such as body.tug.velocity.surge="2 kn"; `*` in a name means all that fit, such as
-    /// fender.*.temperature="40 degC"; repeatable
+    /// Override one key of the scenario, such as body.tug.velocity.surge="2 kn"; `*` in a name means all names that
+    /// fit, as in fender.*.temperature="40 degC"; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
 }
 
 impl Changes {
-    /// All changes, the shorthands first.
+    /// All changes of the scenario: first those of the short options, then those of `--set`.
     ///
     /// # Errors
-    /// A text that is not `KEY=VALUE`.
+    /// Fails if a text is not of the form `KEY=VALUE`.
     pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
         let shorthands = self
             .shorthands()
@@ -950,7 +964,7 @@ impl Changes {
         shorthands.chain(self.set.iter().map(|text| Override::parse(text))).collect()
     }
 
-    /// Keys and values of all changes, in the same order.
+    /// Keys and values of all changes of the scenario, in the order of [`Changes::overrides`].
     ///
     /// # Errors
     /// As [`Changes::overrides`].

@@ -9,10 +9,10 @@ use crate::cli::ColumnsArgs;
 use crate::failure::Failure;
 use crate::terminal::{answer, say_json};
 
-/// Prints every column with unit and meaning, as Markdown or JSON.
+/// Prints every column of the result tables with unit and meaning, as Markdown or JSON.
 ///
 /// # Errors
-/// Standard output that cannot be written.
+/// Fails if standard output cannot be written.
 pub(crate) fn columns(args: &ColumnsArgs) -> Result<(), Failure> {
     let tables = reference();
     if args.json {
@@ -43,7 +43,7 @@ fn markdown(tables: &[TableReference]) -> String {
     text
 }
 
-/// For each table a list of name, unit and meaning of its columns.
+/// The tables as JSON: for each table a list of the name, unit and meaning of its columns.
 fn as_json(tables: &[TableReference]) -> Value {
     let table = |table: &TableReference| {
         let columns = table.columns.iter().map(|c| json!([c.name, c.unit, c.meaning]));

@@ -1,4 +1,4 @@
-//! The report of a session that is running, for the live server.
+//! Makes the report of a running session for the live server.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,10 +10,11 @@ use crate::interrupt::Interrupt;
 use crate::played::Start;
 use crate::session::Recorded;
 
-/// The page that `fenderline report` makes of a recording: from the name of its file and its bytes, of a branch. Prints nothing.
+/// Makes the report page of one branch of a recording, as `fenderline report` does, from the recording's file name and
+/// bytes. Prints nothing.
 ///
 /// # Errors
-/// Why there is no report, for the page: a recording that cannot be replayed; `stop` was set.
+/// Says why there is no report: the recording cannot be replayed, or `stop` was set.
 pub(crate) fn debrief(
     name: &str,
     recording: &[u8],

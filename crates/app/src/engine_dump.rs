@@ -1,4 +1,4 @@
-//! `fenderline replay` of a dump: the last steps of an engine, as the C interface writes them.
+//! `fenderline replay` of a dump, a file in which the C interface writes the last steps of a contact engine.
 
 use std::io::Read as _;
 use std::path::Path;
@@ -13,17 +13,17 @@ use crate::terminal::{say, tell};
 /// The largest dump that is read (bytes).
 const LARGEST: u64 = 1 << 30;
 
-/// Whether a file begins as a dump does. A file that cannot be read does not.
+/// Whether a file begins with the mark of a dump; `false` if the file cannot be read.
 pub(crate) fn is_one(path: &Path) -> bool {
     let mut begin = [0; 8];
     open_regular(path, LARGEST).is_ok_and(|mut file| file.read_exact(&mut begin).is_ok())
         && is_dump(&begin)
 }
 
-/// Takes the steps of a dump again, and tells those that were refused, did not end, or differ.
+/// Repeats the steps of a dump, and names the steps that were refused, did not end, or gave other results.
 ///
 /// # Errors
-/// Bytes that are not a whole dump; a step that does not end with the recorded bits.
+/// Fails if the bytes are not a whole dump, or if the results of a step differ from the recorded bits.
 pub(crate) fn replay(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let bytes = read_bytes(path, LARGEST).map_err(Failure::input)?;
@@ -61,7 +61,7 @@ pub(crate) fn replay(path: &Path) -> Result<(), Failure> {
          largest contact force {kilonewtons:.0} kN\n"
     ))?;
     if different == 0 {
-        return say("the same bits in all steps\n");
+        return say("all steps gave the same bits as recorded\n");
     }
     Err(Failure::case(format_args!(
         "error: {different} of {steps} steps do not end with the recorded bits"

@@ -7,26 +7,28 @@ use crate::output::OutputError;
 /// The exit code of a run that was interrupted.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// The end of a command that did not succeed.
+/// The way in which a command ended that did not succeed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
     /// The user's input cannot be used: exit code 2.
     Input(String),
-    /// The input is good and the case failed: exit code 1.
+    /// The input can be used, but the run failed: exit code 1.
     Case(String),
-    /// The user interrupted it, and the results up to then were written: exit code 130, as for a program that SIGINT ended.
+    /// The user interrupted the command, and the results up to then were written: exit code 130, as for a program that
+    /// SIGINT ended.
     Interrupted,
-    /// The reader of the output closed it early, as `head` does. This is not a failure: exit code 0.
+    /// The reader of the output closed the output early, as `head` does. A reader that closes the output early is no
+    /// failure: exit code 0.
     ReaderGone,
 }
 
 impl Failure {
-    /// Input that is refused with `error`.
+    /// Makes a failure for input that is refused with the message `error`.
     pub(crate) fn input(error: impl fmt::Display) -> Failure {
         Failure::Input(error.to_string())
     }
 
-    /// A case that failed with `error`.
+    /// Makes a failure for a run that failed with the message `error`.
     pub(crate) fn case(error: impl fmt::Display) -> Failure {
         Failure::Case(error.to_string())
     }
@@ -41,7 +43,7 @@ impl Failure {
         }
     }
 
-    /// What to print, if anything.
+    /// The error text to print, if there is any.
     pub(crate) fn message(&self) -> Option<&str> {
         match self {
             Failure::Input(text) | Failure::Case(text) => Some(text),

@@ -1,4 +1,4 @@
-//! `fenderline fender fit`: curves of a test bench, a catalogue or a finite-element analysis to a fender file.
+//! `fenderline fender fit` makes a fender file from curves of a test bench, a catalogue or a finite-element analysis.
 
 use core::fmt::Write as _;
 
@@ -13,20 +13,20 @@ use crate::output::write_whole;
 use crate::terminal::{notice, say};
 use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, page};
 
-/// Rows of the printed table.
+/// Number of rows of the printed table.
 const ROWS: u32 = 10;
 
-/// Carries out `fenderline fender …`.
+/// Carries out a subcommand of `fenderline fender`.
 ///
 /// # Errors
-/// Bad input, or a file that cannot be written.
+/// Fails if the input is bad or a file cannot be written.
 pub(crate) fn fender(command: &FenderCommand) -> Result<(), Failure> {
     match command {
         FenderCommand::Fit(args) => fit(args),
     }
 }
 
-/// Fits, writes the file, reads it back as a scenario would, and shows the fit.
+/// Fits the curves, writes the fender file, reads it back as a scenario would, and shows the fit.
 fn fit(args: &FitArgs) -> Result<(), Failure> {
     let file = args.curves.display().to_string();
     let text = read_text(&args.curves)
@@ -80,7 +80,7 @@ fn options(args: &FitArgs) -> FitOptions {
     }
 }
 
-/// The measured reaction at a deflection on the curve (N).
+/// The measured reaction at a deflection, interpolated between the measured rows (N).
 fn measured_n(branch: &[(f64, f64)], deflection_m: f64) -> Option<f64> {
     let after = branch.partition_point(|point| point.0 < deflection_m);
     let next = branch.get(after)?;
@@ -88,7 +88,7 @@ fn measured_n(branch: &[(f64, f64)], deflection_m: f64) -> Option<f64> {
     Some(before.1 + (next.1 - before.1) * (deflection_m - before.0) / (next.0 - before.0))
 }
 
-/// The energy of measured rows to a deflection on the curve (J).
+/// The energy up to a deflection by the measured rows (J).
 fn measured_j(branch: &[(f64, f64)], deflection_m: f64) -> f64 {
     let mut points: Vec<(f64, f64)> =
         branch.iter().copied().filter(|point| point.0 < deflection_m).collect();
@@ -96,7 +96,8 @@ fn measured_j(branch: &[(f64, f64)], deflection_m: f64) -> f64 {
     points.windows(2).map(|two| 0.5 * (two[0].1 + two[1].1) * (two[1].0 - two[0].0)).sum()
 }
 
-/// Largest difference of the fit from the rows up to the end of the curve, over the rated reaction.
+/// Largest difference between the fit and the measured rows up to the end of the curve, as a share of the rated
+/// reaction.
 fn largest_difference(fitted: &FittedFender) -> f64 {
     let rows = fitted.reference().loading.iter();
     let off = rows.filter_map(|(d, r)| fitted.reaction_n(*d).map(|fit_n| (fit_n - r).abs()));
@@ -159,11 +160,11 @@ fn printed(fitted: &FittedFender, out: &str) -> String {
             );
         }
     }
-    let _ = writeln!(text, "in {out}; name it in `fender_files` of a scenario");
+    let _ = writeln!(text, "written to {out}; name this file in `fender_files` of a scenario");
     text
 }
 
-/// A page with measured rows as marks and the fit as lines.
+/// A page whose charts show the measured rows as marks and the fit as lines.
 fn plotted(fitted: &FittedFender, args: &FitArgs) -> String {
     let LoadingCurve { loading, unloading, .. } = fitted.reference();
     let millimetres = |(d, r): &(f64, f64)| Point { x: d * 1e3, y: r / 1e3 };

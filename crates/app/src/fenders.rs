@@ -18,7 +18,7 @@ use crate::terminal::{answer, say_json};
 /// Lists the families with their sizes, or prints one family or one size.
 ///
 /// # Errors
-/// A file that cannot be used; an unknown family or size.
+/// Fails if a fender file cannot be used, or if the family or the size is unknown.
 pub(crate) fn fenders(args: &FendersArgs) -> Result<(), Failure> {
     let library = library(&args.file)?;
     let Some(name) = &args.family else {
@@ -50,7 +50,7 @@ pub(crate) fn fenders(args: &FendersArgs) -> Result<(), Failure> {
     answer(&format!("{}{}", listed(&library, family)?, family_sheet(family)))
 }
 
-/// The built-in fenders, with those of files.
+/// The built-in fenders together with the fenders of the given files.
 fn library(files: &[PathBuf]) -> Result<FenderLibrary, Failure> {
     files.iter().try_fold(FenderLibrary::built_in(), |library, path| {
         let text = read_text(path)
@@ -71,11 +71,11 @@ fn sizes(library: &FenderLibrary, family: &Family) -> Result<Vec<CatalogueFender
     family.sizes.iter().map(size).collect()
 }
 
-/// A family and a line a size.
+/// A line for the fender family and a line for each of its sizes.
 fn listed(library: &FenderLibrary, family: &Family) -> Result<String, Failure> {
     let sizes = sizes(library, family)?;
     let count = match sizes.len() {
-        0 => "no sizes: give `height` and `rated_reaction`".to_owned(),
+        0 => "no sizes: a scenario gives `height` and `rated_reaction`".to_owned(),
         many => counted(many as u64, "size", "sizes"),
     };
     let mut text = format!(
@@ -130,8 +130,9 @@ fn limits_text(limits: &[HullPressureLimit]) -> String {
 
 /// Curve, unloading, factors and tolerance of a family, each with its source.
 fn family_sheet(family: &Family) -> String {
-    let mut text =
-        String::from("\ncurve: deflection in % of the height, reaction in % of the rated one\n");
+    let mut text = String::from(
+        "\ncurve: deflection in % of the height, reaction in % of the rated reaction\n",
+    );
     for (deflection, reaction) in &family.curve {
         let _ = writeln!(
             text,
@@ -190,7 +191,7 @@ fn factors(what: &str, table: &FactorTable, shown: fn(f64) -> f64) -> String {
     text
 }
 
-/// The performance of one size.
+/// Text with the performance data of one fender size.
 fn size_sheet(fender: &CatalogueFender) -> String {
     let mut text = format!("{} {}\n", fender.family, fender.designation);
     let number = |value: f64, unit: &str| format!("{} {unit}", plain(value, 4));

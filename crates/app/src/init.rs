@@ -10,7 +10,7 @@ use crate::output::write_new;
 use crate::terminal::{answer, say, say_json};
 
 impl Example {
-    /// Its name, what it is, and its text. It needs no other file.
+    /// Name, description and text of the example scenario. The example needs no other file.
     pub(crate) fn parts(self) -> [&'static str; 3] {
         macro_rules! example {
             ($name:literal, $file:literal, $what:literal) => {
@@ -59,7 +59,7 @@ impl Example {
 /// Lists the examples, prints one, or writes one to a new file.
 ///
 /// # Errors
-/// The file is there already, or cannot be written.
+/// Fails if the file exists already or cannot be written.
 pub(crate) fn init(args: &InitArgs) -> Result<(), Failure> {
     if args.list {
         return list(args.json);

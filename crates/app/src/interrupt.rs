@@ -1,5 +1,5 @@
-//! Ctrl-C. During a run the first ends it with the results so far, the second ends the program at once, as SIGTERM does. No
-//! process of a provider is left behind. Ctrl-C also ends the live server.
+//! Handles Ctrl-C. During a run the first Ctrl-C ends the run with the results so far; the second Ctrl-C ends the
+//! program at once, as SIGTERM does. No process of a force provider is left behind. Ctrl-C also ends the live server.
 
 use std::io;
 use std::process;
@@ -10,11 +10,11 @@ use tokio::sync::oneshot;
 
 use crate::failure::INTERRUPTED;
 
-/// Sent at the first Ctrl-C; the second one ends the program. A thread of its own listens, so that this works whatever
-/// the other threads wait for.
+/// The returned channel receives a message at the first Ctrl-C; the second Ctrl-C ends the program. A separate thread
+/// listens for Ctrl-C, so that the other threads may wait for anything.
 ///
 /// # Errors
-/// The system gives no thread.
+/// Fails if the system gives no thread.
 pub(crate) fn stop_on_interrupt() -> io::Result<oneshot::Receiver<()>> {
     let (send, stop) = oneshot::channel();
     let runtime = tokio::runtime::Builder::new_current_thread().enable_io().build()?;
@@ -35,8 +35,8 @@ pub(crate) fn stop_on_interrupt() -> io::Result<oneshot::Receiver<()>> {
 pub(crate) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Listens until the program ends. If the system does not allow it, Ctrl-C ends the program as usual. If the shell
-    /// ignores SIGINT for the program, as for background jobs, it stays ignored.
+    /// Listens for Ctrl-C until the program ends. If the system does not allow listening, Ctrl-C ends the program as
+    /// usual. If the shell ignores SIGINT for the program, as for background jobs, SIGINT stays ignored.
     pub(crate) fn listen() -> Interrupt {
         let asked = Arc::new(AtomicBool::new(false));
         #[cfg(unix)]
@@ -48,20 +48,21 @@ impl Interrupt {
         Interrupt(asked)
     }
 
-    /// Asked by a flag alone.
+    /// An `Interrupt` that only the given flag asks for, not Ctrl-C.
     pub(crate) fn asked_by(flag: &Arc<AtomicBool>) -> Interrupt {
         Interrupt(Arc::clone(flag))
     }
 
-    /// Whether the run shall end.
+    /// Whether the user has asked the run to end.
     pub(crate) fn is_asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
 
-/// What the first Ctrl-C prints.
+/// The message that the first Ctrl-C prints.
 #[cfg(any(unix, windows))]
-const TOLD: &str = "interrupted: the results so far are written; a second Ctrl-C ends the program at once, without them";
+const TOLD: &str = "interrupted: the results so far are written; a second Ctrl-C ends the program \
+    at once, without results";
 
 #[cfg(windows)]
 mod windows {
@@ -75,7 +76,8 @@ mod windows {
     use crate::failure::INTERRUPTED;
     use crate::terminal::tell;
 
-    /// Starts the thread that listens, and waits until it does. Without a console Ctrl-C does not reach the program.
+    /// Starts the thread that listens for Ctrl-C, and waits until the thread listens. Without a console Ctrl-C does not
+    /// reach the program.
     pub(super) fn listen(asked: &Arc<AtomicBool>) {
         let asked = Arc::clone(asked);
         let (listening, is_listening) = channel::<()>();
@@ -120,7 +122,7 @@ mod unix {
     /// The exit code that a shell reports for a program that SIGTERM ended.
     const TERMINATED: i32 = 143;
 
-    /// Starts the thread that listens, and waits until it does.
+    /// Starts the thread that listens for Ctrl-C, and waits until the thread listens.
     pub(super) fn listen(asked: &Arc<AtomicBool>) {
         let asked = Arc::clone(asked);
         let (listening, is_listening) = channel();
@@ -152,7 +154,7 @@ mod unix {
         });
     }
 
-    /// Ends the program at once. Files keep their `.part` names, and the next run removes them.
+    /// Ends the program at once. Unfinished files keep their `.part` names, and the next run removes these files.
     fn end(code: i32) -> ! {
         end_all();
         std::process::exit(code)

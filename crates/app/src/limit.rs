@@ -10,14 +10,14 @@ use crate::interrupt::Interrupt;
 use crate::load::Source;
 use crate::terminal::{answer, say_json};
 
-/// Most runs of a search: fifty halvings of a range leave nothing.
+/// Largest number of runs of a search: after fifty halvings nothing of the range is left.
 const MOST_RUNS: usize = 52;
 
-/// A run with one value.
+/// A run of the search, with one value of the key.
 struct Trial {
     value: f64,
     verdict: Verdict,
-    /// The worst finding, in a sentence.
+    /// The worst finding of the run, in a sentence.
     reason: String,
 }
 
@@ -27,7 +27,7 @@ impl Trial {
     }
 }
 
-/// A number with its unit.
+/// A number with its unit, as the user gives it.
 struct Amount {
     number: f64,
     unit: String,
@@ -35,7 +35,7 @@ struct Amount {
 
 impl Amount {
     /// # Errors
-    /// A text that does not begin with a number.
+    /// Fails if the text does not begin with a number.
     fn parse(option: &str, text: &str) -> Result<Amount, Failure> {
         let is_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E');
         let text = text.trim();
@@ -51,13 +51,14 @@ impl Amount {
     }
 }
 
-/// Runs the scenario with values between two, and prints the largest one that stays within all limits, with all tries.
+/// Runs the scenario with values of a key between `--from` and `--to`. Prints all runs, and the largest value whose run
+/// stays within all limits.
 ///
-/// A run is within its limits where no finding is graver than a note: no `[limit.NAME]` exceeded, no fender over its rating, no line over
-/// its working load. The search supposes that larger values are worse.
+/// A run is within its limits if no finding is graver than a note: no `[limit.NAME]` is exceeded, no fender is over its
+/// rating, no line is over its working load. The search supposes that larger values are worse.
 ///
 /// # Errors
-/// Bad input; a run that diverges; no value in the range that is within the limits.
+/// Fails if the input is bad, if a run diverges, or if no value of the range keeps the run within the limits.
 pub(crate) fn limit(args: &LimitArgs) -> Result<(), Failure> {
     let (low, high) = (Amount::parse("--from", &args.from)?, Amount::parse("--to", &args.to)?);
     if low.unit != high.unit {

@@ -1,4 +1,5 @@
-//! From a scenario file, or standard input, and the command line's changes to a checked scenario.
+//! Reads a scenario from a file or from standard input, applies the changes of the command line, and checks the
+//! scenario.
 
 use std::ffi::OsStr;
 use std::io::{self, IsTerminal as _};
@@ -11,24 +12,25 @@ use crate::terminal::remark;
 
 /// The path that stands for standard input.
 const STANDARD_INPUT: &str = "-";
-/// The name of a scenario from standard input, in messages and of its results.
+/// The name that stands for a scenario from standard input in messages and in the names of results.
 const NAME: &str = "stdin";
 
 /// The text of a scenario, and where it comes from.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
     pub(crate) text: String,
-    /// The path as the user gave it, for messages.
+    /// The path of the scenario as the user gave it, for messages.
     pub(crate) shown: String,
-    /// Where the files lie that it names: beside the file; in the current folder for standard input.
+    /// Folder of the files that the scenario names: the folder of the scenario file, or the current folder for standard
+    /// input.
     pub(crate) folder: PathBuf,
 }
 
 impl Source {
-    /// Reads the file at `path`; standard input, to its end, for `-`.
+    /// Reads the file at `path`; for `-` it reads standard input to its end.
     ///
     /// # Errors
-    /// A file that cannot be read, is too large, or is not UTF-8 text.
+    /// Fails if the file cannot be read, is too large, or is not UTF-8 text.
     pub(crate) fn read(path: &Path) -> Result<Source, LoadError> {
         if path != STANDARD_INPUT {
             let text = read_text(path).map_err(LoadError::Unreadable)?;
@@ -43,32 +45,32 @@ impl Source {
         Ok(Source { text, shown: NAME.to_owned(), folder: PathBuf::new() })
     }
 
-    /// The scenario with some keys replaced.
+    /// Reads the scenario with some of its keys replaced by `overrides`.
     ///
     /// # Errors
-    /// The scenario reader refuses it.
+    /// Fails if the scenario reader refuses the text.
     pub(crate) fn scenario(&self, overrides: &[Override]) -> Result<Scenario, LoadError> {
         Scenario::parse_beside(&self.text, &self.shown, overrides, &self.folder)
             .map_err(LoadError::Refused)
     }
 }
 
-/// Reads and checks the scenario at `path`; the one on standard input for `-`.
+/// Reads and checks the scenario at `path`, or for `-` the scenario on standard input.
 ///
 /// # Errors
-/// [`Failure::Input`] for a file that cannot be read, is too large, is not UTF-8 text, or that the
-/// scenario reader refuses.
+/// [`Failure::Input`] if the file cannot be read, is too large, is not UTF-8 text, or is refused by the scenario
+/// reader.
 pub(crate) fn load(path: &Path, overrides: &[Override]) -> Result<Scenario, Failure> {
     let source = Source::read(path).map_err(Failure::input)?;
     source.scenario(overrides).map_err(Failure::input)
 }
 
-/// The name of a scenario's file.
+/// The file name of a scenario, without its folder.
 pub(crate) fn file_name(path: &Path) -> &OsStr {
     named(path).file_name().unwrap_or_default()
 }
 
-/// That name without its extension, for the names of results.
+/// The file name of a scenario without its extension, for the names of results.
 pub(crate) fn stem(path: &Path) -> &OsStr {
     let stem = named(path).file_stem().unwrap_or_default();
     // `NAME.session.jsonl` is a recorded session.

@@ -1,4 +1,5 @@
-//! `fenderline man` and `fenderline completions`: what clap makes of the command line.
+//! `fenderline man` and `fenderline completions`: manual pages and shell completions, which the library clap makes from
+//! the command line.
 
 use std::path::Path;
 
@@ -11,10 +12,10 @@ use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
 use crate::terminal::{answer, say};
 
-/// Prints the manual page of the program or of one of its commands, or writes all of them into a folder.
+/// Prints the manual page of the program or of one of its commands, or writes all manual pages into a folder.
 ///
 /// # Errors
-/// A command that does not exist; files that cannot be written.
+/// Fails if the command does not exist or a file cannot be written.
 pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
     // Pages are those of a version: the same from every build of it.
     let mut program = Cli::command().long_version(None::<&str>);
@@ -43,7 +44,7 @@ pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
 /// Prints the completions for a shell.
 ///
 /// # Errors
-/// Standard output that cannot be written.
+/// Fails if standard output cannot be written.
 pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
     let mut script = Vec::new();
     let mut program = Cli::command();
@@ -52,8 +53,8 @@ pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
     answer(&String::from_utf8_lossy(&script))
 }
 
-/// Writes the page of a command, `fenderline-fender-fit.1` of `fenderline fender fit`, and those of its subcommands; returns
-/// their number.
+/// Writes the manual page of a command, such as `fenderline-fender-fit.1`, and the pages of its subcommands; returns
+/// the number of pages.
 fn write_all(command: &Command, folder: &Path) -> Result<u64, Failure> {
     let name = Man::new(command.clone()).get_filename();
     write_whole(&folder.join(name), page(command)?.as_bytes())?;

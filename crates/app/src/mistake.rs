@@ -6,21 +6,21 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 
-/// What `--strict` makes of notices.
+/// Refuses notices, as `--strict` asks.
 ///
 /// # Errors
-/// There are any.
+/// Fails if there are any notices.
 pub(crate) fn refuse_notices(count: usize) -> Result<(), Failure> {
     match count {
         0 => Ok(()),
         _ => {
-            let count = counted(count as u64, "notice", "notices");
-            Err(Failure::input(format_args!("error: {count}, which --strict does not permit")))
+            let notices = counted(count as u64, "notice", "notices");
+            Err(Failure::input(format_args!("error: {notices}, which --strict does not permit")))
         }
     }
 }
 
-/// A file that was refused, as the answer of `check --json`.
+/// The mistake for which a file was refused, as `check --json` prints it.
 pub(crate) fn refused_json(error: &LoadError) -> Value {
     let error = match error {
         LoadError::Unreadable(why) => json!({ "message": format!("cannot read {why}") }),
@@ -43,7 +43,7 @@ pub(crate) fn notice_json(notice: &Notice) -> Value {
     json
 }
 
-/// Adds file, line and column, or the option of the command line.
+/// Adds the place of a mistake to the JSON: file, line and column, or the option of the command line.
 fn add_place(json: &mut Value, place: &Place) {
     match place {
         Place::File { name, line, column } => {

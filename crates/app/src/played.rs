@@ -1,4 +1,4 @@
-//! A scenario from its file to the end of its run.
+//! Plays a scenario or a recorded session, from its file to the end of the run.
 
 use std::path::Path;
 
@@ -21,23 +21,24 @@ use crate::provider::Providers;
 use crate::session::{Recorded, lines_of};
 use crate::terminal::notice;
 
-/// A scenario before its first step.
+/// A scenario or recorded session before its first time step.
 pub(crate) struct Start {
     pub(crate) title: String,
     pub(crate) output: OutputPlan,
     report: Vec<(&'static str, String)>,
     scenario_file: String,
     notices: Vec<String>,
-    /// Notices for the terminal, with those of the start.
+    /// Notices for the terminal, including those about the start of the simulation.
     told: Vec<String>,
     driven: Driven,
 }
 
-/// What steps the run.
+/// What drives the time steps of the run.
 enum Driven {
-    /// The scenario alone, with its orders.
+    /// The scenario alone drives the run, with its own orders.
     Scenario(Box<Simulation>, Option<Assessment>),
-    /// The people who steered a recorded session, from this set-up on: an instructor changes wind and current.
+    /// The commands of a recorded session drive the run. The set-up at its start is kept, because an instructor may
+    /// change wind and current.
     Session(Box<Repeat>, RecordedSession, Box<Setup>, Box<Session>),
 }
 
@@ -54,14 +55,14 @@ impl Driven {
 pub(crate) struct Played {
     pub(crate) recorder: Recorder,
     pub(crate) findings: Vec<Finding>,
-    /// The value that each limit of the scenario is compared with.
+    /// For each limit of the scenario, the value that is compared with it.
     pub(crate) limit_values: Vec<f64>,
     pub(crate) interrupted: Option<Interrupted>,
     title: String,
     report: Vec<(&'static str, String)>,
     scenario_file: String,
     session: Option<RecordedSession>,
-    /// That of a session; a scenario's does not change.
+    /// The set-up at the start of a recorded session; `None` for a scenario, whose set-up does not change.
     setup_at_start: Option<Box<Setup>>,
     notices: Vec<String>,
     simulation: Simulation,
@@ -73,10 +74,10 @@ pub(crate) struct Played {
 }
 
 impl Start {
-    /// Reads a scenario, or a recorded session with a branch of it, and tells the notices.
+    /// Reads a scenario, or one branch of a recorded session, and prints the notices.
     ///
     /// # Errors
-    /// Bad input. A recorded session whose replay differs.
+    /// Fails if the input is bad, or if the replay of the recorded session differs.
     pub(crate) fn open(
         path: &Path,
         branch: Option<usize>,
@@ -102,7 +103,7 @@ impl Start {
     /// A recorded session. Tells nothing.
     ///
     /// # Errors
-    /// A set-up that cannot be simulated.
+    /// Fails if the set-up cannot be simulated.
     pub(crate) fn of_session(recorded: Recorded) -> Result<Start, Failure> {
         let Recorded { scenario, scenario_file, repeat, session, about } = recorded;
         Start::of(scenario, scenario_file, |setup, _| {
@@ -110,7 +111,7 @@ impl Start {
         })
     }
 
-    /// Reads the scenario and tells its notices.
+    /// Reads the scenario and prints its notices.
     ///
     /// # Errors
     /// Bad input.
@@ -125,7 +126,7 @@ impl Start {
         Ok(start.tell())
     }
 
-    /// Tells the notices of the scenario and of its start.
+    /// Prints the notices of the scenario and of its start.
     fn tell(self) -> Start {
         self.told.iter().for_each(notice);
         self
@@ -146,7 +147,7 @@ impl Start {
         Ok(Start { title, output, report, scenario_file, notices, told, driven })
     }
 
-    /// The number of notices, of the scenario and of its start.
+    /// The number of notices about the scenario and about its start.
     pub(crate) fn notices(&self) -> usize {
         self.told.len()
     }
@@ -155,15 +156,16 @@ impl Start {
         self.driven.simulation().setup()
     }
 
-    /// The ledger before the first step.
+    /// The energy ledger before the first time step.
     pub(crate) fn energy(&self) -> Energy {
         self.driven.simulation().energy()
     }
 
-    /// Plays the scenario to its end, or to Ctrl-C. `each` takes the record of each step.
+    /// Plays the scenario to its end, or until Ctrl-C. The function `each` is called with the record of each step.
     ///
     /// # Errors
-    /// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
+    /// Fails if a force provider does not start, if the simulation cannot make a step, or with the first error of
+    /// `each`.
     pub(crate) fn play(
         self,
         each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
@@ -171,10 +173,10 @@ impl Start {
         self.play_until(each, &Interrupt::listen(), Progress::new)
     }
 
-    /// As [`Start::play`], to its end or until it is interrupted, without a word on the terminal.
+    /// Plays the scenario like [`Start::play`], to its end or until `interrupt` is asked, but prints nothing.
     ///
     /// # Errors
-    /// As [`Start::play`].
+    /// Fails like [`Start::play`].
     pub(crate) fn play_quietly(self, interrupt: &Interrupt) -> Result<Played, Failure> {
         self.play_until(|_| Ok(()), interrupt, |_| Progress::none())
     }
@@ -244,7 +246,7 @@ impl Start {
 }
 
 impl Played {
-    /// The run for summary, report and terminal.
+    /// The outcome of the run, from which summary, report and terminal text are made.
     pub(crate) fn outcome(&self) -> Outcome<'_> {
         let simulation = &self.simulation;
         Outcome {
@@ -274,7 +276,8 @@ impl Played {
     }
 }
 
-/// A notice for the results: without the file's path, so that a run gives the same bytes in any folder.
+/// The text of a notice for the result files: without the file's path, so that a run gives the same bytes in any
+/// folder.
 fn recorded(notice: &Notice) -> String {
     let Notice { place, key, message } = notice;
     match place {
@@ -284,17 +287,17 @@ fn recorded(notice: &Notice) -> String {
     }
 }
 
-/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
+/// The errors of the formulas that estimate vessel data; computed only if the set-up has an estimated vessel.
 fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])
 }
 
-/// Steps `simulation` to its end, or to Ctrl-C; `each` takes the record of each step. The force providers are asked before each
-/// step, and ended after the last. A bar shows the progress on a terminal.
+/// Steps `simulation` to its end, or until Ctrl-C; the function `each` is called with the record of each step. The
+/// force providers are asked before each step, and ended after the last step. On a terminal a bar shows the progress.
 ///
 /// # Errors
-/// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
+/// Fails if a force provider does not start, if the simulation cannot make a step, or with the first error of `each`.
 fn play(
     (simulation, mut exercise): (&mut Simulation, Option<&mut Assessment>),
     (notices, wind): (&mut ProviderNotices, &mut WindTrace),
@@ -319,10 +322,10 @@ fn play(
     Ok(())
 }
 
-/// Steps through a branch of a recorded session to its end, or to Ctrl-C.
+/// Steps through a branch of a recorded session to its end, or until Ctrl-C.
 ///
 /// # Errors
-/// A step that the simulation cannot make, or the first error of `each`.
+/// Fails if the simulation cannot make a step, or with the first error of `each`.
 fn step_through(
     repeat: &mut Repeat,
     wind: &mut WindTrace,

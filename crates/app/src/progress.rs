@@ -8,29 +8,30 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use crate::terminal::is_quiet;
 
-/// Runs shorter than this show no bar.
+/// Runs shorter than this time show no progress bar.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// A bar on standard error; none if that is not a terminal, the run is short, or with `--quiet`.
+/// A progress bar on standard error. The bar is not shown if standard error is not a terminal, if the run is short, or
+/// with `--quiet`.
 pub(crate) struct Progress {
-    /// `None` if standard error is not a terminal.
+    /// The progress bar; `None` if standard error is not a terminal.
     bar: Option<ProgressBar>,
     started: Instant,
     is_shown: bool,
 }
 
 impl Progress {
-    /// A bar for a run of `steps` steps.
+    /// A progress bar for a run of `steps` time steps.
     pub(crate) fn new(steps: u64) -> Progress {
         Progress::of(steps, "steps")
     }
 
-    /// No bar, whatever standard error is.
+    /// Shows no progress bar, even if standard error is a terminal.
     pub(crate) fn none() -> Progress {
         Progress { bar: None, started: Instant::now(), is_shown: false }
     }
 
-    /// A bar for `count` things of this name.
+    /// A progress bar for `count` things that are called `what`, such as cases.
     pub(crate) fn of(count: u64, what: &'static str) -> Progress {
         // The bar counts from the start while it is hidden, so that its estimate of the time left is right
         // when it appears.
@@ -67,11 +68,11 @@ fn style(what: &'static str) -> ProgressStyle {
         let _ = out.write_str(&rate(state.per_sec(), what));
     };
     ProgressStyle::with_template(&template)
-        .expect("the template is constant and right")
+        .expect("the template of the progress bar is valid")
         .with_key("rate", rate)
 }
 
-/// A rate of about two digits, such as `34 k steps/s`.
+/// The text of a rate with about two digits, such as `34 k steps/s`.
 fn rate(per_s: f64, what: &str) -> String {
     let (number, prefix) = match per_s {
         1e6.. => (1e-6 * per_s, "M "),
@@ -82,10 +83,10 @@ fn rate(per_s: f64, what: &str) -> String {
     format!("{number:.decimals$} {prefix}{what}/s")
 }
 
-/// Shows a bar while `work` reports what is done and the total.
+/// Shows a progress bar while `work` reports how much is done and the total.
 ///
 /// # Errors
-/// Those of `work`.
+/// Fails with the errors of `work`.
 pub(crate) fn with_progress<T, E>(
     work: impl FnOnce(&mut dyn FnMut(u64, u64)) -> Result<T, E>,
 ) -> Result<T, E> {

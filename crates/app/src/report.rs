@@ -13,7 +13,8 @@ use crate::played::Start;
 use crate::run::{end, exercise_lines, interrupted_line, verdict_lines};
 use crate::terminal::say;
 
-/// Runs the scenario that `args` name and writes the documents that they ask for; the page where they ask for none.
+/// Runs the scenario that `args` name and writes the documents that `args` ask for; if they ask for none, the report
+/// page.
 ///
 /// # Errors
 /// As `run`.
@@ -36,7 +37,7 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     end(&played, args.allow_failures, false)
 }
 
-/// In the current folder, with the name of the scenario.
+/// Default path of the report page: in the current folder, with the name of the scenario.
 fn default_page(args: &ReportArgs) -> PathBuf {
     PathBuf::from(stem(&args.scenario)).with_added_extension("html")
 }

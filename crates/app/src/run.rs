@@ -23,14 +23,16 @@ use crate::output::{Folder, LOG, OutputError, SUMMARY, Tables, publish, write_lo
 use crate::played::{Played, Start};
 use crate::terminal::{say, say_json};
 
-/// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
+/// Runs the scenario that `args` name. No file is written before the scenario is accepted.
 ///
 /// A run in which something broke or was struck is complete and its files are right; its exit code is 1, unless
-/// `--allow-failures` is given. Likewise one whose results are not valid, and with `--strict` one that left the range of its data.
+/// `--allow-failures` is given. The exit code is also 1 if the results are not valid, and with `--strict` if the run
+/// left the range of its data.
 ///
 /// # Errors
-/// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
-/// up to then and say so. A document that could not be made after the result files: they are left.
+/// Fails if the input is bad. If the simulation or a file failed, no result file is left. If the run was interrupted,
+/// its files are complete up to that time and say that it was interrupted. If a document could not be made, the result
+/// files are kept.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let overrides = args.overrides().map_err(Failure::input)?;
     let start = Start::open(&args.scenario, args.branch, &overrides)?;
@@ -72,11 +74,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     end(&played, args.allow_failures, args.strict)
 }
 
-/// The end of a command that has written all its files.
+/// The outcome of a command that has written all its files.
 ///
 /// # Errors
-/// A run that was interrupted; one in which something broke or was struck or whose results are not valid, unless failures are allowed; if
-/// `is_strict`, one that left the range of its data.
+/// Fails if the run was interrupted; unless failures are allowed, if something broke or was struck or the results are
+/// not valid; if `is_strict`, if the run left the range of its data.
 pub(crate) fn end(played: &Played, allow_failures: bool, is_strict: bool) -> Result<(), Failure> {
     if played.interrupted.is_some() {
         return Err(Failure::Interrupted);
@@ -84,7 +86,7 @@ pub(crate) fn end(played: &Played, allow_failures: bool, is_strict: bool) -> Res
     verdict::exit(&played.findings, allow_failures, is_strict)
 }
 
-/// That the run was interrupted, and where; empty if it was not.
+/// A line that says that and when the run was interrupted; empty if it was not.
 pub(crate) fn interrupted_line(played: &Played) -> String {
     printed::interrupted(&played.outcome())
 }
@@ -103,7 +105,7 @@ fn default_folder(scenario: &Path) -> PathBuf {
     Path::new("out").join(stem(scenario))
 }
 
-/// Metadata of a table, for readers who have it without the other files.
+/// Metadata of a result table, for readers who have the table without the other files.
 fn facts(start: &Start, output: &OutputPlan) -> Vec<(&'static str, String)> {
     let setup = start.setup();
     vec![

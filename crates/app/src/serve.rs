@@ -10,10 +10,10 @@ use crate::interrupt::stop_on_interrupt;
 use crate::progress::with_progress;
 use crate::terminal::{notice, remark, say};
 
-/// Serves until it is interrupted.
+/// Runs the live server until it is interrupted.
 ///
 /// # Errors
-/// Bad input: a scenario, an address or a page that cannot be used. A port that is taken.
+/// Fails if a scenario, an address or a web page cannot be used, or if the port is taken.
 pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     let options = Options {
         scenario: args.scenario.clone(),
@@ -42,10 +42,10 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Replays a recorded session and compares every recorded state; or a dump of an engine.
+/// Replays a recorded session and compares every recorded state; or replays a dump of a contact engine.
 ///
 /// # Errors
-/// A file that is not a recording or is damaged; a session whose replay differs in any bit.
+/// Fails if the file is not a recording or is damaged, or if the replay of the session differs in any bit.
 pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
     if engine_dump::is_one(&args.session) {
         return engine_dump::replay(&args.session);

@@ -1,4 +1,5 @@
-//! A recorded session as the source of a run: replayed and compared with the recorded states, then stepped through again.
+//! Makes a run from a recorded session: the session is replayed and compared with the recorded states, then stepped
+//! through again.
 
 use std::path::Path;
 
@@ -18,27 +19,28 @@ use crate::failure::Failure;
 use crate::load::file_name;
 use crate::progress::with_progress;
 
-/// Tables of a scenario that say what is written, not what happens.
+/// Names of those tables of a scenario file that say what is written, not what happens in the simulation.
 const OF_RESULTS: [&str; 2] = ["output", "report"];
 
 /// A recorded session before it is stepped through.
 pub(crate) struct Recorded {
-    /// Its scenario, with the changes of what is written.
+    /// Scenario of the session, with the user's changes of `output` and `report`.
     pub(crate) scenario: Scenario,
     /// Name of the scenario's file.
     pub(crate) scenario_file: String,
     pub(crate) repeat: Repeat,
     /// The whole session, for its other branches.
     pub(crate) session: Session,
-    /// Without its log and its other branches.
+    /// Description of the session, still without its log and its other branches.
     pub(crate) about: RecordedSession,
 }
 
 impl Recorded {
-    /// Replays the recording at `path`, and goes to the start of a branch: by default the one that was steered last.
+    /// Replays the recording at `path`, and goes to the start of a branch: by default the branch that was steered last.
     ///
     /// # Errors
-    /// Bad input: a damaged recording, a branch that it lacks, a change of what happened. A replay that differs in any bit.
+    /// Fails if the recording is damaged or lacks the branch, if a change would alter what happened, or if the replay
+    /// differs in any bit.
     pub(crate) fn load(
         path: &Path,
         branch: Option<usize>,
@@ -49,11 +51,11 @@ impl Recorded {
         Recorded::of(replayed, &path.display().to_string(), branch, overrides)
     }
 
-    /// Goes to the start of a branch of a replayed recording: by default the one that was steered last. `file` is its file, with
-    /// a path or without.
+    /// Goes to the start of a branch of a replayed recording: by default the branch that was steered last. `file` is
+    /// the file name of the recording, with a path or without.
     ///
     /// # Errors
-    /// Bad input: a branch that it lacks, a change that does not fit.
+    /// Fails if the recording lacks the branch, or if a change cannot be applied.
     pub(crate) fn of(
         replayed: Replayed,
         file: &str,
@@ -79,7 +81,7 @@ impl Recorded {
     }
 }
 
-/// What happened in a session cannot be changed.
+/// Refuses changes of keys that would alter what happened in a recorded session.
 fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
     let changes = overrides.iter().map(|change| change.path());
     let physical = changes.filter(|path| !OF_RESULTS.contains(&path[0].as_str()));
@@ -92,7 +94,7 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
     }
 }
 
-/// The log in words, in the order of time.
+/// The lines of the session's log in words, in the order of time.
 pub(crate) fn lines_of(
     log: &SessionLog,
     exercise: Option<&Assessment>,
@@ -134,7 +136,7 @@ pub(crate) fn lines_of(
     lines
 }
 
-/// A line of the log for a moment.
+/// Makes a line of the session's log for a moment of time.
 fn line(t_s: f64, kind: LogKind, who: &str, text: String) -> LogLine {
     let (who, key) = (who.to_owned(), String::new());
     LogLine { t_s, until_s: None, kind, who, text, acknowledged: None, key }
@@ -146,7 +148,7 @@ fn words_of(action: &Action, setup: &Setup) -> String {
         Action::Order(named) => match named.resolve(setup) {
             Ok(order) => format!("{}: {}", addressee(&order, setup), order_text(&order, setup)),
             // It was carried out when it was given; names do not change.
-            Err(why) => unreachable!("an order that was carried out: {why}"),
+            Err(why) => unreachable!("an order that was already carried out is refused: {why}"),
         },
         Action::Other(OtherAction::Tug { tug, order, power, lead, place }) => {
             tug_words(tug, *order, *power, *lead, *place)
@@ -202,7 +204,7 @@ fn words_of(action: &Action, setup: &Setup) -> String {
             format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
         }
         Action::Other(OtherAction::Acknowledge { .. } | OtherAction::Note { .. }) => {
-            unreachable!("the log keeps them apart from commands")
+            unreachable!("the log keeps acknowledgements and notes apart from commands")
         }
     }
 }
@@ -238,12 +240,12 @@ fn fault_words(fault: Fault) -> &'static str {
     }
 }
 
-/// Over what time the weather changes; nothing if it changes at once.
+/// Words for the time over which the weather changes; empty if it changes at once.
 fn over_words(over_s: f64) -> String {
     if over_s > 0.0 { format!(" over {} s", plain(over_s, 0)) } else { String::new() }
 }
 
-/// Three digits, as a direction is said.
+/// A direction in degrees with three digits, as mariners say it.
 fn degrees(angle_rad: f64) -> String {
     format!("{:03.0}°", libm::round(angle_rad.to_degrees()).rem_euclid(360.0))
 }

@@ -19,17 +19,17 @@ use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
 use crate::terminal::{answer, say, say_json};
 
-/// Return periods (years) where none are given.
+/// Return periods that are used if the user gives none (years).
 const PERIODS_YEARS: [f64; 3] = [10.0, 50.0, 100.0];
 
-/// Laws where none are given.
+/// Probability laws that are fitted if the user gives none.
 const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
 
-/// Reads a column, prints what it tells, and writes a page if `args` asks for one.
+/// Reads a column of a table, prints its statistics, and writes a page if `args` asks for one.
 ///
 /// # Errors
-/// Bad input: a table that cannot be read, a column that is not there or holds no numbers, too few of them, an impossible
-/// number of berthings or years, laws of which none can be fitted. A file that cannot be written.
+/// Fails if the table cannot be read, if the column is missing or holds too few numbers, if the number of berthings or
+/// years is impossible, if no law can be fitted, or if a file cannot be written.
 pub(crate) fn statistics(args: &StatisticsArgs) -> Result<(), Failure> {
     let refused = |why: &dyn core::fmt::Display| Failure::input(format_args!("error: {why}"));
     let table = Table::open(&args.table).map_err(|why| refused(&why))?;
@@ -133,7 +133,7 @@ fn asked(args: &StatisticsArgs) -> Result<Asked, Failure> {
     })
 }
 
-/// The columns of a table.
+/// Prints the names of the columns of a table.
 fn list(table: &Table, is_json: bool) -> Result<(), Failure> {
     if is_json {
         let heads = table.heads().iter();

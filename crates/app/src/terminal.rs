@@ -1,5 +1,5 @@
-//! Output to the terminal. Writing never panics: a reader that closed the pipe ends the command quietly. Control characters
-//! in users' names and titles are removed here.
+//! Output to the terminal. Writing never panics: if the reader of a pipe has closed it, the command ends quietly. This
+//! module removes control characters from users' names and titles.
 
 mod colour;
 
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 /// Whether the user wants errors and answers only.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Whether standard output is for answers only.
+/// Whether standard output takes nothing but answers.
 static IS_ANSWER_ONLY: AtomicBool = AtomicBool::new(false);
 
 /// From now on nothing but errors and answers is printed.
@@ -31,10 +31,11 @@ pub(crate) fn answer_only() {
     IS_ANSWER_ONLY.store(true, Ordering::Relaxed);
 }
 
-/// Prints `text`, which tells what a command has done, to standard output; not with `--quiet` or `--json`.
+/// Prints `text`, which tells what a command has done, to standard output; with `--quiet` or `--json` it prints
+/// nothing.
 ///
 /// # Errors
-/// [`Failure::ReaderGone`] if the pipe is closed; a failed case if it cannot be written, as on a full disk.
+/// [`Failure::ReaderGone`] if the pipe is closed; a failed run if standard output cannot be written, as on a full disk.
 pub(crate) fn say(text: &str) -> Result<(), Failure> {
     if is_quiet() || IS_ANSWER_ONLY.load(Ordering::Relaxed) { Ok(()) } else { answer(text) }
 }
@@ -42,7 +43,7 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
 /// Prints `text`, which the user asked for, to standard output; with `--quiet` too.
 ///
 /// # Errors
-/// As [`say`].
+/// Fails like [`say`].
 pub(crate) fn answer(text: &str) -> Result<(), Failure> {
     put(&printable_text(text))
 }
@@ -50,7 +51,7 @@ pub(crate) fn answer(text: &str) -> Result<(), Failure> {
 /// Prints JSON to standard output; with `--quiet` too. Control characters are escaped, so that no value changes.
 ///
 /// # Errors
-/// As [`say`].
+/// Fails like [`say`].
 pub(crate) fn say_json(text: &str) -> Result<(), Failure> {
     put(&escaped_json(text))
 }
@@ -70,14 +71,14 @@ pub(crate) fn tell(text: &str) {
     let _ = writeln!(anstream::stderr().lock(), "{}", colour::painted(&text));
 }
 
-/// As [`tell`], but not with `--quiet`.
+/// Prints to standard error like [`tell`], but nothing with `--quiet`.
 pub(crate) fn remark(text: &str) {
     if !is_quiet() {
         tell(text);
     }
 }
 
-/// Prints what looks unintended to standard error; not with `--quiet`.
+/// Prints a notice about something that looks unintended to standard error; with `--quiet` it prints nothing.
 pub(crate) fn notice(text: impl core::fmt::Display) {
     remark(&format!("notice: {text}"));
 }

@@ -1,4 +1,5 @@
-//! `fenderline validate`: published cases, recomputed and compared; or every force, swept over its whole domain.
+//! `fenderline validate` recomputes published cases and compares them with the published numbers; or it sweeps every
+//! force over its whole domain.
 
 use std::path::Path;
 
@@ -13,8 +14,8 @@ use crate::terminal::{say, say_json};
 /// Runs all cases or all sweeps, prints the table and writes the report if `args` asks for one.
 ///
 /// # Errors
-/// A row that is out of tolerance, a statement that unexpectedly does not hold, a check of a sweep that fails, a run that failed,
-/// or a file that cannot be written. The table is printed and written all the same.
+/// Fails if a row is out of tolerance, if a statement unexpectedly does not hold, if a check of a sweep fails, if a run
+/// failed, or if a file cannot be written. The table is printed and written even then.
 pub(crate) fn validate(args: &ValidateArgs) -> Result<(), Failure> {
     if args.sweeps {
         return sweep(args);
@@ -49,7 +50,7 @@ fn sweep(args: &ValidateArgs) -> Result<(), Failure> {
     failed("sweeps", &sweeps.complaints())
 }
 
-/// The table, or the JSON of the file of that name.
+/// The printed text: the table, or with `--json` the content of `validation.json` or `sweeps.json`.
 fn print_table(
     args: &ValidateArgs,
     files: &[(String, String)],

@@ -4,12 +4,12 @@ use std::sync::LazyLock;
 
 use crate::carried;
 
-/// The commit, from the build script; empty if neither git nor the packager knows it.
+/// The commit, from the build script; empty if neither git nor the packager names a commit.
 const COMMIT: &str = env!("FENDERLINE_COMMIT_OF_BUILD");
-/// Cargo's features that are on, from the build script.
+/// The cargo features that the program is built with, from the build script.
 const CARGO_FEATURES: &str = env!("FENDERLINE_FEATURES_OF_BUILD");
 
-/// Version, commit and features, a line each. `-V` prints the version alone.
+/// Version, commit and features of the program, on one line each, for `--version`; `-V` prints the version alone.
 pub(crate) fn long() -> &'static str {
     static LONG: LazyLock<String> = LazyLock::new(|| {
         let commit = if COMMIT.is_empty() { "not known" } else { COMMIT };
@@ -20,7 +20,7 @@ pub(crate) fn long() -> &'static str {
     &LONG
 }
 
-/// What a program may have in it or not.
+/// Parts that a build of the program may have or lack, such as features.
 fn features() -> Vec<String> {
     let mut features = Vec::new();
     if !CARGO_FEATURES.is_empty() {

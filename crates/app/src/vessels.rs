@@ -1,4 +1,4 @@
-//! `fenderline vessels`: the vessels of the data, and every number of one of them with its source.
+//! `fenderline vessels` lists the known vessels, or prints every number of one vessel with its source.
 
 use core::f64::consts::{FRAC_PI_4, PI, TAU};
 use core::fmt::Write as _;
@@ -18,10 +18,10 @@ use crate::terminal::{answer, say_json};
 use fenderline_report::plot::{fixed, plain};
 use fenderline_validate::errors_of;
 
-/// Lists the vessels, or prints one of them.
+/// Lists the vessels, or prints one vessel.
 ///
 /// # Errors
-/// A file that cannot be used, an unknown vessel.
+/// Fails if a vessel file cannot be used, or if the vessel is unknown.
 pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
     let library = library(&args.file)?;
     let Some(name) = &args.vessel else {
@@ -41,10 +41,10 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
     say_json(&format!("{json:#}\n"))
 }
 
-/// The built-in vessels, with those of files.
+/// The built-in vessels together with the vessels of the given files.
 ///
 /// # Errors
-/// A file that cannot be read or is not a valid vessel file.
+/// Fails if a file cannot be read or is not a valid vessel file.
 pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
     files.iter().try_fold(VesselLibrary::built_in(), |library, path| {
         let text = read_text(path)
@@ -53,17 +53,17 @@ pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
     })
 }
 
-/// The vessel with a name.
+/// Finds the vessel of the given name.
 ///
 /// # Errors
-/// There is no such vessel.
+/// Fails if there is no vessel of this name.
 pub(crate) fn found<'l>(library: &'l VesselLibrary, name: &str) -> Result<&'l VesselData, Failure> {
     library
         .vessel(name)
         .map_err(|error| Failure::input(format_args!("error: {error}\n  = help: {}", error.help())))
 }
 
-/// The estimated data of a vessel, one line each.
+/// Lines that name the estimated data of a vessel.
 pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     let mut text = String::new();
     for (index, source) in origin.estimates().enumerate() {
@@ -80,7 +80,7 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     text
 }
 
-/// The same as text under a heading.
+/// Text under a heading that says how accurate a vessel's estimated data are.
 pub(crate) fn accuracy_text(origin: &Origin) -> String {
     let lines = accuracy(origin, errors_of(origin));
     if lines.is_empty() {
@@ -111,7 +111,7 @@ fn size(vessel: &VesselData) -> String {
     )
 }
 
-/// Every number by source, the estimates last.
+/// Text with every number of a vessel, ordered by source, the estimates last.
 fn sheet(vessel: &VesselData) -> String {
     let mut text = format!("{}: {}\n", vessel.origin.title, size(vessel));
     let lacks = [
@@ -141,22 +141,23 @@ fn sheet(vessel: &VesselData) -> String {
     text
 }
 
-/// Frequencies of the drift table (rad/s).
+/// Wave frequencies of the table of drift forces (rad/s).
 const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
 
-/// A depth that does not affect the waves (m).
+/// Water depth so large that it does not affect the waves (m).
 const DEEP_M: f64 = 10_000.0;
 
-/// Mean drift in one wave.
+/// Mean drift forces in a regular wave of one frequency.
 struct Drift {
     frequency_radps: f64,
     length_m: f64,
-    /// Waves from ahead, the port bow, port, the port quarter and astern: their direction off the bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
-    /// N·m/m²].
+    /// For waves from ahead, the port bow, port, the port quarter and astern: the direction off the bow (rad), and the
+    /// force forward, the force to starboard and the moment about midship, each divided by the square of the wave's
+    /// amplitude [N/m², N/m², N·m/m²].
     by_heading: [(f64, [f64; 3]); 5],
 }
 
-/// The drift of a vessel at rest in deep sea water.
+/// Mean wave drift forces on a vessel at rest in deep sea water.
 fn drift(vessel: &VesselData) -> Vec<Drift> {
     let hull = DriftHull::of(&vessel.ship.particulars);
     let specific_npm3 = Water::SEA.density_kgpm3 * STANDARD_GRAVITY_MPS2;
@@ -177,11 +178,12 @@ fn drift(vessel: &VesselData) -> Vec<Drift> {
 }
 
 fn drift_table(rows: &[Drift]) -> String {
-    let mut text = "\nMean wave drift over the square of the wave's amplitude, at rest in deep \
+    let mut text =
+        "\nMean wave drift divided by the square of the wave's amplitude, at rest in deep \
                     water, by formula (reflection after Faltinsen et al. 1980 and Fujii & \
                     Takahashi 1975, motion by the SNNM method of ITTC 7.5-04-01-01.1), not \
                     validated for this vessel:\n"
-        .to_owned();
+            .to_owned();
     let _ = writeln!(
         text,
         "  {:>9}  {:>10}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {:>10}  {:>9}",
@@ -270,7 +272,7 @@ pub(crate) fn sources_json(origin: &Origin) -> Vec<Value> {
     known.map(|source| source.expect("a source holds texts")).collect()
 }
 
-/// How far the estimates of a vessel are to be relied on, as JSON; null where nothing is estimated.
+/// How accurate the estimated data of a vessel are, as JSON; null if nothing is estimated.
 pub(crate) fn estimate_json(origin: &Origin) -> Value {
     let known = accuracy_json(origin, errors_of(origin)).checked();
     known.expect("ratios of particulars and errors of published cases are finite")

@@ -37,7 +37,7 @@ fn every_combination_is_a_row_and_the_bits_do_not_depend_on_the_threads() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     contains_all(
         &run.stdout,
-        &["54 of 54 cases done", "most used: fender_", "out/study/cases.csv"],
+        &["54 of 54 cases done", "most used fender: fender_", "out/study/cases.csv"],
     );
     let csv = place.text("out/study/cases.csv");
     assert_eq!(csv.lines().count(), 55);
@@ -325,19 +325,22 @@ fn a_folder_is_never_overwritten_and_never_goes_on_with_another_campaign() {
         contains_all(&run.stderr, parts);
     };
     refused(&["--out", "part"], &["holds a campaign already", "--resume", "--replace"]);
-    refused(&["--out", "part", "--resume"], &["it holds shard 1/2, not 1/1"]);
+    refused(&["--out", "part", "--resume"], &["the folder holds shard 1/2, not 1/1"]);
     refused(&["--out", "new", "--resume"], &["no campaign to go on with"]);
     place.write("study.toml", RANDOM.replace("7.1 cm/s", "7.2 cm/s").as_bytes());
-    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this one"]);
+    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this campaign"]);
     place.write("study.toml", RANDOM.replace("number = 60", "number = 61").as_bytes());
-    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["has 60 runs, this one 61"]);
+    refused(
+        &["--shard", "1/2", "--out", "part", "--resume"],
+        &["has 60 runs, but this campaign has 61"],
+    );
     place.write("study.toml", RANDOM.as_bytes());
     let scenario = place.text("quay.toml");
     place.write(
         "quay.toml",
         scenario.replace("gyradius = \"46 m\"", "gyradius = \"47 m\"").as_bytes(),
     );
-    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this one"]);
+    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this campaign"]);
 }
 
 #[test]
@@ -350,7 +353,7 @@ fn a_case_of_a_random_campaign_is_replayed_with_its_report() {
     place.write("other.toml", RANDOM.replace("7.1 cm/s", "7.2 cm/s").as_bytes());
     let run = place.run(&["campaign", "report", "other.toml", "--out", "out/study"]);
     assert_eq!(run.code, 2, "{}", run.stderr);
-    contains_all(&run.stderr, &["differs from this one"]);
+    contains_all(&run.stderr, &["differs from this campaign"]);
     assert_eq!(place.run(&["campaign", "report", "study.toml"]).code, 0);
     assert_eq!(place.text("out/study/report.html"), report);
     let csv = place.text("out/study/cases.csv");
@@ -485,7 +488,7 @@ column = "where"
         "runs.csv",
         "speed [cm/s],where\n5,quarter point\n7.6,quarter point\n10,midship\n".as_bytes(),
     );
-    contains_all(&place.run(&again).stderr, &["differs from this one"]);
+    contains_all(&place.run(&again).stderr, &["differs from this campaign"]);
     place.write("runs.csv", b"speed [cm/s],where\n5,\n");
     let run = place.run(&["campaign", "study.toml", "--out", "gap"]);
     assert_eq!(run.code, 2, "{}", run.stdout);
@@ -530,7 +533,7 @@ fn limits_are_drawn_counted_and_have_a_return_period() {
     let again = place.run(&["campaign", "study.toml", "--resume"]);
     contains_all(&again.stdout, &["finished already"]);
     for (from, to, words) in [
-        ("\"40 tf\"", "\"40 kJ\"", "but must be as \"1.5 kN\""),
+        ("\"40 tf\"", "\"40 kJ\"", "but must be written as \"1.5 kN\""),
         ("\"40 tf\"", "40", "without a unit"),
         ("output = \"reaction\"", "output = \"reactoin\"", "did you mean `reaction`?"),
     ] {

@@ -210,7 +210,7 @@ fn an_example_is_a_good_scenario_and_replaces_no_file() {
     }
     let again = place.run(&["init", "tugs", "-o", "berthing.toml"]);
     assert_eq!(again.code, 2);
-    contains_all(&again.stderr, &["berthing.toml: it is there already"]);
+    contains_all(&again.stderr, &["berthing.toml: the file exists already"]);
     assert_eq!(place.run(&["init"]).stdout, place.text("berthing.toml"));
     assert_eq!(place.run(&["init", "berthng"]).code, 2);
 }

@@ -224,7 +224,7 @@ fn the_workbook_has_both_ships_of_a_ship_to_ship_berthing() {
     };
     assert_eq!(value("Displacement of the ship"), 20_000.0);
     assert_eq!(value("Displacement of the other ship"), 40_000.0);
-    assert!((value("Reduced mass M of the two") - 40_000.0 / 3.0).abs() < 1e-6);
+    assert!((value("Reduced mass M of the two ships") - 40_000.0 / 3.0).abs() < 1e-6);
     let told = |start: &str| rows.iter().any(|row| row[0].to_string().starts_with(start));
     assert!(told("Cm ") && told("It differs from the Cm of the formula: "), "{rows:?}");
 }

@@ -202,7 +202,7 @@ fn bad_weathers_are_refused() {
             "t_s,hs_m,tp_s,wave_from_deg\n0,3,9,0\n3600,15.7,9,0\n",
             &[
                 "weather.csv:3:6",
-                "waves break at 0.78 of the depth (McCowan 1894), here at 15.60 m",
+                "waves break at 0.78 of the water depth (McCowan 1894), here at 15.60 m",
             ],
         ),
     ] {

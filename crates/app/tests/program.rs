@@ -34,7 +34,7 @@ fn exit_codes_tell_bad_input_from_a_failed_case() {
         (&["--version"], 0, ""),
         (&["run", "none.toml"], 2, "none.toml"),
         (&["run", "."], 2, "cannot read"),
-        (&["run", "none.toml"], 2, "= help: a scenario is a file of text"),
+        (&["run", "none.toml"], 2, "= help: a scenario is a TOML text file"),
         (&["run", "broken.toml"], 2, "broken.toml"),
         (&["run", "latin1.toml"], 2, "line 1"),
         (&["run", "tug.toml", "--set", "time.stepp=1"], 2, "step"),
@@ -383,7 +383,10 @@ fn a_dump_of_an_engine_is_replayed_to_the_same_bits() {
     place.write("steps.dump", &dump);
     let run = place.run(&["replay", "steps.dump"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    contains_all(&run.stdout, &["61 steps", "1 refused", "the same bits in all steps"]);
+    contains_all(
+        &run.stdout,
+        &["61 steps", "1 refused", "all steps gave the same bits as recorded"],
+    );
     contains_all(&run.stderr, &["step 61 of 61, of -1 s, is refused"]);
     place.write("cut.dump", &dump[..dump.len() / 2]);
     let run = place.run(&["replay", "cut.dump"]);

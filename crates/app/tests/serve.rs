@@ -102,8 +102,8 @@ fn two_clients_cannot_hold_one_helm_and_orders_stay_when_a_client_leaves() {
         let mut one = Client::join(&server, "pilot").await;
         let mut two = Client::join(&server, "pilot").await;
         assert_eq!(one.ask(claim("ship")).await["type"], "ack");
-        assert!(reason(&two.ask(claim("ship")).await).contains("has it"));
-        assert!(reason(&two.ask(rudder(0.3)).await).contains("has it"));
+        assert!(reason(&two.ask(claim("ship")).await).contains("holds this control"));
+        assert!(reason(&two.ask(rudder(0.3)).await).contains("holds this control"));
         let ordered = one.ask(rudder(-0.4)).await["tick"].as_u64().expect("an ack");
         assert!(
             reason(&two.ask(json!({ "do": "release", "control": { "vessel": "ship" } })).await)

@@ -147,7 +147,7 @@ fn bad_input_is_refused_with_its_place() {
     );
     refused(
         &["few.csv", "--column", "speed"],
-        &["few.csv: column `speed`: at least 2 values are needed, but it has 1"],
+        &["few.csv: column `speed`: at least 2 values are needed, but there are 1"],
     );
     refused(&["bare.csv", "--column", "speed"], &["bare.csv:1", "must name the columns"]);
     refused(&["none.csv"], &["cannot read none.csv"]);
@@ -157,7 +157,7 @@ fn bad_input_is_refused_with_its_place() {
     );
     refused(
         &with(&["--per-year", "-3"]),
-        &["--per-year: berthings a year must be a positive number"],
+        &["--per-year: the number of berthings a year must be positive"],
     );
     refused(
         &with(&["--per-year", "60", "--return-period", "1"]),

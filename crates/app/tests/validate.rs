@@ -50,8 +50,11 @@ fn every_published_number_is_within_its_tolerance_or_a_known_mismatch() {
     assert!(run.stdout.lines().any(|line| line.starts_with(row) && line.ends_with("NO")));
     assert!(run.stdout.contains(&format!("NOT MATCHING, known: {row}")));
     assert!(!run.stdout.contains("NOT MATCHING:"), "none that is not known");
-    assert!(run.stdout.contains("6 of 7 statements hold"));
-    assert!(run.stdout.contains("every tolerance is below twice its uncertainty: at most "));
+    assert!(run.stdout.contains("6 of 7 statements of the sources hold"));
+    assert!(
+        run.stdout
+            .contains("every tolerance is below twice the uncertainty of its reference: at most ")
+    );
     let widest = run.stdout.lines().map(|line| line.chars().count()).max().unwrap_or(0);
     assert!(widest <= 120, "a line of {widest} characters");
 }

@@ -289,7 +289,7 @@ fn squat_and_a_bank_are_reported_with_their_standing() {
             "by ICORELS",
             "Squat, ship",
             "wind coefficients by Blendermann 1994",
-            "bank (its pull is unvalidated)",
+            "bank (the pull of a bank is unvalidated)",
         ],
     );
     let check = place.run(&["check", "harbour.toml"]);

@@ -1,8 +1,8 @@
-//! Energy that the contacts created in a run, because of the numerical method.
+//! Energy that the contacts created in a run because of errors of the numerical method.
 
 use core::fmt;
 
-/// The smallest gain that is reported, as a share of the energy that the contacts absorbed.
+/// The smallest energy gain that is reported, as a share of the energy that the contacts absorbed.
 pub const REPORTED_GAIN: f64 = 0.01;
 
 /// Energy that contacts returned to the bodies beyond what the contacts had absorbed.
@@ -15,7 +15,7 @@ pub struct EnergyGain {
 }
 
 impl EnergyGain {
-    /// The gain in one sentence, with a capital letter.
+    /// Writes the energy gain as one sentence that begins with a capital letter.
     pub fn sentence(&self) -> String {
         let words = self.to_string();
         let mut letters = words.chars();

@@ -1,10 +1,10 @@
-//! What a run means: totals that are read from the record of each step. Nothing here changes a run.
+//! Evaluates a run: totals that are computed from the record of each step. Nothing in this crate changes a run.
 //!
 //! | subject | module |
 //! |---|---|
 //! | the verdict on a run, and the laws that a run can leave | [`verdict`] |
 //! | statistics of motions and lines | [`statistics`] |
-//! | a simulated berthing beside the formulas | [`berthing`] |
+//! | a simulated berthing, compared with the berthing formulas | [`berthing`] |
 //! | totals of each pair of bodies | [`summary`] |
 //! | energy that contacts created | [`gain`] |
 #![forbid(unsafe_code)]

@@ -4,16 +4,16 @@ use fenderline_contact::Contact;
 
 use fenderline_world::record::StepRecord;
 
-/// Summary of the contact between two bodies. Peaks include those between the ends of steps, in sub-steps.
+/// Summary of the contact between two bodies. The peaks include the peaks in sub-steps, between the ends of steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSummary {
-    /// Indices into the set-up's bodies.
+    /// Indices of the two bodies in the list of bodies of the set-up.
     pub bodies: [usize; 2],
-    /// Start of the first step in which they touched (s).
+    /// Start of the first step in which the two bodies touched (s).
     pub first_touch_s: f64,
-    /// Start of the last step in which they touched (s).
+    /// Start of the last step in which the two bodies touched (s).
     pub last_touch_s: f64,
-    /// Largest normal force (N). For each step the peaks of all patches are added.
+    /// Largest normal force (N). In each step the peak forces of all patches of the pair are added.
     pub peak_normal_force_n: f64,
     /// Start of the step with the largest normal force (s).
     pub peak_normal_force_at_s: f64,
@@ -22,14 +22,14 @@ pub struct PairSummary {
     /// Index into the set-up's fenders of the fender with the deflection `peak_depth_m`; `None` if `peak_depth_m` is a
     /// penetration.
     pub peak_depth_fender: Option<usize>,
-    /// Start of the step with the largest penetration (s).
+    /// Start of the step with the largest penetration or deflection (s).
     pub peak_depth_at_s: f64,
-    /// Impulse of the normal forces, ∫ N dt (N·s).
+    /// Impulse of the normal forces between the two bodies, ∫ N dt (N·s).
     pub impulse_ns: f64,
-    /// Normal speed V_n at first contact, positive when approaching (m/s).
+    /// Normal speed V_n of the two bodies at their first contact, positive when they approach each other (m/s).
     pub approach_speed_mps: f64,
-    /// Normal speed −V_n at the end of the last step with contact, along the normal of that step, positive when
-    /// separating (m/s).
+    /// Normal speed −V_n of the two bodies at the end of the last step with contact, along the normal of that step,
+    /// positive when they separate (m/s).
     pub final_speed_mps: f64,
     /// Work of the normal forces on the two bodies (J).
     pub normal_work_j: f64,
@@ -39,10 +39,10 @@ pub struct PairSummary {
     pub touching_at_end: bool,
 }
 
-/// Builds the [`PairSummary`]s, in the order of first touch.
+/// Builds one [`PairSummary`] for each pair of bodies, in the order of first touch.
 #[derive(Clone, Debug, Default)]
 pub struct Summaries {
-    /// The totals, in the order of first touch.
+    /// The summaries of the pairs, in the order of first touch.
     pub pairs: Vec<PairSummary>,
 }
 
@@ -72,7 +72,7 @@ impl Summaries {
         }
     }
 
-    /// The summary of a pair, created at its first contact.
+    /// The summary of a pair of bodies; the first contact of the pair creates the summary.
     fn pair(&mut self, bodies: [usize; 2], t_s: f64, approach_speed_mps: f64) -> &mut PairSummary {
         let index = self.pairs.iter().position(|p| p.bodies == bodies).unwrap_or_else(|| {
             self.pairs.push(PairSummary {
@@ -101,7 +101,7 @@ fn same_pair(a: &Contact, b: &Contact) -> bool {
     (a.body_1, a.body_2) == (b.body_1, b.body_2)
 }
 
-/// Updates the summary of a pair in contact.
+/// Updates the summary of a pair of bodies that touch in this step.
 fn add_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
     pair.last_touch_s = record.t_s;
     pair.touching_at_end = true;

@@ -10,11 +10,12 @@ use crate::table::TableError;
 /// A mistake of the user or a failure of the disk.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CampaignError {
-    /// The campaign's file, or the base scenario with its changes.
+    /// The campaign's file, or its scenario with the campaign's changes, was refused.
     File(Box<LoadError>),
     /// A mistake in a variable, output or rule of the campaign, with its name.
     Part {
-        /// As in the file: `variable.speed`, `output.margin`, `stop.output`, `correlation`.
+        /// Name of the part as in the campaign's file, such as `variable.speed`, `output.margin`, `stop.output` or
+        /// `correlation`.
         name: String,
         /// What is wrong.
         why: String,
@@ -28,7 +29,7 @@ pub enum CampaignError {
         /// What is wrong, with line and column if known.
         why: String,
     },
-    /// None of the first runs can be made: why not the first.
+    /// None of the first runs can be made; holds the error of the first run.
     Hopeless(Box<CampaignError>),
     /// A file or folder that cannot be written, with the reason.
     Disk {
@@ -36,10 +37,10 @@ pub enum CampaignError {
         path: PathBuf,
         /// Why.
         why: String,
-        /// The disk is full: no mistake of the user's.
+        /// Whether the disk is full, which is no mistake of the user.
         is_full: bool,
     },
-    /// A fault of the folder of the results.
+    /// A fault of the results folder.
     Folder {
         /// The folder or file.
         path: PathBuf,

@@ -6,22 +6,22 @@ use fenderline_scenario::in_unit;
 use crate::error::CampaignError;
 use crate::row::Head;
 
-/// A limit of an output.
+/// A limit of an output of the campaign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Name of the limit.
     pub name: String,
     /// Column of the output.
     pub output: String,
-    /// The limit, in the unit of the column.
+    /// The limit's value, in the unit of the output's column.
     pub value: f64,
 }
 
 impl Limit {
-    /// The limits of a campaign with these columns.
+    /// Checks the limits of a campaign against the columns of its table.
     ///
     /// # Errors
-    /// An output that is no number of the campaign, or a value whose unit does not fit the output.
+    /// Fails if an output is no number of the campaign, or if the unit of a limit does not fit the output.
     pub(crate) fn all(campaign: &Campaign, heads: &[Head]) -> Result<Vec<Limit>, CampaignError> {
         let numbers = || heads.iter().filter(|head| !head.is_text);
         let one = |limit: &crate::file::Limit| {
@@ -33,7 +33,7 @@ impl Limit {
                 let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
                 return Err(CampaignError::part(
                     format!("limit.{}.output", limit.name),
-                    format!("there is no number `{}`{near}", limit.output),
+                    format!("the campaign has no number `{}`{near}", limit.output),
                 ));
             };
             let value = in_unit(&limit.text, &head.unit);

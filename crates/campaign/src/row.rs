@@ -7,7 +7,7 @@ pub enum Cell {
     Text(String),
     /// A finite number.
     Number(f64),
-    /// Nothing: not known, or the run was not made.
+    /// An empty cell: the value is not known, or the run was not made.
     Empty,
 }
 
@@ -27,7 +27,7 @@ impl Cell {
         }
     }
 
-    /// As text; numbers in the shortest form that reads back to the same value.
+    /// The cell as text; a number has the shortest form that reads back to the same value.
     #[must_use]
     pub fn shown(&self) -> String {
         match self {
@@ -43,7 +43,7 @@ impl Cell {
 pub struct Head {
     /// Name.
     pub name: String,
-    /// Unit of the column; empty without a unit.
+    /// Unit of the column; empty if it has none.
     pub unit: String,
     /// Meaning of the column.
     pub meaning: String,
@@ -75,6 +75,6 @@ impl Head {
 pub struct Row {
     /// Number of the run, from 0.
     pub run: u64,
-    /// A cell for each column.
+    /// The cells of the run, one for each column.
     pub cells: Vec<Cell>,
 }

@@ -1,8 +1,8 @@
-//! Numbers of runs: a few ranges, so that a plan of many runs takes no memory.
+//! A set of run numbers, kept as a few ranges, so that a plan of many runs takes little memory.
 
 use std::ops::Range;
 
-/// Numbers of runs in rising order, each once.
+/// A set of run numbers in rising order, each number once.
 ///
 /// ```
 /// use fenderline_campaign::RunNumbers;
@@ -43,13 +43,13 @@ impl RunNumbers {
         RunNumbers { first, stride, ranges, count }
     }
 
-    /// How many runs there are.
+    /// How many run numbers there are.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// The number at a place, from 0.
+    /// The run number at a place of the set, counted from 0.
     #[must_use]
     pub fn get(&self, place: u64) -> Option<u64> {
         if place >= self.count {
@@ -64,7 +64,7 @@ impl RunNumbers {
         self.first + place * self.stride
     }
 
-    /// Adds a place after all others.
+    /// Adds a run, given by its place in the share, after all others.
     fn push(&mut self, place: u64) {
         match self.ranges.last_mut() {
             Some((_, last)) if last.end == place => last.end += 1,

@@ -1,5 +1,5 @@
-//! The stop rule: a campaign ends when an estimate is good enough. The rule takes the rows in the
-//! order of the runs, so the end does not depend on the order in which runs are finished.
+//! The stop rule: a campaign ends when an estimate is good enough. The rule takes the rows in the order of the runs, so
+//! that the end of the campaign does not depend on the order in which runs are finished.
 
 use std::collections::BTreeMap;
 
@@ -10,27 +10,28 @@ use crate::row::Row;
 use crate::run::Runs;
 use crate::statistics::{Confidence, Moments, Sample, quantile};
 
-/// A stop rule at work.
+/// Applies a stop rule to the rows of a campaign.
 pub struct StopRule {
     rule: Stop,
     column: usize,
-    /// The output of the runs from the first on without a gap; NaN for a run without the output.
+    /// Values of the rule's output for the runs from the first on, up to the first run without a row; NaN for a run
+    /// without the output.
     values: Vec<f64>,
-    /// Those of later runs.
+    /// Values of the runs after the first run without a row.
     waiting: BTreeMap<u64, f64>,
     ended: Option<u64>,
 }
 
 impl StopRule {
-    /// The rule of a campaign, if it has one.
+    /// The stop rule of a campaign, if it has one.
     ///
     /// # Errors
-    /// An output that the campaign does not have.
+    /// Fails if the campaign does not have the rule's output.
     pub fn of(runs: &Runs) -> Result<Option<StopRule>, CampaignError> {
         let Some(rule) = runs.campaign().stop.clone() else { return Ok(None) };
         let found = runs.heads().iter().position(|head| head.name == rule.output);
-        let column =
-            found.ok_or_else(|| CampaignError::part("stop.output", "there is no such output"))?;
+        let column = found
+            .ok_or_else(|| CampaignError::part("stop.output", "the campaign has no such output"))?;
         Ok(Some(StopRule {
             rule,
             column,
@@ -53,7 +54,7 @@ impl StopRule {
         }
     }
 
-    /// The number of runs after which the rule ends the campaign; `None` before.
+    /// The number of runs after which the rule ends the campaign; `None` if the rule does not end it yet.
     #[must_use]
     pub fn ended(&self) -> Option<u64> {
         self.ended
@@ -66,7 +67,7 @@ impl StopRule {
     }
 }
 
-/// Half of the confidence interval over the estimate; `None` if there are too few values.
+/// Half the width of the confidence interval divided by the estimate; `None` if there are too few values.
 fn half_width(rule: &Stop, values: Vec<f64>) -> Option<f64> {
     let confidence = Confidence::new(rule.confidence).expect("the key has its bounds");
     let sample = Sample::new(values).ok()?;

@@ -1,5 +1,5 @@
-//! Runs on several threads. One thread makes a run from start to end, so the bits do not depend on the number of
-//! threads.
+//! Runs on several threads. One thread makes a run from start to end, so that the bits of its results do not depend on
+//! the number of threads.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::sync_channel;
@@ -10,17 +10,18 @@ use crate::row::Row;
 use crate::run::{Runner, Runs};
 use crate::run_numbers::RunNumbers;
 
-/// Number of rows that may wait: the memory stays bounded if the disk is slow.
+/// Number of finished rows that may wait to be written, so that the memory stays bounded if the disk is slow.
 const WAITING: usize = 1024;
 
-/// The most threads that make runs: more than any machine has, and few enough that each can be started.
+/// Largest number of threads that make runs: more than any machine has, and few enough that each can be started.
 pub const MOST_THREADS: usize = 1024;
 
-/// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until `is_stopped`. `use_row` gets each row on this thread, in the order in which
-/// they end; if it returns false, no further run is begun and no row used.
+/// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until `is_stopped`. `use_row` gets each row
+/// on the calling thread, in the order in which the runs end; if it returns false, no further run is begun and no
+/// further row is used.
 ///
 /// # Errors
-/// What `use_row` returns; no row is used after it.
+/// Fails with the error that `use_row` returns; no row is used after the error.
 pub fn make(
     runs: &Runs,
     numbers: &RunNumbers,

@@ -83,7 +83,7 @@ fn an_output_without_values_says_so() {
     let path = written("empty.csv", &lines.join("\n"));
     let page = support::report(&path).unwrap();
     assert!(
-        page.contains("at least 2 values are needed, but it has 0"),
+        page.contains("at least 2 values are needed, but there are 0"),
         "no word about the empty column"
     );
     std::fs::remove_file(path).unwrap();

@@ -1,7 +1,8 @@
-//! `cargo xtask bench border`: the cost of the C interface. The same step by the engine itself, by `fenderline_embed`, and
-//! by `fl_engine_advance`, with the states and loads of all bodies in and the wrenches out.
+//! `cargo xtask bench border`: the cost of the C interface. The benchmark times the same step of the engine in three
+//! ways: by the engine itself, by `fenderline_embed`, and by `fl_engine_advance`, where the states and loads of all
+//! bodies go in and the wrenches come out.
 
-#![allow(unsafe_code, reason = "the calls are those of a C program")]
+#![allow(unsafe_code, reason = "the example calls the library as a C program would")]
 
 use std::hint::black_box;
 use std::path::Path;
@@ -18,14 +19,14 @@ use fenderline_contact::{
 use fenderline_embed::{Engine, Host, Settings};
 use fenderline_scenario::Scenario;
 
-/// Steps per round, for some milliseconds.
+/// Number of steps in a round of the benchmark: enough for a round of some milliseconds.
 const STEPS: usize = 2_000;
-/// Rounds. Each measures all ways in turn, so that a busy machine slows all of them alike.
+/// Rounds. Each round times every way of calling the engine in turn, so that a busy machine slows all of them alike.
 const ROUNDS: usize = 101;
 const STEP_S: f64 = 0.1;
 const BERTH: &str = "scenarios/berth/leaning_on_eight_fenders.toml";
 
-/// A ship at a berth.
+/// A case of the benchmark: a ship at a berth.
 struct Case {
     name: &'static str,
     co_simulation: bool,
@@ -89,7 +90,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 fn embedded(case: &Case) -> Engine {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(BERTH);
-    let scenario = Scenario::load(&file, &[]).expect("a scenario of the project");
+    let scenario = Scenario::load(&file, &[]).expect("the project's scenario loads");
     let host = match case.co_simulation {
         true => Host::CoSimulation(HostSettings::default()),
         false => Host::default(),
@@ -147,7 +148,7 @@ impl Bare {
     }
 }
 
-/// The engine through the C interface.
+/// The engine as a C program calls it, through the C interface.
 struct FromC {
     engine: *mut FlEngine,
     states: Vec<FlState>,

@@ -1,4 +1,5 @@
-//! Reads and writes the caller's memory. Everything is copied; no reference to that memory is kept.
+//! Reads and writes the memory of the program that calls the C interface. Everything is copied; the library keeps no
+//! reference to the caller's memory.
 //!
 //! The caller's promise (the header's preamble) covers what cannot be checked: a pointer that is neither NULL nor
 //! misaligned points to as much memory as its type, count or length requires, and nobody writes it during the call.
@@ -49,10 +50,11 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, value: T, name: &str) -> Ou
     Ok(())
 }
 
-/// Copies a structure from the caller. Its first member is its size.
+/// Copies a structure from the caller. The structure's first member is the structure's size.
 ///
 /// # Safety
-/// The caller's promise for the whole structure; if the size is wrong, the promise for the size alone.
+/// The caller's promise (see the top of this file) for the whole structure; if the member `size` is wrong, the promise
+/// for that member alone.
 pub(crate) unsafe fn read_sized<T: Copy>(pointer: *const T, name: &str) -> Outcome<T> {
     check_size(pointer, name)?;
     // SAFETY: as the caller promises; by its size the whole structure is there.
@@ -72,10 +74,10 @@ pub(crate) fn check_size<T>(pointer: *const T, name: &str) -> Outcome {
     Ok(())
 }
 
-/// Copies `count` values in, each converted. With a count of 0 the pointer may be NULL.
+/// Copies `count` values from the caller and converts each value. With a `count` of 0 the pointer may be NULL.
 ///
 /// # Safety
-/// The caller's promise for `count` values; `count` must have been checked against a bound.
+/// The caller promises that `count` values are readable; `count` must have been checked against a limit before.
 pub(crate) unsafe fn read_all<T: Copy, U>(
     pointer: *const T,
     count: usize,
@@ -93,10 +95,10 @@ pub(crate) unsafe fn read_all<T: Copy, U>(
     Ok(())
 }
 
-/// Copies values out, each converted.
+/// Converts values and copies them to the caller.
 ///
 /// # Safety
-/// The caller's promise of room for all `values`.
+/// The caller promises that the pointer has room for all `values`.
 pub(crate) unsafe fn write_all<T: Copy, U: Copy>(
     pointer: *mut T,
     values: &[U],
@@ -114,10 +116,10 @@ pub(crate) unsafe fn write_all<T: Copy, U: Copy>(
     Ok(())
 }
 
-/// The bytes of a text: `length` of them, or up to its NUL.
+/// Reads the bytes of a text: the first `length` bytes, or all bytes up to the text's NUL.
 ///
 /// # Safety
-/// The caller's promise for `length` bytes, or up to a NUL.
+/// The caller promises that `length` bytes, or all bytes up to a NUL, are readable.
 unsafe fn text_bytes(
     pointer: *const c_char,
     length: usize,
@@ -154,7 +156,7 @@ unsafe fn text_bytes(
 /// Copies a text in.
 ///
 /// # Safety
-/// The caller's promise for `length` bytes, or up to a NUL.
+/// The caller promises that `length` bytes, or all bytes up to a NUL, are readable.
 pub(crate) unsafe fn text(
     pointer: *const c_char,
     length: usize,
@@ -175,7 +177,7 @@ pub(crate) unsafe fn text(
 /// Copies bytes in.
 ///
 /// # Safety
-/// The caller's promise for `length` bytes.
+/// The caller promises that `length` bytes are readable.
 pub(crate) unsafe fn bytes(pointer: *const u8, length: usize, name: &str) -> Outcome<Vec<u8>> {
     if length == 0 {
         return Ok(Vec::new());
@@ -188,11 +190,11 @@ pub(crate) unsafe fn bytes(pointer: *const u8, length: usize, name: &str) -> Out
     Ok(unsafe { core::slice::from_raw_parts(pointer, length) }.to_vec())
 }
 
-/// Copies a text out, NUL-terminated: all of it, or as many whole characters as fit. `*length` gets the length
-/// of the text without the NUL, unless `length` is NULL. NULL and a capacity of 0 query the length alone.
+/// Copies a text out, NUL-terminated: all of it, or as many whole characters as fit. `*length` gets the length of the
+/// text without the NUL, unless `length` is NULL. A NULL buffer with a capacity of 0 only asks for the text's length.
 ///
 /// # Safety
-/// The caller's promise for `capacity` bytes.
+/// The caller promises room for `capacity` bytes.
 pub(crate) unsafe fn put_text(
     text: &str,
     buffer: *mut c_char,
@@ -217,10 +219,11 @@ pub(crate) unsafe fn put_text(
     too_small(room, text.len() + 1, capacity)
 }
 
-/// Copies bytes out, all or none; `length` gets their number. NULL and a capacity of 0 query the number alone.
+/// Copies all bytes to the caller's buffer, or none if they do not fit; `length` gets the number of bytes. A NULL
+/// buffer with a capacity of 0 only asks for the number of bytes.
 ///
 /// # Safety
-/// The caller's promise for `capacity` bytes.
+/// The caller promises room for `capacity` bytes.
 pub(crate) unsafe fn put_bytes(
     bytes: &[u8],
     buffer: *mut u8,
@@ -242,7 +245,7 @@ pub(crate) unsafe fn put_bytes(
 enum Room {
     Enough,
     TooLittle,
-    /// A query of the length alone.
+    /// The caller gave no buffer and asks only for the length.
     Query,
 }
 

@@ -30,13 +30,14 @@ pub unsafe extern "C" fn fl_builder_new(builder: *mut *mut FlBuilder) -> FlStatu
     })
 }
 
-/// Destroys a builder. Engines that the builder has built stay valid. NULL is allowed and does nothing.
+/// Destroys a builder. Engines that a destroyed builder has built stay valid. A NULL builder is allowed and does
+/// nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_destroy(builder: *mut FlBuilder) -> FlStatus {
     no_panic(|| if builder.is_null() { Ok(()) } else { BUILDERS.remove(builder) })
 }
 
-/// Copies the message of the last failed call on this builder, as fl_last_error().
+/// Copies the message of the last failed call on this builder, in the way of fl_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_error(
     builder: *const FlBuilder,
@@ -52,7 +53,7 @@ pub unsafe extern "C" fn fl_builder_error(
 }
 
 /// Adds a material under a unique name. The index of the material, counted from 0, is stored to `*index` unless `index`
-/// is NULL. fl_builder_build() checks the numbers.
+/// is NULL. fl_builder_build() checks the material's numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_material(
     builder: *mut FlBuilder,
@@ -75,7 +76,7 @@ pub unsafe extern "C" fn fl_builder_add_material(
 
 /// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
 /// centre of gravity (m), in either sense, convex or not. The index of the body, counted from 0, is stored to `*index`
-/// unless `index` is NULL. fl_builder_build() checks the masses.
+/// unless `index` is NULL. fl_builder_build() checks the body's masses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_body(
     builder: *mut FlBuilder,
@@ -108,9 +109,9 @@ pub unsafe extern "C" fn fl_builder_add_body(
 }
 
 /// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
-/// begin with (0, 0), with rising deflections. Without points the force follows the paper's law: the material's
+/// begin with (0, 0), with rising deflections. Without points the force follows the law of the paper: the material's
 /// stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
-/// `index` is NULL. fl_builder_build() checks the numbers.
+/// `index` is NULL. fl_builder_build() checks the fender's numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender(
     builder: *mut FlBuilder,
@@ -147,11 +148,12 @@ pub unsafe extern "C" fn fl_builder_add_fender(
     })
 }
 
-/// Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
-/// catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names
-/// the body that carries the fender, and `material` the material; add both before. The key reference of scenario files
-/// lists the other keys. Example: "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2
-/// m\ntemperature=40 degC". The index of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
+/// Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender
+/// of the catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. The
+/// key `on` names the body that carries the fender, and `material` its material; add body and material before the
+/// fender. The key reference of scenario files lists all other keys of a fender. Example of the keys of a fender:
+/// "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". The index
+/// of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender_by_keys(
     builder: *mut FlBuilder,
@@ -173,7 +175,7 @@ pub unsafe extern "C" fn fl_builder_add_fender_by_keys(
     })
 }
 
-/// Finds a material of a builder by its name.
+/// Finds the index of a material of a builder by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_find_material(
     builder: *const FlBuilder,
@@ -185,7 +187,7 @@ pub unsafe extern "C" fn fl_builder_find_material(
     unsafe { find(builder, name, name_length, material, EngineBuilder::material_named) }
 }
 
-/// Finds a body of a builder by its name.
+/// Finds the index of a body of a builder by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_find_body(
     builder: *const FlBuilder,
@@ -197,7 +199,7 @@ pub unsafe extern "C" fn fl_builder_find_body(
     unsafe { find(builder, name, name_length, body, EngineBuilder::body_named) }
 }
 
-/// Finds a fender of a builder by its name.
+/// Finds the index of a fender of a builder by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_find_fender(
     builder: *const FlBuilder,
@@ -250,9 +252,9 @@ pub extern "C" fn fl_builder_add_all_other_pairs(
     BUILDERS.call(builder, |builder| Ok(builder.all_other_pairs(material as usize)?))
 }
 
-/// Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. Destroy the
-/// engine with fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used
-/// further.
+/// Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. The program
+/// destroys the built engine with fl_engine_destroy() when it no longer needs it. `settings` may be NULL: the engine
+/// then has the default settings. The builder stays as it was, and can be used further.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_build(
     builder: *mut FlBuilder,
@@ -270,7 +272,7 @@ pub unsafe extern "C" fn fl_builder_build(
     })
 }
 
-/// Checks the pointer to an index; NULL is allowed.
+/// Checks the pointer to which a function stores an index; NULL is allowed.
 fn check_index(index: *mut u32) -> crate::failure::Outcome {
     if index.is_null() { Ok(()) } else { check(index, "index") }
 }
@@ -285,10 +287,10 @@ unsafe fn write_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
     unsafe { write(index, own as u32, "index") }
 }
 
-/// Copies pairs of numbers in.
+/// Copies pairs of numbers from the caller.
 ///
 /// # Safety
-/// The caller's promise for `count` pairs.
+/// The caller promises that `count` pairs are readable.
 pub(crate) unsafe fn pairs(
     pointer: *const f64,
     count: usize,

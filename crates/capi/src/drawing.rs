@@ -1,4 +1,4 @@
-//! What a program draws: outlines and the faces of fenders, all in one call each.
+//! Functions that give a program what it draws: outlines and the faces of fenders, all in one call each.
 
 use fenderline_embed::FenderView;
 
@@ -8,10 +8,11 @@ use crate::failure::{FlStatus, failure};
 use crate::table::{ENGINES, FlEngine};
 use crate::types::{FL_NONE, FlFenderView};
 
-/// Copies the outline of a body: `vertices` pairs of x (forward) and y (to starboard) from the centre of gravity (m), in the
-/// sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity
-/// of 0 query only the number. If the capacity is too small, nothing is copied, and the status is
-/// FL_STATUS_BUFFER_TOO_SMALL. Outlines do not change: read them once.
+/// Copies the outline of a body: `vertices` gets pairs of x (forward) and y (to starboard) from the centre of gravity
+/// (m), in the sense of rotation from x to y. `capacity` is the room in `vertices`; `*vertices` gets the number of
+/// vertices of the outline. NULL `vertices` with a capacity of 0 only ask for the number of vertices. If the capacity
+/// is too small for the outline, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL. Outlines of bodies do
+/// not change, so that a program need read them only once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_outline(
     engine: *const FlEngine,
@@ -28,8 +29,8 @@ pub unsafe extern "C" fn fl_engine_outline(
     })
 }
 
-/// Copies the drawing data of all fenders after the last step. A fender is uncompressed before the first step, and
-/// while nothing presses it. `count` is the number of fenders.
+/// Copies the drawing data of all fenders after the last step. A fender counts as uncompressed before the first step,
+/// and while nothing presses it. `count` is the number of fenders of the engine.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_fender_views(
     engine: *const FlEngine,
@@ -47,10 +48,10 @@ pub unsafe extern "C" fn fl_engine_fender_views(
     })
 }
 
-/// Copies pairs of numbers out, all or none, and their count.
+/// Copies all pairs of numbers to the caller, or none if they do not fit, and stores the number of pairs.
 ///
 /// # Safety
-/// The caller's promise of room for `capacity` pairs.
+/// The caller promises room for `capacity` pairs.
 pub(crate) unsafe fn give_pairs(
     own: &[[f64; 2]],
     into: *mut f64,

@@ -1,4 +1,4 @@
-//! Recorded steps: dumps that replay to the same bits.
+//! Recorded steps of an engine, and dumps of them, which replay to the same bits.
 
 use core::ptr;
 
@@ -9,17 +9,17 @@ use crate::engine::hold;
 use crate::failure::FlStatus;
 use crate::table::{ENGINES, FlEngine, no_panic};
 
-/// Records the steps from now on, and keeps at least the last `steps` steps, at most 1 000 000; 0 ends the recording.
-/// fl_engine_dump() makes a dump of the recorded steps. A recorded step takes longer.
+/// Records the engine's steps from now on, and keeps at least the last `steps` steps (at most 1 000 000); `steps` = 0
+/// ends the recording. A step takes longer while the engine records.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_record(engine: *mut FlEngine, steps: usize) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.record(steps)?))
 }
 
 /// Copies the recorded steps with all that is needed to replay them: model, settings, and the engine before the first
-/// recorded step. The call also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes to a file and
-/// send it with your report: `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query only
-/// `*length`.
+/// recorded step. fl_engine_dump() also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes of
+/// the dump to a file and send the file with your report of a bug: `fenderline replay FILE` takes the same steps. A
+/// NULL buffer with a capacity of 0 only asks for the length of the dump, in `*length`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_dump(
     engine: *const FlEngine,
@@ -35,9 +35,10 @@ pub unsafe extern "C" fn fl_engine_dump(
 }
 
 /// Replays a dump: makes an engine, takes the recorded steps and stores the engine after the last step to `*engine`,
-/// unless `engine` is NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the
-/// same version of the library. `*steps` gets the number of all steps. `different` and `steps` may be NULL. Any bytes
-/// may be passed.
+/// unless `engine` is NULL. `*different` gets the number of replayed steps that did not end as recorded, bit for bit;
+/// it is 0 with the same version of the library. `*steps` gets the number of all steps in the dump. The pointers
+/// `different` and `steps` may be NULL. The `dump` may consist of any bytes: the call refuses bytes that are not a
+/// dump.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_replay_dump(
     dump: *const u8,

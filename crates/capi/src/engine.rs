@@ -17,10 +17,11 @@ use crate::library::keep_last;
 use crate::table::{ENGINES, EngineHeld, FlEngine, no_panic};
 use crate::types::{FlContact, FlEvent, FlSettings, FlState, FlWrench};
 
-/// Makes an engine from a scenario file and stores it to `*engine`; if this fails, stores NULL. Destroy the engine with
-/// fl_engine_destroy(). Files that the scenario names are relative to the scenario file. `overrides` replaces keys of
-/// the scenario, one KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL
-/// for defaults.
+/// Makes an engine from a scenario file and stores the engine to `*engine`; stores NULL if the file has an error. The
+/// program destroys the engine with fl_engine_destroy() when it no longer needs it. Names of files in the scenario are
+/// relative to the folder of the scenario file. `overrides` replaces keys of the scenario, with one KEY=VALUE per line,
+/// such as "contact.method=coupled"; pass NULL and 0 to replace none. `settings` may be NULL: the engine then has the
+/// default settings.
 ///
 /// The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
 /// and wind, are left to the host: see fl_engine_notices().
@@ -50,7 +51,8 @@ pub unsafe extern "C" fn fl_engine_from_file(
     })
 }
 
-/// As fl_engine_from_file(), from the text of a scenario that names no other files.
+/// Makes an engine as fl_engine_from_file() does, but from the text of a scenario; the scenario may name no other
+/// files.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_from_text(
     scenario: *const c_char,
@@ -77,13 +79,13 @@ pub unsafe extern "C" fn fl_engine_from_text(
     })
 }
 
-/// Destroys an engine. NULL is allowed and does nothing.
+/// Destroys an engine. Destroying a NULL engine is allowed and does nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_destroy(engine: *mut FlEngine) -> FlStatus {
     no_panic(|| if engine.is_null() { Ok(()) } else { ENGINES.remove(engine) })
 }
 
-/// Copies the message of the last failed call on this engine, as fl_last_error().
+/// Copies the message of the last failed call on this engine, in the way of fl_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_error(
     engine: *const FlEngine,
@@ -98,7 +100,8 @@ pub unsafe extern "C" fn fl_engine_error(
     })
 }
 
-/// Resets the engine: memory, states and loads. The next step is the first.
+/// Resets the engine to its start: it forgets its memory of contacts, the states and the loads. After the reset, the
+/// next step counts as the first step.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
     ENGINES.call(engine, |held| {
@@ -108,7 +111,8 @@ pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
 }
 
 /// Copies the notices about the scenario and the list of the scenario's forces that are left to the host, one per line.
-/// The text may be empty. `length` may be NULL. See "Texts" in the preamble.
+/// The text of the notices may be empty. `length` may be NULL. For the buffer see "Texts" in the preamble of this
+/// header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_notices(
     engine: *const FlEngine,
@@ -123,7 +127,8 @@ pub unsafe extern "C" fn fl_engine_notices(
     })
 }
 
-/// Number of bodies. Indices count from 0, in the order of the scenario or of the builder's calls.
+/// Number of bodies. Indices of bodies count from 0, in the order of the scenario or of the calls that built the
+/// engine.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_body_count(
     engine: *const FlEngine,
@@ -135,7 +140,7 @@ pub unsafe extern "C" fn fl_engine_body_count(
     })
 }
 
-/// Copies the name of a body. `length` may be NULL. See "Texts" in the preamble.
+/// Copies the name of a body. `length` may be NULL. For the buffer see "Texts" in the preamble of this header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_body_name(
     engine: *const FlEngine,
@@ -151,7 +156,7 @@ pub unsafe extern "C" fn fl_engine_body_name(
     })
 }
 
-/// Finds a body by its name.
+/// Finds the index of a body by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_find_body(
     engine: *const FlEngine,
@@ -168,7 +173,8 @@ pub unsafe extern "C" fn fl_engine_find_body(
     })
 }
 
-/// Number of fenders. Indices count from 0, in the order of the scenario or of the builder's calls.
+/// Number of fenders. Indices of fenders count from 0, in the order of the scenario or of the calls that built the
+/// engine.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_fender_count(
     engine: *const FlEngine,
@@ -180,7 +186,7 @@ pub unsafe extern "C" fn fl_engine_fender_count(
     })
 }
 
-/// Copies the name of a fender. `length` may be NULL. See "Texts" in the preamble.
+/// Copies the name of a fender. `length` may be NULL. For the buffer see "Texts" in the preamble of this header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_fender_name(
     engine: *const FlEngine,
@@ -196,7 +202,7 @@ pub unsafe extern "C" fn fl_engine_fender_name(
     })
 }
 
-/// Finds a fender by its name.
+/// Finds the index of a fender by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_find_fender(
     engine: *const FlEngine,
@@ -213,9 +219,8 @@ pub unsafe extern "C" fn fl_engine_find_fender(
     })
 }
 
-/// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
-/// by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use it to
-/// move the body.
+/// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row by row: 9
+/// numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use this mass matrix to move the body.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_mass_matrix(
     engine: *const FlEngine,
@@ -273,19 +278,20 @@ pub unsafe extern "C" fn fl_engine_set_states(
 }
 
 /// Marks the next state of a body as a teleport: the host sets the body to a new place rather than moving it there. The
-/// body's contacts begin anew (FL_EVENT_TELEPORTED), and no load is inferred from the displacement. A body that
-/// overlaps another body is pushed out slowly (FL_EVENT_PLACED_IN_OVERLAP, if the body is so deep that the contact
-/// would eject it). Without this call the engine detects a teleport only if the displacement differs from the motion by
-/// the velocities by a tenth of the outline's radius. A host that passes old states makes this call when it first
-/// passes the new place. To go back in time, restore a saved engine.
+/// contacts of a teleported body begin anew (FL_EVENT_TELEPORTED), and no load is inferred from its displacement. A
+/// teleported body that overlaps another body is pushed out slowly, with FL_EVENT_PLACED_IN_OVERLAP if the overlap is
+/// so deep that the contact would eject the body. Without this call the engine detects a teleport only if the body's
+/// displacement differs from what the velocities explain by a tenth of the outline's radius. A host whose states are
+/// some steps old makes this call when it first passes the new place of the body. To go back in time, restore a saved
+/// engine instead of teleporting its bodies.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_mark_teleported(engine: *mut FlEngine, body: u32) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.mark_teleported(body as usize)?))
 }
 
 /// Sets the loads, all forces on each body except contact, until the next call; `count` is the number of bodies. NULL
-/// and 0 remove the loads, as at the start: a direct host then has no loads, and the loads of a co-simulation host are
-/// inferred from its states. The paper's method does not use loads.
+/// with a count of 0 removes the loads, as at the start: a direct host then has no loads, and the loads of a
+/// co-simulation host are inferred from its states. The paper's method does not use loads.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_loads(
     engine: *mut FlEngine,
@@ -299,17 +305,17 @@ pub unsafe extern "C" fn fl_engine_set_loads(
     })
 }
 
-/// Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps
-/// may have any length. A step of 0 s is a pause: nothing changes, and the results of the last step remain, without its
-/// events and without the work of contacts.
+/// Takes a step of `step_s` seconds from the states that were set last. Before a step, all floating bodies must have a
+/// state. Consecutive steps may have different lengths. A step of 0 s is a pause: nothing moves, and the results are
+/// those of the last step, but without events and without the work of the contacts.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_step(engine: *mut FlEngine, step_s: f64) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.step(step_s)?))
 }
 
-/// In one call: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL, fl_engine_step() and
-/// fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has
-/// changed.
+/// Does in one call what these do: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL,
+/// fl_engine_step() and fl_engine_wrenches(). All arrays of fl_engine_advance() have `count` elements, the number of
+/// bodies. If any part of fl_engine_advance() fails, nothing has changed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_advance(
     engine: *mut FlEngine,
@@ -337,8 +343,9 @@ pub unsafe extern "C" fn fl_engine_advance(
     })
 }
 
-/// Copies the wrenches of the last step; the host adds them to its forces. The wrenches are means over the step, so the
-/// impulse is right; for the largest wrenches see fl_engine_peak_wrenches(). `count` is the number of bodies.
+/// Copies the contact wrenches of the last step, which the host adds to its own forces. The wrenches are means over the
+/// step, so that they give the bodies the right impulse; for the largest wrenches see fl_engine_peak_wrenches().
+/// `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -351,10 +358,11 @@ pub unsafe extern "C" fn fl_engine_wrenches(
     })
 }
 
-/// Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
-/// In the paper's method, which has no sub-steps, the result equals fl_engine_wrenches(). Use the largest wrench to
-/// size fenders and structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move
-/// the bodies. The peak of each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
+/// Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest
+/// force. With the paper's method, which has no sub-steps, the largest wrenches are those of fl_engine_wrenches(). Use
+/// the largest wrench to size fenders and structures: in a long step the mean wrench may be much smaller. Use
+/// fl_engine_wrenches() to move the bodies. The largest force of each single contact is fl_contact.peak_normal_force_n.
+/// `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_peak_wrenches(
     engine: *const FlEngine,
@@ -368,9 +376,10 @@ pub unsafe extern "C" fn fl_engine_peak_wrenches(
 }
 
 /// Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
-/// coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to the
-/// time half a step before the end (half of the last sub-step, if there were several), as in a leapfrog integrator.
-/// Pass the velocities back unchanged, and use this time when you compare or plot them.
+/// coupled method. `count` is the number of bodies. The positions of these states belong to the end of the step. The
+/// velocities of these states belong to the time half a step before the end (half of the last sub-step, if there were
+/// several), as in a leapfrog integrator. Pass the velocities back unchanged in the next step; when you compare or plot
+/// velocities, use the time to which they belong.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_states_after(
     engine: *const FlEngine,
@@ -387,8 +396,8 @@ pub unsafe extern "C" fn fl_engine_states_after(
     })
 }
 
-/// Copies the engine's estimate of a co-simulation host's present states, and its loads, reported or observed. `count` is
-/// the number of bodies.
+/// Copies the engine's estimate of the present states of a co-simulation host, and the loads on the host's bodies,
+/// reported by the host or observed by the engine. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_host_estimate(
     engine: *const FlEngine,
@@ -398,7 +407,10 @@ pub unsafe extern "C" fn fl_engine_host_estimate(
 ) -> FlStatus {
     results(engine, |results| {
         let Some(estimate) = results.host_estimate else {
-            return failure(FlStatus::NotAvailable, "only a co-simulation host has an estimate");
+            return failure(
+                FlStatus::NotAvailable,
+                "only an engine for a co-simulation host has an estimate of the host's states",
+            );
         };
         if count > 0 {
             check(loads, "loads")?;
@@ -422,7 +434,7 @@ pub unsafe extern "C" fn fl_engine_contact_count(
     })
 }
 
-/// Copies a contact of the last step, counted from 0 in a fixed order. The caller sets `contact->size`.
+/// Copies one contact of the last step; contacts count from 0 in a fixed order. The caller sets `contact->size`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_contact(
     engine: *const FlEngine,
@@ -437,9 +449,10 @@ pub unsafe extern "C" fn fl_engine_contact(
     })
 }
 
-/// Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members
-/// `size` need not be set. `*count` gets the number of contacts. NULL and a capacity of 0 query only the number; if
-/// the capacity is too small, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL.
+/// Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the member `size`
+/// of the elements need not be set. `*count` gets the number of contacts. A NULL array with a capacity of 0 only asks
+/// for the number of contacts; if the capacity is too small, nothing is copied, and the status is
+/// FL_STATUS_BUFFER_TOO_SMALL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_contacts(
     engine: *const FlEngine,
@@ -468,7 +481,7 @@ pub unsafe extern "C" fn fl_engine_event_count(
     })
 }
 
-/// Copies an event of the last step, counted from 0 in a fixed order. The caller sets `event->size`.
+/// Copies one event of the last step; events count from 0 in a fixed order. The caller sets `event->size`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_event(
     engine: *const FlEngine,
@@ -483,8 +496,8 @@ pub unsafe extern "C" fn fl_engine_event(
     })
 }
 
-/// Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). For the rest see
-/// fl_engine_contacts().
+/// Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). The other arguments
+/// are as in fl_engine_contacts().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_events(
     engine: *const FlEngine,
@@ -501,8 +514,9 @@ pub unsafe extern "C" fn fl_engine_events(
     })
 }
 
-/// Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
-/// same on every machine. NULL and a capacity of 0 query only `*length`.
+/// Saves all of the engine that steps change, its results included, as bytes. The bytes of a saved engine have a
+/// version and a checksum, and are the same on every machine. A NULL buffer with a capacity of 0 only asks for the
+/// number of bytes, in `*length`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_save(
     engine: *const FlEngine,
@@ -516,8 +530,9 @@ pub unsafe extern "C" fn fl_engine_save(
     })
 }
 
-/// Restores a state that fl_engine_save() saved, of this engine or of another engine with the same model and settings.
-/// The engine continues with the same bits. Any bytes may be passed: bytes that are not a saved state are refused.
+/// Restores an engine from bytes that fl_engine_save() made, of this engine or of another engine with the same model
+/// and settings. The restored engine continues to the same bits as the saved engine. Any bytes may be passed: bytes
+/// that are not a saved engine are refused.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_restore(
     engine: *mut FlEngine,
@@ -536,7 +551,7 @@ pub(crate) fn hold(engine: Engine) -> Outcome<*mut FlEngine> {
     ENGINES.insert(EngineHeld { engine, states: Vec::new(), loads: Vec::new() })
 }
 
-/// Settings, or the defaults where there are none.
+/// Reads the caller's settings, or takes the defaults if the pointer is NULL.
 ///
 /// # Safety
 /// The caller's promise.
@@ -558,7 +573,7 @@ fn bad_scenario<T>(error: ScenarioError) -> Outcome<T> {
     failure(FlStatus::BadScenario, error)
 }
 
-/// Runs a call on the results of an engine.
+/// Runs a call that reads the results of an engine.
 fn results(engine: *const FlEngine, call: impl FnOnce(Results<'_>) -> Outcome) -> FlStatus {
     ENGINES.call(engine, |held| call(held.engine.results()?))
 }
@@ -568,7 +583,7 @@ pub(crate) fn among<'a, T>(what: &'static str, all: &'a [T], index: u32) -> Outc
     Ok(all.get(index).ok_or(EngineError::NoSuch { what, index, count: all.len() })?)
 }
 
-/// Refuses arrays without exactly one element per body, before anything is read or written.
+/// Refuses an array whose length is not the number of bodies, before anything is read or written.
 fn check_count(bodies: usize, count: usize) -> Outcome {
     if bodies == count {
         return Ok(());
@@ -576,20 +591,20 @@ fn check_count(bodies: usize, count: usize) -> Outcome {
     Err(EngineError::Input(StepError::WrongCount { bodies, states: count }).into())
 }
 
-/// Reads states into the buffer.
+/// Reads the caller's states into the buffer.
 ///
 /// # Safety
-/// The caller's promise for `count` of them.
+/// The caller promises that `count` states are readable.
 unsafe fn take_states(held: &mut EngineHeld, states: *const FlState, count: usize) -> Outcome {
     check_count(held.engine.states().len(), count)?;
     // SAFETY: as the caller promises; `count` is the number of bodies.
     unsafe { read_all(states, count, "states", FlState::inward, &mut held.states) }
 }
 
-/// Reads loads into the buffer; false for none.
+/// Reads the caller's loads into the buffer; returns false if the caller passed no loads.
 ///
 /// # Safety
-/// The caller's promise for `count` of them.
+/// The caller promises that `count` loads are readable.
 unsafe fn take_loads(held: &mut EngineHeld, loads: *const FlWrench, count: usize) -> Outcome<bool> {
     if loads.is_null() && count == 0 {
         return Ok(false);
@@ -600,19 +615,23 @@ unsafe fn take_loads(held: &mut EngineHeld, loads: *const FlWrench, count: usize
     Ok(true)
 }
 
-/// Refuses arrays of structures of another header.
+/// Refuses an array whose elements have another size than this library's structure, as with another version of the
+/// header.
 fn check_element_size<T>(size: usize) -> Outcome {
     let own = size_of::<T>();
     if size == own {
         return Ok(());
     }
-    failure(FlStatus::BadSize, format_args!("`element_size` is {size}, not {own}"))
+    let text =
+        format_args!("`element_size` is {size}, but the library's structure has {own} bytes");
+    failure(FlStatus::BadSize, text)
 }
 
-/// Copies values out, all or none, and their number. NULL and a capacity of 0 query the number alone.
+/// Copies all values to the caller, or none if they do not fit, and stores their number. A NULL array with a capacity
+/// of 0 only asks for the number of values.
 ///
 /// # Safety
-/// The caller's promise of room for `capacity` values.
+/// The caller promises room for `capacity` values.
 pub(crate) unsafe fn give_all<T: Copy, U: Copy>(
     own: &[T],
     into: *mut U,
@@ -630,17 +649,19 @@ pub(crate) unsafe fn give_all<T: Copy, U: Copy>(
         return Ok(());
     }
     if capacity < own.len() {
-        let text = format_args!("the array has room for {capacity}, but there are {}", own.len());
+        let needed = own.len();
+        let text =
+            format_args!("the array has room for {capacity} elements, but {needed} are needed");
         return failure(FlStatus::BufferTooSmall, text);
     }
     // SAFETY: the values fit into the `capacity` that the caller promises.
     unsafe { write_all(into, own, "the array", convert) }
 }
 
-/// Copies one value per body out.
+/// Copies one value per body to the caller.
 ///
 /// # Safety
-/// The caller's promise for `count` of them.
+/// The caller promises room for `count` values.
 unsafe fn give<T: Copy, U: Copy>(
     own: &[T],
     into: *mut U,

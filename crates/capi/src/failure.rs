@@ -1,11 +1,11 @@
-//! Status and message of a call.
+//! The status that a call of the C interface returns, and the message of a failed call.
 
 use core::fmt;
 
 use fenderline_contact::{RestoreError, StepError};
 use fenderline_embed::EngineError;
 
-/// Result of a call. If it is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
+/// Result of a call. If the status is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlStatus {
@@ -19,20 +19,20 @@ pub enum FlStatus {
     BadSize = 3,
     /// A text is not UTF-8, contains a NUL, or is too long.
     BadText = 4,
-    /// An unknown constant, a wrong count, or settings that conflict.
+    /// An argument is an unknown constant or a wrong count, or settings conflict.
     BadArgument = 5,
     /// A file cannot be read, or a scenario or the keys of a fender have an error: the message names file, line and key.
     BadScenario = 6,
     /// Bodies, materials, pairs or fenders are not valid: the message names the part and the field.
     BadModel = 7,
-    /// A state, a load or a time step is not finite or out of range: the message names body and field. Or the step is so
-    /// long that its results are not finite.
+    /// A state, a load or a time step is not finite or out of range: the message names body and field. Also: the step
+    /// is so long that its results are not finite.
     BadNumber = 8,
     /// No body, fender, material, contact or event has this name or index.
     NoSuch = 9,
-    /// A step before the states of all floating bodies were set, or a result before the first step.
+    /// A step was asked for before the states of all floating bodies were set, or a result before the first step.
     OutOfOrder = 10,
-    /// Not available with the engine's settings.
+    /// What the call asks for is what the call asks for is not available with the engine's settings.
     NotAvailable = 11,
     /// The bytes are not a saved engine or not a dump: truncated, changed or of another version.
     BadBytes = 12,
@@ -40,7 +40,7 @@ pub enum FlStatus {
     OtherModel = 13,
     /// The buffer is too small; `*length` says how large the buffer must be.
     BufferTooSmall = 14,
-    /// A bug in the library. The handle can only be destroyed.
+    /// The call met a bug in the library. After a bug in the library the handle can only be destroyed.
     Panicked = 15,
 }
 
@@ -71,12 +71,12 @@ impl FlStatus {
             FlStatus::BadHandle => c"the handle is invalid or was destroyed",
             FlStatus::BadSize => c"a structure has a different size from the library's",
             FlStatus::BadText => c"a text is not UTF-8, contains a NUL or is too long",
-            FlStatus::BadArgument => c"an argument is not allowed",
+            FlStatus::BadArgument => c"an argument of the call is not allowed",
             FlStatus::BadScenario => c"the scenario has an error or cannot be read",
-            FlStatus::BadModel => c"the parts do not form a valid model",
+            FlStatus::BadModel => c"bodies, materials, pairs and fenders do not form a valid model",
             FlStatus::BadNumber => c"a number is not finite or out of range",
-            FlStatus::NoSuch => c"nothing has that name or index",
-            FlStatus::OutOfOrder => c"another call must come first",
+            FlStatus::NoSuch => c"no part of the engine has that name or index",
+            FlStatus::OutOfOrder => c"another call must come before this call",
             FlStatus::NotAvailable => c"not available with the engine's settings",
             FlStatus::BadBytes => c"the bytes are not a saved engine or a dump",
             FlStatus::OtherModel => {

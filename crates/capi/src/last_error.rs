@@ -14,7 +14,7 @@ pub(crate) fn remember(text: String) {
     let _ = LAST.try_with(|last| *last.borrow_mut() = text);
 }
 
-/// The message; empty if no call failed.
+/// The message of the last failed call on this thread; empty if no call has failed.
 pub(crate) fn last() -> String {
     LAST.try_with(|last| last.borrow().clone()).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! Outlines from the points of a mesh.
+//! Functions that make outlines of bodies from the points of a mesh.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_embed::{EngineError, hull_of_points, mirrored_outline, simplified_outline};
@@ -11,9 +11,9 @@ use crate::table::no_panic;
 /// Largest number of points from which an outline is made.
 const MOST_MESH_POINTS: usize = 10_000_000;
 
-/// Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y (to
-/// starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of
-/// 0 query the number.
+/// Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y
+/// (to starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL `vertices`
+/// with a capacity of 0 only ask for the number of vertices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_hull(
     points_m: *const f64,
@@ -26,10 +26,10 @@ pub unsafe extern "C" fn fl_outline_hull(
     unsafe { make(points_m, points, outline_m, capacity, vertices, hull_of_points) }
 }
 
-/// Copies the outline of a ship from the points of the starboard side, from bow to stern or from stern to bow: these
-/// points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on the
-/// centreline, and are not repeated. The outline has at most twice `points` vertices. For the other arguments see
-/// fl_outline_hull().
+/// Copies the outline of a ship that is made from the points of her starboard side, from bow to stern or from stern to
+/// bow: these points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on
+/// the centreline, and are not repeated. The outline has at most twice as many vertices as there are `points`. The
+/// other arguments are as in fl_outline_hull().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_mirror(
     side_m: *const f64,
@@ -44,8 +44,8 @@ pub unsafe extern "C" fn fl_outline_mirror(
     unsafe { make(side_m, points, outline_m, capacity, vertices, mirror) }
 }
 
-/// Copies an outline with fewer vertices. No vertex of the given outline is farther than `tolerance_m` from the new
-/// outline. For the other arguments see fl_outline_hull().
+/// Copies a given outline, thinned to fewer vertices. No vertex of the given outline is farther than `tolerance_m` from
+/// the new outline. The other arguments are as in fl_outline_hull().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_outline_simplify(
     points_m: *const f64,
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn fl_outline_simplify(
 }
 
 /// # Safety
-/// The caller's promise for `points` pairs, and of room for `capacity` pairs.
+/// The caller promises that `points` pairs are readable, and that there is room for `capacity` pairs.
 unsafe fn make(
     points_m: *const f64,
     points: usize,

@@ -1,5 +1,6 @@
-//! Tables of objects by handle. A handle is a number in the form of a pointer, looked up here and never dereferenced.
-//! It contains a mark that no valid address has, the kind of object, and a serial number that is never reused.
+//! Tables of objects by handle. A handle is a number in the form of a pointer, which is looked up in a table and never
+//! dereferenced. A handle contains a mark that no valid address has, the kind of the object, and a serial number that
+//! is never used again.
 
 use core::ptr;
 use std::any::Any;
@@ -18,7 +19,7 @@ pub struct FlEngine {
     _opaque: [u8; 0],
 }
 
-/// A builder: parts from which engines are made.
+/// A builder object: the parts from which engines are made.
 pub struct FlBuilder {
     _opaque: [u8; 0],
 }
@@ -30,9 +31,10 @@ pub(crate) struct EngineHeld {
     pub(crate) loads: Vec<Wrench>,
 }
 
-/// All objects of one kind.
+/// Table of all objects of one kind, such as all engines.
 pub(crate) struct Table<T> {
-    /// The low four bits of the handles of this kind. They are odd, unlike those of an aligned pointer.
+    /// The low four bits of the handles of this kind of object. The low four bits of a handle make an odd number,
+    /// unlike those of an aligned pointer.
     kind: usize,
     held: RwLock<Held<T>>,
 }
@@ -47,14 +49,14 @@ pub(crate) struct Object<T> {
     pub(crate) content: T,
     /// Message of the last failed call on this object.
     pub(crate) error: String,
-    /// A call panicked: the content may be inconsistent.
+    /// Whether a call on this object panicked, so that the object may be inconsistent.
     panicked: bool,
 }
 
 pub(crate) static ENGINES: Table<EngineHeld> = Table::new(0b0101);
 pub(crate) static BUILDERS: Table<EngineBuilder> = Table::new(0b1011);
 
-/// High bits that no valid address has; 0 if pointers have no room for them.
+/// High bits that mark a handle, as no valid address has them; 0 if pointers have no room for them.
 const MARK: usize = if usize::BITS == 64 { 0xfede_usize.rotate_right(16) } else { 0 };
 const SERIALS: usize = if usize::BITS == 64 { 1 << 40 } else { usize::MAX >> 4 };
 
@@ -76,7 +78,7 @@ impl<T> Table<T> {
         Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
     }
 
-    /// Removes an object. The object lives until a running call on it has ended.
+    /// Removes an object. Removes an object from the table; the object lives until a running call on it has ended.
     pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
         let serial = self.serial_of(handle)?;
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);
@@ -87,7 +89,7 @@ impl<T> Table<T> {
         Ok(())
     }
 
-    /// The object of a handle.
+    /// Finds the object of a handle.
     fn find<H>(&self, handle: *const H) -> Outcome<Arc<Mutex<Object<T>>>> {
         let serial = self.serial_of(handle)?;
         let held = self.held.read().unwrap_or_else(PoisonError::into_inner);
@@ -108,10 +110,10 @@ impl<T> Table<T> {
         if handle.is_null() {
             return failure(FlStatus::BadPointer, "the handle is NULL");
         }
-        failure(FlStatus::BadHandle, "the handle was destroyed, or is not of this kind")
+        failure(FlStatus::BadHandle, "the handle was destroyed, or is not a handle of this kind")
     }
 
-    /// Runs a call on the object of a handle, one at a time.
+    /// Runs a call on the object of a handle; calls on the same object wait for each other.
     pub(crate) fn call<H>(
         &self,
         handle: *const H,
@@ -138,7 +140,8 @@ impl<T> Table<T> {
         })
     }
 
-    /// As [`Table::call`], for calls that only read what a panic cannot have left half-changed.
+    /// Runs a call as [`Table::call`] does, even on an object on which a call panicked: for calls that only read what a
+    /// panic cannot have left half-changed.
     pub(crate) fn call_even_panicked<H>(
         &self,
         handle: *const H,
@@ -151,7 +154,7 @@ impl<T> Table<T> {
         })
     }
 
-    /// The message of the last failed call on a handle.
+    /// Returns the message of the last failed call on a handle.
     pub(crate) fn error<H>(&self, handle: *const H) -> Outcome<String> {
         let object = self.find(handle)?;
         let text = lock(&object).error.clone();
@@ -164,7 +167,7 @@ fn lock<T>(object: &Mutex<Object<T>>) -> MutexGuard<'_, Object<T>> {
     object.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs a call. A failure or panic becomes a status, with a message for [`crate::fl_last_error`].
+/// Runs a call. Runs a call and turns a failure or a panic into a status, with a message for [`crate::fl_last_error`].
 pub(crate) fn no_panic(call: impl FnOnce() -> Outcome) -> FlStatus {
     let outcome = catch_unwind(AssertUnwindSafe(call));
     match outcome.unwrap_or_else(|payload| Err(panicked(payload.as_ref()))) {

@@ -1,4 +1,4 @@
-//! Structures and constants of the interface.
+//! Structures and constants of the C interface.
 
 use fenderline_contact::{
     BodyState, Contact, Event, EventKind, FenderLaw, Friction, HostIntegration, HostSettings,
@@ -9,38 +9,39 @@ use fenderline_sim::{MassProperties, Method};
 
 use crate::failure::{FlStatus, Outcome, failure};
 
-/// Length of a text that is NUL-terminated. cbindgen cannot write the value; its line in the header is in
+/// The length to pass for a text that ends with a NUL. cbindgen cannot write the value; its line in the header is in
 /// cbindgen.toml.
 /// cbindgen:ignore
 pub const FL_NUL: usize = usize::MAX;
 
-/// No fender: outline meets outline.
+/// Stands for no fender, where the outline of one body meets the outline of another.
 pub const FL_NONE: u32 = u32::MAX;
 
 /// fl_settings.method: the method of the scenario; FL_METHOD_COUPLED if there is no scenario.
 pub const FL_METHOD_DEFAULT: u32 = 0;
 /// fl_settings.method: all contacts of a step are solved together with the loads.
 pub const FL_METHOD_COUPLED: u32 = 1;
-/// fl_settings.method: the paper's, each pair by itself and without loads.
+/// fl_settings.method: the method of the paper, which treats each pair of bodies by itself and without loads.
 pub const FL_METHOD_PAPER: u32 = 2;
 
-/// fl_settings.host: a direct host. It passes the states at the start of each step, and all loads. The host may take
-/// the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length.
-/// In the second case, by the coupled method, the engine continues the motion that it has computed while bodies
-/// touch, and the wrenches keep the host on this motion.
+/// fl_settings.host: a direct host. A direct host passes the states at the start of each step, and all loads. A direct
+/// host may take the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of
+/// any length. If a direct host integrates the bodies itself by the coupled method, the engine continues the motion
+/// that it has computed while bodies touch, and the wrenches keep the host on this motion.
 pub const FL_HOST_DIRECT: u32 = 0;
-/// fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. The host integrates
-/// the bodies itself in steps of any length, may pass states that are some steps old, and need not report loads. The
-/// engine infers the loads from the states, predicts the present states, and returns wrenches with which the host
-/// follows the engine's motion. Coupled method only.
+/// fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. A co-simulation host
+/// integrates the bodies itself in steps of any length, may pass states that are some steps old, and need not report
+/// loads. For a co-simulation host the engine infers the loads from the states, predicts the present states, and
+/// returns wrenches with which the host follows the engine's motion. Coupled method only.
 pub const FL_HOST_COSIMULATION: u32 = 1;
 
-/// fl_settings.coriolis: as in `fenderline run` with the scenario's integrator; FL_CORIOLIS_BY_ENGINE without a scenario.
+/// fl_settings.coriolis: the Coriolis terms are where `fenderline run` has them with the scenario's integrator; without
+/// a scenario FL_CORIOLIS_BY_ENGINE holds.
 pub const FL_CORIOLIS_DEFAULT: u32 = 0;
 /// fl_settings.coriolis: the host's loads do not contain the Coriolis and centripetal terms of a body's added mass; the
 /// engine adds them.
 pub const FL_CORIOLIS_BY_ENGINE: u32 = 1;
-/// fl_settings.coriolis: the host's loads contain these terms.
+/// fl_settings.coriolis: the host's loads contain the Coriolis and centripetal terms of a body's added mass.
 pub const FL_CORIOLIS_IN_LOADS: u32 = 2;
 
 /// fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
@@ -61,17 +62,17 @@ pub const FL_EVENT_CONTAINED: u32 = 4;
 /// fl_event.kind: the overlap is more than half the smaller body's area.
 pub const FL_EVENT_DEEP_OVERLAP: u32 = 5;
 /// fl_event.kind: a body was displaced by a tenth of its outline's radius more than its velocities explain, or
-/// fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius is the largest distance of a vertex
-/// from the centre of gravity.
+/// fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius of an outline is the largest
+/// distance of one of its vertices from the centre of gravity.
 pub const FL_EVENT_TELEPORTED: u32 = 6;
 /// fl_event.kind: a fender is deflected beyond its rated deflection.
 pub const FL_EVENT_FENDER_RATING_EXCEEDED: u32 = 7;
-/// fl_event.kind: a fender is deflected into its stop, or by its whole projection.
+/// fl_event.kind: a fender is pressed until its stop takes load, or by its whole projection.
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
-/// fl_event.kind: the solve of these bodies' contact did not converge within its iteration limit.
+/// fl_event.kind: the solver of the contact between these bodies did not converge within its limit of iterations.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
-/// fl_event.kind: a body was placed so deep in another body that the contact would eject it. The body is pushed out
-/// slowly instead, at 0.08 m/s at most.
+/// fl_event.kind: a body was placed so deep in another body that the contact would eject it. A body that was placed
+/// deep in another body is pushed out slowly, at 0.08 m/s at most.
 pub const FL_EVENT_PLACED_IN_OVERLAP: u32 = 10;
 /// fl_event.kind: a body of a co-simulation host does not accelerate as its mass in the model says: the host uses another
 /// mass (see fl_engine_mass_matrix()). Reported once per body.
@@ -79,10 +80,10 @@ pub const FL_EVENT_MASS_MISMATCH: u32 = 11;
 
 /// fl_contact.flags: the contact slips; otherwise it sticks.
 pub const FL_CONTACT_SLIPS: u32 = 1;
-/// fl_contact.flags: the momentum limit reduced the normal or the tangential force.
+/// fl_contact.flags: the limit by the momentum of the bodies reduced the normal or the tangential force of the contact.
 pub const FL_CONTACT_LIMITED: u32 = 2;
 
-/// State of a body's centre of gravity, earth-fixed.
+/// Position and velocity of a body's centre of gravity, earth-fixed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlState {
@@ -96,7 +97,7 @@ pub struct FlState {
     pub north_mps: f64,
     /// Velocity (m/s).
     pub east_mps: f64,
-    /// Rate of turn, positive to starboard (rad/s).
+    /// Rate of turn of the body, positive to starboard (rad/s).
     pub yaw_rate_radps: f64,
 }
 
@@ -112,7 +113,7 @@ pub struct FlWrench {
     pub moment_nm: f64,
 }
 
-/// Settings of an engine; all members but `size` may be 0.
+/// Settings of an engine; every member except `size` may be 0, which means the default.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlSettings {
@@ -122,11 +123,12 @@ pub struct FlSettings {
     pub method: u32,
     /// FL_HOST_...
     pub host: u32,
-    /// FL_CORIOLIS_... of a direct host; 0 for a co-simulation host, whose loads contain these terms.
+    /// One of the constants FL_CORIOLIS_... for a direct host; 0 for a co-simulation host, whose loads always contain
+    /// the Coriolis terms.
     pub coriolis: u32,
-    /// FL_INTEGRATION_... of a co-simulation host; else 0.
+    /// One of the constants FL_INTEGRATION_... for a co-simulation host; 0 for a direct host.
     pub integration: u32,
-    /// Age of the states that a co-simulation host passes, in steps, at most 1000; else 0.
+    /// Age of the states that a co-simulation host passes (steps), at most 1000; 0 for a direct host.
     pub delay_steps: u32,
 }
 
@@ -150,126 +152,127 @@ pub struct FlMaterial {
     pub restitution: f64,
 }
 
-/// A body. Its outline is a separate argument.
+/// A body. The body's outline is a separate argument.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlBody {
     /// sizeof(fl_body)
     pub size: usize,
-    /// Displacement (kg). A fixed body has 0 here and for all other masses.
+    /// Displacement (kg). A fixed body has 0 as displacement and for all other masses.
     pub mass_kg: f64,
-    /// Moment of inertia about the vertical (kg m2).
+    /// Moment of inertia of the body about the vertical (kg m2).
     pub yaw_inertia_kgm2: f64,
-    /// Added mass in surge (kg).
+    /// Added mass of the body in surge (kg).
     pub added_surge_kg: f64,
-    /// Added mass in sway (kg).
+    /// Added mass of the body in sway (kg).
     pub added_sway_kg: f64,
-    /// Added moment of inertia in yaw (kg m2).
+    /// Added moment of inertia of the body in yaw (kg m2).
     pub added_yaw_kgm2: f64,
-    /// Position of a fixed body; initial position of a floating body (m).
+    /// North coordinate of a fixed body, or of a floating body at the start (m).
     pub north_m: f64,
-    /// Position of a fixed body; initial position of a floating body (m).
+    /// East coordinate of a fixed body, or of a floating body at the start (m).
     pub east_m: f64,
     /// Heading of a fixed body; initial heading of a floating body (rad).
     pub heading_rad: f64,
 }
 
-/// A fender: a face on a body. Its reaction curve is a separate argument. The fender touches the outlines of all
-/// bodies that form a pair with the fender's body.
+/// A fender: a face on a body. The fender's reaction curve is a separate argument. The fender touches the outlines of
+/// all bodies that form a pair with the fender's body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlFender {
     /// sizeof(fl_fender)
     pub size: usize,
-    /// Middle of the fender's mounting line, in the body's frame (m).
+    /// Forward coordinate of the middle of the fender's mounting line, in the body's frame (m).
     pub forward_m: f64,
-    /// Middle of the fender's mounting line, in the body's frame (m).
+    /// Starboard coordinate of the middle of the fender's mounting line, in the body's frame (m).
     pub starboard_m: f64,
     /// Direction of the fender's outward normal, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face (m).
+    /// Width of the fender's face (m).
     pub width_m: f64,
-    /// Distance from the mounting to the face, uncompressed (m).
+    /// Distance from the fender's mounting to its uncompressed face (m).
     pub projection_m: f64,
-    /// Rated deflection (m); 0: the projection. Must be 0 without a curve.
+    /// Rated deflection of the fender (m); 0 means that it equals the projection. The rated deflection must be 0 for a
+    /// fender without a reaction curve.
     pub rated_deflection_m: f64,
-    /// Deflection at which the stop begins (m).
+    /// Deflection at which the fender's stop begins to take load (m).
     pub stop_from_m: f64,
-    /// Stiffness of the stop (N/m). Without a stop both are 0.
+    /// Stiffness of the fender's stop (N/m). A fender without a stop has 0 for the stop's deflection and stiffness.
     pub stop_stiffness_npm: f64,
     /// Index of the body on which the fender is mounted.
     pub body: u32,
     /// Index of the fender's material: friction, restitution, damping, and, without a curve, stiffness.
     pub material: u32,
-    /// Share of the absorbed energy that the fender returns, 0.05 to 1, by an unloading law. 0: unloading by the
-    /// restitution of the material.
+    /// Share of the absorbed energy that the fender returns when it is unloaded by an unloading law, 0.05 to 1. The
+    /// value 0 means that the fender unloads by the restitution of its material.
     pub returned_energy: f64,
 }
 
-/// One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and
-/// tangential_force_n times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite.
-/// By the coupled method forces are means over the step; peaks include all sub-steps.
+/// One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and tangential_force_n
+/// times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite. By the coupled method the
+/// forces of a contact are means over the step; its peaks cover all sub-steps.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlContact {
-    /// sizeof(fl_contact), to be set by the caller.
+    /// Size of the structure, sizeof(fl_contact), which the caller must set.
     pub size: usize,
     /// The body added first.
     pub body_1: u32,
     /// The body added later.
     pub body_2: u32,
-    /// The fender that is compressed; FL_NONE if outline meets outline.
+    /// Index of the fender that is compressed; FL_NONE if outline meets outline.
     pub fender: u32,
-    /// Number of the patch within the pair.
+    /// Number of the contact patch within its pair of bodies.
     pub patch: u32,
     /// Sum of FL_CONTACT_...
     pub flags: u32,
     /// Always 0.
     pub reserved: u32,
-    /// Area of the overlap (m2).
+    /// Area of the overlap of the two outlines (m2).
     pub area_m2: f64,
-    /// Extent of the overlap along the normal, or deflection of the fender (m).
+    /// Extent of the overlap of the outlines along the normal, or deflection of the fender (m).
     pub depth_m: f64,
-    /// Point where the force acts (m).
+    /// North coordinate of the point where the contact force acts (m).
     pub north_m: f64,
-    /// Point where the force acts (m).
+    /// East coordinate of the point where the contact force acts (m).
     pub east_m: f64,
-    /// Body 1's outward normal.
+    /// North component of body 1's outward unit normal.
     pub normal_north: f64,
-    /// Body 1's outward normal.
+    /// East component of body 1's outward unit normal.
     pub normal_east: f64,
-    /// Speed of approach along the normal (m/s).
+    /// Speed at which the two bodies approach each other along the normal (m/s).
     pub v_normal_mps: f64,
     /// Speed of body 1 relative to body 2 along the tangent (m/s).
     pub v_tangential_mps: f64,
-    /// Deflection of the shear spring (m).
+    /// Deflection of the contact's shear spring, from which friction is computed (m).
     pub shear_m: f64,
-    /// Normal force, at least 0 (N).
+    /// Normal force of the contact, at least 0 (N).
     pub normal_force_n: f64,
-    /// Tangential force on body 1 (N).
+    /// Tangential force of the contact on body 1 (N).
     pub tangential_force_n: f64,
-    /// Largest normal force within the step (N).
+    /// Largest normal force of the contact within the step (N).
     pub peak_normal_force_n: f64,
-    /// Largest depth within the step (m).
+    /// Largest depth of the contact within the step (m).
     pub peak_depth_m: f64,
-    /// Term of the normal force: area spring or reaction curve (N).
+    /// Part of the normal force that the area spring or the reaction curve gives (N).
     pub spring_n: f64,
-    /// Term of the normal force: the stop at the end of a fender's travel (N).
+    /// Part of the normal force that the stop at the end of a fender's travel gives (N).
     pub stop_n: f64,
-    /// Term of the normal force: the damper (N).
+    /// Part of the normal force that the damper gives (N).
     pub damper_n: f64,
-    /// What the momentum limit subtracted from the normal force (N).
+    /// Part of the normal force that the momentum limit took away (N).
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the start of the step that the fender can return (J); 0 if outline
-    /// meets outline.
+    /// Energy that the fender's spring and stop hold at the start of the step and can return (J); 0 if outline meets
+    /// outline.
     pub stored_j: f64,
-    /// Largest energy within the step that loading the fender to its deflection takes (J).
+    /// Largest energy within the step that it takes to load the fender to its deflection (J).
     pub peak_absorbed_j: f64,
     /// Angle between a fender's face and the hull (rad).
     pub tilt_rad: f64,
-    /// Factor on a fender's reaction.
+    /// Factor by which a fender's reaction is multiplied, set when the contact began.
     pub factor: f64,
-    /// Energy that a fender with returned_energy has dissipated within the step (J).
+    /// Energy that a fender with the member returned_energy set has dissipated within the step (J).
     pub hysteresis_j: f64,
 }
 
@@ -277,54 +280,54 @@ pub struct FlContact {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlEvent {
-    /// sizeof(fl_event), to be set by the caller.
+    /// Size of the structure, sizeof(fl_event), which the caller must set.
     pub size: usize,
     /// FL_EVENT_...
     pub kind: u32,
     /// The body.
     pub body_1: u32,
-    /// The other body; equal to body_1 if the event concerns only one body.
+    /// Index of the second body of the event; equal to body_1 if the event concerns only one body.
     pub body_2: u32,
-    /// The fender; FL_NONE if the event concerns no fender.
+    /// Index of the fender of the event; FL_NONE if the event concerns no fender.
     pub fender: u32,
 }
 
-/// Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's
-/// centre of gravity): draw the fender as a child of this body. Ends 1 are left and ends 2 right as seen when
-/// looking out from the body.
+/// Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's centre
+/// of gravity): draw the fender as a child of this body. Seen when looking out from the body, end 1 of the mounting
+/// line and of the face is left, and end 2 is right.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlFenderView {
-    /// The body that carries the fender.
+    /// Index of the body that carries the fender.
     pub body: u32,
-    /// The body that presses the fender; of several bodies, the body that presses deepest. FL_NONE: no body
-    /// presses the fender.
+    /// Index of the body that presses the fender; if several do, of the body that presses deepest. FL_NONE means that
+    /// no body presses the fender.
     pub hull: u32,
-    /// End of the line where the fender is mounted (m).
+    /// Forward coordinate of end 1 of the line where the fender is mounted (m).
     pub mount_1_forward_m: f64,
-    /// End of the line where the fender is mounted (m).
+    /// Starboard coordinate of end 1 of the line where the fender is mounted (m).
     pub mount_1_starboard_m: f64,
-    /// Its other end (m).
+    /// Forward coordinate of end 2 of the line where the fender is mounted (m).
     pub mount_2_forward_m: f64,
-    /// Its other end (m).
+    /// Starboard coordinate of end 2 of the line where the fender is mounted (m).
     pub mount_2_starboard_m: f64,
-    /// End of the face in its present compression and turn (m).
+    /// Forward coordinate of end 1 of the fender's face in its present compression and turn (m).
     pub face_1_forward_m: f64,
-    /// End of the face (m).
+    /// Starboard coordinate of end 1 of the fender's face (m).
     pub face_1_starboard_m: f64,
-    /// Its other end (m).
+    /// Forward coordinate of end 2 of the fender's face in its present compression and turn (m).
     pub face_2_forward_m: f64,
-    /// Its other end (m).
+    /// Starboard coordinate of end 2 of the fender's face (m).
     pub face_2_starboard_m: f64,
-    /// Deflection in the last step (m); 0 if no body presses the fender.
+    /// Deflection of the fender in the last step (m); 0 if no body presses the fender.
     pub deflection_m: f64,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Mean normal force of all bodies on the fender over the last step (N): for an instrument.
+    /// Mean normal force of all bodies on the fender over the last step (N), for an instrument to show.
     pub normal_force_n: f64,
-    /// Largest normal force of one body within the last step (N): for an alarm.
+    /// Largest normal force of a single body on the fender within the last step (N), for an alarm.
     pub peak_normal_force_n: f64,
-    /// Largest deflection within the last step (m).
+    /// Largest deflection of the fender within the last step (m).
     pub peak_deflection_m: f64,
     /// Turn of a panel on several cones about the vertical (rad), positive if the right end, as you look at the
     /// face, is deflected more; 0 for other fenders.
@@ -378,7 +381,7 @@ impl FlMaterial {
 }
 
 impl FlBody {
-    /// `None` for a fixed body.
+    /// Mass and added mass of the body; `None` for a fixed body.
     pub(crate) fn mass(&self) -> Option<MassProperties> {
         let mass = MassProperties {
             mass_kg: self.mass_kg,
@@ -436,14 +439,15 @@ impl FlSettings {
         let host = match self.host {
             FL_HOST_DIRECT => {
                 if self.integration != 0 || self.delay_steps != 0 {
-                    let text = "`integration` and `delay_steps` are only for a co-simulation host";
+                    let text =
+                        "`integration` and `delay_steps` are settings of a co-simulation host only";
                     return failure(FlStatus::BadArgument, text);
                 }
                 Host::Direct { coriolis }
             }
             FL_HOST_COSIMULATION => {
                 if self.coriolis != 0 {
-                    let text = "`coriolis` is only for a direct host";
+                    let text = "`coriolis` is a setting of a direct host only";
                     return failure(FlStatus::BadArgument, text);
                 }
                 Host::CoSimulation(HostSettings { delay_steps: self.delay_steps, integration })

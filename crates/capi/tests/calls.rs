@@ -155,7 +155,7 @@ fn calls_out_of_order_have_their_status() {
     let engine = Engine::new(COUPLED, None);
     assert_eq!(engine.wrenches().0, FlStatus::OutOfOrder);
     assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::OutOfOrder);
-    assert_eq!(engine.error(), "the state of body `ship` was never set");
+    assert_eq!(engine.error(), "the host has not set the state of body `ship`, which floats");
     let states = engine.begin();
     assert_eq!(engine.set(&states[1..]), FlStatus::BadArgument);
     assert_eq!(engine.set(&states), FlStatus::Ok);

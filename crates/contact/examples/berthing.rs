@@ -1,9 +1,10 @@
 //! A ship berths at an angle on two fenders, and the engine moves her.
 //!
-//! Run it with `cargo run -p fenderline-contact --example berthing`.
+//! Run this example with `cargo run -p fenderline-contact --example berthing`.
 //!
-//! [`advance_in_place`] takes a step by the coupled method and updates the states. The time step may be long: the
-//! engine divides it into as many sub-steps as the contact needs. So the peak reactions do not depend on the time step.
+//! [`advance_in_place`] takes a step by the coupled method and updates the states of the bodies. The time step may be
+//! long, because the engine divides each step into as many sub-steps as the contact needs. Because of the sub-steps,
+//! the peak reactions do not depend on the time step.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -11,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 use fenderline_contact::number::greater;
 use fenderline_contact::*;
 
-/// Ship of 20,000 t, 180 m × 30 m, with added mass.
+/// Mass of the ship of 20,000 t and 180 m × 30 m, added mass included.
 const MASS_KG: [f64; 2] = [2.1e7, 3.6e7];
 const YAW_INERTIA_KGM2: f64 = 6.0e10;
 /// Distance of each fender from amidships (m).
@@ -56,7 +57,7 @@ fn berth(step_s: f64) -> Result<[f64; 2], Box<dyn Error>> {
     Ok(peaks_n)
 }
 
-/// The ship, a quay to the east of her, and two cone fenders on it.
+/// Builds a model of the ship, a quay to the east of her, and two cone fenders on the quay.
 fn build_model() -> Result<(Model, [FenderId; 2]), Box<dyn Error>> {
     // Outlines are in the body's frame: x forward, y to starboard, origin at the centre of gravity.
     let (hull, _) = Outline::new(&[

@@ -1,10 +1,10 @@
-//! A fender from its catalogue curve: deflection, reaction and absorbed energy of a berthing.
+//! Computes a berthing on a fender with a catalogue curve: deflection, reaction and absorbed energy.
 //!
-//! Run it with `cargo run -p fenderline-contact --example fender_curve`.
+//! Run this example with `cargo run -p fenderline-contact --example fender_curve`.
 //!
-//! The reaction curve is a list of points. The force is the value of the curve at the deflection. The fender has to
-//! absorb the ship's kinetic energy. With `Unloading::ReturnedEnergy` the fender returns a share of that energy, and
-//! the ship leaves with the square root of that share of her speed.
+//! The reaction curve of a fender is a list of points. The fender's force is the value of the reaction curve at the
+//! deflection. The fender has to absorb the ship's kinetic energy. With `Unloading::ReturnedEnergy` the fender returns
+//! a share of the absorbed energy, and the ship leaves with the square root of that share of her speed.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -55,13 +55,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("rebound at {leaving_mps:.4} m/s");
 
     assert!((absorbed_j / kinetic_j - 1.0).abs() < 0.01, "{absorbed_j}");
-    assert!((reaction_n / 700e3 - 1.0).abs() < 0.01, "the peak before it buckles: {reaction_n}");
+    assert!(
+        (reaction_n / 700e3 - 1.0).abs() < 0.01,
+        "the reaction peak before the fender buckles: {reaction_n}"
+    );
     let expected_mps = SPEED_MPS * RETURNED_SHARE.sqrt();
     assert!((leaving_mps / expected_mps - 1.0).abs() < 0.01, "{leaving_mps}");
     Ok(())
 }
 
-/// A ship, and a quay to the east of her with one fender amidships.
+/// Builds a model of a ship, and of a quay to the east of her with one fender amidships.
 fn build_model(law: FenderLaw) -> Result<Model, Box<dyn Error>> {
     let rectangle = |half_length_m: f64, half_width_m: f64| {
         Outline::new(&[

@@ -1,10 +1,11 @@
-//! A simulator that integrates its bodies itself, and takes only the contact wrench from the engine.
+//! Shows a simulator that integrates its bodies itself, and takes only the contact wrench from the engine.
 //!
-//! Run it with `cargo run -p fenderline-contact --example own_integrator`.
+//! Run this example with `cargo run -p fenderline-contact --example own_integrator`.
 //!
-//! In each step the simulator passes the present states and all other forces to a [`DirectHost`], and adds the contact
-//! wrench to the other forces. While bodies touch, the engine continues a sub-stepped motion of its own. The wrench
-//! keeps the simulator's bodies with that motion, so a stiff contact is stable with a long time step.
+//! In each step the simulator passes the states of its bodies and all other forces to a [`DirectHost`], and adds the
+//! contact wrench to the other forces. While bodies touch, the engine computes a motion of its own in sub-steps. The
+//! contact wrench keeps the simulator's bodies on the engine's motion, so a stiff contact is stable with a long time
+//! step.
 
 use std::error::Error;
 
@@ -49,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A barge of 10 m × 10 m, and a quay of the same shape.
+/// Builds a model of a barge of 10 m × 10 m, and of a quay of the same shape.
 fn build_model() -> Result<Model, Box<dyn Error>> {
     let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
     let (outline, _) = Outline::new(&square)?;

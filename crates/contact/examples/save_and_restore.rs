@@ -1,9 +1,9 @@
 //! Saves a run in the middle of a contact and continues it from the saved bytes, bit for bit.
 //!
-//! Run it with `cargo run -p fenderline-contact --example save_and_restore`.
+//! Run this example with `cargo run -p fenderline-contact --example save_and_restore`.
 //!
-//! [`Memory`] has all that a contact remembers: shear springs, initial velocities, factors of fenders. A simulator has
-//! to store the memory and the bodies' states, and nothing else: [`Workspace`] is only buffers.
+//! [`Memory`] holds all that a contact remembers: shear springs, initial velocities, factors of fenders. A simulator
+//! has to store only the memory and the states of the bodies: [`Workspace`] is only buffers.
 
 use std::error::Error;
 
@@ -59,7 +59,7 @@ fn run(
     Ok(())
 }
 
-/// Two barges of 10 m × 10 m that may touch.
+/// Builds a model of two barges of 10 m × 10 m that may touch.
 fn build_model() -> Result<Model, Box<dyn Error>> {
     let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
     let (outline, _) = Outline::new(&square)?;

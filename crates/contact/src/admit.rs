@@ -1,4 +1,4 @@
-//! Stage 1, admit: checks the host's input before anything changes.
+//! Stage 1 of a step, "admit": checks the host's input before anything changes.
 
 use crate::error::StepError;
 use crate::memory::Memory;
@@ -6,8 +6,8 @@ use crate::model::Model;
 use crate::report::Wrench;
 use crate::state::{BodyState, FURTHEST_M};
 
-/// Largest velocity, load and time step (m/s, rad/s, rad, N, s). A larger number is a mistake of the host, and forces could
-/// overflow.
+/// Largest velocities, heading, load and time step that a host may give (m/s, rad/s, rad, N, s). Larger velocities,
+/// loads or time steps are a mistake of the host, and forces could overflow.
 const FASTEST_MPS: f64 = 1e6;
 const FASTEST_TURN_RADPS: f64 = 1e3;
 const LARGEST_HEADING_RAD: f64 = 1e9;
@@ -18,7 +18,7 @@ pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 /// Refuses a model that has bodies on piles.
 ///
 /// # Errors
-/// [`StepError::OnPile`], naming the first body on a pile.
+/// Returns [`StepError::OnPile`], which names the first body on a pile.
 pub(crate) fn refuse_piles(model: &Model) -> Result<(), StepError> {
     match model.piles.first() {
         None => Ok(()),
@@ -29,7 +29,8 @@ pub(crate) fn refuse_piles(model: &Model) -> Result<(), StepError> {
     }
 }
 
-/// Checks the host's input except the states, for a caller that checks each state when it reads it.
+/// Checks the host's input except the states of the bodies, for a caller that checks each state when it reads the
+/// state.
 pub(crate) fn admit_call(
     model: &Model,
     memory: &Memory,
@@ -59,7 +60,7 @@ pub(crate) fn admit(
     admit_states(model, states)
 }
 
-/// Checks the states of all bodies.
+/// Checks the states of all bodies that the host gives.
 pub(crate) fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), StepError> {
     match states.iter().position(|state| !is_sound(state)) {
         None => Ok(()),
@@ -68,31 +69,31 @@ pub(crate) fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), St
 }
 
 impl Model {
-    /// Checks whether a step would accept this state of the body with this index. For hosts that pass bodies one by
-    /// one.
+    /// Checks whether a step would accept this state of the body with the index `body`. This function is for hosts that
+    /// pass bodies one by one.
     ///
     /// # Errors
-    /// [`StepError::BadState`], naming body and field.
+    /// Returns [`StepError::BadState`], which names the body and the field, if a step would refuse the state.
     ///
     /// # Panics
-    /// If the model has no such body.
+    /// Panics if the model has no body with this index.
     pub fn check_state(&self, body: usize, state: &BodyState) -> Result<(), StepError> {
         if is_sound(state) { Ok(()) } else { Err(unsound(self, body, state)) }
     }
 
-    /// Checks whether a step would accept this load on the body with this index.
+    /// Checks whether a step would accept this load on the body with the index `body`.
     ///
     /// # Errors
-    /// [`StepError::BadState`], naming body and field.
+    /// Returns [`StepError::BadState`], which names the body and the field, if a step would refuse the load.
     ///
     /// # Panics
-    /// If the model has no such body.
+    /// Panics if the model has no body with this index.
     pub fn check_load(&self, body: usize, load: &Wrench) -> Result<(), StepError> {
         if is_sound_load(load) { Ok(()) } else { Err(unsound_load(self, body, load)) }
     }
 }
 
-/// Is every number of a state finite and within its bounds?
+/// Returns true if every number of the state is finite and within its bounds.
 #[inline]
 pub(crate) fn is_sound(state: &BodyState) -> bool {
     // NaN is within no bounds. `&` instead of `&&` makes one branch of all tests.
@@ -104,7 +105,7 @@ pub(crate) fn is_sound(state: &BodyState) -> bool {
         & (state.yaw_rate_radps.abs() <= FASTEST_TURN_RADPS)
 }
 
-/// Names the first field of a state that is not sound.
+/// Returns the error that names the first field of the state that is not finite or too large.
 #[cold]
 fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
     let fields = [
@@ -118,12 +119,12 @@ fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
     bad_number(model, index, &fields)
 }
 
-/// Returns the error for the first of these fields of a body (name, value and largest value) that is not within its
+/// Returns the error for the first field in the list (name, value and largest value) whose value is not within its
 /// bounds.
 fn bad_number(model: &Model, index: usize, fields: &[(&'static str, f64, f64)]) -> StepError {
     let is_within = |value: f64, largest: f64| value.abs() <= largest;
     let bad = fields.iter().find(|&&(_, value, largest)| !is_within(value, largest));
-    let &(field, value, _) = bad.expect("one of the fields is not sound");
+    let &(field, value, _) = bad.expect("one of the fields is not finite or too large");
     StepError::BadState { body: model.bodies()[index].name.clone(), field, value }
 }
 
@@ -148,7 +149,7 @@ pub(crate) fn admit_loads(
     })
 }
 
-/// Is every part of a load finite and within its bounds?
+/// Returns true if every part of the load is finite and within its bounds.
 #[inline]
 pub(crate) fn is_sound_load(load: &Wrench) -> bool {
     (load.force_n.x.abs() <= LARGEST_LOAD)
@@ -156,7 +157,7 @@ pub(crate) fn is_sound_load(load: &Wrench) -> bool {
         & (load.moment_nm.abs() <= LARGEST_LOAD)
 }
 
-/// Names the first part of a load that is not finite or too large.
+/// Returns the error that names the first part of the load that is not finite or too large.
 #[cold]
 fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
     let fields = [

@@ -1,28 +1,28 @@
-//! Sine and cosine of a heading.
+//! Computes the sine and the cosine of a heading.
 //!
-//! Every moving body needs both in every step. The functions of `libm` would cost as much as a whole stage of the step:
-//! they keep the relative accuracy of a sine near zero, which a rotation does not need, and they cannot be inlined. The
-//! bits are the same on every machine, because only sums, products and a table are used. The compiler computes the
-//! table from sums and products.
+//! Every moving body needs the sine and the cosine of its heading in every step. The functions of `libm` would cost as
+//! much as a whole stage of the step: they keep the relative accuracy of a sine near zero, which a rotation does not
+//! need, and the compiler cannot inline them. The result has the same bits on every machine, because only sums,
+//! products and a table are used. The compiler computes the table of sines and cosines from sums and products.
 
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
-/// Up to this angle the subtraction of table steps is exact; beyond it `libm` is used (rad).
+/// Largest angle for which the subtraction of table steps is exact (rad); beyond this angle `libm` is used.
 const FARTHEST_RAD: f64 = 2e4;
 
-/// Number of table steps in a full turn.
+/// Number of entries of the sine table in a full turn.
 const STEPS: usize = 256;
 
-/// One table step in two parts (rad). The first has 33 bits, so that its product with an integer of up to 20 bits is
-/// exact. The second is the rest.
+/// The angle of one table step, as the sum of two numbers (rad). The first part of the angle has 33 bits, so that its
+/// product with an integer of up to 20 bits is exact. The second part of the angle is the rest of the table step.
 const STEP_RAD: f64 = 0.024_543_692_605_220_713;
 const STEP_REST_RAD: f64 = 9.495_469_541_415_925e-13;
 
-/// 1.5 · 2⁵². Adding this number and subtracting it again rounds to the nearest integer. The lowest bits of the sum
-/// also hold that integer.
+/// 1.5 · 2⁵². Adding 1.5 · 2⁵² to a number and subtracting it again rounds the number to the nearest integer. The
+/// lowest bits of the sum also hold the rounded integer.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-/// Sine and cosine of each step. Mirrored entries differ only in sign.
+/// Sine and cosine of each table step. Mirrored entries of the table differ only in sign.
 static TABLE: [(f64, f64); STEPS] = {
     const QUARTER: usize = STEPS / 4;
     const EIGHTH: usize = STEPS / 8;
@@ -49,7 +49,7 @@ static TABLE: [(f64, f64); STEPS] = {
     table
 };
 
-/// Sine and cosine of at most an eighth of a turn, by Taylor series.
+/// Computes sine and cosine of an angle of at most an eighth of a turn, by Taylor series.
 const fn by_series(angle_rad: f64) -> (f64, f64) {
     let square = angle_rad * angle_rad;
     // 1 − x²/(n(n − 1)) (1 − x²/((n − 2)(n − 3)) …): smallest terms first.
@@ -63,7 +63,8 @@ const fn by_series(angle_rad: f64) -> (f64, f64) {
     (angle_rad * sine, cosine)
 }
 
-/// Sine and cosine, each within 2.3e-16: the values of the nearest table step, rotated by the remainder.
+/// Computes sine and cosine of an angle, each within 2.3e-16: the values of the nearest table step are rotated by the
+/// remaining angle.
 #[inline(always)]
 pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     if angle_rad.abs() > FARTHEST_RAD {
@@ -80,11 +81,11 @@ pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     (sine + (sine * along + cosine * across), cosine + (cosine * along - sine * across))
 }
 
-/// The largest tangent for which [`tilt_rad`] uses the series.
+/// The largest tangent of a tilt for which [`tilt_rad`] uses the series.
 const SMALL_TILT: f64 = 1.0 / 8.0;
 
-/// The angle whose tangent is `across / ahead`, both non-negative (rad), to rounding. A hull's angle to a fender is
-/// mostly small; there the series costs a tenth of `libm`'s function.
+/// Computes, to rounding, the angle (rad) whose tangent is `across / ahead`; both numbers must not be negative. A
+/// hull's angle to a fender is mostly small, and for small angles the series costs a tenth of `libm`'s function.
 #[inline(always)]
 pub(crate) fn tilt_rad(across: f64, ahead: f64) -> f64 {
     if across <= SMALL_TILT * ahead && ahead > 0.0 {

@@ -1,7 +1,7 @@
 //! The bodies of a step: their input states, poses and reach, by rank.
 //!
-//! A body's rank is its place in the order of the keys. All sums run in that order, so that the order in which bodies
-//! were added changes no bit of a result.
+//! The rank of a body is its place in the order of the bodies' keys. All sums run in the order of the ranks, so that
+//! the order in which bodies were added changes no bit of a result.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -10,16 +10,18 @@ use crate::room::room_for;
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
 
-/// Stage 1 of a step computes these lists from the host's states. Each sub-step updates the poses.
+/// Stage 1 of a step computes these lists of bodies from the host's states. Each sub-step updates the poses of the
+/// bodies.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies {
-    /// States that the host gave for this step. At the end of the step they move to the memory.
+    /// States of the bodies that the host gave for this step. At the end of the step these states move to the memory.
     pub(crate) input: Vec<BodyState>,
-    /// Poses at the start of the step or sub-step.
+    /// Poses of the bodies at the start of the step or sub-step.
     pub(crate) poses: Vec<Pose>,
     /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
-    /// Ranks, ascending, of the bodies that this step places. The other bodies stay where the last step had them.
+    /// Ranks, ascending, of the bodies whose pose is computed in this step. The bodies that are not listed stay where
+    /// they were in the last step.
     pub(crate) active: Vec<u32>,
 }
 
@@ -33,7 +35,7 @@ impl Bodies {
         }
     }
 
-    /// Makes room for `count` bodies, none of which is active yet.
+    /// Makes room for `count` bodies; no body is active yet.
     pub(crate) fn resize(&mut self, count: usize) {
         self.input.resize(count, BodyState::default());
         self.poses.resize(count, Pose::IDENTITY);
@@ -42,13 +44,13 @@ impl Bodies {
     }
 }
 
-/// Bodies that their host displaced since the last step: they moved otherwise than their velocities say. Computed by
-/// stage 1. The lists have ranks in ascending order.
+/// Bodies that their host displaced since the last step: the bodies moved otherwise than their velocities say. Computed
+/// by stage 1. The ranks in both lists ascend.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Displaced {
-    /// All displaced bodies, the teleported ones included.
+    /// Ranks of all displaced bodies, including the teleported bodies.
     pub(crate) all: Vec<u32>,
-    /// Bodies that were displaced so far that their contacts start afresh.
+    /// Ranks of the bodies that were displaced so far that their contacts start afresh.
     pub(crate) teleported: Vec<u32>,
 }
 
@@ -61,7 +63,7 @@ impl Displaced {
         self.teleported.clear();
     }
 
-    /// Adds a body whose pose changed in this way. Ranks come in ascending order.
+    /// Adds a body to the lists according to the change of its pose. The ranks must be added in ascending order.
     pub(crate) fn add(&mut self, rank: u32, change: PoseChange) {
         if change != PoseChange::Consistent {
             self.all.push(rank);
@@ -71,18 +73,18 @@ impl Displaced {
         }
     }
 
-    /// Removes a body from both lists.
+    /// Removes a body from both lists of displaced bodies.
     pub(crate) fn forget(&mut self, rank: u32) {
         self.all.retain(|&other| other != rank);
         self.teleported.retain(|&other| other != rank);
     }
 
-    /// Was one of these two bodies teleported?
+    /// Returns true if one of the two bodies was teleported.
     pub(crate) fn is_teleported(&self, a: u32, b: u32) -> bool {
         has_either(&self.teleported, a, b)
     }
 
-    /// Was one of these two bodies displaced?
+    /// Returns true if one of the two bodies was displaced.
     pub(crate) fn is_displaced(&self, a: u32, b: u32) -> bool {
         has_either(&self.all, a, b)
     }
@@ -92,22 +94,24 @@ fn has_either(ranks: &[u32], a: u32, b: u32) -> bool {
     !ranks.is_empty() && (ranks.binary_search(&a).is_ok() || ranks.binary_search(&b).is_ok())
 }
 
-/// How an input pose relates to the last step's state.
+/// How a pose that the host gives relates to the state of the last step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PoseChange {
     /// The body moved as its velocities say.
     Consistent,
-    /// The host placed the body elsewhere: neither its old nor its new velocity leads that far.
+    /// The host placed the body elsewhere: neither the old nor the new velocity of the body leads that far.
     Displaced,
-    /// The host placed the body so far away that nothing of its contacts can be kept. The test allows a tenth of the
-    /// body's size, for hosts whose integrators differ from this engine's.
+    /// The host placed the body so far away that nothing of the body's contacts can be kept. The test for a teleported
+    /// body allows a deviation of a tenth of the body's size, for hosts whose integrators differ from this engine's.
     Teleported,
 }
 
-/// The smallest displacement of a body at rest that counts (m). Far from the chart's origin positions are rounded.
+/// The smallest change of place (m) for which a body counts as displaced. The smallest change is not zero, because far
+/// from the chart's origin positions are rounded.
 const SMALLEST_DISPLACEMENT_M: f64 = 1e-6;
 
-/// Classifies the change of a body's state from `last` to `now`, `step_s` later. The body has this radius.
+/// Classifies the change of a body's state from `last` to `now`, which is `step_s` later. `radius_m` is the radius of
+/// the body's outline about its centre of gravity.
 #[inline(always)]
 pub(crate) fn classify(
     last: &BodyState,
@@ -134,7 +138,8 @@ struct Tolerance {
     radius_m: f64,
 }
 
-/// Can the body have moved and turned this far by its velocities? The velocities may change direction within a step.
+/// Returns true if the body can have moved and turned this far with its velocities. The velocities of the body may
+/// change direction within a step.
 #[inline(always)]
 fn is_within_motion(
     last: &BodyState,
@@ -152,7 +157,7 @@ fn is_within_motion(
         <= SMALLEST_DISPLACEMENT_M * SMALLEST_DISPLACEMENT_M
 }
 
-/// The full test of [`classify`].
+/// The full test of [`classify`], for bodies that its quick test does not settle.
 #[cold]
 #[inline(never)]
 fn classify_far(

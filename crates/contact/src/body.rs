@@ -17,16 +17,16 @@ pub enum Mobility {
         /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
         yaw_inertia_kgm2: f64,
     },
-    /// A floating body with its full mass matrix, for the coupled method. The paper's method uses the smaller of
-    /// surge and sway in all directions.
+    /// A floating body with its full mass matrix, for the coupled method. The paper's method uses the smaller of the
+    /// masses in surge and sway for all directions.
     FullMatrix {
-        /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
-        /// symmetric (kg, kg·m, kg·m²).
+        /// Matrix of rigid-body and added mass for surge, sway and yaw, about the centre of gravity, symmetric (kg,
+        /// kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
     /// A floating body whose mass differs between surge and sway. If the engine moves the body, the engine adds the
     /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
-    /// contain them. All else is as with [`Mobility::FullMatrix`].
+    /// contain them. In all other respects the body is treated as with [`Mobility::FullMatrix`].
     SurgeSway {
         /// Displacement and added mass in surge (kg).
         surge_kg: f64,
@@ -35,8 +35,8 @@ pub enum Mobility {
         /// Moment of inertia about the vertical, added mass included (kg·m²).
         yaw_inertia_kgm2: f64,
     },
-    /// A body on a pile, such as a flexible dolphin. The body does not turn, and the pile's spring pulls it back to its
-    /// place. Only the engine moves such bodies, by the coupled method.
+    /// A body on a pile, such as a flexible dolphin. A body on a pile does not turn, and the pile's spring pulls the
+    /// body back to its place. Only the engine moves bodies on piles, by the coupled method.
     OnPile {
         /// Mass that moves with the top of the pile (kg).
         mass_kg: f64,
@@ -46,8 +46,8 @@ pub enum Mobility {
 }
 
 impl Mobility {
-    /// The mass matrix over surge, sway and yaw (kg, kg·m, kg·m²). `None` for a fixed body, and for a body on a pile,
-    /// which does not turn.
+    /// The mass matrix of the body for surge, sway and yaw (kg, kg·m, kg·m²). Returns `None` for a fixed body, and for
+    /// a body on a pile, which does not turn.
     #[must_use]
     pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
@@ -72,7 +72,7 @@ pub struct Body {
     /// Key of the body, unique in a model. Sums run and snapshots are written in the order of the keys, so the order in
     /// which bodies are added does not matter.
     pub key: u64,
-    /// Outline in the body's frame, origin at the centre of gravity.
+    /// Outline in the frame of the body, whose origin is the centre of gravity.
     pub outline: Outline,
     /// Mass and inertia.
     pub mobility: Mobility,

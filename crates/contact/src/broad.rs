@@ -1,4 +1,4 @@
-//! Stage 2, broad phase: finds the bodies that are near enough to touch, in the order of their ranks.
+//! Stage 2 of a step, the broad phase: finds the bodies that are near enough to touch, in the order of their ranks.
 
 use alloc::vec::Vec;
 
@@ -9,11 +9,12 @@ use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::pair::RankedPair;
 
-/// Boxes with a smaller gap than this count as touching (m): far from the chart's origin positions are rounded.
+/// Bounding boxes with a smaller gap than this count as touching (m), because far from the chart's origin positions are
+/// rounded.
 const ROUNDING_M: f64 = 1e-6;
 
-/// Computes the candidates of this step. There are none if the model has no fenders and no piles, nothing touched in
-/// the last step (`past`), and nothing can touch in this step.
+/// Lists the pairs of bodies that may touch in this step. The list of candidates stays empty if the model has no
+/// fenders and no piles, no bodies touched in the last step (`past`), and no bodies can touch in this step.
 pub(crate) fn pair(
     model: &Model,
     bodies: &Bodies,
@@ -38,8 +39,8 @@ pub(crate) fn pair(
     }
 }
 
-/// Do the boxes of two outlines stay apart in this step? The circle around a long ship reaches bodies far off her side,
-/// the box does not.
+/// Returns true if the bounding boxes of the two outlines stay apart in this step. The circle around a long ship
+/// includes bodies far off her side, but the bounding box does not.
 pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -> bool {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let travel_m = |rank: usize| bodies.reach_m[rank] - model.ranked[rank].reach_m;
@@ -49,8 +50,8 @@ pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -
     candidate.face == 0 && !model.ranked.extent(a).widened(closing_m).overlaps(&box_b)
 }
 
-/// Adds the candidates of the pairs whose circles of reach meet: outline against outline, then each body's fenders
-/// against the other body's outline. `first` is the number of the first pair.
+/// Adds the candidates for each pair whose circles of reach meet: outline against outline, then each body's fenders
+/// against the outline of the other body. `first` is the number of the first pair in `pairs`.
 #[inline(never)]
 fn push_near(
     model: &Model,
@@ -78,7 +79,7 @@ fn push_near(
     }
 }
 
-/// Adds the candidates of the fenders of both bodies of a pair.
+/// Adds the candidates for the fenders of both bodies of a pair.
 #[inline(never)]
 fn push_faces(
     model: &Model,
@@ -100,7 +101,7 @@ fn push_faces(
     }
 }
 
-/// Does the circle around a fender meet the circle around the other body within this step?
+/// Returns true if the circle around a fender can meet the circle around the other body within this step.
 fn is_face_near(model: &Model, bodies: &Bodies, face: &RankedFender, other: u32) -> bool {
     let (host, other) = (face.host as usize, other as usize);
     let travel_m = bodies.reach_m[host] - model.ranked[host].reach_m;

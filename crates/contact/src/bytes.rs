@@ -1,6 +1,7 @@
-//! Snapshots as bytes, little-endian: magic, version, records, and FNV-1a of all bytes before.
+//! Writes and reads snapshots as bytes, little-endian: a magic number, the version, the records, and the FNV-1a hash of
+//! all bytes before.
 //!
-//! A [`Record`] lists its parts once, for writing and for reading.
+//! A [`Record`] lists its fields only once, both for writing and for reading.
 
 use alloc::vec::Vec;
 
@@ -13,21 +14,21 @@ use crate::vec2::{Rotation, Vec2};
 /// The version of the snapshots that this library writes and reads.
 pub const SNAPSHOT_VERSION: u32 = 8;
 
-/// Numbers one after the other. A [`Writer`] appends the numbers to the bytes; a [`Reader`] replaces the values by
-/// numbers from the bytes.
+/// Passes the numbers of a snapshot one after the other. A [`Writer`] appends the numbers to the bytes; a [`Reader`]
+/// replaces the numbers by those from the bytes.
 pub(crate) trait Codec {
     fn word(&mut self, word: &mut u32);
     fn number(&mut self, number: &mut f64);
-    /// Notes that the record read has an impossible value.
+    /// Notes that the record just read has an impossible value.
     fn refuse(&mut self);
 }
 
-/// A part of a snapshot.
+/// A part of a snapshot, such as a number or the state of a body.
 pub(crate) trait Record: Copy + Default {
-    /// Passes all numbers of the record to the codec, in their order.
+    /// Passes all numbers of the record to the codec, in the order of the snapshot.
     fn code(&mut self, codec: &mut impl Codec);
 
-    /// Number of the record's bytes.
+    /// Number of bytes that the record takes in a snapshot.
     fn byte_count() -> u128 {
         let mut out = Writer(Vec::new());
         out.put(Self::default());
@@ -35,7 +36,7 @@ pub(crate) trait Record: Copy + Default {
     }
 }
 
-/// Makes records of structs. The fields are listed in the order of their bytes.
+/// Makes records of structs. The fields of each struct are listed in the order of their bytes.
 macro_rules! records {
     ($($record:ty { $($field:ident),* })*) => {
         $(impl $crate::bytes::Record for $record {
@@ -66,7 +67,7 @@ impl Record for f64 {
     }
 }
 
-/// A `bool` is stored as a word: 0 or 1.
+/// A `bool` is stored as a 32-bit word: 0 or 1.
 impl Record for bool {
     fn code(&mut self, codec: &mut impl Codec) {
         let mut word = u32::from(*self);
@@ -78,8 +79,8 @@ impl Record for bool {
     }
 }
 
-/// An `Option` is stored as a `bool`, whether there is a record, and the record. The record has any value if there is
-/// none.
+/// An `Option` is stored as a `bool`, which says whether there is a record, and then the record. If the `Option` is
+/// `None`, the bytes of the record may have any value.
 impl<R: Record> Record for Option<R> {
     fn code(&mut self, codec: &mut impl Codec) {
         let (mut is_some, mut record) = (self.is_some(), self.unwrap_or_default());
@@ -133,7 +134,7 @@ impl Writer {
         record.code(self);
     }
 
-    /// The bytes of the snapshot, with the checksum.
+    /// Returns the bytes of the snapshot with their checksum at the end.
     pub(crate) fn sealed(mut self) -> Vec<u8> {
         let sum = Fnv1a::of(&self.0);
         self.bytes(&sum.to_le_bytes());
@@ -141,7 +142,7 @@ impl Writer {
     }
 }
 
-/// Reads a snapshot. The reader keeps the first fault, and reads zeros from there on.
+/// Reads a snapshot. The reader keeps the first fault in the snapshot, and reads zeros after the fault.
 pub(crate) struct Reader<'b> {
     rest: &'b [u8],
     outcome: Result<(), RestoreError>,
@@ -152,7 +153,7 @@ impl Codec for Reader<'_> {
         *word = u32::from_le_bytes(self.array());
     }
 
-    /// Reads a number. The number must be finite, and so small that the next step cannot overflow.
+    /// Reads a number. A number in a snapshot must be finite, and small enough that the next step cannot overflow.
     fn number(&mut self, number: &mut f64) {
         *number = f64::from_le_bytes(self.array());
         let is_usable = number.abs() <= 1e30;
@@ -192,7 +193,7 @@ impl<'b> Reader<'b> {
         array
     }
 
-    /// The next `count` bytes, as they are.
+    /// Returns the next `count` bytes of the snapshot unchanged.
     pub(crate) fn bytes(&mut self, count: usize) -> Result<&'b [u8], RestoreError> {
         let Some((bytes, rest)) = self.rest.split_at_checked(count) else {
             self.outcome = self.outcome.and(Err(RestoreError::Length));
@@ -202,18 +203,18 @@ impl<'b> Reader<'b> {
         Ok(bytes)
     }
 
-    /// The first fault so far.
+    /// Returns the first fault that the reader found so far.
     pub(crate) fn outcome(&self) -> Result<(), RestoreError> {
         self.outcome
     }
 
-    /// Checks that exactly this number of bytes and the checksum are left.
+    /// Checks that exactly `bytes` bytes and the checksum are left to read.
     pub(crate) fn check_left(&self, bytes: u128) -> Result<(), RestoreError> {
         if self.rest.len() as u128 == bytes + 8 { Ok(()) } else { Err(RestoreError::Length) }
     }
 }
 
-/// Checks the checksum of a whole snapshot.
+/// Checks the checksum at the end of a whole snapshot.
 pub(crate) fn check_sum(snapshot: &[u8]) -> Result<(), RestoreError> {
     let (summed, sum) = snapshot.split_last_chunk().ok_or(RestoreError::Length)?;
     if *sum == Fnv1a::of(summed).to_le_bytes() { Ok(()) } else { Err(RestoreError::Checksum) }

@@ -1,13 +1,13 @@
-//! Errors in a host's or user's input. After an error nothing has changed.
+//! Errors in the input of a host or a user. When the engine returns an error, it has changed nothing.
 
 use alloc::string::String;
 use core::fmt;
 
-/// A model that cannot be built.
+/// The reason why a model cannot be built.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// A number of a body or material is out of range.
+    /// A number of a body, a fender or a material is out of range.
     OutOfRange {
         /// The body or material.
         owner: String,
@@ -15,10 +15,10 @@ pub enum ModelError {
         field: &'static str,
         /// Its value.
         value: f64,
-        /// The values that are allowed.
+        /// The values that are allowed for the field, in words.
         must: &'static str,
     },
-    /// A mass matrix that is not symmetric or not positive definite.
+    /// A mass matrix is not symmetric or not positive definite.
     BadMatrix {
         /// The body.
         body: String,
@@ -32,12 +32,12 @@ pub enum ModelError {
     },
     /// A pair or fender names a body or material that does not exist.
     UnknownId {
-        /// The kind of part: body or material.
+        /// The kind of part that does not exist: body or material.
         what: &'static str,
         /// Its index.
         index: u32,
     },
-    /// A pair of a body with itself, a pair of two fixed bodies, or a duplicate pair.
+    /// A pair has the same body twice, has two fixed bodies, or occurs twice.
     BadPair {
         /// The two bodies.
         bodies: [String; 2],
@@ -56,9 +56,11 @@ impl fmt::Display for ModelError {
                 write!(f, "the mass matrix of `{body}` is not symmetric and positive definite")
             }
             ModelError::DuplicateKey { body, key } => {
-                write!(f, "body `{body}` has key {key}, which another body has too")
+                write!(f, "body `{body}` has key {key}, which another body also has")
             }
-            ModelError::UnknownId { what, index } => write!(f, "there is no {what} {index}"),
+            ModelError::UnknownId { what, index } => {
+                write!(f, "there is no {what} with the index {index}")
+            }
             ModelError::BadPair { bodies: [a, b], why } => write!(f, "pair `{a}`, `{b}`: {why}"),
         }
     }
@@ -66,18 +68,18 @@ impl fmt::Display for ModelError {
 
 impl core::error::Error for ModelError {}
 
-/// A step that failed. The memory is unchanged after it.
+/// A step that failed. The memory is unchanged after a failed step.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
-    /// The host gave states for another number of bodies.
+    /// The host gave states for a wrong number of bodies.
     WrongCount {
         /// Bodies in the model.
         bodies: usize,
         /// States given.
         states: usize,
     },
-    /// Δt is out of range: 1e-9 s to 1e6 s, or 0 for a pause.
+    /// The time step Δt is out of range: it must be 1e-9 s to 1e6 s, or 0 for a pause.
     BadTimeStep {
         /// The value given (s).
         step_s: f64,
@@ -86,20 +88,22 @@ pub enum StepError {
     BadState {
         /// Name of the body.
         body: String,
-        /// The field of its state.
+        /// The field of the body's state that is wrong.
         field: &'static str,
         /// Its value.
         value: f64,
     },
-    /// The step overflows: the load is far too large for a body's mass, or the step far too long for a stiff contact.
+    /// The step overflows: a load is far too large for the mass of its body, or the step is far too long for a stiff
+    /// contact.
     NotFinite {
         /// Name of a body with a non-finite result.
         body: String,
     },
     /// The memory belongs to another model.
     WrongModel,
-    /// A body stands on a pile, and this step cannot move it. The paper's method cannot, and neither can a host that
-    /// moves its bodies itself. [`crate::advance_from_engine_states`] and [`crate::advance_in_place`] can.
+    /// A body stands on a pile, and this step cannot move it. The paper's method cannot move a body on a pile, and
+    /// neither can a host that moves its bodies itself. [`crate::advance_from_engine_states`] and
+    /// [`crate::advance_in_place`] can.
     OnPile {
         /// Name of the body.
         body: String,
@@ -125,7 +129,8 @@ impl fmt::Display for StepError {
             StepError::NotFinite { body } => {
                 write!(
                     f,
-                    "the step overflows: it is far too long for body `{body}`, or the body far too light for its load"
+                    "the step overflows: it is far too long for body `{body}`, or the body is far too light for \
+                     its load"
                 )
             }
             StepError::OnPile { body } => write!(
@@ -133,38 +138,40 @@ impl fmt::Display for StepError {
                 "body `{body}` stands on a pile: only the coupled method moves such bodies, and only where the engine \
                  moves all bodies"
             ),
-            StepError::WrongModel => write!(f, "this memory belongs to another model"),
+            StepError::WrongModel => {
+                write!(f, "the memory was made for another model than the model of this step")
+            }
         }
     }
 }
 
 impl core::error::Error for StepError {}
 
-/// A snapshot that cannot be restored. The memory is unchanged.
+/// The reason why a snapshot cannot be restored. The memory is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RestoreError {
     /// The bytes do not begin with the mark of a snapshot.
     NotASnapshot,
-    /// A version that this library does not read.
+    /// The snapshot has a version that this library does not read.
     Version {
         /// The version found.
         found: u32,
     },
-    /// A snapshot of another model.
+    /// The snapshot was made from another model.
     OtherModel,
     /// Missing or surplus bytes.
     Length,
-    /// The checksum does not match: the bytes were changed.
+    /// The checksum does not match: the bytes of the snapshot were changed.
     Checksum,
-    /// A value that is impossible in a memory.
+    /// The snapshot has a value that is impossible in a memory.
     Content,
 }
 
 impl fmt::Display for RestoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RestoreError::NotASnapshot => write!(f, "these bytes are not a snapshot"),
+            RestoreError::NotASnapshot => write!(f, "the bytes are not a snapshot of this library"),
             RestoreError::Version { found } => {
                 write!(f, "snapshot version {found} is not supported")
             }
@@ -178,8 +185,8 @@ impl fmt::Display for RestoreError {
 
 impl core::error::Error for RestoreError {}
 
-/// A number for messages: the shortest text that parses to the same number. Very large and very small numbers have an
-/// exponent.
+/// A number for messages: the shortest decimal text that a parser reads as the same number. Very large and very small
+/// numbers are written with an exponent.
 ///
 /// ```
 /// use fenderline_contact::DisplayNumber;

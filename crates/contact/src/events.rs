@@ -13,8 +13,8 @@ use crate::patch::Patch;
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
 
-/// Adds the events of a pair's old patches that end or split: no new patch continues such a patch, or more than one
-/// does.
+/// Adds the events of a pair's old patches that end or split: a patch ends if no new patch continues it, and splits if
+/// several new patches continue it.
 pub(crate) fn report_ends_and_splits(
     model: &Model,
     events: &mut Vec<Event>,
@@ -30,7 +30,8 @@ pub(crate) fn report_ends_and_splits(
     }
 }
 
-/// Adds the events of one patch. A lasting event is reported once. Returns the flags to remember.
+/// Adds the events of one patch of contact. An event that lasts is reported only once. Returns the flags that the
+/// memory must keep, so that an event is not reported again.
 #[inline(always)]
 pub(crate) fn report_patch(
     model: &Model,
@@ -58,7 +59,7 @@ pub(crate) fn report_patch(
     report_deep_overlap(model, events, patch, reported)
 }
 
-/// Reports that one body, or half of it, lies within the other.
+/// Reports that one body, or half of its area, lies within the other body.
 #[inline(never)]
 fn report_deep_overlap(
     model: &Model,
@@ -100,7 +101,7 @@ fn report_fender(
     flags
 }
 
-/// Adds the events of the flags that are new.
+/// Adds the events whose flags are new in this step.
 #[inline]
 fn report_new(
     model: &Model,

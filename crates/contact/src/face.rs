@@ -1,17 +1,19 @@
-//! Force of a hull on a fender's face: the gradient of the stored energy.
+//! Computes the force of a hull on a fender's face as the gradient of the stored energy.
 //!
-//! In the face's frame x runs from the face inwards and s along the face. d(s) is the depth of the hull behind the face
-//! at s, and A is the overlap of hull and fender. The stored energy U has two forms, each of which needs one integral
-//! over A:
+//! In the frame of the fender's face, x runs from the face inwards and s along the face. d(s) is the depth of the hull
+//! behind the face at s, and A is the overlap of hull and fender. The stored energy U has one of two forms, each of
+//! which needs one integral over the overlap A:
 //!
-//! - U = E(S/w), for a reaction curve R = E': S is the area of A. A displacement of the hull changes the area by ∂S = ∮
-//!   n·∂r over the hull's part of A's boundary. As ∮ n over the whole boundary is 0, ∂S is minus the integral over the
-//!   fender's own sides. These sides are straight lines along the axes, so the integral has a closed form.
-//! - U = ½ k ∫ d² ds = k ∬ x dA, for an elastic foundation. This formula follows in the same way from ∮ x n = (S, 0).
+//! - U = E(S/w), for a fender of width w with a reaction curve R = E', where S is the area of the overlap A. A
+//!   displacement of the hull changes the area by ∂S = ∮ n·∂r over the hull's part of A's boundary. As ∮ n over the
+//!   whole boundary is 0, ∂S is minus the integral over the fender's own sides. The fender's own sides are straight
+//!   lines along the axes, so the integral has a closed form.
+//! - U = ½ k ∫ d² ds = k ∬ x dA, for an elastic foundation. The force of an elastic foundation follows in the same way
+//!   from the identity ∮ x n = (S, 0).
 //!
 //! The method needs only the overlap's outline, not the hull's shape, and the force is exactly conservative for any
 //! hull. The simpler form (N = kS along the face's normal, through the centroid) lacks the lateral part ½k·Δ(d²) at the
-//! ends of the face. Sliding along a tilted hull would then create energy.
+//! ends of the face. With the simpler form, sliding along a tilted hull would create energy.
 
 use crate::angle::tilt_rad;
 use crate::face_frame::Frame;
@@ -21,28 +23,28 @@ use crate::panel::press::Pressed;
 use crate::reaction::FenderLaw;
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A corner nearer than this to a side of the fender's zone counts as on the side (m). Crossings are computed to about
-/// 1e-12 m.
+/// A corner nearer than this to a side of the fender's zone counts as on the side (m). Crossings of outlines are
+/// computed with an error of about 1e-12 m.
 const ON_SIDE_M: f64 = 1e-9;
 
-/// An overlap with a smaller area has no meaningful centroid (m²), and a smaller force has no meaningful line of action
-/// (N): both would be quotients of rounding errors.
+/// Smallest area of an overlap with a meaningful centroid (m²), and smallest force with a meaningful line of action
+/// (N): for smaller values both would be quotients of rounding errors.
 const SMALLEST_AREA_M2: f64 = 1e-18;
 const SMALLEST_FORCE_N: f64 = 1e-6;
 
-/// A hull pressed on a fender, before the fender's factors.
+/// The press of a hull on a fender, before the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
-    /// Direction in which the hull pushes the fender, and a point on the force's line. Direction and point are in the
-    /// frame of the outline given.
+    /// Direction in which the hull pushes the fender, and a point on the line of the force. Direction and point of the
+    /// force are in the frame in which the outline is given.
     pub(crate) push: Vec2,
     pub(crate) point_m: Vec2,
-    /// The two parts of the force along `push` (N).
+    /// The two parts of the force along `push`: spring and stop (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
     /// Deflection δ (m).
     pub(crate) deflection_m: f64,
-    /// Energy stored in spring and stop (J).
+    /// Energy stored in the fender's spring and stop (J).
     pub(crate) stored_j: f64,
     /// Growth of the overlap's area per metre of the hull's displacement along `push` (m).
     pub(crate) chord_m: f64,
@@ -50,19 +52,20 @@ pub(crate) struct Press {
     pub(crate) tilt_rad: f64,
 }
 
-/// Integrals over the fender's own sides of the overlap, in the face's frame.
+/// Integrals over those sides of the overlap that are the fender's own sides, in the frame of the face.
 #[derive(Clone, Copy, Debug, Default)]
 struct Integrals {
     /// Largest x.
     depth: f64,
-    /// Derivatives of S and ∬x dA with respect to the hull's displacement along x and s, and to rotation about the
-    /// face's middle.
+    /// Derivatives of the area S and of the moment ∬x dA with respect to the hull's displacement along x and s, and to
+    /// its rotation about the middle of the face.
     of_area: [f64; 3],
     of_moment: [f64; 3],
 }
 
 impl Frame {
-    /// Computes the integrals of an overlap with this area and centroid, and the centroid in the face's frame.
+    /// Computes the integrals of an overlap with this area and centroid, and the centroid in the frame of the fender's
+    /// face.
     // Inlined: a call costs a twelfth of a step of a ship at eight faces.
     #[inline(always)]
     fn integrals<'a>(
@@ -91,8 +94,8 @@ impl Frame {
     }
 }
 
-/// Computes the press of a patch with this area and centroid. `outlines` are the outlines of the patch's overlaps, in a
-/// frame in which the fender's body has the pose `host`.
+/// Computes how the hull presses on the fender in a patch with this area and centroid. `outlines` are the outlines of
+/// the patch's overlaps, in a frame in which the fender's body has the pose `host`.
 pub(crate) fn press<'a>(
     ranked: &RankedFender,
     fender: &Fender,
@@ -137,7 +140,7 @@ pub(crate) fn press<'a>(
     }
 }
 
-/// Does as [`press`] for a fender with a panel, which the whole hull presses.
+/// Does the same as [`press`] for a fender with a panel, on which the whole hull presses.
 pub(crate) fn press_panel<'a>(
     ranked: &RankedFender,
     pressed: &Pressed,
@@ -162,8 +165,8 @@ pub(crate) fn press_panel<'a>(
     }
 }
 
-/// The direction of a force of this size, with this torque about the face's middle, and the point of the force's line
-/// nearest to the centroid.
+/// For a force of this size with this torque about the face's middle: the direction of the force, and the point of its
+/// line that is nearest to the centroid.
 #[inline(always)]
 fn line_of_action(force_n: Vec2, size_n: f64, torque_nm: f64, centroid_m: Vec2) -> (Vec2, Vec2) {
     if size_n > SMALLEST_FORCE_N {
@@ -175,7 +178,7 @@ fn line_of_action(force_n: Vec2, size_n: f64, torque_nm: f64, centroid_m: Vec2) 
     }
 }
 
-/// A corner of an outline in the face's frame, and the fender's own sides on which it lies.
+/// A corner of an outline in the frame of the fender's face, and the fender's own sides on which the corner lies.
 // The far end of the zone does not count as a side: a hull that deep is still pushed out.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
@@ -200,7 +203,8 @@ impl Corner {
 }
 
 impl Integrals {
-    /// Adds one edge of an outline. The outline is walked in the positive sense.
+    /// Adds one edge of an outline to the integrals. The edges of the outline must be added in the positive sense of
+    /// turning.
     #[inline(always)]
     fn add(&mut self, Corner { at: from, sides }: &Corner, to: &Corner) {
         let (both, to) = (sides & to.sides, to.at);
@@ -216,7 +220,7 @@ impl Integrals {
         }
     }
 
-    /// Subtracts the integrals of a segment of a lateral side, whose outward normal is ±s.
+    /// Subtracts the integrals over a segment of a lateral side of the fender, whose outward normal is ±s.
     fn side(&mut self, low: f64, high: f64, outward: f64) {
         let squares = 0.5 * (high * high - low * low);
         let cubes = (high * high * high - low * low * low) * (1.0 / 3.0);
@@ -226,7 +230,8 @@ impl Integrals {
         self.of_moment[2] -= outward * cubes;
     }
 
-    /// Adds the terms of the whole outline. `area` and `moment` are its area and its moments ∬ x dA and ∬ s dA.
+    /// Adds the terms of the whole outline to the integrals. `area` is the area of the outline, and `moment` its
+    /// moments ∬ x dA and ∬ s dA.
     fn complete(&mut self, area: f64, moment: Vec2) {
         self.of_moment[0] += area;
         self.of_moment[2] -= moment.y;

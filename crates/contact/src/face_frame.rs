@@ -2,7 +2,8 @@
 
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A fender's face in another frame: the direction inwards, the direction along the face, and the face's middle.
+/// The face of a fender, seen in another frame: the direction inwards, the direction along the face, and the middle of
+/// the face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     pub(crate) inward: Vec2,
@@ -11,25 +12,25 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The frame of a face whose direction inwards and middle are given in the axes of a body with the pose `host`.
+    /// The frame of a face whose inward direction and middle are given in the axes of a body with the pose `host`.
     pub(crate) fn of(inward: Vec2, face_m: Vec2, host: Pose) -> Frame {
         let inward = host.rotation.apply(inward);
         Frame { inward, along: inward.quarter_turn(), face_m: host.apply(face_m) }
     }
 
-    /// Transforms a place into the face's frame.
+    /// Transforms a point into the frame of the face.
     #[inline(always)]
     pub(crate) fn to_face(self, v: Vec2) -> Vec2 {
         self.turned_to_face(v - self.face_m)
     }
 
-    /// Transforms a direction into the face's frame.
+    /// Transforms a direction into the frame of the face.
     #[inline(always)]
     pub(crate) fn turned_to_face(self, v: Vec2) -> Vec2 {
         vec2(v.dot(self.inward), v.dot(self.along))
     }
 
-    /// Transforms a direction from the face's frame into the other frame.
+    /// Transforms a direction from the frame of the face into the other frame.
     pub(crate) fn turned(self, v: Vec2) -> Vec2 {
         self.inward * v.x + self.along * v.y
     }

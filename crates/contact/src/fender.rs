@@ -18,13 +18,15 @@ use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// A fender on a quay, on a tug's bow or along a ship's belting.
 ///
-/// A fender touches the outlines of all bodies that form a [`crate::Pair`] with the fender's body. The pair's material
-/// describes the solid structure behind the fender. The fender's own material gives friction, restitution and damping.
+/// A fender touches the outlines of all bodies that form a [`crate::Pair`] with the fender's body. The material of the
+/// pair describes the solid structure behind the fender. The fender's own material gives friction, restitution and
+/// damping.
 ///
-/// The force is the gradient of the stored energy (see [`FenderLaw`]). So a closed path without friction does no work.
-/// Where a corner presses on the face, the force points along the face's axis. Where a flat side covers the whole face,
-/// the force is perpendicular to the hull. With an [`Unloading`] law the force is the gradient of the energy that the
-/// fender can return, and a closed path dissipates what the law says.
+/// The force of a fender is the gradient of the stored energy (see [`FenderLaw`]). Because the force of a fender is
+/// such a gradient, a closed path of the hull without friction does no work. Where a corner of a hull presses on the
+/// face, the force points along the axis of the face. Where a flat side of a hull covers the whole face, the force is
+/// perpendicular to the hull. With an [`Unloading`] law the force is the gradient of the energy that the fender can
+/// return, and a closed path of the hull dissipates what the law says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fender {
     /// Name, used in errors.
@@ -37,40 +39,43 @@ pub struct Fender {
     pub position_m: Vec2,
     /// Direction in which the fender faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face (m).
+    /// Width of the fender's face (m).
     pub width_m: f64,
-    /// Distance from the mounting to the face, uncompressed (m).
+    /// Distance from the fender's mounting to its face, when not compressed (m).
     pub projection_m: f64,
-    /// Reaction force as a function of deflection.
+    /// Reaction force of the fender as a function of its deflection.
     pub law: FenderLaw,
-    /// How the reaction falls when the hull moves away. Used by the coupled method, in place of the material's
-    /// restitution. `None`: restitution alone.
+    /// How the reaction of the fender falls when the hull moves away. The coupled method uses this unloading law in
+    /// place of the material's restitution. `None`: restitution alone.
     pub unloading: Option<Unloading>,
-    /// Material that gives friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
+    /// Material of the fender, which gives friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
     pub material: MaterialId,
-    /// Rated deflection (m). A larger deflection is reported as [`crate::EventKind::FenderRatingExceeded`]. Compression
-    /// times are times to reach the rated deflection.
+    /// Rated deflection (m). A larger deflection of the fender is reported as
+    /// [`crate::EventKind::FenderRatingExceeded`]. The compression times of [`ReactionFactors`] are times to reach this
+    /// rated deflection.
     pub rated_deflection_m: f64,
-    /// The stop at the end of the fender's travel; `None` if the curve includes the stop.
+    /// The stop at the end of the fender's travel; `None` if the reaction curve includes the stop.
     pub stop: Option<Stop>,
-    /// Corrections of the fender's reaction.
+    /// Factors that correct the fender's reaction.
     pub factors: ReactionFactors,
-    /// A panel in front of several fenders side by side. `None`: one fender, or several treated as one behind a face
-    /// that does not turn.
+    /// A panel in front of several fenders side by side. `None` for a single fender, or for several fenders that are
+    /// treated as one behind a face that does not turn.
     pub panel: Option<Panel>,
 }
 
-/// Corrections of a fender's reaction. The factors are multiplied. The factors by speed and angle are evaluated when a
-/// contact begins and kept until it ends: a berthing has one speed and one angle, and a factor that changed under load
-/// would create or destroy stored energy.
+/// Factors that correct a fender's reaction. The factors are multiplied. The factors by speed and angle are evaluated
+/// when a contact begins and kept until it ends: a berthing has one speed and one angle, and a factor that changed
+/// under load would create or destroy stored energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReactionFactors {
-    /// Temperature, manufacturing tolerance and other factors that are constant in a run.
+    /// The factor for temperature, manufacturing tolerance and all other influences that are constant in a run.
     pub constant: f64,
-    /// Points (compression time (s), factor) in order of time. The factor is linear between points and constant beyond
-    /// both ends. The time is δ_rated/(0.74 V) at the approach speed V. An empty list means a factor of 1.
+    /// Points of the factor by speed, each with compression time (s) and factor, in order of time. The factor is linear
+    /// between the points and constant beyond both ends. The compression time is δ_rated/(0.74 V) at the approach speed
+    /// V. An empty list of points means a factor of 1.
     pub by_compression_time: Vec<[f64; 2]>,
-    /// Points (angle between face and hull (rad), factor) in order of angle, used in the same way.
+    /// Points of the factor by angle, each with the angle between face and hull (rad) and the factor, in order of
+    /// angle; used like the points by compression time.
     pub by_angle: Vec<[f64; 2]>,
 }
 
@@ -81,20 +86,21 @@ impl Default for ReactionFactors {
 }
 
 impl ReactionFactors {
-    /// The factor by angle alone (rad).
+    /// The factor of the reaction that depends on the angle (rad) alone.
     #[must_use]
     pub fn of_angle(&self, angle_rad: f64) -> f64 {
         held(&self.by_angle, angle_rad)
     }
 
-    /// The compression time of a contact (s): the time to the rated deflection (m) at 0.74 of the speed at first touch
-    /// (m/s). Factors by speed are tabulated by this time. The 0.74 is from a public calculator for cone fenders.
+    /// The compression time of a contact (s): the time to reach the rated deflection (m) at 0.74 of the speed at the
+    /// first touch (m/s). The tables of factors by speed use this compression time instead of the speed. The number
+    /// 0.74 is from a public calculator for cone fenders.
     #[must_use]
     pub fn compression_time_s(speed_mps: f64, rated_deflection_m: f64) -> f64 {
         rated_deflection_m / (0.74 * greater(speed_mps, 1e-9))
     }
 
-    /// The factor of a contact that begins at this speed (m/s) and angle (rad).
+    /// The product of all factors for a contact that begins at this speed (m/s) and angle (rad).
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
         let time_s = ReactionFactors::compression_time_s(speed_mps, rated_deflection_m);
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
@@ -109,7 +115,7 @@ impl ReactionFactors {
     }
 }
 
-/// The data of a fender that the inner stages use.
+/// The data of a fender that the stages of a step use.
 #[derive(Clone, Debug)]
 pub(crate) struct RankedFender {
     pub(crate) id: FenderId,
@@ -117,33 +123,34 @@ pub(crate) struct RankedFender {
     pub(crate) host: u32,
     pub(crate) key: u64,
     pub(crate) material: MaterialId,
-    /// The region in which a hull compresses the fender: from the face inwards, to twice the projection.
+    /// The region in which a hull compresses the fender: from the face inwards, to a depth of twice the projection.
     pub(crate) zone: ConvexPolygon,
-    /// Middle of the face, and the direction from the face to the mounting, in the body's frame.
+    /// Middle of the fender's face, and the direction from the face to the mounting, in the frame of the body that
+    /// carries the fender.
     pub(crate) face_m: Vec2,
     pub(crate) inward: Vec2,
     pub(crate) width_m: f64,
     /// Upper bound on the product of the fender's factors.
     pub(crate) largest_factor: f64,
     pub(crate) bounds: FenderBounds,
-    /// Whether the fender has an unloading law.
+    /// True if the fender has an unloading law.
     pub(crate) unloads: bool,
-    /// The springs behind the fender's panel, if it has one.
+    /// The springs behind the fender's panel; `None` for a fender without a panel.
     pub(crate) panel: Option<PanelLaw>,
 }
 
-/// Bounds on a fender's forces on any hull. In most steps these bounds show that the fender needs no sub-steps.
+/// Bounds on the forces of a fender on any hull. In most steps these bounds show that the fender needs no sub-steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FenderBounds {
-    /// The steepest slope of the reaction curve with the largest factors, without the stop (N/m).
+    /// The steepest slope of the fender's reaction curve with the largest factors, without the stop (N/m).
     pub(crate) spring_npm: f64,
-    /// Deflection at which the stop begins; infinite without a stop (m).
+    /// Deflection at which the fender's stop begins; infinite for a fender without a stop (m).
     pub(crate) stop_from_m: f64,
-    /// Damping of the damper (N·s/m).
+    /// Damping coefficient of the fender's damper (N·s/m).
     pub(crate) damping_nspm: f64,
     pub(crate) projection_m: f64,
-    /// Distance from the body's centre of gravity to the middle of the face, and from there to the farthest corner of
-    /// the zone (m).
+    /// Distance from the body's centre of gravity to the middle of the fender's face, and from the middle of the face
+    /// to the farthest corner of the fender's zone (m).
     pub(crate) arm_m: f64,
     pub(crate) spread_m: f64,
 }
@@ -205,7 +212,8 @@ impl RankedFender {
         move |v: Vec2| frame.to_face(hull.apply(v))
     }
 
-    /// The state of the chains of the fender's panel: which of them have parted, by the list, and the contact's factor.
+    /// The state of the chains of the fender's panel: the chains that have parted, taken from the list, and the factor
+    /// of the contact.
     pub(crate) fn chain_state(
         &self,
         number: u32,
@@ -220,7 +228,7 @@ impl RankedFender {
         }
     }
 
-    /// The region, in the face's frame, in which the fender's panel can meet a hull.
+    /// The region, in the frame of the face, in which the fender's panel can meet a hull.
     pub(crate) fn panel_reach(&self) -> Reach {
         let far_m = 2.0 * self.bounds.projection_m;
         // A panel that is turned by 45 degrees reaches as far out as it is wide.
@@ -228,7 +236,7 @@ impl RankedFender {
         Reach { half_width_m: 0.5 * self.width_m, far_m, near_m }
     }
 
-    /// Largest distance of the zone's corners from the body's centre of gravity (m).
+    /// Largest distance of a corner of the fender's zone from the body's centre of gravity (m).
     pub(crate) fn reach_m(&self) -> f64 {
         self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }

@@ -1,7 +1,7 @@
-//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). The hash finds accidental changes; it gives no
-//! protection against deliberate ones.
+//! FNV-1a, a hash for checksums and fingerprints (Fowler, Noll and Vo). The hash finds accidental changes, but gives no
+//! protection against deliberate changes.
 
-/// The 64-bit FNV-1a hash of the bytes added so far.
+/// The state of a 64-bit FNV-1a hash of the bytes added so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fnv1a(u64);
 
@@ -12,7 +12,7 @@ impl Default for Fnv1a {
 }
 
 impl Fnv1a {
-    /// The hash of some bytes.
+    /// Returns the hash of these bytes.
     #[must_use]
     pub fn of(bytes: &[u8]) -> u64 {
         let mut hash = Fnv1a::default();
@@ -20,12 +20,12 @@ impl Fnv1a {
         hash.finish()
     }
 
-    /// Adds a word, least significant byte first.
+    /// Adds a 64-bit word to the hash, least significant byte first.
     pub fn word(&mut self, word: u64) {
         self.bytes(&word.to_le_bytes());
     }
 
-    /// Adds the bits of numbers.
+    /// Adds the bits of floating-point numbers to the hash.
     pub(crate) fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
         numbers.into_iter().for_each(|number| self.word(number.to_bits()));
     }
@@ -37,7 +37,7 @@ impl Fnv1a {
         }
     }
 
-    /// The hash of all bytes added so far.
+    /// Returns the hash of all bytes added so far.
     #[must_use]
     pub fn finish(self) -> u64 {
         self.0

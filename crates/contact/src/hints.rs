@@ -1,37 +1,38 @@
-//! Hints of the overlap: where the search of each clip begins.
+//! Hints for the overlap of polygons: each hint tells where the search of a clip begins.
 
 use alloc::vec::Vec;
 
 use crate::geometry::clip::Hint;
 use crate::memory::HintMemory;
 
-/// Reads the hints of the last step and writes the hints of the next step. A hint tells where the search of a clip
-/// begins.
+/// Reads the hints of the last step and writes the hints of the next step. A hint tells where the search of a clip of
+/// two polygons begins.
 ///
-/// Most hints stay unchanged and are copied in runs. If all hints stay, nothing is copied: this saves 4 % of the
-/// instructions of a step in which all contacts continue.
+/// Most hints stay unchanged from step to step, and are copied in runs. If all hints stay unchanged, nothing is copied:
+/// this saves 4 % of the instructions of a step in which all contacts continue.
 pub(crate) struct Hints<'h> {
-    /// Hints that are neither written nor dropped yet, sorted.
+    /// Old hints that were neither written nor dropped yet, sorted by key.
     old: &'h [HintMemory],
-    /// The part of `old` that is still to be read.
+    /// The part of `old` that was not yet read.
     unread: &'h [HintMemory],
     next: &'h mut Vec<HintMemory>,
-    /// Whether no hint has been written or dropped so far.
+    /// True if no hint has been written or dropped so far.
     all_stay: bool,
 }
 
-/// Ranks, face and pieces, as in [`HintMemory::key`].
+/// Key of a hint: the ranks of the bodies, the face and the pieces, as in [`HintMemory::key`].
 pub(crate) type HintKey = (u32, u32, u32, u32, u32);
 
 impl<'h> Hints<'h> {
-    /// Reads `old` and adds to `next`. Reserves room for all hints, so that a later step does not allocate.
+    /// Makes a reader of the hints in `old` that adds the new hints to `next`. The function reserves room for all
+    /// hints, so that a later step does not allocate memory.
     pub(crate) fn new(old: &'h [HintMemory], next: &'h mut Vec<HintMemory>) -> Hints<'h> {
         next.reserve(old.len());
         Hints { old, unread: old, next, all_stay: true }
     }
 
-    /// The last step's hint for these pieces. The hint is kept unless [`Hints::replace`] follows. Both lists are
-    /// sorted, so one pass finds all.
+    /// Returns the hint that the last step left for these pieces. The hint that was read is kept unless
+    /// [`Hints::replace`] follows. Both lists of hints are sorted, so one pass finds all hints.
     #[inline(always)]
     pub(crate) fn read(&mut self, wanted: HintKey) -> Option<Hint> {
         match self.unread {
@@ -43,7 +44,7 @@ impl<'h> Hints<'h> {
         }
     }
 
-    /// Does as [`Hints::read`] if other hints come before the wanted one, or if there is none.
+    /// Does the same as [`Hints::read`] if other hints come before the wanted hint, or if there is no wanted hint.
     #[inline(never)]
     fn search(&mut self, wanted: HintKey) -> Option<Hint> {
         let skipped = self.unread.iter().take_while(|hint| hint.key() < wanted).count();
@@ -59,14 +60,14 @@ impl<'h> Hints<'h> {
         })
     }
 
-    /// Copies all hints that were read.
+    /// Copies all hints that were read to the new list.
     fn write(&mut self) {
         let (read, unread) = self.old.split_at(self.old.len() - self.unread.len());
         self.next.extend_from_slice(read);
         (self.old, self.all_stay) = (unread, false);
     }
 
-    /// Replaces the hint read last. [`Hint::None`] is not stored.
+    /// Replaces the hint that was read last. [`Hint::None`] is not stored.
     #[inline]
     pub(crate) fn replace(&mut self, of: HintKey, before: Option<Hint>, hint: Hint) {
         let hint = (hint != Hint::None).then_some(hint);
@@ -85,7 +86,7 @@ impl<'h> Hints<'h> {
         self.next.extend(hint.map(|hint| HintMemory { a, b, face, piece_a, piece_b, hint }));
     }
 
-    /// Writes the remaining hints. If all hints stay unchanged, writes nothing and returns true.
+    /// Writes the remaining hints. If all hints stay unchanged, the function writes nothing and returns true.
     pub(crate) fn finish(mut self) -> bool {
         let all_stay = self.all_stay && self.unread.is_empty();
         if !all_stay {

@@ -1,9 +1,10 @@
-//! Stage 3b, inherit: finds which patch of this step continues which memory of the last step.
+//! Stage 3b of a step, "inherit", finds which patch of this step continues which memory of the last step.
 //!
-//! A contact's memory belongs to a pair of bodies and a patch. The memory is kept while the contact moves from edge to
-//! edge and from piece to piece. When a patch splits, each part keeps the whole shear, and gets a share of areas and
-//! energies in proportion to its area. When patches merge, the shear is their mean weighted by area, areas and energies
-//! are added, and the reference speed is the largest of theirs.
+//! The memory of a contact belongs to a pair of bodies and a patch of contact. The memory of a contact is kept while
+//! the contact moves from edge to edge and from piece to piece of the outlines. When a patch splits, each part keeps
+//! the whole shear of the patch, and gets a share of areas and energies in proportion to its own area. When patches
+//! merge, the new shear is the mean of their shears weighted by area, areas and energies are added, and the new
+//! reference speed is the largest of their reference speeds.
 
 use alloc::vec::Vec;
 
@@ -23,21 +24,21 @@ use crate::room::room_for;
 pub(crate) struct Inheritance {
     /// One entry per patch.
     pub(crate) inherited: Vec<Inherited>,
-    /// Memories made from parts of old ones.
+    /// Memories that were made from parts of old memories.
     pub(crate) shares: Vec<PatchMemory>,
-    /// Buffers for the present pair.
+    /// Buffers for the pair of bodies that is being matched.
     matching: Matching,
 }
 
 impl Inheritance {
-    /// Buffers with room for this number of patches.
+    /// Makes buffers with room for this number of patches.
     pub(crate) fn with_room(patches: usize) -> Inheritance {
         Inheritance { inherited: room_for(patches), ..Inheritance::default() }
     }
 
-    /// Finds what each patch inherits, and adds the events of contacts that ended and patches that split.
+    /// Finds what each patch inherits, and adds events for contacts that ended and patches that split.
     ///
-    /// The first `matched` patches and memories are skipped: the caller knows that they continue one to one.
+    /// The first `matched` patches and memories are skipped, because the caller knows that they continue one to one.
     pub(crate) fn find(
         &mut self,
         model: &Model,
@@ -89,7 +90,7 @@ impl Inheritance {
         old.iter().for_each(|m| note(model, events, m.a, m.b, EventKind::ContactEnded));
     }
 
-    /// Adds what the patches of a pair inherit from the old patches that they continue.
+    /// Adds what the patches of a pair inherit from the old patches that the patches continue.
     fn add_several(&mut self, old: &[PatchMemory], patches: &[Patch]) {
         let Inheritance { inherited, shares, matching } = self;
         let mut matches = matching.matches.as_slice();
@@ -112,8 +113,8 @@ impl Inheritance {
     }
 }
 
-/// The memory of a patch that continues all these old patches, and whether they are more than one. `None` if there is
-/// none.
+/// The memory of a patch that continues all the old patches in `parents`, and whether there is more than one old patch.
+/// Returns `None` if there is no old patch.
 fn merge(mut parents: impl Iterator<Item = PatchMemory>) -> Option<(PatchMemory, bool)> {
     let mut merged = parents.next()?;
     let mut several = false;
@@ -141,7 +142,8 @@ fn merge(mut parents: impl Iterator<Item = PatchMemory>) -> Option<(PatchMemory,
     Some((merged, several))
 }
 
-/// Does patch number `index` continue the old patch of the same number? Each must be the only patch of its pair.
+/// Returns true if the patch with the number `index` continues the old patch with the same number. Each of the two
+/// patches must be the only patch of its pair of bodies.
 #[inline(always)]
 pub(crate) fn continues_alone(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
     let (patch, memory) = (&patches[index], &old[index]);
@@ -151,7 +153,7 @@ pub(crate) fn continues_alone(patches: &[Patch], old: &[PatchMemory], index: usi
         && (patch.place().is_none() || are_only_ones(patches, old, index))
 }
 
-/// Are this patch and this old patch the only ones of their pair?
+/// Returns true if this patch and this old patch are the only patches of their pair of bodies.
 #[inline(never)]
 fn are_only_ones(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
     patches[index].number == 0
@@ -159,8 +161,8 @@ fn are_only_ones(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
         && old.get(index + 1).is_none_or(|memory| memory.patch == 0)
 }
 
-/// Removes the old patches of candidates before `key` from the sorted `memory`, and removes and returns those of the
-/// candidate itself.
+/// Removes the old patches of candidates before `key` from the sorted `memory`; then removes and returns the old
+/// patches of the candidate with this key.
 #[inline]
 fn take_pair<'a>(
     memory: &mut &'a [PatchMemory],
@@ -174,8 +176,8 @@ fn take_pair<'a>(
     (before, own)
 }
 
-/// The share of a parent's memory that falls to `patch`, one of the parent's heirs. Area and energies are shared in
-/// proportion to area, so the damper sees no loss of area in a split.
+/// The share of the memory of an old patch that goes to `patch`, one of the patches that continue it. Area and energies
+/// are shared in proportion to the areas of the patches, so the damper sees no loss of area when a patch splits.
 fn share_of(parent: &PatchMemory, heirs: Heirs, patch: &Patch) -> PatchMemory {
     let share = patch.area_m2 / heirs.area_m2;
     PatchMemory {

@@ -1,9 +1,10 @@
-//! Kirchhoff's equations: the momentum of a body with different masses in surge and sway turns with the body.
+//! Kirchhoff's equations: the momentum of a body with different masses in surge and sway turns relative to the body
+//! when the body turns.
 
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// Kirchhoff's equations of a body without forces.
+/// Kirchhoff's equations of motion for a body without forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Kirchhoff {
     /// m_y/m_x, m_x/m_y.
@@ -12,20 +13,21 @@ pub(crate) struct Kirchhoff {
     /// m_x/I and m_y/I (1/m²).
     surge_by_yaw: f64,
     sway_by_yaw: f64,
-    /// 2(m_y/m_x + m_x/m_y): see [`Kirchhoff::rate_squared`].
+    /// The sum 2(m_y/m_x + m_x/m_y) of mass ratios: see [`Kirchhoff::rate_squared`].
     coupling: f64,
 }
 
-/// The fixed-point iteration ends at this error, squared: an eighth of a unit in the last place, relative to velocities
-/// of the body's energy.
+/// The fixed-point iteration ends when the square of its error is this small: an error of an eighth of a unit in the
+/// last place, relative to velocities of the body's energy.
 const ERROR_SQUARED: f64 = f64::EPSILON * f64::EPSILON / 64.0;
 
-/// Most parts of a sub-step. This limit bounds the work: velocities that would need more parts are left unchanged.
+/// Largest number of parts into which a sub-step is divided. The largest number of parts bounds the work: velocities
+/// that would need more parts are left unchanged.
 const MOST_PARTS: f64 = 64.0;
 
 impl Kirchhoff {
-    /// The equations for masses in surge, sway and yaw (kg, kg, kg·m²). `None` if surge and sway have the same mass:
-    /// then the momentum does not turn.
+    /// Kirchhoff's equations for a body with these masses in surge, sway and yaw (kg, kg, kg·m²). Returns `None` if
+    /// surge and sway have the same mass, because the momentum then does not turn.
     pub(crate) fn new(surge_kg: f64, sway_kg: f64, yaw_kgm2: f64) -> Option<Kirchhoff> {
         let (sway_by_surge, surge_by_sway) = (sway_kg / surge_kg, surge_kg / sway_kg);
         (surge_kg != sway_kg).then_some(Kirchhoff {
@@ -37,13 +39,11 @@ impl Kirchhoff {
         })
     }
 
-    /// The velocities after `h` seconds of Kirchhoff's equations without forces,
-    ///
-    /// m_x u̇ = m_y v r, m_y v̇ = −m_x u r, I ṙ = −(m_y − m_x) u v,
-    ///
-    /// by the implicit midpoint rule. This rule conserves the kinetic energy exactly, so the time step neither adds
-    /// energy to a body that touches nothing nor takes energy from it. `before` is the attitude to which the velocities
-    /// in `state` belong, `after` the attitude to which the body has turned.
+    /// Computes the velocities of the body after `h` seconds of Kirchhoff's equations without forces, m_x u̇ = m_y v r,
+    /// m_y v̇ = −m_x u r, I ṙ = −(m_y − m_x) u v. The function uses the implicit midpoint rule, which conserves the
+    /// kinetic energy exactly, so the time step neither adds energy to a body that touches nothing nor takes energy
+    /// from it. `before` is the attitude of the body to which the velocities in `state` belong, and `after` the
+    /// attitude to which the body has turned.
     #[inline]
     pub(crate) fn turn(&self, state: &mut BodyState, before: Rotation, after: Rotation, h: f64) {
         let own = before.apply_inverse(state.velocity_mps);
@@ -58,33 +58,33 @@ impl Kirchhoff {
         state.yaw_rate_radps = velocity.2;
     }
 
-    /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In the variables
-    /// √m_x u, √m_y v and √I r, with ρ² for twice the energy, the Frobenius norm of the equations' Jacobian is at most
-    /// ρ √(2(m_y/m_x + m_x/m_y)/I).
+    /// A bound on the square of the rate at which Kirchhoff's equations turn velocities of this energy (1/s²). In the
+    /// variables √m_x u, √m_y v and √I r, the Frobenius norm of the Jacobian of the equations is at most ρ
+    /// √(2(m_y/m_x + m_x/m_y)/I), where ρ² is twice the energy.
     #[inline]
     fn rate_squared(&self, velocity: (f64, f64, f64)) -> f64 {
         self.coupling * self.energy(velocity)
     }
 
-    /// Twice the kinetic energy over the inertia in yaw (1/s²).
+    /// Twice the kinetic energy of the body, divided by its inertia in yaw (1/s²).
     #[inline]
     fn energy(&self, (u, v, r): (f64, f64, f64)) -> f64 {
         self.surge_by_yaw * u * u + self.sway_by_yaw * v * v + r * r
     }
 
-    /// Does a step in several parts, if the velocities turn too far for one fixed-point iteration.
+    /// Computes a step in several parts if the velocities turn too far for one fixed-point iteration.
     #[cold]
     #[inline(never)]
     fn in_parts(&self, velocity: (f64, f64, f64), h: f64, parts: u32) -> (f64, f64, f64) {
         (0..parts).fold(velocity, |velocity, _| self.part(velocity, h / f64::from(parts), 1.0))
     }
 
-    /// One step of the midpoint rule. A fixed-point iteration finds the mean velocities. `turns_squared` is a bound on
-    /// h² times [`Kirchhoff::rate_squared`], at most 1.
+    /// Computes one step of the midpoint rule. A fixed-point iteration finds the mean velocities of this step.
+    /// `turns_squared` is a bound on h² times [`Kirchhoff::rate_squared`], at most 1.
     ///
-    /// A round divides the error in √m_x u, √m_y v and √I r by at least 2/√`turns_squared`. So the error of the start
-    /// is at most twice the change by the first round. This bounds the number of rounds: one round for a body that goes
-    /// straight ahead.
+    /// Each round of the iteration divides the error in √m_x u, √m_y v and √I r by at least 2/√`turns_squared`. So the
+    /// error at the start of the fixed-point iteration is at most twice the change by its first round. The falling
+    /// error bounds the number of rounds: a body that goes straight ahead needs one round.
     #[inline]
     fn part(&self, start: (f64, f64, f64), h: f64, turns_squared: f64) -> (f64, f64, f64) {
         let ((u0, v0, r0), half_s) = (start, 0.5 * h);

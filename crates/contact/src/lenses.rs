@@ -1,4 +1,4 @@
-//! The overlaps of a step or sub-step: lenses of convex pieces, and the patches made up of them.
+//! The overlaps of a step or sub-step: the lens-shaped overlaps of convex pieces, and the patches that consist of them.
 
 use alloc::vec::Vec;
 
@@ -8,42 +8,43 @@ use crate::patch::{Parts, Patch, Place};
 use crate::room::room_for;
 use crate::vec2::Vec2;
 
-/// The overlap of one piece of A with one piece of B.
+/// The overlap of one convex piece of body A with one convex piece of body B.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PieceLens {
     pub(crate) lens: Lens,
     pub(crate) contained: bool,
     pub(crate) piece_a: u32,
     pub(crate) piece_b: u32,
-    /// The lens's vertices in [`Overlap::outline_m`].
+    /// The range of this lens's vertices in [`Overlap::outline_m`].
     pub(crate) vertices: (u32, u32),
-    /// The box around the vertices, in A's frame.
+    /// The bounding box of the vertices, in the frame of body A.
     pub(crate) extent: Extent,
-    /// Number of the connected patch, within the pair.
+    /// Number of the connected patch of contact within the pair of bodies.
     pub(crate) patch: u32,
 }
 
 impl PieceLens {
-    /// The corners of this lens, out of the corners of all lenses (m).
+    /// The corners of this lens, taken from the corners of all lenses (m).
     pub(crate) fn corners_m<'a>(&self, outline_m: &'a [Vec2]) -> &'a [Vec2] {
         &outline_m[self.vertices.0 as usize..self.vertices.1 as usize]
     }
 }
 
-/// The overlaps of a step or sub-step. Computed by `overlap::overlap`.
+/// The overlaps that a step or sub-step has found. Computed by `overlap::overlap`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Overlap {
     pub(crate) patches: Vec<Patch>,
-    /// The places of the patches of non-convex bodies.
+    /// The places of the patches of bodies that are not convex.
     pub(crate) places: Vec<Place>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
-    /// Lenses of one pair by their low ends. Used while lenses that share a seam are sought.
+    /// The lenses of one pair of bodies, sorted by the low ends of their boxes. The sorted list is used while lenses
+    /// that share a seam are sought.
     pub(crate) by_low_end: Vec<(f64, u32)>,
 }
 
 impl Overlap {
-    /// Buffers with room for this number of patches of four corners each.
+    /// Makes buffers with room for this number of patches of four corners each.
     pub(crate) fn with_room(patches: usize) -> Overlap {
         Overlap {
             patches: room_for(patches),
@@ -60,7 +61,7 @@ impl Overlap {
     }
 }
 
-/// The outlines of all lenses of a patch.
+/// The outlines of all lenses that make up a patch.
 #[inline]
 pub(crate) fn outlines<'a>(
     found: &'a Overlap,

@@ -2,7 +2,7 @@
 
 use crate::vec2::Vec2;
 
-/// The levers of n and t about a body's centre of gravity: r × n and r × t (m).
+/// The levers of the normal n and the tangent t about a body's centre of gravity: r × n and r × t (m).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Levers {
     pub(crate) n_m: f64,
@@ -10,7 +10,7 @@ pub(crate) struct Levers {
 }
 
 impl Levers {
-    /// Computed without t: r × t = r·n.
+    /// The lever of t is computed without t, because r × t = r·n.
     #[inline]
     pub(crate) fn new(arm_m: Vec2, normal: Vec2) -> Levers {
         Levers { n_m: arm_m.cross(normal), t_m: arm_m.dot(normal) }

@@ -1,9 +1,10 @@
 //! Contact forces between ships, fenders, quays and tugs, in the horizontal plane and in real time.
 //!
-//! Give the engine the state of each body and the other forces on it. [`advance`] returns the contact wrench on each
-//! body for one time step. The engine solves all contacts of the step together with the other forces. If a contact is
-//! too stiff for the step, the engine takes sub-steps. So a ship rests on her fenders at her static deflection, and a
-//! step of 2 s gives the same peak force as a step of 0.01 s. The same input gives the same bits on every machine.
+//! Give the engine the state of each body and all forces on it except contact. [`advance`] returns the contact wrench
+//! on each body for one time step. The engine solves all contacts of the step together with the other forces on the
+//! bodies. If a contact is too stiff for the step, the engine divides the step into sub-steps. So a ship rests on her
+//! fenders at her static deflection, and a step of 2 s gives the same peak force as a step of 0.01 s. The same input
+//! gives the same bits on every machine.
 //!
 //! # The parts
 //!
@@ -12,11 +13,11 @@
 //! - [`BodyState`]: position, heading and velocity of one body. [`Wrench`]: a force and a moment on a body.
 //! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy the memory to branch a run;
 //!   save it as bytes and restore it.
-//! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. No step
-//!   depends on what former steps left in the workspace.
+//! - [`Workspace`]: the results of the last step, and buffers, which let a step allocate no memory when its buffers are
+//!   large enough. No step depends on what former steps left in the workspace.
 //!
-//! Units are SI. Positions are earth-fixed, north and east; headings and moments are clockwise, seen from
-//! above. Outlines are in the body's frame: *x* forward, *y* to starboard, origin at the centre of gravity.
+//! Units are SI. Positions are earth-fixed, north and east; headings and moments are clockwise, seen from above.
+//! Outlines are in the frame of the body: *x* forward, *y* to starboard, origin at the centre of gravity.
 //!
 //! # Example
 //!
@@ -75,19 +76,21 @@
 //!
 //! # Which call to use
 //!
-//! | Your program | Call |
+//! | Program | Call |
 //! |---|---|
-//! | lets the engine move the bodies | [`advance_in_place`], or [`advance_from_engine_states`] where you keep the states yourself |
-//! | integrates the bodies itself, by any method and with any time step | [`DirectHost`] |
-//! | passes states that are some steps old, or does not know its loads, as a co-simulation master | [`CoSimHost`] |
-//! | reproduces the paper's experiments | [`step()`] |
+//! | a program that lets the engine move the bodies | [`advance_in_place`] |
+//! | a program that lets the engine move the bodies, and keeps their states | [`advance_from_engine_states`] |
+//! | a program that integrates the bodies itself, by any method and with any time step | [`DirectHost`] |
+//! | a program that passes old states or does not know its loads, like a co-simulation master | [`CoSimHost`] |
+//! | a program that reproduces the paper's experiments | [`step()`] |
 //!
-//! [`advance`] starts from the states that you pass. The forces of [`advance`] are right for a step of any length: a
-//! step of 2 s is sub-stepped and has the same peak force as a step of 0.01 s. But a host that moves its bodies by the
-//! mean wrench of a long step ends up to ½ a Δt² from the engine's own motion. The next step starts there, so contacts
-//! that last for several such steps chatter. A [`DirectHost`] continues the engine's motion while bodies touch, and
-//! returns the wrench that keeps the host's bodies with the engine's. If Δt is short for the contact, as in the
-//! example, or if the engine moves the bodies, the two are the same.
+//! [`advance`] starts from the states of the bodies that you pass. The forces of [`advance`] are right for a step of
+//! any length: a step of 2 s is divided into sub-steps and has the same peak force as a step of 0.01 s. But a host that
+//! moves its bodies by the mean wrench of a long step ends up to ½ a Δt² from the engine's own motion. The next step
+//! starts from the host's motion, so contacts that last for several such steps chatter. A [`DirectHost`] continues the
+//! engine's motion while bodies touch, and returns the wrench that keeps the host's bodies on the engine's motion. The
+//! host's motion and the engine's motion are the same if Δt is short for the contact, as in the example, or if the
+//! engine moves the bodies.
 //!
 //! Worked programs are in `examples/`: `berthing`, `fender_curve`, `own_integrator`, `save_and_restore`.
 //!
@@ -95,8 +98,9 @@
 //!
 //! The contact law is that of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force Modelling for a
 //! Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023. Equation numbers in this crate are the paper's.
-//! `docs/contact_model.md` has the equations with the misprints corrected, and the coupled method. The paper limits
-//! each pair of bodies by itself and does not know the loads. [`step()`] does exactly that, for comparison.
+//! `docs/contact_model.md` has the equations with the misprints corrected, and the coupled method. The paper's method
+//! limits the force of each pair of bodies by itself and does not know the other loads. [`step()`] computes the paper's
+//! method, for comparison.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -3,8 +3,8 @@
 use crate::levers::Levers;
 use crate::vec2::{Rotation, Vec2, vec2};
 
-/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)). All zero for a fixed
-/// body: the inverse avoids infinities.
+/// Inverse of the symmetric 3×3 mass matrix of a body for surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)). All numbers
+/// are zero for a fixed body: an inverse matrix avoids infinities.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct InverseMatrix {
     xx: f64,
@@ -16,18 +16,18 @@ pub(crate) struct InverseMatrix {
 }
 
 impl InverseMatrix {
-    /// The inverse for a body with the same mass in all directions.
+    /// The inverse mass matrix of a body with the same mass in all directions.
     pub(crate) fn isotropic(mass_kg: f64, yaw_inertia_kgm2: f64) -> InverseMatrix {
         let inverse = 1.0 / mass_kg;
         InverseMatrix { xx: inverse, yy: inverse, rr: 1.0 / yaw_inertia_kgm2, ..Self::default() }
     }
 
-    /// The inverse for a body that does not turn and has the same mass in all directions (1/kg).
+    /// The inverse mass matrix of a body that does not turn and has the same mass in all directions (1/kg).
     pub(crate) fn unturnable(per_kg: f64) -> InverseMatrix {
         InverseMatrix { xx: per_kg, yy: per_kg, ..Self::default() }
     }
 
-    /// Inverts a symmetric matrix; `None` if it is not positive definite.
+    /// Inverts a symmetric mass matrix; returns `None` if the matrix is not positive definite.
     pub(crate) fn of(m: &[[f64; 3]; 3]) -> Option<InverseMatrix> {
         let [[a, b, c], [_, d, e], [_, _, f]] = *m;
         let (minor_xx, minor_xy, minor_xr) = (d * f - e * e, c * e - b * f, b * e - c * d);
@@ -47,8 +47,8 @@ impl InverseMatrix {
         })
     }
 
-    /// The matrix in earth-fixed axes, for a body turned by `rotation`. An isotropic matrix does not change and needs
-    /// no call.
+    /// The inverse mass matrix in earth-fixed axes, for a body turned by `rotation`. An isotropic matrix does not
+    /// change when the body turns, and needs no call.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
         let Rotation { cos, sin } = rotation;
@@ -63,20 +63,21 @@ impl InverseMatrix {
         }
     }
 
-    /// Is the mass equal in all directions? The test compares the bits that [`InverseMatrix::isotropic`] sets.
+    /// Returns true if the mass of the body is equal in all directions. The test compares the bits that
+    /// [`InverseMatrix::isotropic`] sets.
     #[inline]
     pub(crate) fn is_isotropic(&self) -> bool {
         let coupled = self.xy.to_bits() | self.xr.to_bits() | self.yr.to_bits();
         coupled == 0 && self.xx.to_bits() == self.yy.to_bits()
     }
 
-    /// Is the mass finite (not a fixed body)?
+    /// Returns true if the body floats: a fixed body has an infinite mass.
     #[inline]
     pub(crate) fn floats(&self) -> bool {
         self.rr.to_bits() != 0
     }
 
-    /// Change of velocity and yaw rate by an impulse and its moment.
+    /// Change of the body's velocity and yaw rate by an impulse and its moment.
     #[inline]
     pub(crate) fn response(&self, impulse: Vec2, moment: f64) -> (Vec2, f64) {
         (
@@ -102,7 +103,7 @@ impl InverseMatrix {
         }
     }
 
-    /// The mass matrix itself; `None` for a fixed body.
+    /// Returns the mass matrix itself; `None` for a fixed body.
     pub(crate) fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;
         let inverse = InverseMatrix::of(&[[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])?;
@@ -110,12 +111,12 @@ impl InverseMatrix {
         Some([[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])
     }
 
-    /// Inverse of the inertia in yaw (1/(kg·m²)).
+    /// Inverse of the body's inertia in yaw (1/(kg·m²)).
     pub(crate) fn inverse_inertia(&self) -> f64 {
         self.rr
     }
 
-    /// The largest inverse mass in any direction, without rotation (1/kg).
+    /// The largest inverse mass of the body in any direction, without rotation (1/kg).
     pub(crate) fn largest_inverse_mass(&self) -> f64 {
         // The larger eigenvalue of the translational block.
         let (mean, half) = (0.5 * (self.xx + self.yy), 0.5 * (self.xx - self.yy));
@@ -123,25 +124,26 @@ impl InverseMatrix {
     }
 }
 
-/// Response (inverse effective mass) at a contact: velocity changes by impulses along n and t (1/kg). t is n turned by
-/// +90°.
+/// Response (inverse effective mass) at a contact: the changes of velocity by impulses along the normal n and the
+/// tangent t (1/kg). The tangent t is n turned by +90°.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Response {
-    /// n·K n, t·K n and t·K t.
+    /// Inverse effective masses n·K n, t·K n and t·K t along the normal n and the tangent t.
     pub(crate) normal: f64,
     pub(crate) cross: f64,
     pub(crate) tangential: f64,
     /// n·K n without rotation.
     pub(crate) linear: f64,
-    /// Whether only one body floats and its mass is equal in all directions. Then `linear` is this body's inverse mass,
-    /// and `inverse_inertia` the inverse of its inertia in yaw (1/(kg·m²)).
+    /// `is_isotropic` is true if only one body floats and its mass is equal in all directions. If `is_isotropic` is
+    /// true, `linear` is the inverse mass of this body, and `inverse_inertia` the inverse of its inertia in yaw
+    /// (1/(kg·m²)).
     pub(crate) is_isotropic: bool,
     pub(crate) inverse_inertia: f64,
 }
 
 impl Response {
-    /// The response of one body with equal mass in all directions. The levers are those of n and t about the body's
-    /// centre of gravity.
+    /// The response at a contact of one body with equal mass in all directions. The levers are those of the normal n
+    /// and the tangent t about the body's centre of gravity.
     #[inline(always)]
     pub(crate) fn isotropic(inverse_mass: f64, inverse_inertia: f64, levers: Levers) -> Response {
         let (turn_n, turn_t) = (inverse_inertia * levers.n_m, inverse_inertia * levers.t_m);
@@ -155,7 +157,7 @@ impl Response {
         }
     }
 
-    /// The response of one body.
+    /// The response at a contact of one body with any mass matrix.
     #[inline(always)]
     pub(crate) fn of(of: &InverseMatrix, n: Vec2, levers: Levers) -> Response {
         let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
@@ -177,7 +179,7 @@ impl Response {
         }
     }
 
-    /// The response of two bodies together.
+    /// The response at a contact of the two bodies together.
     pub(crate) fn both(a: Response, b: Response) -> Response {
         Response {
             normal: a.normal + b.normal,

@@ -1,4 +1,4 @@
-//! Finds the patches of a pair that lie where the pair's old patches lay.
+//! Finds the patches of a pair of bodies that lie where the old patches of the pair lay.
 
 use alloc::vec::Vec;
 
@@ -7,31 +7,32 @@ use crate::memory::{PatchMemory, PlaceMemory};
 use crate::patch::{Patch, Place};
 use crate::vec2::Vec2;
 
-/// The patches of a pair that continue old ones. Computed by [`Matching::find`].
+/// The patches of a pair of bodies that continue old patches. Computed by [`Matching::find`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Matching {
-    /// A patch, and the old patch that it continues, by their indices in the pair's lists; sorted.
+    /// Pairs of a patch and the old patch that it continues, by their indices in the lists of the pair of bodies;
+    /// sorted.
     pub(crate) matches: Vec<(u32, u32)>,
     /// For each old patch, the patches that continue it.
     pub(crate) heirs: Vec<Heirs>,
-    /// For each old patch, its place; `None` if the bodies are convex.
+    /// For each old patch, its place on the bodies; `None` if the bodies are convex.
     old_places: Vec<Option<Place>>,
-    /// The old and the new patches by the low ends of their boxes.
+    /// The old and the new patches, sorted by the low ends of their bounding boxes.
     by_low_end: [Vec<(f64, u32)>; 2],
 }
 
-/// The patches that continue an old one.
+/// The patches that continue an old patch.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Heirs {
     pub(crate) count: u32,
-    /// Sum of the areas of these patches (m²).
+    /// Sum of the areas of the patches that continue the old patch (m²).
     pub(crate) area_m2: f64,
 }
 
 impl Matching {
-    /// Matches all patches of a pair with all old patches. A patch continues an old patch if their boxes meet in the
-    /// frame of one of the bodies: a sliding contact stays in place on at least one of them. Patches of convex bodies
-    /// need no place: an old patch without a place is continued by all patches.
+    /// Matches all patches of a pair of bodies with all old patches of the pair. A patch continues an old patch if
+    /// their bounding boxes meet in the frame of one of the two bodies: a sliding contact stays in place on at least
+    /// one of the bodies. Patches of convex bodies need no place: all patches continue an old patch without a place.
     pub(crate) fn find(
         &mut self,
         patches: &[Patch],
@@ -83,7 +84,7 @@ impl Matching {
     }
 
     /// Sweeps along the longer side of the box around the patches, and adds the pairs of patch and old patch whose
-    /// boxes meet in one frame. Only pairs that are to be counted are added.
+    /// bounding boxes meet in one frame. The function adds only pairs for which `counts` returns true.
     fn sweep(
         &mut self,
         places: &[Place],

@@ -13,24 +13,24 @@ use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
 
-/// All mutable state of a contact problem, as plain data. Copy the memory to branch a run, compare it, save it with
-/// [`Memory::snapshot`] and restore it with [`Memory::restore`].
+/// All mutable state of a contact problem, as plain data that can be copied and compared. Copy the memory to branch a
+/// run, compare it, save it with [`Memory::snapshot`], and restore it with [`Memory::restore`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
     /// Fingerprint of the model to which this memory belongs.
     pub(crate) fingerprint: u64,
     pub(crate) contacts: ContactMemory,
-    /// Input states of the last step by rank; empty before the first.
+    /// States that the host gave in the last step, by rank; empty before the first step.
     pub(crate) last_states: Vec<BodyState>,
     /// Time from the last step to the next (s); 0 before the first step.
     pub(crate) last_step_s: f64,
     /// Sorted ranks of the bodies that the host has marked as teleported for its next input.
     pub(crate) placed: Vec<u32>,
-    /// For each body by rank, after a step of the coupled method: the time by which the engine's velocity of a body is
-    /// older than the body's position (s). This is half of the body's last sub-step. [`NOT_BEHIND`] for fixed bodies.
-    /// See [`crate::coupled::dynamics`].
+    /// For each body by rank, after a step of the coupled method: the time by which the engine's velocity of the body
+    /// is older than the body's position (s). This velocity lag is half of the body's last sub-step. [`NOT_BEHIND`] for
+    /// fixed bodies. See [`crate::coupled::dynamics`].
     pub(crate) behind_s: Vec<f64>,
-    /// Chains of panels that have parted, sorted: see [`crate::panel::chains`].
+    /// Chains of fender panels that have parted, sorted: see [`crate::panel::chains`].
     pub(crate) parted: Vec<u32>,
     /// Permanent deflections of the piles, by rank (m); empty before the first step.
     pub(crate) pile_offsets_m: Vec<Vec2>,
@@ -39,76 +39,80 @@ pub struct Memory {
 /// The memory of contacts for the next step or sub-step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ContactMemory {
-    /// Contact patches, sorted by pair and patch.
+    /// Contact patches, sorted by pair of bodies and number of the patch.
     pub(crate) patches: Vec<PatchMemory>,
-    /// Places of the patches that have one, sorted in the same way.
+    /// Places of the patches that have a place, sorted in the same way as the patches.
     pub(crate) places: Vec<PlaceMemory>,
-    /// Starting points of the clip for pieces that are near each other, sorted.
+    /// Hints from which the clip starts, for pieces of bodies that are near each other; sorted.
     pub(crate) hints: Vec<HintMemory>,
 }
 
-/// Marks a body whose velocity is taken to belong to the time of its position.
+/// Stands for the velocity lag of a body whose velocity is taken to belong to the time of its position.
 pub(crate) const NOT_BEHIND: f64 = -1.0;
 
 /// State of a contact patch (§3.3 and §3.4 of the paper).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PatchMemory {
-    /// Ranks of the two bodies, number of the face (0: none) and of the patch.
+    /// Ranks of the two bodies, number of the fender's face (0: no fender) and number of the patch.
     pub(crate) a: u32,
     pub(crate) b: u32,
     pub(crate) face: u32,
     pub(crate) patch: u32,
-    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], each set so that its event is reported only once,
-    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`], [`PatchMemory::SLIPPING`] and
+    /// Flags of the patch: [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], which are set so that each event is
+    /// reported only once, [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`], [`PatchMemory::SLIPPING`] and
     /// [`PatchMemory::LIMITED`].
     pub(crate) flags: u32,
     /// S^{n−1} (m²).
     pub(crate) area_m2: f64,
-    /// The material points of both bodies that were at C, in each body's frame (m).
+    /// The material points of the two bodies that were at the contact point C, each in the frame of its body (m).
     pub(crate) point_in_a_m: Vec2,
     pub(crate) point_in_b_m: Vec2,
-    /// The last valid normal (A's outward normal) in A's frame, and the rotation of B at that time. The normal in B's
-    /// frame is computed from both when needed.
+    /// The last valid normal of the contact (the outward normal of body A) in the frame of A, and the rotation of body
+    /// B at that time. The normal in the frame of body B is computed from these two when it is needed.
     pub(crate) normal_in_a: Vec2,
     pub(crate) b_in_a: Rotation,
     /// Δs (m).
     pub(crate) shear_m: f64,
-    /// In the paper's method, V_n⁰ and V_t⁰: the relative velocity when the contact began (m/s). In the coupled method,
-    /// the first is the largest V_n since V_n last changed sign, and the second is unused.
+    /// In the paper's method, the two numbers are V_n⁰ and V_t⁰: the relative velocity when the contact began (m/s). In
+    /// the coupled method, the first number is the largest normal speed V_n since V_n last changed sign, and the second
+    /// number is unused.
     pub(crate) v_normal_0_mps: f64,
     pub(crate) v_tangential_0_mps: f64,
-    /// N and T of the last step or sub-step (N). The coupled solve starts from them.
+    /// Normal force N and tangential force T of the last step or sub-step (N). The coupled solve starts from these two
+    /// forces.
     pub(crate) normal_force_n: f64,
     pub(crate) tangential_force_n: f64,
     /// Factor on the fender's reaction, set when the contact began.
     pub(crate) factor: f64,
-    /// Energy that the normal force has taken from the bodies and not returned (J). The normal force may return no more
-    /// than this. Coupled method only.
+    /// Energy that the normal force has taken from the bodies and has not returned (J). The normal force may return no
+    /// more energy than `taken_j`. Coupled method only.
     pub(crate) taken_j: f64,
     /// Energy that the shear spring has taken from the bodies and still stores (J). The shear spring may return no more
-    /// than this. Coupled method only.
+    /// energy than `sheared_j`. Coupled method only.
     pub(crate) sheared_j: f64,
-    /// The overlap area up to which the damper has acted (m²), in the coupled method: see [`crate::law::damper`].
+    /// The overlap area to which the damper has responded (m²), in the coupled method: see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
-    /// T of each play of a fender's unloading law (J); 0 without such a law.
+    /// Top T of each play element of a fender's unloading law (J); 0 without an unloading law.
     pub(crate) tops_j: [f64; PLAYS],
 }
 
 impl PatchMemory {
-    /// One body lies within the other. For a fender: the fender is beyond its rated deflection.
+    /// For the contact of two outlines: one body lies within the other body. For the contact of a fender: the fender is
+    /// beyond its rated deflection.
     pub(crate) const CONTAINED: u32 = 1;
-    /// Half of a body lies within the other. For a fender: the fender is in its stop.
+    /// For the contact of two outlines: half of a body lies within the other body. For the contact of a fender: the
+    /// fender is in its stop.
     pub(crate) const DEEP: u32 = 2;
-    /// V_n was positive at the start of the last step or sub-step.
+    /// The bodies approached each other at the start of the last step or sub-step: V_n was positive.
     pub(crate) const APPROACHING: u32 = 4;
-    /// A host placed one body in the other, and the contact is pushing it out.
+    /// A host placed one body in the other body, and the contact is pushing it out.
     pub(crate) const PRESSED_OUT: u32 = 8;
-    /// In the coupled method: the contact slides, and the sliding has not reversed.
+    /// In the coupled method: the contact slides, and its sliding has not reversed.
     pub(crate) const SLIPPING: u32 = 16;
-    /// In the coupled method: N was less than the law's force.
+    /// In the coupled method: the normal force N was less than the force of its law.
     pub(crate) const LIMITED: u32 = 32;
 
-    /// The memory of a patch with this normal at this point. The laws fill in the rest.
+    /// Makes the memory of a patch with this normal at this point. The force laws fill in the rest of the memory.
     #[inline(always)]
     pub(crate) fn of(patch: &Patch, point_in_a_m: Vec2, normal_in_a: Vec2) -> PatchMemory {
         PatchMemory {
@@ -125,7 +129,7 @@ impl PatchMemory {
         }
     }
 
-    /// The last valid normal in B's frame.
+    /// The last valid normal of the contact in the frame of body B.
     pub(crate) fn normal_in_b(&self) -> Vec2 {
         self.b_in_a.apply_inverse(self.normal_in_a)
     }
@@ -134,14 +138,15 @@ impl PatchMemory {
         (self.a, self.b, self.face, self.patch)
     }
 
-    /// The candidate to which the patch belongs.
+    /// The candidate to which the patch belongs: the ranks of the bodies, and the number of the face.
     pub(crate) fn candidate(&self) -> (u32, u32, u32) {
         (self.a, self.b, self.face)
     }
 }
 
-/// Place of a patch of bodies with several pieces. Patches are matched between steps by their places. Stored apart from
-/// [`PatchMemory`] because most patches are of convex bodies and have none.
+/// Place of a patch of contact between bodies with several convex pieces. Patches of contact are matched between steps
+/// by their places. Places are stored apart from [`PatchMemory`] because most patches are of convex bodies and have no
+/// place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PlaceMemory {
     pub(crate) a: u32,
@@ -152,7 +157,7 @@ pub(crate) struct PlaceMemory {
 }
 
 impl PlaceMemory {
-    /// Appends the places of these patches, of those that have one, to the list of the next step or sub-step.
+    /// Appends the places of these patches, if they have places, to the list of the next step or sub-step.
     #[inline]
     pub(crate) fn add_all(patches: &[Patch], places: &[Place], into: &mut Vec<PlaceMemory>) {
         if places.is_empty() {
@@ -174,13 +179,13 @@ impl PlaceMemory {
     }
 }
 
-/// Looks up the place of an old patch; `None` if it has none.
+/// Looks up the place of an old patch; returns `None` if the patch has no place.
 pub(crate) fn place_of(patch: &PatchMemory, places: &[PlaceMemory]) -> Option<Place> {
     let found = places.binary_search_by_key(&patch.key(), PlaceMemory::key);
     found.ok().map(|index| places[index].place)
 }
 
-/// The clip's starting point for one piece of each body.
+/// The hint from which the clip starts for one piece of each of two bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct HintMemory {
     pub(crate) a: u32,
@@ -201,8 +206,8 @@ impl HintMemory {
     }
 }
 
-/// The data from the past for a step or sub-step: the memory that the last one left for some candidates, each list
-/// sorted, and the time since the last one began (s). The time is 0 before the first step.
+/// What a step or sub-step knows of the past: the memory that the last step or sub-step left for some candidates, in
+/// sorted lists, and the time since it began (s). The time since the last step is 0 before the first step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],
@@ -215,8 +220,8 @@ pub(crate) struct Past<'m> {
 
 impl<'m> Past<'m> {
     /// Splits off the memory of the candidates before `next`, or all memory if `next` is `None`. Both parts of the
-    /// memory keep all places, which are looked up by key. In most steps the part split off has `expected` patches: the
-    /// search tries this number first.
+    /// memory keep all places, because places are looked up by key. In most steps the part that is split off has
+    /// `expected` patches, so the search tries this number first.
     pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>, expected: usize) -> Past<'m> {
         let Some(next) = next else { return *self };
         let is_before = |m: &PatchMemory| m.candidate() < next;
@@ -234,7 +239,7 @@ impl<'m> Past<'m> {
 }
 
 impl ContactMemory {
-    /// A memory with room for this number of contacts.
+    /// Makes a memory with room for this number of contacts.
     pub(crate) fn with_room(contacts: usize) -> ContactMemory {
         ContactMemory { patches: room_for(contacts), places: Vec::new(), hints: room_for(contacts) }
     }
@@ -251,19 +256,20 @@ impl ContactMemory {
         self.hints.sort_unstable_by_key(HintMemory::key);
     }
 
-    /// This memory as the past of a step or sub-step `last_step_s` later. `displaced` are the bodies that the host
-    /// displaced before that step.
+    /// This memory as the past of a step or sub-step that is `last_step_s` later. `displaced` are the bodies that the
+    /// host displaced before the later step.
     pub(crate) fn past<'m>(&'m self, last_step_s: f64, displaced: &'m Displaced) -> Past<'m> {
         let ContactMemory { patches, places, hints } = self;
         Past { patches, places, hints, last_step_s, displaced }
     }
 
-    /// Numbers of patches, places and hints.
+    /// Numbers of patches, places and hints in this memory.
     pub(crate) fn lengths(&self) -> [usize; 3] {
         [self.patches.len(), self.places.len(), self.hints.len()]
     }
 
-    /// Moves what was added to `from` beyond these lengths into this memory, and drops what was here.
+    /// Moves what was added to `from` beyond these lengths into this memory, and drops the former content of this
+    /// memory.
     pub(crate) fn take(&mut self, from: &mut ContactMemory, [patches, places, hints]: [usize; 3]) {
         self.clear();
         if [patches, places, hints] == [0; 3] {
@@ -274,7 +280,7 @@ impl ContactMemory {
         self.hints.extend(from.hints.drain(hints..));
     }
 
-    /// Copies what `from` has of these candidates into this memory, and drops what was here.
+    /// Copies what `from` holds about these candidates into this memory, and drops the former content of this memory.
     pub(crate) fn gather(&mut self, from: &ContactMemory, candidates: &[Pairing]) {
         self.clear();
         for pairing in candidates {
@@ -285,7 +291,8 @@ impl ContactMemory {
         }
     }
 
-    /// Exchanges the lists with those of another step's memory. With `keeps_hints` both memories keep their hints.
+    /// Exchanges the lists of this memory with the lists of another step's memory. With `keeps_hints`, both memories
+    /// keep their own hints.
     pub(crate) fn exchange(&mut self, other: &mut ContactMemory, keeps_hints: bool) {
         core::mem::swap(&mut self.patches, &mut other.patches);
         core::mem::swap(&mut self.places, &mut other.places);
@@ -295,7 +302,7 @@ impl ContactMemory {
     }
 }
 
-/// The items of one candidate in a sorted list.
+/// The entries of one candidate in a sorted list.
 fn run_of<T: Copy>(
     sorted: &[T],
     key: (u32, u32, u32),
@@ -306,7 +313,7 @@ fn run_of<T: Copy>(
 }
 
 impl Memory {
-    /// The memory of bodies that have never touched.
+    /// Makes the memory of bodies that have never touched.
     #[must_use]
     pub fn new(model: &Model) -> Memory {
         Memory {
@@ -321,7 +328,8 @@ impl Memory {
         }
     }
 
-    /// Becomes the memory of bodies that have never touched, as [`Memory::new`] makes it. The buffers are kept.
+    /// Turns this memory into the memory of bodies that have never touched, as [`Memory::new`] makes it. The buffers
+    /// are kept.
     pub fn forget(&mut self) {
         let Memory {
             fingerprint: _,
@@ -348,11 +356,11 @@ impl Memory {
         self.contacts.patches.len()
     }
 
-    /// Sets the time since the last step, in place of the step's Δt. For integrators with several stages per step, such
-    /// as Runge-Kutta, which call the engine within a step on a copy of the memory.
+    /// Sets the time since the last step, in place of the length Δt of that step. This function is for integrators with
+    /// several stages per step, such as Runge-Kutta, which call the engine within a step on a copy of the memory.
     ///
     /// # Panics
-    /// If `elapsed_s` is not positive and finite.
+    /// Panics if `elapsed_s` is not positive and finite.
     pub fn set_elapsed(&mut self, elapsed_s: f64) {
         assert!(elapsed_s > 0.0 && elapsed_s.is_finite(), "time goes forward");
         self.last_step_s = elapsed_s;
@@ -360,16 +368,16 @@ impl Memory {
 
     /// Writes for each body, in the order in which bodies were added, the time by which the engine's velocity of the
     /// body is older than the body's position (s): half of the last sub-step of [`crate::advance_in_place`]. The time
-    /// is 0 before the first step. The time is −1 for fixed bodies, and for bodies whose velocity the host gave. A load
-    /// that depends on the position should be taken in the middle between the time of this velocity and the time of the
-    /// next step's velocity.
+    /// by which velocities are older than positions is 0 before the first step. The time is −1 for fixed bodies, and
+    /// for bodies whose velocity the host gave to the engine. A load that depends on a body's position should be
+    /// computed for the middle between the time of this velocity and the time of the next step's velocity.
     pub fn velocity_lags_into(&self, model: &Model, lags_s: &mut Vec<f64>) {
         lags_s.clear();
         let lag_of = |&rank: &u32| self.behind_s.get(rank as usize).copied().unwrap_or(0.0);
         lags_s.extend(model.rank_of.iter().map(lag_of));
     }
 
-    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
+    /// Makes this memory a copy of the memory `other`. Memory is allocated only if a buffer is too small.
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;
         self.contacts.patches.clone_from(&other.contacts.patches);
@@ -383,13 +391,14 @@ impl Memory {
         self.pile_offsets_m.clone_from(&other.pile_offsets_m);
     }
 
-    /// Marks the next input state of a body as a teleport: the host sets the body to a new place and does not move it
-    /// there. The body's contacts begin anew ([`crate::EventKind::Teleported`]). If the body lies in another body, it
-    /// is pushed out slowly ([`crate::EventKind::PlacedInOverlap`]). Without this call the engine detects a teleport by
-    /// itself: when the displacement differs from what the velocities give by more than a tenth of the body's radius.
+    /// Marks the next input state of a body as a teleport: the host puts the body at a new place instead of moving it
+    /// there. After a teleport the contacts of the body begin anew ([`crate::EventKind::Teleported`]). If the body then
+    /// lies in another body, it is pushed out slowly ([`crate::EventKind::PlacedInOverlap`]). Without a call of this
+    /// function the engine detects a teleport by itself: the displacement then differs from what the velocities give by
+    /// more than a tenth of the body's radius.
     ///
     /// # Panics
-    /// If the model has no such body.
+    /// Panics if the model has no such body.
     pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         let rank = model.rank_of[body.0 as usize];
         if let Err(at) = self.placed.binary_search(&rank) {
@@ -397,7 +406,7 @@ impl Memory {
         }
     }
 
-    /// Classifies a body's input pose by its last state and the host's mark.
+    /// Classifies the pose of a body that the host gives, by the body's last state and the mark of the host.
     #[inline(always)]
     pub(crate) fn pose_change(
         &self,

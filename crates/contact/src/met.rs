@@ -1,4 +1,5 @@
-//! The part of a body that a fender's face meets: the body's outline, or its slice at the fender's height.
+//! Finds the part of a body that a fender's face meets: the outline of the body, or its slice at the height of the
+//! fender.
 
 use core::slice;
 
@@ -12,7 +13,7 @@ use crate::slice::{SideMet, Slice};
 use crate::vec2::{Pose, Vec2};
 
 impl Model {
-    /// Both sides of a candidate. Each is an outline, a slice, or the zone of a fender.
+    /// The shapes of both sides of a candidate. Each of the two shapes is an outline, a slice, or the zone of a fender.
     pub(crate) fn shapes_of<'m>(&'m self, candidate: &Candidate) -> [Shapes<'m>; 2] {
         let face = candidate.fender(self);
         [candidate.a, candidate.b].map(|rank| match face {
@@ -25,7 +26,8 @@ impl Model {
         })
     }
 
-    /// The convex pieces of a body that a face meets. `face` is the number of the face, from 1.
+    /// The convex pieces of a body that a fender's face meets. `face` is the number of the fender's face, counted
+    /// from 1.
     #[inline]
     pub(crate) fn pieces_met(&self, face: u32, rank: u32) -> &[ConvexPolygon] {
         match self.slices.place(face, rank) {
@@ -34,8 +36,8 @@ impl Model {
         }
     }
 
-    /// The edges of a body that a face meets, given by their ends in the body's frame (m). `face` is the number of the
-    /// face, from 1.
+    /// The edges of a body that a fender's face meets, given by their ends in the frame of the body (m). `face` is the
+    /// number of the fender's face, counted from 1.
     pub(crate) fn edges_met(&self, face: u32, rank: u32) -> impl Iterator<Item = [Vec2; 2]> {
         let slice = self.slices.place(face, rank).map(|place| self.slices.at(place));
         let outline: &[Vec2] = match slice {
@@ -47,7 +49,8 @@ impl Model {
         whole.map(|(&from, &to)| [from, to]).chain(cut)
     }
 
-    /// [`Slice::side`] of the body's slice that a face meets. `None` also for a body with one outline.
+    /// The [`Slice::side`] of that slice of a body which a fender's face meets. The function also returns `None` for a
+    /// body that has only one outline.
     pub(crate) fn side_met(
         &self,
         face: &RankedFender,

@@ -1,4 +1,4 @@
-//! The constant part of a contact problem: bodies, materials, fenders and the pairs that may touch.
+//! The constant part of a contact problem: the bodies, materials and fenders, and the pairs of bodies that may touch.
 
 use alloc::vec::Vec;
 use alloc::{format, vec};
@@ -19,17 +19,17 @@ use crate::reaction::FenderLaw;
 use crate::slice::Slices;
 use crate::state::FURTHEST_M;
 
-/// Two bodies that may touch, and the material between them.
+/// Two bodies that may touch, and the material of their contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// The two bodies, in any order.
+    /// The two bodies of the pair, in any order.
     pub bodies: [BodyId; 2],
-    /// The material of their contacts.
+    /// The material of the contacts between the two bodies.
     pub material: MaterialId,
 }
 
-/// Bodies, materials, fenders and pairs, checked and constant. Mutable state is in [`crate::Memory`], so many runs can
-/// share one model.
+/// The bodies, materials, fenders and pairs of a contact problem, checked and constant. All mutable state is in
+/// [`crate::Memory`], so many runs can share one model.
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -64,27 +64,27 @@ pub struct Model {
     /// Fenders by the rank of their bodies, then by key. A face's number is its index here plus 1. The places of leaning
     /// fenders change: see [`Model::lean_fender`].
     pub(crate) faces: Vec<RankedFender>,
-    /// Face number of each fender.
+    /// Number of the face of each fender.
     face_of_fender: Vec<u32>,
-    /// Bodies in the order of their keys.
+    /// The bodies, in the order of their keys.
     pub(crate) ranked: Ranked,
-    /// Rank of each body, and body of each rank.
+    /// Rank of each body by index, and index of each body by rank.
     pub(crate) rank_of: Vec<u32>,
     pub(crate) id_of: Vec<BodyId>,
-    /// Pairs that the builder was given, sorted by rank.
+    /// Pairs of bodies that the builder was given, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
     pub(crate) pair_bounds: Vec<Bounds>,
-    /// Material of all other pairs, if they may touch.
+    /// Material of all other pairs of bodies; `None` if they may not touch.
     pub(crate) all_other_pairs: Option<MaterialId>,
     /// Slices of bodies with outlines by height: what fenders meet of them. A part that changes: see
     /// [`Model::renew_slice`].
     pub(crate) slices: Slices,
-    /// Piles of the bodies on them, by rank.
+    /// Piles of the bodies that stand on piles, by rank.
     pub(crate) piles: Vec<RankedPile>,
     /// Hash that identifies the model, for memory and snapshots.
     pub(crate) fingerprint: u64,
-    /// Hash that also depends on the order in which bodies and materials were added. For workspaces, which contain
-    /// indices of bodies and materials.
+    /// Hash of the model that also depends on the order in which bodies and materials were added. Workspaces need this
+    /// hash because they contain indices of bodies and materials.
     pub(crate) layout: u64,
 }
 
@@ -101,7 +101,7 @@ pub struct ModelBuilder {
 }
 
 impl Model {
-    /// Number of tension chains of a face, given by its number from 1 on; 0 if there is no such face.
+    /// Number of tension chains of a fender's face, given by its number counted from 1; 0 if there is no such face.
     pub(crate) fn chains_of(&self, face: u32) -> usize {
         let law =
             face.checked_sub(1).and_then(|index| self.faces.get(index as usize)?.panel.as_ref());
@@ -114,13 +114,13 @@ impl Model {
         ModelBuilder::default()
     }
 
-    /// The bodies, in the order in which they were added.
+    /// The bodies of the model, in the order in which they were added.
     #[must_use]
     pub fn bodies(&self) -> &[Body] {
         &self.bodies
     }
 
-    /// The materials, in the order in which they were added.
+    /// The materials of the model, in the order in which they were added.
     #[must_use]
     pub fn materials(&self) -> &[Material] {
         &self.materials
@@ -132,17 +132,17 @@ impl Model {
         ranks.map(|rank| self.id_of[rank as usize])
     }
 
-    /// M⁻¹ of a body in its own axes, by its index.
+    /// Inverse mass matrix M⁻¹ of the body with this index, in the body's own axes.
     pub(crate) fn inverse_of(&self, index: usize) -> &InverseMatrix {
         &self.ranked.rest(self.rank_of[index] as usize).inverse
     }
 
-    /// Face number of a fender; 0 for none.
+    /// Number of a fender's face; 0 if there is no fender.
     pub(crate) fn face_of(&self, fender: Option<FenderId>) -> u32 {
         fender.map_or(0, |FenderId(id)| self.face_of_fender[id as usize])
     }
 
-    /// The fenders, in the order in which they were added.
+    /// The fenders of the model, in the order in which they were added.
     #[must_use]
     pub fn fenders(&self) -> &[Fender] {
         &self.fenders
@@ -174,15 +174,16 @@ impl ModelBuilder {
         self
     }
 
-    /// Lets all other pairs of bodies touch: those that no call of [`ModelBuilder::pair`] names.
+    /// Lets all other pairs of bodies touch: the pairs that no call of [`ModelBuilder::pair`] names.
     pub fn all_other_pairs(&mut self, material: MaterialId) -> &mut ModelBuilder {
         self.all_other_pairs = Some(material);
         self
     }
 
     /// Declares a body with outlines by height, within this radius of the body's centre of gravity (m). A fender then
-    /// meets the body's outline at the fender's height. The host sets these outlines with [`Model::renew_slice`]; until
-    /// then fenders do not meet the body at all. Outlines of other bodies still meet [`Body::outline`].
+    /// meets the outline that the body has at the height of the fender. The host sets the outlines by height with
+    /// [`Model::renew_slice`]; until then fenders do not meet the body at all. Outlines of other bodies still meet the
+    /// outline [`Body::outline`] of this body.
     pub fn outlines_by_height(&mut self, body: BodyId, radius_m: f64) -> &mut ModelBuilder {
         self.by_height.push((body, radius_m));
         self
@@ -198,7 +199,7 @@ impl ModelBuilder {
     /// Checks all parts and builds the model.
     ///
     /// # Errors
-    /// [`ModelError`], naming the body, the fender or the pair.
+    /// Returns a [`ModelError`], which names the body, the fender or the pair that is wrong.
     pub fn build(self) -> Result<Model, ModelError> {
         let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs, by_height, leaning } =
             self;
@@ -303,7 +304,7 @@ fn check_mass(body: &Body, field: &'static str, value: f64) -> Result<(), ModelE
     Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
 }
 
-/// Larger values could overflow in products of masses, stiffnesses and areas.
+/// Largest mass and stiffness of a model; larger values could overflow in products of masses, stiffnesses and areas.
 const LARGEST_MASS: f64 = 1e30;
 const LARGEST_STIFFNESS: f64 = 1e18;
 
@@ -329,7 +330,7 @@ fn check_material(index: usize, m: &Material) -> Result<(), ModelError> {
     check("restitution", m.restitution, 0.0, 1.0, "between 0 and 1")
 }
 
-/// The rank of each body, which follows from its key, and the body of each rank.
+/// The rank of each body by index, which follows from the keys, and the index of each body by rank.
 fn rank(bodies: &[Body]) -> Result<(Vec<u32>, Vec<BodyId>), ModelError> {
     let mut order: Vec<u32> = (0..bodies.len() as u32).collect();
     order.sort_by_key(|&i| bodies[i as usize].key);
@@ -346,7 +347,7 @@ fn rank(bodies: &[Body]) -> Result<(Vec<u32>, Vec<BodyId>), ModelError> {
     Ok((rank_of, order.into_iter().map(BodyId).collect()))
 }
 
-/// Checks the fenders and sorts them.
+/// Checks the fenders and sorts them by the rank of their bodies and by key.
 fn rank_fenders(
     fenders: &[Fender],
     materials: &[Material],
@@ -396,7 +397,7 @@ fn rank_lengths(
     Ok(ranks)
 }
 
-/// The face number of each fender.
+/// The number of the face of each fender.
 fn numbers_of(faces: &[RankedFender]) -> Vec<u32> {
     let mut numbers = vec![0; faces.len()];
     for (number, face) in (1..).zip(faces) {
@@ -428,7 +429,7 @@ fn rank_pairs(
         }
         let [a, b] = [one.min(two), one.max(two)].map(|rank| (rank, &by_rank[rank as usize]));
         if a.1.stands && b.1.stands {
-            let why = "both stand on the ground: no force would bring them together";
+            let why = "both bodies stand on the ground: no force would bring them together";
             return Err(bad_pair(first, second, why));
         }
         ranked.push(RankedPair::new(a, b, pair.material));
@@ -449,7 +450,7 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
     ModelError::BadPair { bodies: [first.name.clone(), second.name.clone()], why }
 }
 
-/// FNV-1a over all parts that a memory depends on, in the order of the keys.
+/// FNV-1a hash of all parts of the model on which a memory depends, in the order of the keys.
 fn fingerprint(model: &Model) -> u64 {
     let mut hash = Fnv1a::default();
     hash.word(model.ranked.len() as u64);
@@ -502,7 +503,7 @@ fn fingerprint(model: &Model) -> u64 {
     hash.finish()
 }
 
-/// The fingerprint combined with the indices of bodies and materials.
+/// Hash of the fingerprint and of the indices of bodies and materials.
 fn layout(model: &Model) -> u64 {
     let mut hash = Fnv1a::default();
     hash.word(model.fingerprint);

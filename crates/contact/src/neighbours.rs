@@ -1,8 +1,9 @@
 //! The neighbour list: pairs of bodies that are near each other, kept from step to step.
 //!
-//! The list holds every pair whose circles meet when each circle is drawn a little too large. A body may move, or reach
-//! farther, until it has used up its margin. Until then every pair whose true circles meet is in the list. Users of the
-//! list test the true circles, so the age of the list affects the cost of a step and never the result.
+//! The list holds every pair of bodies whose circles meet when each circle is drawn a little too large. A body may
+//! move, or may reach farther, until it has used up the margin of its circle. Until a body has used up its margin,
+//! every pair of bodies whose true circles meet is in the list. Users of the list test the true circles, so the age of
+//! the list affects the cost of a step, but never the result.
 
 use alloc::vec::Vec;
 
@@ -16,43 +17,46 @@ use crate::room::room_for;
 use crate::spread::SpreadSort;
 use crate::vec2::Vec2;
 
-/// By how much a body's circle in the list is larger than its true circle, as a fraction. A larger margin makes the
-/// list longer; a smaller one makes the list short-lived.
+/// Margin of the list: how much larger a body's circle in the list is than its true circle, as a fraction. A larger
+/// margin makes the list longer; a smaller margin makes the list valid for a shorter time.
 const MARGIN: f64 = 0.1;
 
-/// The fraction of the margin that a body may use. The fraction is less than 1, to cover rounding.
+/// The fraction of the margin that a body may use before the list is made anew. The fraction is less than 1, to cover
+/// rounding.
 const USABLE: f64 = 0.999;
 
 /// Strips are wider than the largest circle by this fraction, so that rounding puts no circle into the strip after the
 /// next.
 const ROUNDING: f64 = 1e-6;
 
-/// The list, and the circles of the bodies when it was made. Computed by [`NeighbourList::renew`].
+/// The neighbour list, with the circles that the bodies had when the list was made. Computed by
+/// [`NeighbourList::renew`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NeighbourList {
-    /// Layout of the model that the list was made for.
+    /// Layout of the model for which the list was made.
     layout: u64,
-    /// Circles of the bodies, by rank.
+    /// Enlarged circles of the bodies, by rank.
     circles: Vec<Circle>,
-    /// Pairs, in the order of their ranks.
+    /// Pairs of bodies, in the order of their ranks.
     pairs: Vec<RankedPair>,
     bounds: Vec<Bounds>,
     /// The bodies in the order of the sweep.
     order: Vec<Swept>,
     sort_of_order: SpreadSort<Swept>,
-    /// Ranks of the pairs as single numbers, the lower rank in the upper half. Sorted as numbers, the pairs are in the
-    /// order of their ranks.
+    /// Ranks of each pair of bodies as a single number, with the lower rank in the upper half of the bits. When sorted
+    /// as numbers, the pairs are in the order of their ranks.
     ranks: Vec<u64>,
     sort_of_ranks: SpreadSort<u64>,
 }
 
-/// A body in the sweep. The plane is cut into strips, as wide as the largest circle, that run from west to east. The
-/// southern ends of two circles that meet lie in the same strip or in neighbouring strips. Within a strip the bodies
-/// are in the order of their western ends, in steps so small that hardly two bodies share one.
+/// A body in the sweep that finds circles that meet. The plane is cut into strips, as wide as the largest circle, that
+/// run from west to east. The southern ends of two circles that meet lie in the same strip or in neighbouring strips.
+/// Within a strip the bodies are in the order of their western ends, measured in steps so small that hardly two bodies
+/// share the same step.
 #[derive(Clone, Copy, Debug, Default)]
 struct Swept {
     strip: u32,
-    /// Western and eastern end of the circle, in steps.
+    /// Western and eastern end of the body's circle, measured in steps.
     west: u32,
     east: u32,
     rank: u32,
@@ -72,7 +76,7 @@ impl Circle {
         (self.center_m - other.center_m).length_squared() <= reach_m * reach_m
     }
 
-    /// Does this circle contain the same body's present circle?
+    /// Returns true if this enlarged circle of a body contains the present circle of the same body.
     #[inline]
     fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
         let margin_m = USABLE * (self.radius_m - radius_m);
@@ -81,7 +85,7 @@ impl Circle {
 }
 
 impl NeighbourList {
-    /// A list with room for this number of bodies and pairs.
+    /// Makes an empty list with room for this number of bodies and pairs.
     pub(crate) fn with_room(bodies: usize, pairs: usize) -> NeighbourList {
         NeighbourList {
             layout: 0,
@@ -95,18 +99,19 @@ impl NeighbourList {
         }
     }
 
-    /// The pairs of the list. The list includes all pairs that no `Pair` of the model names, in which at least one body
-    /// floats, and whose circles of `reach_m` meet.
+    /// The pairs of bodies in the list. The list includes all pairs that no `Pair` of the model names, in which at
+    /// least one body floats, and whose circles with the radius `reach_m` meet.
     pub(crate) fn pairs(&self) -> &[RankedPair] {
         &self.pairs
     }
 
-    /// Bounds of the pairs of the list, in the same order.
+    /// Bounds of the pairs in the list, in the order of the pairs.
     pub(crate) fn bounds(&self) -> &[Bounds] {
         &self.bounds
     }
 
-    /// Is the list still valid? Only active bodies can have moved.
+    /// Returns true if the list is still valid. Only active bodies are tested, because only active bodies can have
+    /// moved.
     pub(crate) fn holds(&self, model: &Model, bodies: &Bodies) -> bool {
         if self.layout != model.layout {
             return false;
@@ -131,7 +136,7 @@ impl NeighbourList {
         self.sweep(model, material);
     }
 
-    /// Sweep and prune, from west to east in strips.
+    /// Finds the pairs of circles that meet by "sweep and prune", from west to east in strips.
     fn sweep(&mut self, model: &Model, material: MaterialId) {
         let NeighbourList { circles, order, ranks, .. } = self;
         let widest_steps = arrange(circles, order, &mut self.sort_of_order);
@@ -176,7 +181,8 @@ impl NeighbourList {
     }
 }
 
-/// Joins two numbers into one. The result sorts by the first number, then by the second.
+/// Joins two 32-bit numbers into one number of 64 bits. The joined numbers sort by the first number, and then by the
+/// second number.
 #[inline]
 fn joined(first: u32, second: u32) -> u64 {
     (u64::from(first) << 32) | u64::from(second)

@@ -1,28 +1,32 @@
 //! Minimum, maximum and clamp with the same bits on every machine.
 //!
 //! `f64::min`, `f64::max` and `f64::clamp` do not specify which of −0 and +0 they return: x86 and ARM differ. The sign
-//! propagates to angles, quotients, snapshots and printed tables. The functions here only compare. Of equal numbers the
-//! functions return the second, so the order of the arguments decides. These functions take one instruction; the
-//! functions of `std`, which also handle NaN, take three.
+//! of a zero propagates to angles, quotients, snapshots and printed tables. The functions of this module only compare
+//! numbers. Of two equal numbers the functions of this module return the second number, so the order of the arguments
+//! decides. The functions of this module take one instruction; the functions of `std`, which also handle NaN, take
+//! three.
 
-/// The smaller of two numbers; `q` if the two are equal (`lesser(0.0, -0.0)` is −0) or one of them is NaN.
+/// Returns the smaller of two numbers; returns `q` if the two are equal (`lesser(0.0, -0.0)` is −0) or one of them is
+/// NaN.
 #[inline(always)]
 #[must_use]
 pub fn lesser(p: f64, q: f64) -> f64 {
     if p < q { p } else { q }
 }
 
-/// The larger of two numbers; `q` if the two are equal (`greater(-0.0, 0.0)` is +0) or one of them is NaN.
+/// Returns the larger of two numbers; returns `q` if the two are equal (`greater(-0.0, 0.0)` is +0) or one of them is
+/// NaN.
 #[inline(always)]
 #[must_use]
 pub fn greater(p: f64, q: f64) -> f64 {
     if p > q { p } else { q }
 }
 
-/// `value` clamped to `low..=high`. A value equal to a bound keeps its sign of zero; NaN stays NaN.
+/// `value` clamped to `low..=high`. A value equal to a bound keeps the sign of its zero, and NaN stays NaN.
 ///
 /// # Panics
-/// In a build with debug assertions, if `low` is greater than `high` or one of them is NaN: no value lies between them.
+/// Panics in a build with debug assertions if `low` is greater than `high` or one of them is NaN, because no value lies
+/// between them.
 #[inline(always)]
 #[must_use]
 pub fn bounded(value: f64, low: f64, high: f64) -> f64 {

@@ -1,4 +1,5 @@
-//! The outline of a body: a simple polygon. An outline is checked, tidied and cut into convex pieces when it is made.
+//! The outline of a body: a simple polygon. An outline is checked, tidied and cut into convex pieces when it is made
+//! from its vertices.
 
 use crate::geometry::convex::has_width;
 use crate::geometry::extent::Extent;

@@ -1,4 +1,5 @@
-//! Stage 3, narrow phase: area, centroid, normal and depth of every patch of contact (§3.1 of the paper).
+//! Stage 3 of a step, the narrow phase: computes area, centroid, normal and depth of every patch of contact (§3.1 of
+//! the paper).
 
 use crate::bodies::Bodies;
 use crate::candidates::{Candidate, Pairing};
@@ -16,10 +17,11 @@ use crate::patch::{NOWHERE, Parts, Patch};
 use crate::several::{PosedPair, clip_several};
 use crate::vec2::{Pose, Vec2};
 
-/// Computes the patches of candidates into `found`, in the candidates' order, and the hints for the next step. `first` is
-/// the place of the first candidate in `Candidates::pairings`.
+/// Computes the patches of the candidates, in the order of the candidates, into `found`, and the hints for the next
+/// step. `first` is the place of the first candidate in `Candidates::pairings`.
 ///
-/// Returns true if all old hints stay unchanged. Then no hints are added, and the caller keeps the old list.
+/// Returns true if all old hints stay unchanged. If all hints stay unchanged, no hints are added, and the caller keeps
+/// the old list of hints.
 #[must_use]
 pub(crate) fn overlap(
     model: &Model,
@@ -50,8 +52,8 @@ struct Outlines<'w> {
 }
 
 impl Outlines<'_> {
-    /// Clips all candidates. `BY_HEIGHT` says whether fenders may meet outlines by height. If not, the compiler leaves
-    /// out the test for them.
+    /// Clips all candidates. `BY_HEIGHT` says whether fenders may meet outlines by height. If fenders cannot meet
+    /// outlines by height, the compiler leaves out the test for such outlines.
     #[inline(always)]
     fn clip<const BY_HEIGHT: bool>(
         self,
@@ -88,7 +90,7 @@ impl Outlines<'_> {
     }
 }
 
-/// The two sides of a fender's candidate, in a model with outlines by height, if each side is one convex piece.
+/// The two shapes of a fender's candidate, in a model with outlines by height, if each of them is one convex piece.
 fn convex_met<'m>(
     model: &'m Model,
     candidate: &Candidate,
@@ -143,10 +145,12 @@ fn clip_convex(
     });
 }
 
-/// A's outward normal in A's frame, and δ, the extent of the patch along the normal (m).
+/// The outward normal of body A in the frame of A, and the depth δ, which is the extent of the patch along the normal
+/// (m).
 ///
-/// The normal is that of the chord, if there is a chord. Otherwise the normal is the contact's last good normal.
-/// Without such a normal it is along the axis of least penetration.
+/// The normal of a patch is that of its chord, if it has a chord. If the patch has no chord, the normal is the last
+/// valid normal of the contact. If there is no last valid normal either, the normal is along the axis of least
+/// penetration.
 #[inline]
 pub(crate) fn normal_in_a(
     model: &Model,
@@ -207,8 +211,8 @@ fn normal_without_chord(
     clip::least_penetration(a, b, patch.b_in_a, buffers)
 }
 
-/// The axis of least penetration of whole outlines. Seams between pieces do not count, because no body is pushed out
-/// through a seam. `None` if no side faces the patch.
+/// The axis of least penetration of whole outlines. Seams between pieces of an outline do not count, because no body is
+/// pushed out through a seam. Returns `None` if no side of the outlines faces the patch.
 fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     let outline_of = |rank: u32| &model.bodies()[model.id_of[rank as usize].0 as usize].outline;
     let corners = || outlines(found, patch).flatten().copied();
@@ -234,8 +238,9 @@ fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     }
 }
 
-/// The side of an outline behind which the patch's corners reach least deep, among the sides that the patch's centroid
-/// faces from inside. Returns the depth (m) and the outward normal of the side.
+/// Finds, among the sides of an outline that the patch's centroid faces from inside, the side behind which the corners
+/// of the patch reach least deep. Returns the depth (m) behind the side that was found, and the outward normal of this
+/// side.
 fn least_sunk_side(
     sides: &[Vec2],
     centroid_m: Vec2,
@@ -257,7 +262,7 @@ fn least_sunk_side(
     best
 }
 
-/// How a patch presses on its fender, in A's frame.
+/// Computes how the hull presses on the fender in a patch, in the frame of body A.
 pub(crate) fn press(
     model: &Model,
     found: &Overlap,
@@ -275,7 +280,7 @@ pub(crate) fn press(
     face::press(face, fender, stiffness_npm2, host, within, outlines(found, patch))
 }
 
-/// Presses a fender's panel with the whole outline of the other body of a patch.
+/// Presses the panel of a fender with the whole outline of the other body of a patch.
 #[inline(never)]
 fn press_panel(
     (model, law): (&Model, &PanelLaw),
@@ -297,7 +302,7 @@ fn press_panel(
     face::press_panel(face, pressed, host, within, outlines(found, patch))
 }
 
-/// δ, the extent of the patch along a direction (m).
+/// Depth δ of a patch, its extent along a direction (m).
 fn depth_m(found: &Overlap, patch: &Patch, along: Vec2) -> f64 {
     let origin = patch.centroid_m;
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

@@ -1,4 +1,4 @@
-//! Two bodies that may touch: constants of the pair.
+//! Two bodies that may touch, and the constants of the pair.
 
 use crate::material::{Material, MaterialId};
 use crate::number::lesser;
@@ -7,29 +7,30 @@ use crate::ranked::{Ranked, RankedBody};
 /// Stands in place of an island's number for two bodies that both float: their island depends on the other candidates.
 pub(crate) const JOINED: u32 = u32::MAX;
 
-/// Two bodies by rank, the lower first.
+/// Two bodies that may touch, by rank, with the lower rank first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RankedPair {
     pub(crate) a: u32,
     pub(crate) b: u32,
     pub(crate) material: MaterialId,
-    /// The body that floats; [`JOINED`] if both do.
+    /// Rank of the body that floats; [`JOINED`] if both bodies float.
     pub(crate) island: u32,
 }
 
-/// Bounds on the natural frequencies of a contact between two outlines. In most steps the bounds show that the contact
-/// needs no sub-steps.
+/// Bounds on the natural frequencies of a contact between two outlines. In most steps these bounds show that the
+/// contact needs no sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// Bounds on the squares of the rates of spring and damper (1/s²), for the inverse mass `inverse_mass` (1/kg).
+    /// Bounds on the squares of the rates of the contact's spring and damper (1/s²), for the inverse mass
+    /// `inverse_mass` (1/kg).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
     pub(crate) inverse_mass: f64,
     /// About half the width of the narrower body (m).
     pub(crate) half_width_m: f64,
-    /// Half of the longest chord (m).
+    /// Half of the length of the longest chord that a contact of the pair can have (m).
     pub(crate) half_chord_m: f64,
-    /// 1 if B is the smaller body, 0 if A is.
+    /// 1 if body B is the smaller body, 0 if body A is the smaller body.
     pub(crate) b_is_smaller: f64,
     pub(crate) bodies: [InverseMassBound; 2],
 }
@@ -37,9 +38,9 @@ pub(crate) struct Bounds {
 /// Upper bounds on a body's inverse mass at a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct InverseMassBound {
-    /// The largest inverse mass in any direction, without rotation (1/kg).
+    /// The largest inverse mass of the body in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// Inverse of the yaw inertia (1/(kg·m²)).
+    /// Inverse of the body's yaw inertia (1/(kg·m²)).
     pub(crate) of_yaw: f64,
 }
 
@@ -53,7 +54,7 @@ impl InverseMassBound {
 }
 
 impl RankedPair {
-    /// A pair of two bodies, at least one of which floats.
+    /// Makes a pair of two bodies, at least one of which floats.
     pub(crate) fn new(
         (a, body_a): (u32, &RankedBody),
         (b, body_b): (u32, &RankedBody),
@@ -69,7 +70,7 @@ impl RankedPair {
 }
 
 impl Bounds {
-    /// Bounds that hold for every contact of the pair's outlines.
+    /// Computes bounds that hold for every contact between the outlines of the pair.
     pub(crate) fn of(ranked: &Ranked, materials: &[Material], pair: &RankedPair) -> Bounds {
         let ranks = [pair.a as usize, pair.b as usize];
         let [a, b] = ranks.map(|rank| &ranked[rank]);
@@ -91,7 +92,7 @@ impl Bounds {
     }
 }
 
-/// The longest chord of a contact (m): a chord is at most as long as the smaller body.
+/// The longest chord of a contact of the pair (m): a chord is at most as long as the smaller body.
 fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

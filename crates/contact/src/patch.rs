@@ -1,4 +1,4 @@
-//! A patch of contact, and where it lies.
+//! A patch of contact between two bodies, and the place of the patch.
 
 use crate::candidates::Candidate;
 use crate::geometry::extent::Extent;
@@ -12,21 +12,22 @@ pub(crate) struct Patch {
     pub(crate) of: u32,
     /// Number within the pair.
     pub(crate) number: u32,
-    /// Pose of B in A's frame.
+    /// Pose of body B in the frame of body A.
     pub(crate) b_in_a: Pose,
     /// Area S (m²).
     pub(crate) area_m2: f64,
     /// Centroid C (m).
     pub(crate) centroid_m: Vec2,
-    /// Chord d = Σ (P_out − P_in) (m).
+    /// Chord vector d = Σ (P_out − P_in) of the patch (m).
     pub(crate) chord_m: Vec2,
-    /// 1/|d| (1/m), as in [`crate::geometry::lens::Lens`].
+    /// Inverse length 1/|d| of the chord vector (1/m), as in [`crate::geometry::lens::Lens`].
     pub(crate) per_chord_m: f64,
-    /// Whether one piece lies within the other and there are no other pieces.
+    /// True if one convex piece lies within the other and the bodies have no other pieces.
     pub(crate) contained: bool,
-    /// Extent along the normal of the chord, times the length of the chord (m²), if the patch is one lens.
+    /// Extent of the patch along the normal of the chord, times the length of the chord (m²), if the patch is a single
+    /// lens.
     pub(crate) spread_m2: f64,
-    /// The first of the patch's [`Parts`], and the one after the last.
+    /// Index of the first of the patch's [`Parts`], and the index after the last.
     pub(crate) parts: [u32; 2],
     /// Index of the patch's place in `Overlap::places`; [`NOWHERE`] if both bodies are convex.
     pub(crate) place: u32,
@@ -41,7 +42,7 @@ impl Patch {
         (self.place != NOWHERE).then_some(self.place)
     }
 
-    /// The parts of the patch.
+    /// The parts of which the patch consists.
     #[inline]
     pub(crate) fn parts(&self) -> Parts {
         let [from, to] = self.parts;
@@ -52,16 +53,17 @@ impl Patch {
     }
 }
 
-/// The parts of a patch.
+/// The parts of which a patch of contact consists.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Parts {
-    /// The one lens of two convex pieces: its vertices in `Overlap::outline_m`.
+    /// The patch is the one lens of two convex pieces, given by the range of its vertices in `Overlap::outline_m`.
     One { from: u32, to: u32 },
     /// Lenses in `Overlap::lenses`.
     Lenses { from: u32, to: u32 },
 }
 
-/// Boxes around a patch in A's and in B's frame (m). The patch is recognised by them in the next step.
+/// Place of a patch: the bounding boxes around it in the frames of the bodies A and B (m). The next step recognises the
+/// patch by these boxes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Place {
     pub(crate) in_a: Extent,
@@ -69,7 +71,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// Do the boxes meet in the frame of one of the two bodies?
+    /// Returns true if the boxes of the two places meet in the frame of one of the two bodies.
     #[inline]
     pub(crate) fn meets(&self, other: &Place) -> bool {
         self.in_a.overlaps(&other.in_a) || self.in_b.overlaps(&other.in_b)

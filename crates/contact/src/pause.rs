@@ -1,4 +1,4 @@
-//! A step of 0 s: the host is paused.
+//! Takes a step of 0 s, in which the host is paused.
 
 use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
@@ -8,11 +8,12 @@ use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Takes a step of 0 s. The memory does not change. Wrenches and contacts stay those of the last step; impulses, work,
-/// displacements and events are zero or empty; the states at the end are the input states.
+/// Takes a step of 0 s. A step of 0 s does not change the memory. In a step of 0 s wrenches and contacts stay those of
+/// the last step; impulses, work, displacements and events are zero or empty; the states at the end are the input
+/// states.
 ///
 /// # Errors
-/// The errors of any other step.
+/// Returns the same errors as a step of any other length.
 pub(crate) fn pause(
     model: &Model,
     memory: &Memory,

@@ -1,32 +1,31 @@
 //! Piles that hold bodies to their places: the law of one pile, and its motion in a step.
 //!
 //! With the elastic deflection e, the pile's force on its body is −K e − C v, as long as K |e| is at most the yield
-//! load. Beyond this the pile yields: the deflection grows while the spring's force stays at the yield load, and the
-//! plastic part stays.
+//! load. Beyond the yield load the pile yields: the deflection grows while the spring's force stays at the yield load,
+//! and the plastic part of the deflection stays.
 //!
-//! The midpoint rule takes spring and damping implicitly over a step of length κ. The rule is stable for any κ and adds
-//! no energy:
+//! The midpoint rule takes the pile's spring and damping implicitly over a step of length κ: m (v⁺ − v) = κ (F − K (e +
+//! κ v̄ / 2) − C v̄), with v̄ = (v + v⁺)/2 and e⁺ = e + κ v̄. The midpoint rule is stable for any κ and adds no energy.
 //!
-//! m (v⁺ − v) = κ (F − K (e + κ v̄ / 2) − C v̄), v̄ = (v + v⁺)/2, e⁺ = e + κ v̄.
-//!
-//! So for any force F on the body, v⁺ = v + κ (F − K (e + κ v / 2) − C v)/m′ with m′ = m + κ² K / 4 + κ C / 2. The
-//! relative error of the period is (ωκ)²/12. If K |e⁺| exceeds the yield load, e⁺ is brought back to the yield load
-//! along its radius. The energy between the two is lost; this loss is never negative. From then on the force is the
-//! yield load, as long as the body moves outward.
+//! So for any force F on the body, v⁺ = v + κ (F − K (e + κ v / 2) − C v)/m′ with m′ = m + κ² K / 4 + κ C / 2. With the
+//! midpoint rule the relative error of the pile's period is (ωκ)²/12. If K |e⁺| exceeds the yield load, the deflection
+//! e⁺ is shortened along its own direction until the spring is at the yield load. The energy that this shortening takes
+//! from the spring is lost; the loss is never negative. While the pile yields, its force is the yield load, as long as
+//! the body moves outward.
 
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// A load that differs from the yield load by less than this share of it counts as at the yield load.
+/// Relative tolerance: a load that differs from the yield load by less than this share counts as at the yield load.
 const AT_LIMIT: f64 = 1e-9;
 
 /// A pile, or a group of piles, that holds a body to its place: a spring with damping and a yield load, the same in all
 /// horizontal directions. The pile does not let the body turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pile {
-    /// Position of the body without load, north and east (m).
+    /// Position of the body when no load acts on it, north and east (m).
     pub place_m: Vec2,
-    /// Stiffness at the height of the load (N/m).
+    /// Stiffness of the pile at the height of the load (N/m).
     pub stiffness_npm: f64,
     /// Damping (N·s/m).
     pub damping_nspm: f64,
@@ -37,34 +36,35 @@ pub struct Pile {
 /// Motion, forces and energies of a pile in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PileMotion {
-    /// Deflection at the end of the step, the permanent part included (m).
+    /// Deflection of the pile at the end of the step, the permanent part included (m).
     pub deflection_m: Vec2,
-    /// The permanent part of the deflection (m).
+    /// The permanent part of the pile's deflection at the end of the step (m).
     pub offset_m: Vec2,
-    /// The spring's force on the body at the end of the step (N).
+    /// The force of the pile's spring on the body at the end of the step (N).
     pub force_n: Vec2,
-    /// Largest deflection in the step (m).
+    /// Largest deflection of the pile in the step (m).
     pub peak_deflection_m: f64,
-    /// Largest load on the spring in the step (N).
+    /// Largest load on the pile's spring in the step (N).
     pub peak_load_n: f64,
-    /// Energy in the spring at the end of the step (J).
+    /// Energy in the pile's spring at the end of the step (J).
     pub stored_j: f64,
-    /// Largest energy in the spring in the step (J).
+    /// Largest energy in the pile's spring in the step (J).
     pub peak_stored_j: f64,
     /// Work of the pile on its body in the step (J): −(change of `stored_j` + `damping_j` + `yield_j`).
     pub work_j: f64,
-    /// Energy lost to damping in the step (J).
+    /// Energy lost to the pile's damping in the step (J).
     pub damping_j: f64,
-    /// Energy lost to yielding in the step (J).
+    /// Energy lost to the pile's yielding in the step (J).
     pub yield_j: f64,
 }
 
-/// The state of a pile. Deflections are those at the time to which the body's velocity belongs.
+/// The state of a pile, with its deflections. The deflections are those at the time to which the body's velocity
+/// belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PileState {
     /// Deflection (m).
     pub(crate) deflection_m: Vec2,
-    /// The permanent part of the deflection (m).
+    /// The permanent part of the pile's deflection (m).
     pub(crate) offset_m: Vec2,
 }
 
@@ -75,8 +75,8 @@ impl PileState {
 }
 
 impl Pile {
-    /// The direction in which the pile yields at the start of a step. The pile yields if it is at the yield load and
-    /// the body moves on outward.
+    /// The direction in which the pile yields at the start of a step; `None` if it does not yield. The pile yields if
+    /// it is at the yield load and the body moves on outward.
     fn flows_to(&self, state: &PileState, velocity_mps: Vec2) -> Option<Vec2> {
         let elastic_m = state.elastic_m();
         let length_m = elastic_m.length();
@@ -85,7 +85,8 @@ impl Pile {
         flows.then(|| elastic_m * (1.0 / length_m))
     }
 
-    /// The mass m′ (kg), and the force of the pile at the start of a step of length κ, to be applied to m′ (N).
+    /// The mass m′ (kg), and the force of the pile at the start of a step of length κ, which must act on the mass m′
+    /// (N).
     pub(crate) fn begin(
         &self,
         state: &PileState,
@@ -103,8 +104,8 @@ impl Pile {
         (damped_kg + by_spring_kg, half_way_m * -self.stiffness_npm + damping_n)
     }
 
-    /// The state after a step of length κ, in which the body's velocity went from one value to the other, and the
-    /// pile's motion in it.
+    /// Computes the state of the pile after a step of length κ, in which the body's velocity went from the first to the
+    /// second value, and the motion of the pile in the step.
     pub(crate) fn advance(
         &self,
         state: &mut PileState,
@@ -148,7 +149,7 @@ impl Pile {
 }
 
 impl PileMotion {
-    /// The report of a pile at the start of a step.
+    /// Begins the report on a pile at the start of a step.
     pub(crate) fn begin(pile: &Pile, state: &PileState) -> PileMotion {
         let mut motion = PileMotion::default();
         motion.note(pile, state, state.elastic_m());

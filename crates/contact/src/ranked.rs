@@ -1,4 +1,4 @@
-//! Bodies in the order of their keys, as the stages read them.
+//! The bodies in the order of their keys, in the form in which the stages of a step read them.
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
@@ -18,61 +18,62 @@ use crate::number::{greater, lesser};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranked {
     bodies: Vec<RankedBody>,
-    /// For each body, the first of its pieces and the one after the last. Stored apart, so that the narrow phase reads
-    /// few lines of the processor's cache.
+    /// For each body, the index of the first of its convex pieces and the index after the last. The ranges of pieces
+    /// are stored apart from the other data, so that the narrow phase reads few lines of the processor's cache.
     piece_ranges: Vec<[u32; 2]>,
     rests: Vec<Rest>,
-    /// The boxes around the outlines, each in its body's axes.
+    /// The bounding boxes of the outlines, each in the axes of its body.
     boxes: Vec<Extent>,
-    /// Area of the smallest body (m²).
+    /// Area of the body with the smallest outline (m²).
     smallest_m2: f64,
-    /// The convex pieces of all outlines. Bodies with equal outlines share the same pieces.
+    /// The convex pieces of all outlines. Bodies with equal outlines share the same convex pieces.
     pieces: Vec<ConvexPolygon>,
-    /// Trees over the pieces of outlines that have many.
+    /// Trees over the convex pieces of outlines that have many pieces.
     trees: Vec<BoxTree>,
 }
 
-/// The data of a body that steps often read. These data fill one line of the processor's cache.
+/// The data of a body that the steps often read. The often-read data of a body fill one line of the processor's cache.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct RankedBody {
-    /// Whether the body's mass is the same in all directions and in all sub-steps.
+    /// True if the body's mass is the same in all directions and in all sub-steps.
     pub(crate) is_alike: bool,
-    /// Whether the body stands on the ground: it is fixed, or on a pile.
+    /// True if the body stands on the ground: it is fixed, or on a pile.
     pub(crate) stands: bool,
-    /// Largest distance of a vertex from the centre of gravity (m).
+    /// Largest distance of a vertex of the outline from the body's centre of gravity (m).
     pub(crate) radius_m: f64,
-    /// Largest distance of a point of the body or its fenders from the centre of gravity (m).
+    /// Largest distance of a point of the body or of its fenders from the body's centre of gravity (m).
     pub(crate) reach_m: f64,
-    /// 1/m (1/kg); 0 for a fixed body.
+    /// Inverse mass 1/m (1/kg); 0 for a fixed body.
     pub(crate) inverse_mass: f64,
     /// 1/I (1/(kg·m²)).
     pub(crate) inverse_inertia: f64,
-    /// The largest inverse mass in any direction, without rotation (1/kg).
+    /// The largest inverse mass of the body in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// Inverse yaw inertia, from the full matrix (1/(kg·m²)).
+    /// Inverse yaw inertia of the body, from the full mass matrix (1/(kg·m²)).
     pub(crate) inverse_of_turning: f64,
 }
 
-/// The data of a body that steps seldom read.
+/// The data of a body that the steps seldom read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rest {
-    /// M⁻¹ in the body's axes.
+    /// Inverse mass matrix M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
     pub(crate) area_m2: f64,
-    /// About half of the body's width (m), from the area: a convex body's area is about its length times its width.
+    /// About half of the body's width (m), computed from the area: the area of a convex body is about its length times
+    /// its width.
     pub(crate) half_width_m: f64,
-    /// Kirchhoff's equations, for a body whose momentum the engine turns with the body.
+    /// Kirchhoff's equations for a body whose momentum the engine turns with the body; `None` for other bodies.
     pub(crate) kirchhoff: Option<Kirchhoff>,
-    /// The first of the body's fenders in `Model::faces`, and the one after the last.
+    /// The index of the first of the body's fenders in `Model::faces`, and the index after the last.
     faces: (u32, u32),
     /// Index in `Ranked::trees`.
     tree: Option<u32>,
 }
 
 impl Ranked {
-    /// The data of these bodies, given in the order of their ranks. `fenders` are sorted by the ranks of the bodies
-    /// that carry them.
+    /// Computes the data of these bodies, which are given in the order of their ranks. `fenders` must be sorted by the
+    /// ranks of the bodies that carry them.
     pub(crate) fn new<'b>(
         bodies: impl Iterator<Item = &'b Body>,
         fenders: &[RankedFender],
@@ -118,19 +119,19 @@ impl Ranked {
         self.bodies.len()
     }
 
-    /// The data of a body that steps seldom read.
+    /// The data of a body that the steps seldom read.
     #[inline]
     pub(crate) fn rest(&self, rank: usize) -> &Rest {
         &self.rests[rank]
     }
 
-    /// The box around a body's outline, in the body's axes.
+    /// The bounding box of a body's outline, in the axes of the body.
     #[inline]
     pub(crate) fn extent(&self, rank: usize) -> Extent {
         self.boxes[rank]
     }
 
-    /// Area of the smallest body (m²); infinite if there is none.
+    /// Area of the body with the smallest outline (m²); infinite if the model has no bodies.
     #[inline]
     pub(crate) fn smallest_m2(&self) -> f64 {
         self.smallest_m2
@@ -143,14 +144,14 @@ impl Ranked {
         &self.pieces[from as usize..to as usize]
     }
 
-    /// The convex pieces of a body's outline, with the tree over them, if there is one.
+    /// The convex pieces of a body's outline, with the tree over the pieces if the outline has a tree.
     #[inline]
     pub(crate) fn shapes(&self, rank: usize) -> Shapes<'_> {
         let tree = self.rests[rank].tree.map(|index| &self.trees[index as usize]);
         Shapes { pieces: self.pieces(rank), tree }
     }
 
-    /// The outline of a body, if it is one convex piece.
+    /// The outline of a body if it is a single convex piece, else `None`.
     #[inline(always)]
     pub(crate) fn convex(&self, rank: usize) -> Option<&ConvexPolygon> {
         match self.pieces(rank) {
@@ -159,7 +160,7 @@ impl Ranked {
         }
     }
 
-    /// A body's fenders, as a range (from, to) of `Model::faces`.
+    /// The fenders of a body, as a range (from, to) of `Model::faces`.
     #[inline]
     pub(crate) fn faces(&self, rank: usize) -> (u32, u32) {
         self.rests[rank].faces
@@ -182,7 +183,8 @@ impl RankedBody {
     }
 }
 
-/// The data of a body. `fenders_reach_m` is how far its fenders reach.
+/// Computes the often-read and the seldom-read data of a body. `fenders_reach_m` is the largest distance of the body's
+/// fenders from its centre of gravity (m).
 fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
     let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
         Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),

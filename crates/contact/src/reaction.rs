@@ -1,4 +1,5 @@
-//! Reaction curves: force from deflection, and the piecewise linear functions behind them.
+//! Reaction curves of fenders: the force that belongs to a deflection, and the piecewise linear functions behind the
+//! curves.
 
 use alloc::vec::Vec;
 
@@ -8,19 +9,21 @@ use crate::number::{bounded, greater};
 /// The law that gives the reaction R from the deflection δ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FenderLaw {
-    /// The paper's law, an elastic foundation: N = k S with the material's k. The stored energy is ½ k ∫ d² ds, where
-    /// d(s) is the depth of the hull behind the face. δ is the largest d.
+    /// The paper's law, an elastic foundation: the force is N = k S with the material's stiffness k and the area S of
+    /// the overlap. In [`FenderLaw::Area`] the stored energy is ½ k ∫ d² ds, where d(s) is the depth of the hull behind
+    /// the face. The deflection δ is the largest depth d(s).
     Area,
-    /// Points (δ (m), R (N)), from (0, 0) on, with straight lines between them. Beyond the last point, a rising last
-    /// line is extended; after a falling last line the reaction stays constant. δ is the mean of d(s) over the width of
-    /// the face. If a flat side covers the face, δ is the deflection of the fender's axis. The stored energy is ∫ R dδ.
+    /// The reaction is given by points (δ (m), R (N)), from (0, 0) on, with straight lines between them. Beyond the
+    /// last point, a rising last line is extended; after a falling last line the reaction stays constant. The
+    /// deflection δ is the mean of the depth d(s) over the width of the face. If a flat side of a hull covers the face,
+    /// δ is the deflection of the fender's axis. The stored energy of a reaction curve is ∫ R dδ.
     Curve(Vec<[f64; 2]>),
 }
 
-/// The end of a fender's travel: beyond `from_m` a second spring acts in addition.
+/// The stop at the end of a fender's travel: beyond `from_m` a second spring acts in addition to the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// Deflection at which the stop begins (m).
+    /// Deflection of the fender at which the stop begins (m).
     pub from_m: f64,
     /// Stiffness (N/m).
     pub stiffness_npm: f64,
@@ -33,8 +36,8 @@ impl FenderLaw {
         FenderLaw::Curve(alloc::vec![[0.0, 0.0], [1.0, stiffness_npm]])
     }
 
-    /// R at a deflection, without factors and stop (N). 0 for [`FenderLaw::Area`], because its force does not depend on
-    /// δ alone.
+    /// The reaction R at a deflection, without factors and stop (N). The reaction is 0 for [`FenderLaw::Area`], because
+    /// the force of this law does not depend on δ alone.
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> f64 {
         match self {
@@ -43,14 +46,14 @@ impl FenderLaw {
         }
     }
 
-    /// ∫ R dδ up to a deflection, without factors and stop (J).
+    /// The stored energy ∫ R dδ up to a deflection, without factors and stop (J).
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };
         integral(points, deflection_m)
     }
 
-    /// The steepest rise of R up to a deflection (N/m).
+    /// The steepest rise of the reaction R up to a deflection (N/m).
     pub(crate) fn steepest_npm(&self, up_to_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };
         points
@@ -75,8 +78,8 @@ pub(crate) fn integral(points: &[[f64; 2]], x: f64) -> f64 {
     sum + 0.5 * (last + on_line(points, x)) * (x - end)
 }
 
-/// The value on straight lines between points. Beyond the last point a rising last line is extended; after a falling
-/// line the value stays.
+/// Interpolates a value on straight lines between the points. Beyond the last point a rising last line is extended;
+/// after a falling last line the value stays constant.
 pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     let index = points[1..points.len() - 1].iter().take_while(|p| p[0] < x).count();
     let [[x0, y0], [x1, y1]] = [points[index], points[index + 1]];
@@ -86,7 +89,8 @@ pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     y0 + (y1 - y0) * ((x - x0) / (x1 - x0))
 }
 
-/// The value on straight lines between points, constant beyond both ends. 1 if there are no points.
+/// Interpolates a value on straight lines between the points; the value is constant beyond both ends. The interpolated
+/// value is 1 if there are no points.
 pub(crate) fn held(points: &[[f64; 2]], x: f64) -> f64 {
     match points {
         [] => 1.0,
@@ -95,8 +99,8 @@ pub(crate) fn held(points: &[[f64; 2]], x: f64) -> f64 {
     }
 }
 
-/// Checks the points of a curve, from (0, 0) on. In errors, `owner` names the fender and `fields` the curve and its
-/// deflections.
+/// Checks the points of a reaction curve, which must begin at (0, 0). In errors, `owner` names the fender, and `fields`
+/// names the curve and its deflections.
 pub(crate) fn check_curve(
     owner: &str,
     [curve, deflection]: [&'static str; 2],
@@ -104,13 +108,14 @@ pub(crate) fn check_curve(
 ) -> Result<(), ModelError> {
     if points.len() < 2 || points[0] != [0.0, 0.0] {
         let value = points.first().map_or(f64::NAN, |p| p[0]);
-        let must = "two points or more, the first (0, 0)";
+        let must = "a curve of two or more points, the first of which is (0, 0)";
         return Err(ModelError::OutOfRange { owner: owner.into(), field: curve, value, must });
     }
     check_points(owner, deflection, points, 0.0..=1e15)
 }
 
-/// Checks that abscissae rise and that ordinates lie within bounds. In errors, `owner` names the fender.
+/// Checks that the abscissae of the points rise and that the ordinates lie within their bounds. In errors, `owner`
+/// names the fender.
 pub(crate) fn check_points(
     owner: &str,
     field: &'static str,
@@ -128,7 +133,7 @@ pub(crate) fn check_points(
     }
     match points.windows(2).find(|two| two[1][0] <= two[0][0]) {
         None => Ok(()),
-        Some(two) => bad(two[1][0], "larger than the one before it"),
+        Some(two) => bad(two[1][0], "larger than the abscissa of the point before it"),
     }
 }
 

@@ -1,19 +1,20 @@
 //! Renewal of slices: a host changes the outline of a hull that a fender meets, because the hull's height at the fender
 //! has changed (docs/contact_model.md, section 8).
 //!
-//! The contact continues: shear, tops of rubber and reference speed stay. The change stores energy in the fender or
-//! takes energy out. This energy is no work of the bodies' motion in the plane: the host books it as work of tide,
-//! heave, roll and pitch. The contact may return it. The damper reacts to the change of the area as to any other
-//! change.
+//! A contact continues through a renewal: its shear, the tops of its unloading law and its reference speed stay. A
+//! renewal stores energy in the fender or takes energy out. This energy of a renewal is no work of the bodies' motion
+//! in the plane: the host counts it as work of tide, heave, roll and pitch. The contact may return the energy that a
+//! renewal stored. The damper reacts to the change of the area by a renewal as to any other change.
 //!
-//! The forces of a sub-step act from half a step before its start to half a step after it (section 6.7). So the change
-//! counts from half a step before the start, and the energies before and after the change are compared at that time. If
-//! the energies were compared at the start, a ship that closes in while the tide takes her side away would gain k δ̇²
-//! h/2 again and again.
+//! The forces of a sub-step act from half a step before its start to half a step after it (section 6.7). So a renewal
+//! counts from half a step before the start of a sub-step, and the energies before and after the renewal are compared
+//! at that time. If the energies were compared at the start of the sub-step, a ship that closes in while the tide takes
+//! her side away would gain k δ̇² h/2 again and again.
 //!
 //! A fender with an unloading law follows the net change of its deflection from the start of the last sub-step to the
-//! start of this one. So the work of the change is the energy for this net change, less the work of the motion: the
-//! force at the last start acting for half a step, and the force at this start acting for another half.
+//! start of the present sub-step. So the work of the renewal is the energy for this net change, less the work of the
+//! motion: the force at the start of the last sub-step for half a step, and the force at the start of the present
+//! sub-step for another half.
 
 use alloc::vec::Vec;
 
@@ -34,12 +35,12 @@ use crate::state::BodyState;
 use crate::touch::{Movers, Scene, touch};
 use crate::vec2::Pose;
 
-/// The result of a renewal.
+/// The result of the renewal of a slice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Renewal {
-    /// The energy that the renewal put into the fender (J), negative if it took some out.
+    /// The energy that the renewal put into the fender (J); negative if the renewal took energy out.
     pub work_j: f64,
-    /// The slice that was replaced.
+    /// The slice that the renewal replaced.
     pub before: Option<Slice>,
 }
 
@@ -101,11 +102,13 @@ impl RenewalBuffers {
 }
 
 impl Model {
-    /// Sets the outline that a fender meets of a body with outlines by height, from the next step on. `None`: the body
-    /// has no side at that height. `states` are the states at which the next step begins.
+    /// Sets the outline at which a fender meets a body with outlines by height, from the next step on. `None` means
+    /// that the body has no side at the height of the fender. `states` are the states of the bodies at which the next
+    /// step begins.
     ///
     /// # Panics
-    /// If the builder did not declare the body with [`crate::ModelBuilder::outlines_by_height`], or an id does not exist.
+    /// Panics if the builder did not declare the body with [`crate::ModelBuilder::outlines_by_height`], or if an id
+    /// does not exist.
     pub fn renew_slice(
         &mut self,
         memory: &mut Memory,
@@ -166,7 +169,8 @@ impl Model {
         changed
     }
 
-    /// Puts back the slice of a renewal, after a step that failed. The caller restores the memory.
+    /// Puts back the slice that a renewal replaced, after a step that failed. The caller must restore the memory
+    /// itself.
     ///
     /// # Panics
     /// As [`Model::renew_slice`].
@@ -175,13 +179,13 @@ impl Model {
         *self.slices.slot(place) = before;
     }
 
-    /// The side of a body with outlines by height that is before a fender's face: where body and fender touch, or where
-    /// the body is nearest. If the side flares out upwards, the fender pushes the body up with a force of the slope
-    /// times the contact's normal force. `None` for a body with one outline, and if no side of the body is before the
-    /// face.
+    /// The side of a body with outlines by height that is before a fender's face: the side where body and fender touch,
+    /// or where the body is nearest. If this side flares out upwards, the fender pushes the body up with a force of the
+    /// slope times the contact's normal force. Returns `None` for a body with one outline, and if no side of the body
+    /// is before the face.
     ///
     /// # Panics
-    /// If an id does not exist.
+    /// Panics if an id does not exist.
     #[must_use]
     pub fn side_met_by(
         &self,
@@ -198,7 +202,7 @@ impl Model {
         self.side_met(face, number, rank, hull, Pose::IDENTITY)
     }
 
-    /// Whether a fender would press on a body with this outline.
+    /// Returns true if a fender would press on a body with this outline.
     ///
     /// # Panics
     /// As [`Model::renew_slice`].
@@ -221,17 +225,18 @@ impl Model {
         !scene.found.patches.is_empty()
     }
 
-    /// The candidate of a fender and a body with outlines by height, and the index of its slice.
+    /// The candidate of a fender and of a body with outlines by height, and the index of the slice that the fender
+    /// meets.
     fn met(&self, fender: FenderId, body: BodyId) -> (Candidate, usize) {
         let number = self.face_of(Some(fender));
         let face = &self.faces[number as usize - 1];
         let rank = self.rank_of[body.0 as usize];
-        let place = self.slices.place(number, rank).expect("a body with outlines by height");
+        let place = self.slices.place(number, rank).expect("the body has outlines by height");
         let (a, b) = (face.host.min(rank), face.host.max(rank));
         (Candidate { a, b, face: number, material: face.material }, place)
     }
 
-    /// Does the circle around the fender's zone meet the circle around the body?
+    /// Returns true if the circle around the fender's zone meets the circle around the body.
     fn is_near(&self, candidate: &Candidate, states: &[BodyState]) -> bool {
         let Some(face) = candidate.fender(self) else { return false };
         let other = if face.host == candidate.a { candidate.b } else { candidate.a };
@@ -260,8 +265,8 @@ impl Model {
         let _ = overlap(self, bodies, &[pairing], 0, Hints::new(&[], hints), clip, found);
     }
 
-    /// Energy and force that the contacts of a candidate hold at a time before these states, with the memory of the
-    /// last step. The time is given in halves of the last step or sub-step.
+    /// Energy and force of the contacts of a candidate at a time before these states, computed with the memory of the
+    /// last step. The time before these states is given in halves of the last step or sub-step.
     fn held(
         &self,
         memory: &Memory,

@@ -3,73 +3,74 @@
 use crate::material::{BodyId, FenderId};
 use crate::vec2::Vec2;
 
-/// State of the shear spring (eq. 5–8).
+/// Friction state of the contact's shear spring (eq. 5–8).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Friction {
-    /// |k_s Δs| ≤ μ_s N: no sliding.
+    /// The contact does not slide: |k_s Δs| ≤ μ_s N.
     #[default]
     Stick,
-    /// The friction force is μ_k N, against the sliding velocity.
+    /// The contact slides: the friction force is μ_k N, against the sliding velocity.
     Slip,
 }
 
 /// One contact patch between two bodies in one step.
 ///
 /// The force on body 1 is `−normal_force_n · normal + tangential_force_n · tangent`. The force on body 2 is exactly the
-/// opposite. In the coupled method `normal_force_n`, `tangential_force_n` and `parts` are means over the step. All
-/// other values are those at the start of the step, unless they say otherwise.
+/// opposite of the force on body 1. In the coupled method `normal_force_n`, `tangential_force_n` and `parts` are means
+/// over the step. All other values are those at the start of the step, unless the documentation of the field says
+/// otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// The body that was added first.
+    /// The body of the pair that was added first to the model.
     pub body_1: BodyId,
-    /// The body that was added later.
+    /// The body of the pair that was added later to the model.
     pub body_2: BodyId,
-    /// The fender that is compressed; `None` if outline meets outline.
+    /// The fender that is compressed; `None` if two outlines meet each other.
     pub fender: Option<FenderId>,
-    /// Number of the patch within the pair: 0 unless non-convex outlines touch in several places.
+    /// Number of the patch within the pair of bodies: 0 unless non-convex outlines touch in several places.
     pub patch: u32,
-    /// S, area of the overlap (m²).
+    /// Area S of the overlap (m²).
     pub area_m2: f64,
-    /// δ, extent of the overlap along the normal, or deflection of the fender (m).
+    /// Depth δ of the contact (m): extent of the overlap along the normal, or deflection of the fender.
     pub depth_m: f64,
-    /// Point where the force acts, earth-fixed (m): C, the centroid of the overlap; at a fender, a point near the
-    /// centroid on the force's line of action.
+    /// Point where the contact force acts, earth-fixed (m): the centroid C of the overlap; at a fender, a point near
+    /// the centroid on the force's line of action.
     pub point_m: Vec2,
-    /// Vector from body 1's centre of gravity to `point_m`, earth-fixed (m). This vector stays exact far from the
+    /// Vector from body 1's centre of gravity to `point_m`, earth-fixed (m). The vector stays exact far from the
     /// chart's origin.
     pub arm_1_m: Vec2,
     /// Vector from body 2's centre of gravity to `point_m`, earth-fixed (m).
     pub arm_2_m: Vec2,
-    /// n, body 1's outward normal, earth-fixed. The normal is perpendicular to the chord of the overlap or, at a
-    /// fender, opposite to the fender's force on body 1.
+    /// Unit normal n of the contact: the outward normal of body 1, earth-fixed. The normal is perpendicular to the
+    /// chord of the overlap or, at a fender, opposite to the fender's force on body 1.
     pub normal: Vec2,
-    /// V_n (m/s), positive while the bodies approach.
+    /// Normal speed V_n (m/s), positive while the bodies approach.
     pub v_normal_mps: f64,
-    /// V_t (m/s), of body 1 relative to body 2 along the tangent.
+    /// Tangential speed V_t of body 1 relative to body 2 along the tangent (m/s).
     pub v_tangential_mps: f64,
-    /// Δs, deflection of the shear spring (m).
+    /// Deflection Δs of the shear spring (m).
     pub shear_m: f64,
     /// N ≥ 0 (N).
     pub normal_force_n: f64,
-    /// T (N), on body 1 along the tangent.
+    /// Tangential force T on body 1 along the tangent (N).
     pub tangential_force_n: f64,
-    /// Impulse of N and T on the two bodies within the step.
+    /// Impulse of the normal and the tangential force on the two bodies within the step.
     pub impulse: ContactImpulse,
     /// Stick or slip.
     pub friction: Friction,
     /// True if the momentum limit reduced the normal or the tangential force.
     pub limited: bool,
-    /// Largest N within the step, sub-steps included (N); in the paper's method this is `normal_force_n`.
+    /// Largest normal force N within the step, sub-steps included (N); in the paper's method this is `normal_force_n`.
     pub peak_normal_force_n: f64,
-    /// Largest δ within the step, sub-steps included (m); in the paper's method this is `depth_m`.
+    /// Largest depth δ within the step, sub-steps included (m); in the paper's method this is `depth_m`.
     pub peak_depth_m: f64,
     /// The terms of the normal force N.
     pub parts: ForceParts,
-    /// Work on the two bodies within the step, if the engine moves them; else 0.
+    /// Work of the contact on the two bodies within the step if the engine moves the bodies; else 0.
     pub work: ContactWork,
-    /// Factor on a fender's reaction, set when the contact began; 1 if outline meets outline.
+    /// Factor on a fender's reaction, set when the contact began; 1 if two outlines meet each other.
     pub factor: f64,
-    /// Angle between a fender's face and the hull (rad); 0 if outline meets outline.
+    /// Angle between a fender's face and the hull (rad); 0 if two outlines meet each other.
     pub tilt_rad: f64,
     /// Energy in the fender and in the shear spring.
     pub energy: EnergyParts,
@@ -78,9 +79,10 @@ pub struct Contact {
 /// Impulse of a contact's forces within one step (N·s): Σ N κ and Σ T κ over the sub-steps, where κ is the
 /// time over which a sub-step's force changes momentum (see [`Displacement::translation_m`]).
 ///
-/// If the engine moves the bodies by the coupled method, this is exactly the change of momentum. The impulse differs
-/// from [`Contact::normal_force_n`] times Δt if the length of the sub-steps changes from one step to the next, because
-/// that mean weighs each force by the length of its sub-step. In the paper's method the impulse is the force times Δt.
+/// If the engine moves the bodies by the coupled method, the impulse is exactly the change of momentum. The impulse
+/// differs from [`Contact::normal_force_n`] times Δt if the length of the sub-steps changes from one step to the next,
+/// because this mean force weighs the force of each sub-step by the length of the sub-step. In the paper's method the
+/// impulse is the force times Δt.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactImpulse {
     /// Impulse of N (N·s).
@@ -92,18 +94,19 @@ pub struct ContactImpulse {
 /// The terms of a normal force (N): N = spring + stop + damper − limiter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForceParts {
-    /// Area spring or reaction curve, with all factors.
+    /// Force of the area spring or of the reaction curve, with all factors.
     pub spring_n: f64,
     /// Force of the stop at the end of a fender's travel.
     pub stop_n: f64,
-    /// Damper, c Ṡ. Negative while the overlap shrinks, and then never larger in size than spring and stop.
+    /// Damper, c Ṡ. The damper's force is negative while the overlap shrinks, and then never larger in size than spring
+    /// and stop.
     pub damper_n: f64,
     /// The force that the momentum limit (eq. 26, or the coupled solve) subtracted.
     pub limiter_n: f64,
 }
 
 impl ForceParts {
-    /// The normal force N (N).
+    /// The normal force N, the sum of the terms (N).
     #[must_use]
     #[inline]
     pub fn total_n(&self) -> f64 {
@@ -120,17 +123,17 @@ impl ForceParts {
     }
 }
 
-/// Work of a contact on its two bodies in one step (J); negative if the contact takes energy from them.
+/// Work of a contact on its two bodies in one step (J); negative if the contact takes energy from the bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactWork {
     /// Work of N.
     pub normal_j: f64,
     /// Work of T.
     pub tangential_j: f64,
-    /// Work of the damper's part of N.
+    /// Work of the damper's part of the normal force N.
     pub damper_j: f64,
-    /// Work of the part that the momentum limit subtracted, as the work of a force along N. The springs released this
-    /// energy and the bodies did not receive it: it is the loss by restitution.
+    /// Work of the force that the momentum limit subtracted, as the work of a force along N. The springs released this
+    /// energy, and the bodies did not receive it: it is the loss by restitution.
     pub limiter_j: f64,
 }
 
@@ -138,33 +141,34 @@ pub struct ContactWork {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyParts {
     /// Energy in a fender's spring and stop at the start of the step; with an unloading law, only the part that the
-    /// fender can return. 0 if outline meets outline, because that law has no potential (docs/contact_model.md, section
-    /// 2).
+    /// fender can return. The energy is 0 if two outlines meet, because their law has no potential
+    /// (docs/contact_model.md, section 2).
     pub stored_j: f64,
-    /// Largest energy within the step, sub-steps included, that it takes to load the fender to its deflection: ∫ R dδ
-    /// of the loading curve. This is the absorbed energy that catalogues rate. Without an unloading law it is the
-    /// largest `stored_j`.
+    /// Largest energy within the step, sub-steps included, that loads the fender to its deflection: ∫ R dδ of the
+    /// loading curve. The energy to load the fender to its deflection is the absorbed energy that catalogues rate.
+    /// Without an unloading law this is the largest value of `stored_j`.
     pub peak_absorbed_j: f64,
-    /// Energy that a fender's unloading law dissipated. This energy is evaluated at the start of each sub-step, so it
-    /// covers the time from the start of the previous step's last sub-step to the start of this step's last sub-step. 0
-    /// without an unloading law, and in the paper's method.
+    /// Energy that a fender's unloading law dissipated. The dissipated energy is evaluated at the start of each
+    /// sub-step, so it covers the time from the start of the previous step's last sub-step to the start of this step's
+    /// last sub-step. The dissipated energy is 0 without an unloading law, and in the paper's method.
     pub hysteresis_j: f64,
-    /// The part of `hysteresis_j` that belongs to the start of the step: what was dissipated since the last sub-step
-    /// before it.
+    /// The part of `hysteresis_j` that belongs to the start of the step: the energy dissipated since the last sub-step
+    /// before the step.
     pub hysteresis_at_start_j: f64,
-    /// ½ T²/k_s, energy in the shear spring at the end of the step.
+    /// Energy ½ T²/k_s in the shear spring at the end of the step.
     pub shear_stored_j: f64,
 }
 
 impl Contact {
-    /// t: the normal turned by +90°.
+    /// Unit tangent t of the contact: the normal turned by +90°.
     #[must_use]
     #[inline]
     pub fn tangent(&self) -> Vec2 {
         self.normal.quarter_turn()
     }
 
-    /// Force on body 1, earth-fixed (N): −N n + T t. The force on body 2 is exactly the opposite.
+    /// Force on body 1, earth-fixed (N): −N n + T t. The force on body 2 is exactly the opposite of this force on
+    /// body 1.
     #[must_use]
     #[inline]
     pub fn force_on_body_1_n(&self) -> Vec2 {
@@ -172,7 +176,7 @@ impl Contact {
     }
 }
 
-/// A force at a body's centre of gravity and a moment about the centre of gravity, earth-fixed.
+/// A force at the centre of gravity of a body, and a moment about the centre of gravity, earth-fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
     /// Force (N).
@@ -197,21 +201,22 @@ impl Wrench {
     }
 }
 
-/// Displacement of a body in one step, for the work of forces: the work of a steady load is the load times this
-/// displacement.
+/// Displacement of a body in one step, for computing the work of forces: the work of a steady load is the load times
+/// this displacement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Displacement {
-    /// Σ ½(v + v⁺)κ over the sub-steps, earth-fixed (m). κ is the time over which a sub-step's forces change momentum:
-    /// the length h of the sub-step, or the mean of h and the length of the previous sub-step if they differ.
+    /// Displacement of the centre of gravity, Σ ½(v + v⁺)κ over the sub-steps, earth-fixed (m). Here κ is the time over
+    /// which a sub-step's forces change momentum: the length h of the sub-step, or the mean of h and the length of the
+    /// previous sub-step if they differ.
     pub translation_m: Vec2,
-    /// Σ ½(r + r⁺)κ (rad).
+    /// Angle of turn of the body, Σ ½(r + r⁺)κ over the sub-steps (rad).
     pub rotation_rad: f64,
 }
 
-/// An occurrence that users should know about, reported in the step in which it begins.
+/// An occurrence that users should know about; the engine reports it in the step in which it begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// The bodies concerned. Both are the same body if only one is concerned.
+    /// The bodies concerned. Both entries are the same body if only one body is concerned.
     pub bodies: [BodyId; 2],
     /// What happened.
     pub kind: EventKind,
@@ -224,30 +229,30 @@ pub enum EventKind {
     ContactBegan,
     /// A contact patch ended.
     ContactEnded,
-    /// One patch split into two or more. Each new patch keeps the whole shear, and gets a share of areas and energies
-    /// in proportion to its area.
+    /// One patch of contact split into two or more patches. Each of the new patches keeps the whole shear, and gets a
+    /// share of areas and energies in proportion to its area.
     PatchSplit,
-    /// Two or more patches merged into one. The new patch has the mean of their shear weighted by area, and the sum of
-    /// their areas and energies.
+    /// Two or more patches of contact merged into one patch. The merged patch has the mean of the old patches' shear
+    /// weighted by area, and the sum of their areas and energies.
     PatchesMerged,
-    /// One body lies wholly within the other: the overlap no longer grows with depth.
+    /// One body lies wholly within the other body, so that the overlap no longer grows with depth.
     Contained,
-    /// The overlap is more than half the smaller body's area; the force law is not meant for such an overlap.
+    /// The overlap is more than half of the smaller body's area, and the force law is not meant for such an overlap.
     DeepOverlap,
-    /// A body moved farther than its velocities explain, by more than a tenth of its outline's radius; or its host
-    /// called [`crate::Memory::mark_teleported`]. The body's contacts begin anew.
+    /// A body moved farther than its velocities explain, by more than a tenth of its outline's radius; or the host
+    /// called [`crate::Memory::mark_teleported`] for the body. The contacts of a teleported body begin anew.
     Teleported,
     /// A fender is deflected beyond its rated deflection.
     FenderRatingExceeded(FenderId),
-    /// A fender is deflected into its stop, or by its whole projection. The fender has failed: the stop, or the
-    /// structure behind, holds the hull.
+    /// A fender is deflected into its stop, or by its whole projection. A fender that is deflected so far has failed:
+    /// the stop, or the structure behind the fender, holds the hull.
     FenderFailed(FenderId),
     /// The coupled solve of the contact of these bodies did not converge within its iteration limit.
     NotConverged,
-    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the body out
-    /// slowly instead, at [`crate::MAX_PUSH_OUT_MPS`] at most.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the placed body
+    /// out slowly instead, at [`crate::MAX_PUSH_OUT_MPS`] at most.
     PlacedInOverlap,
-    /// A body does not accelerate under the wrenches as its mass in the model says: the host uses another
-    /// mass. Reported once per body, by a [`crate::CoSimHost`].
+    /// A body does not accelerate under the wrenches as its mass in the model says: the host uses another mass. A
+    /// [`crate::CoSimHost`] reports this once for each body.
     MassMismatch,
 }

@@ -12,33 +12,33 @@ use crate::report::{Contact, Displacement, Event, EventKind, Wrench};
 use crate::room::room_for;
 use crate::state::BodyState;
 
-/// Results of the last step, by body id. Written by stages 1, 5 and 6.
+/// Results of the last step, in lists by body id. Stages 1, 5 and 6 of the step write the results.
 #[derive(Clone, Debug)]
 pub(crate) struct Results {
     /// Layout of the model whose bodies the results describe; `None` after a step that failed halfway.
     pub(crate) layout: Option<u64>,
-    /// Whether contacts are reported one by one.
+    /// True if contacts are reported one by one.
     pub(crate) reports_contacts: bool,
     pub(crate) contacts: Vec<Contact>,
-    /// Sum of the contact forces on each body: the mean over the step.
+    /// Sum of the contact forces on each body, as the mean over the step.
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) events: Vec<Event>,
     /// Panels that were pressed.
     pub(crate) panels: Vec<PanelMotion>,
-    /// Chains that have parted, before and in this step.
+    /// Chains of fender panels that have parted, before and in this step.
     pub(crate) parted: Vec<u32>,
-    /// Motion of the piles, by rank.
+    /// Motion of the piles, in the order of the ranks of their bodies.
     pub(crate) piles: Vec<PileMotion>,
-    /// In the coupled method: states at the end of the step.
+    /// In the coupled method: states of the bodies at the end of the step.
     pub(crate) states_after: Vec<BodyState>,
     /// In the coupled method: how far each body moved in the step.
     pub(crate) displacements: Vec<Displacement>,
-    /// In the coupled method: greatest wrenches of bodies whose contacts took several sub-steps.
+    /// In the coupled method: greatest wrenches of the bodies whose contacts took several sub-steps.
     pub(crate) peaks: Vec<PeakWrench>,
 }
 
 impl Results {
-    /// Results for `count` bodies, with room for this number of contacts.
+    /// Makes the results of a model with `count` bodies, with room for this number of contacts.
     pub(crate) fn new(count: usize, contacts: usize) -> Results {
         Results {
             layout: None,
@@ -55,7 +55,7 @@ impl Results {
         }
     }
 
-    /// Resets to the results before the first step. The setting whether contacts are reported stays.
+    /// Resets the results to those before the first step. The setting that tells whether contacts are reported stays.
     pub(crate) fn forget(&mut self) {
         self.layout = None;
         self.clear_forces(self.wrenches.len());
@@ -66,7 +66,8 @@ impl Results {
         self.displacements.clear();
     }
 
-    /// Clears contacts and wrenches for `count` bodies. Events stay, because stage 1 has already written them.
+    /// Clears the contacts and the wrenches of `count` bodies. Events stay, because stage 1 of the step has already
+    /// written them.
     pub(crate) fn clear_forces(&mut self, count: usize) {
         self.contacts.clear();
         self.panels.clear();
@@ -84,7 +85,7 @@ impl Results {
         }
     }
 
-    /// Finds the first body with a non-finite state or wrench.
+    /// Finds the first body whose state or wrench is not finite.
     pub(crate) fn not_finite(&self, model: &Model) -> Option<StepError> {
         let is_finite = |id: usize| {
             let (state, wrench) = (&self.states_after[id], &self.wrenches[id]);

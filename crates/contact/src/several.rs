@@ -1,5 +1,5 @@
-//! The overlap of bodies with several convex pieces: a lens for each pair of pieces, and patches of lenses that share
-//! seams.
+//! Computes the overlap of bodies with several convex pieces: a lens for each pair of pieces, and patches of lenses
+//! that share seams.
 
 use crate::candidates::Candidate;
 use crate::geometry::clip::{self, ClipBuffers, Corners};
@@ -12,11 +12,11 @@ use crate::model::Model;
 use crate::patch::{NOWHERE, Patch, Place};
 use crate::vec2::{Pose, Vec2};
 
-/// Corners nearer to each other than this are one corner of two lenses that share a seam (m). Each seam corner is
-/// computed twice, to about 1e-12 m; features of a hull are centimetres.
+/// Corners of two lenses on a seam that are nearer to each other than this count as the same corner (m). Each corner on
+/// a seam is computed twice, to about 1e-12 m, and the features of a hull are larger than a centimetre.
 const SAME_CORNER_M: f64 = 1e-7;
 
-/// A candidate, its place among the candidates, and the pose of B in A's frame.
+/// A candidate, its place in the list of candidates, and the pose of body B in the frame of body A.
 #[derive(Clone, Copy)]
 pub(crate) struct PosedPair<'w> {
     pub(crate) candidate: &'w Candidate,
@@ -24,7 +24,7 @@ pub(crate) struct PosedPair<'w> {
     pub(crate) b_in_a: Pose,
 }
 
-/// Clips bodies of several convex pieces: they may have several patches.
+/// Clips two bodies of several convex pieces, which may touch in several patches.
 #[inline(never)]
 pub(crate) fn clip_several(
     model: &Model,
@@ -47,12 +47,12 @@ pub(crate) fn clip_several(
     found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = of);
 }
 
-/// Does the fender of a candidate have a panel?
+/// Returns true if the fender of a candidate has a panel.
 fn is_panel(model: &Model, candidate: &Candidate) -> bool {
     candidate.fender(model).is_some_and(|face| face.panel.is_some())
 }
 
-/// Clips every piece of A against every piece of B near it.
+/// Clips every convex piece of body A against every near convex piece of body B.
 fn clip_pieces(
     model: &Model,
     PosedPair { candidate, b_in_a, .. }: PosedPair<'_>,
@@ -84,8 +84,8 @@ fn clip_pieces(
     }
 }
 
-/// Joins the lenses of a pair that share a seam into patches. The parts of the chords along the seam cancel, so a patch
-/// has the area, centroid and chord of the whole outlines.
+/// Joins the lenses of a pair of bodies that share a seam into patches. The parts of the chords along the seam cancel,
+/// so a patch has the area, centroid and chord of the overlap of whole outlines.
 fn connect(candidate: Candidate, b_in_a: Pose, first: usize, found: &mut Overlap) {
     let end = found.lenses.len();
     number_by_seams(found, first);
@@ -102,8 +102,9 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, found: &mut Overlap
     }
 }
 
-/// Numbers the lenses of a pair. Lenses that seams connect all get the number of the first of them. A sweep along the
-/// longer side of the box around all lenses compares them: only lenses whose boxes meet can share a corner.
+/// Gives each lens of a pair of bodies the number of its patch. All lenses that seams connect get the number of the
+/// first of these lenses. The lenses are compared in a sweep along the longer side of the box around all lenses: only
+/// lenses whose boxes meet can share a corner.
 fn number_by_seams(found: &mut Overlap, first: usize) {
     let Overlap { lenses, outline_m, by_low_end, .. } = found;
     let lenses = &mut lenses[first..];
@@ -138,7 +139,7 @@ fn number_by_seams(found: &mut Overlap, first: usize) {
     }
 }
 
-/// The first lens that is known to be connected with this one.
+/// The first lens that is known to be connected with the lens `number`.
 fn first_of(lenses: &mut [PieceLens], mut number: u32) -> u32 {
     while lenses[number as usize].patch != number {
         let next = lenses[number as usize].patch;
@@ -149,13 +150,13 @@ fn first_of(lenses: &mut [PieceLens], mut number: u32) -> u32 {
     number
 }
 
-/// Do two lenses lie on the two sides of a seam? Lenses on the two sides of a seam share both ends of their common
-/// edge.
+/// Returns true if two lenses lie on the two sides of a seam. Two lenses on the two sides of a seam share both ends of
+/// their common edge.
 ///
 /// If the two lenses have a piece in common, one common corner is enough, however short the edge is: a convex piece
-/// that reaches a common corner of two other pieces lies on the seam that starts there. If both pieces differ, the
-/// seams of both bodies would have to lie on one another. Two common corners are then needed, to tell this case from
-/// four lenses that meet where two seams cross.
+/// that reaches a common corner of two other pieces lies on the seam that starts there. If the two lenses have no piece
+/// in common, the seams of both bodies would have to lie on one another. If both pieces differ, two common corners are
+/// needed, to tell lenses on a seam from four lenses that meet where two seams cross.
 fn share_a_seam(outline_m: &[Vec2], one: &PieceLens, two: &PieceLens) -> bool {
     let corners = |lens: &PieceLens| lens.corners_m(outline_m);
     let same_piece = one.piece_a == two.piece_a || one.piece_b == two.piece_b;
@@ -175,7 +176,7 @@ fn share_a_seam(outline_m: &[Vec2], one: &PieceLens, two: &PieceLens) -> bool {
     false
 }
 
-/// Adds a patch made of the lenses of several pieces, and its place.
+/// Adds a patch that consists of the lenses of several pieces, and adds the place of the patch.
 fn new_patch(
     candidate: Candidate,
     b_in_a: Pose,
@@ -192,7 +193,7 @@ fn new_patch(
     found.patches.push(patch);
 }
 
-/// Area, centroid and chord of a patch: the sums over its lenses.
+/// Computes area, centroid and chord of a patch as sums over its lenses.
 fn sum(
     candidate: Candidate,
     b_in_a: Pose,

@@ -2,8 +2,9 @@
 //! (docs/contact_model.md, section 8).
 //!
 //! A body with outlines by height has no single outline for fenders: each fender meets the outline at its own height.
-//! The host cuts these slices. The host renews the slices between steps when tide, heave, roll or pitch have changed
-//! them: see [`crate::Model::renew_slice`].
+//! The host, the program that moves the hull, cuts these slices at the heights of the fenders. The host renews the
+//! slices between steps when tide, heave, roll or pitch have changed the height of the hull: see
+//! [`crate::Model::renew_slice`].
 
 use alloc::vec::Vec;
 
@@ -14,8 +15,8 @@ use crate::number::{greater, lesser};
 use crate::outline::{Outline, OutlineError};
 use crate::vec2::{Pose, Vec2};
 
-/// If a hull does not yet reach a fender's face, the slope is taken from the sides within this depth of the hull's
-/// nearest point (m).
+/// Depth behind a hull's nearest point within which sides give the slope if the hull does not yet reach a fender's face
+/// (m).
 const NEAREST_M: f64 = 1e-6;
 
 /// The outline of a body at the height of a fender.
@@ -25,17 +26,18 @@ pub struct Slice {
     edges: Vec<Edge>,
 }
 
-/// The side of a hull before a fender's face.
+/// The side of a hull that is before a fender's face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideMet {
-    /// The tangent of the angle by which the side leans out over the fender. The tangent is the growth of the overlap
-    /// with height, over its growth with the hull's motion along the force. Positive if the side flares out upwards.
+    /// The tangent of the angle by which the side leans out over the fender. The tangent of the angle is the growth of
+    /// the overlap with height, divided by its growth with the hull's motion along the force. The slope is positive if
+    /// the side flares out upwards.
     pub slope: f64,
-    /// The middle of the part of the hull's side that is before the fender's face, in the hull's frame (m).
+    /// The middle of the part of the hull's side that is before the fender's face, in the frame of the hull (m).
     pub place_m: Vec2,
 }
 
-/// An edge of a slice, walked in the positive sense: its ends (m), and how they move with height (m/m).
+/// An edge of a slice, in the positive sense of turning: its two ends (m), and how the ends move with height (m/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Edge {
     ends_m: [Vec2; 2],
@@ -43,8 +45,8 @@ struct Edge {
 }
 
 impl Slice {
-    /// A slice from its vertices in the body's frame (m), in either direction, and the rate at which each vertex moves
-    /// as the height rises (m/m). Missing rates are zero: a vertical side.
+    /// Makes a slice from its vertices in the frame of the body (m), in either direction, and from the rate at which
+    /// each vertex moves as the height rises (m/m). Missing rates are zero, which means a vertical side.
     ///
     /// # Errors
     /// As [`Outline::new`].
@@ -62,17 +64,18 @@ impl Slice {
         Ok(Slice { pieces, edges: (0..count).map(edge).collect() })
     }
 
-    /// The edges of the slice, by their ends (m).
+    /// The edges of the slice, each given by its two ends (m).
     pub(crate) fn edges_m(&self) -> impl Iterator<Item = [Vec2; 2]> {
         self.edges.iter().map(|edge| edge.ends_m)
     }
 
-    /// The hull's side before a fender's face: where hull and face touch, or where the hull is nearest. `None` if no
-    /// side of the hull is before the face.
+    /// Finds the side of the hull before a fender's face: where hull and face touch, or where the hull is nearest to
+    /// the face. Returns `None` if no side of the hull is before the face.
     ///
     /// The slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face, with the pressure p on the face. The slope
-    /// is the ratio of two gradients of the stored energy: by height, and in the plane. p is uniform for a reaction
-    /// curve, and grows with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
+    /// is the ratio of two gradients of the stored energy: by height, and in the plane. The pressure p is uniform for a
+    /// reaction curve, and grows with the depth for the area law. `hull` and `host` are the poses of the hull and of
+    /// the body that carries the fender, in one frame.
     pub(crate) fn side(
         &self,
         face: &RankedFender,
@@ -122,7 +125,7 @@ impl Slice {
     }
 }
 
-/// A part of a side in the face's frame: x inwards, y along the face.
+/// A part of a hull's side in the frame of the face: x inwards, y along the face.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     ends_m: [Vec2; 2],
@@ -130,7 +133,7 @@ struct Part {
 }
 
 impl Part {
-    /// The piece of the part whose coordinate lies from `low_m` to `high_m`; `None` if there is none.
+    /// The piece of this part whose coordinate lies from `low_m` to `high_m`; `None` if there is no such piece.
     fn within(&self, coordinate: impl Fn(Vec2) -> f64, low_m: f64, high_m: f64) -> Option<Part> {
         let [from_m, to_m] = self.ends_m.map(coordinate);
         let (mut first, mut last) = (0.0, 1.0);
@@ -145,8 +148,8 @@ impl Part {
         (first < last).then(|| Part { ends_m: at(self.ends_m), rates: at(self.rates) })
     }
 
-    /// ∫ p v′·n ds and ∫ p n ds with p = 1, or p = x. Simpson's rule is exact here: the integrands are polynomials of
-    /// the second degree at most.
+    /// Computes the integrals ∫ p v′·n ds and ∫ p n ds over the part, with p = 1 or p = x. Simpson's rule is exact for
+    /// these integrals, because the integrands are polynomials of the second degree at most.
     fn gradients(&self, by_depth: bool) -> (f64, Vec2) {
         let [from, to] = self.ends_m;
         let normal = (to - from).quarter_turn_back();
@@ -163,20 +166,21 @@ impl Part {
     }
 }
 
-/// The slices of a model.
+/// The slices of all bodies with outlines by height in a model.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Slices {
-    /// For each body by rank: its number among the bodies with outlines by height, from 1; 0 for other bodies. Empty if
-    /// there are no such bodies.
+    /// For each body by rank: its number among the bodies with outlines by height, counted from 1; 0 for other bodies.
+    /// The list of numbers is empty if no body has outlines by height.
     numbers: Vec<u32>,
     /// Number of bodies with outlines by height.
     count: u32,
-    /// The slice for each face and each body with outlines by height. `None`: the body has no side at that height.
+    /// The slice that each face meets of each body with outlines by height. `None` means that the body has no side at
+    /// the height of the face.
     slots: Vec<Option<Slice>>,
 }
 
 impl Slices {
-    /// Slices for the bodies of these ranks and for this number of faces.
+    /// Makes room for the slices of the bodies with these ranks, and of this number of faces.
     pub(crate) fn new(bodies: usize, ranks: &[u32], faces: usize) -> Slices {
         if ranks.is_empty() {
             return Slices::default();
@@ -189,7 +193,7 @@ impl Slices {
         Slices { numbers, count: ranks.len() as u32, slots }
     }
 
-    /// True for a model without outlines by height.
+    /// Returns true for a model without outlines by height.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         self.numbers.is_empty()
@@ -200,15 +204,15 @@ impl Slices {
         (0..).zip(&self.numbers).filter(|&(_, &number)| number > 0).map(|(rank, _)| rank)
     }
 
-    /// The index of the slice of a body that a face meets; `None` for a body with one outline. `face` is the number of
-    /// the face, from 1.
+    /// The index of the slice of a body that a fender's face meets; `None` for a body with one outline. `face` is the
+    /// number of the fender's face, counted from 1.
     #[inline]
     pub(crate) fn place(&self, face: u32, rank: u32) -> Option<usize> {
         let number = self.numbers.get(rank as usize)?.checked_sub(1)?;
         Some(((face - 1) * self.count + number) as usize)
     }
 
-    /// The slice at an index.
+    /// The slice with this index in the list of slices; `None` if the body has no side at the height of the face.
     #[inline]
     pub(crate) fn at(&self, place: usize) -> Option<&Slice> {
         self.slots[place].as_ref()

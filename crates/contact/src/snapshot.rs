@@ -1,23 +1,24 @@
-//! A memory as bytes: versioned, little-endian, with the model's fingerprint and a checksum.
+//! Writes and reads a memory as bytes, in little-endian order, with a version number, the model's fingerprint and a
+//! checksum.
 //!
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `fndrline` |
 //! | 4 | version |
 //! | 8 | fingerprint of the model |
-//! | 8 | Δt of the last step |
-//! | 4, 4, 4, 4, 4, 4, 4 | numbers of states, patches, hints, teleported bodies, times, parted chains and piles |
+//! | 8 | Δt, the length of the last step (s) |
+//! | 4 each | numbers of states, patches, hints, teleported bodies, velocity lags, parted chains, piles |
 //! | 48 each | states, by rank |
 //! | 252 each | patches |
 //! | 40 each | hints |
 //! | 4 each | ranks of bodies that the host has marked as teleported |
-//! | 8 each | time by which the velocity precedes the position, by rank |
-//! | 4 each | chains that have parted: number of the fender's face times 16, plus that of the chain |
-//! | 16 each | permanent deflections of piles, by rank |
-//! | 8 | FNV-1a of all bytes before |
+//! | 8 each | time by which the velocity of a body is older than its position, by rank |
+//! | 4 each | parted chains: the number of the fender's face times 16, plus the number of the chain |
+//! | 16 each | permanent deflections of the piles, by rank |
+//! | 8 | FNV-1a hash of all bytes before |
 //!
-//! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
-//! bodies were added to the model.
+//! All lists in a snapshot are in the order of the bodies' keys: the bytes do not depend on the order in which bodies
+//! were added to the model.
 
 use alloc::vec::Vec;
 
@@ -85,11 +86,11 @@ impl Memory {
         out.sealed()
     }
 
-    /// Restores what [`Memory::snapshot`] saved, for the same model.
+    /// Restores a memory that [`Memory::snapshot`] saved, for the same model.
     ///
     /// # Errors
-    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the memory
-    /// is then as it was.
+    /// Returns a [`RestoreError`] if the bytes are not a whole, unchanged snapshot for this model; the memory is then
+    /// unchanged.
     pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
         *self = read(model, bytes)?;
         Ok(())
@@ -140,7 +141,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     Ok(memory)
 }
 
-/// Checks the values. The checksum alone cannot show that another program wrote impossible values.
+/// Checks the values. The checksum alone cannot show that another program has written impossible values.
 fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let bodies = model.ranked.len();
     let known = |(a, b, face): (u32, u32, u32)| {

@@ -1,26 +1,27 @@
-//! A sort for many entries with evenly spread keys, such as places and ranks. The sort uses as many buckets as entries.
+//! A sorting method for many entries with evenly spread keys, such as places and ranks. This sorting method uses as
+//! many buckets as the list has entries.
 
 use alloc::vec::Vec;
 
 use crate::room::room_for;
 
-/// Buffers of the sort of a list of `T`.
+/// Buffers for sorting a list of `T`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SpreadSort<T> {
     copy: Vec<T>,
-    /// For each bucket, where it begins in the sorted list.
+    /// For each bucket, the index at which it begins in the sorted list.
     starts: Vec<u32>,
 }
 
 impl<T: Copy> SpreadSort<T> {
-    /// Buffers with room for lists of this number of entries.
+    /// Makes buffers with room for lists of this number of entries.
     pub(crate) fn with_room(count: usize) -> SpreadSort<T> {
         SpreadSort { copy: room_for(count), starts: room_for(count) }
     }
 
     /// Sorts by keys. No key may be greater than `most`; entries with equal keys come in any order. If the keys are
-    /// evenly spread up to `most`, the time is proportional to the number of entries; otherwise it is that of a sort by
-    /// comparison.
+    /// evenly spread up to `most`, the time of the sort is proportional to the number of entries; otherwise it is the
+    /// time of a sort by comparison.
     pub(crate) fn sort(&mut self, list: &mut [T], most: u64, key: impl Fn(&T) -> u64) {
         let SpreadSort { copy, starts } = self;
         let count = list.len() as u64;

@@ -2,22 +2,22 @@
 
 use crate::vec2::{Pose, Vec2};
 
-/// Largest position (m). A larger position is a mistake of the host, and forces could overflow.
+/// Largest position (m). A position beyond this is a mistake of the host, and forces could overflow.
 pub(crate) const FURTHEST_M: f64 = 1e9;
 
 /// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn (m/s, rad/s).
 pub(crate) type Velocity = (Vec2, f64);
 
-/// State of one body at the start of a step, earth-fixed.
+/// State of a body at the start of a step, in earth-fixed axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {
-    /// Position of the centre of gravity: north, east (m).
+    /// Position of the body's centre of gravity: north, east (m).
     pub position_m: Vec2,
-    /// ψ, clockwise from north (rad).
+    /// Heading ψ of the body, clockwise from north (rad).
     pub heading_rad: f64,
-    /// Velocity of the centre of gravity: north, east (m/s).
+    /// Velocity of the body's centre of gravity: north, east (m/s).
     pub velocity_mps: Vec2,
-    /// Rate of turn, positive to starboard (rad/s).
+    /// Rate of turn of the body, positive to starboard (rad/s).
     pub yaw_rate_radps: f64,
 }
 
@@ -34,7 +34,7 @@ impl BodyState {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
-    /// Zero if the two states are equal bit for bit.
+    /// Returns zero if the two states are equal bit for bit.
     #[inline(always)]
     pub(crate) fn apart(&self, other: &BodyState) -> u64 {
         let bits = |state: &BodyState| {
@@ -52,7 +52,7 @@ impl BodyState {
         bits(self).iter().zip(bits(other)).fold(0, |apart, (one, two)| apart | (one ^ two))
     }
 
-    /// Whether the body neither moves nor turns.
+    /// Returns true if the body neither moves nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
         // At rest, all bits but the signs are zero. One test covers all three numbers.
@@ -60,7 +60,7 @@ impl BodyState {
         (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }
 
-    /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) (m/s).
+    /// Velocity of the material point of the body at the earth-fixed place `point_m` (eq. 14) (m/s).
     #[must_use]
     #[inline]
     pub fn velocity_at(&self, point_m: Vec2) -> Vec2 {

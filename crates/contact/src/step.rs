@@ -1,4 +1,4 @@
-//! One step of the paper's method, stage by stage.
+//! Computes one step of the paper's method, stage by stage.
 
 use crate::admit;
 use crate::bodies::{Bodies, Displaced, PoseChange};
@@ -30,14 +30,14 @@ use crate::workspace::Workspace;
 /// Computes the contact forces between all bodies by the paper's method, for the step of `step_s` seconds that begins
 /// at `states`. `states` are in the order in which the bodies were added.
 ///
-/// Results are in `work`: [`Workspace::contacts`], [`Workspace::wrenches`], [`Workspace::events`]. `memory` becomes the
-/// memory of the next step. A step of 0 s means that the host is paused: it changes neither `memory` nor the results,
-/// except that it clears events and work. The order in which bodies were added changes no bit of any force, because all
-/// sums run in the order of the bodies' keys.
+/// The results are then in `work`: [`Workspace::contacts`], [`Workspace::wrenches`], [`Workspace::events`]. `memory`
+/// becomes the memory for the next step. A step of 0 s means that the host is paused: the function changes neither
+/// `memory` nor the results, except that it clears events and work. The order in which bodies were added changes no bit
+/// of any force, because all sums run in the order of the bodies' keys.
 ///
 /// # Errors
-/// [`StepError`] for input that is not finite or out of range. `memory` is unchanged then, and `work` keeps the results
-/// of the last good step.
+/// Returns a [`StepError`] if the input is not finite or out of range. After an error `memory` is unchanged, and `work`
+/// keeps the results of the last good step.
 pub fn step(
     model: &Model,
     memory: &mut Memory,
@@ -91,7 +91,8 @@ pub fn step(
     Ok(())
 }
 
-/// Stage 1: puts input states and poses in the order of the ranks, and finds the bodies that were teleported.
+/// Stage 1 of a step: puts the input states and the poses in the order of the ranks, and finds the bodies that were
+/// teleported.
 fn place(
     model: &Model,
     memory: &Memory,
@@ -116,20 +117,20 @@ fn place(
     }
 }
 
-/// Stages 4 to 6, for one patch at a time: the data that they read and write.
+/// The data that stages 4 to 6 of a step read and write, for one patch at a time.
 struct Stage<'w> {
     scene: Scene<'w>,
     clip: &'w mut ClipBuffers,
     results: &'w mut Results,
     next_memory: &'w mut ContactMemory,
-    /// Length of this step, and the time since the last step began (s). The backward difference of eq. 3 is taken over
-    /// the time since the last step began.
+    /// Length of the present step, and the time since the last step began (s). The backward difference of eq. 3 is
+    /// taken over the time since the last step began.
     step_s: f64,
     elapsed_s: f64,
 }
 
 impl Stage<'_> {
-    /// Adds a patch with what it inherits.
+    /// Adds a patch of contact with the memory that it inherits.
     fn add(&mut self, patch: &Patch, inherited: Inherited, old: Option<&PatchMemory>) {
         // Without a fender most of the law is 0: the compiler specialises the first call.
         match patch.candidate.fender(self.scene.model) {
@@ -149,7 +150,7 @@ impl Stage<'_> {
         self.add_contact(patch, Some(face), inherited, old);
     }
 
-    /// Applies law and limit to one patch, and adds its contact and its memory.
+    /// Applies the contact law and the limit to one patch, and adds the contact and the memory of the patch.
     #[inline(always)]
     fn add_contact(
         &mut self,
@@ -245,8 +246,8 @@ impl Stage<'_> {
     }
 }
 
-/// Adds a contact to the wrenches of its bodies. The force on body 2 is exactly the opposite of the force on body 1
-/// (eq. 1).
+/// Adds the force of a contact to the wrenches of its two bodies. The force on body 2 is exactly the opposite of the
+/// force on body 1 (eq. 1).
 #[inline(always)]
 fn add_wrenches(contact: &Contact, wrenches: &mut [Wrench]) {
     let force_n: Vec2 = contact.force_on_body_1_n();

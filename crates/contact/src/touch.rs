@@ -1,4 +1,5 @@
-//! The kinematics of one patch (§3.1 of the paper): normal, levers, velocities and shear, in earth-fixed axes.
+//! The kinematics of one patch of contact (§3.1 of the paper): normal, levers, velocities and shear, in earth-fixed
+//! axes.
 
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
@@ -13,51 +14,51 @@ use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForcePart
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
 
-/// One patch as the laws see it; body A is the one with the lower rank.
+/// One patch of contact in the form that the force laws use; body A is the body with the lower rank.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Touch {
     /// n in A's frame.
     pub(crate) normal_in_a: Vec2,
-    /// n, A's outward normal, earth-fixed.
+    /// Unit normal n of the contact: the outward normal of body A, earth-fixed.
     pub(crate) normal: Vec2,
-    /// The point at which the force acts, in A's frame (m): C or, at a fender, a point on the line of the fender's
-    /// force.
+    /// The point at which the contact force acts, in the frame of body A (m): the centroid C or, at a fender, a point
+    /// on the line of the fender's force.
     pub(crate) point_in_a_m: Vec2,
-    /// Levers of the force about each body's centre of gravity.
+    /// Levers of the contact force about each body's centre of gravity.
     pub(crate) levers_a: Levers,
     pub(crate) levers_b: Levers,
     /// δ (m).
     pub(crate) depth_m: f64,
-    /// Spring and stop, before factors (N).
+    /// Force of the spring and force of the stop, before factors (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// Energy stored in a fender, before factors (J); 0 between two outlines, whose law has no potential.
+    /// Energy stored in a fender, before factors (J); 0 between two outlines, because their law has no potential.
     pub(crate) stored_j: f64,
-    /// Growth of S per distance that the bodies close along n (m).
+    /// Growth of the overlap area S for each metre by which the bodies approach along the normal (m).
     pub(crate) chord_m: f64,
     /// Angle between a fender's face and the hull (rad).
     pub(crate) tilt_rad: f64,
-    /// V_n, V_t (m/s) (eq. 10).
+    /// Normal speed V_n and tangential speed V_t (m/s) (eq. 10).
     pub(crate) v_normal_mps: f64,
     pub(crate) v_tangential_mps: f64,
-    /// Δs before this step's friction law (m).
+    /// Deflection Δs of the shear spring before the friction law of this step (m).
     pub(crate) shear_m: f64,
 }
 
 /// The bodies of a contact that move: floating bodies, and fixed bodies with a velocity, such as lock gates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Movers {
-    /// Only A: B is fixed and at rest.
+    /// Only body A moves: body B is fixed and at rest.
     A,
-    /// Only B: A is fixed and at rest.
+    /// Only body B moves: body A is fixed and at rest.
     B,
-    /// Both bodies move, or it is not known which of them moves.
+    /// Both bodies move, or it is not known which of the two bodies moves.
     #[default]
     Both,
 }
 
 impl Movers {
-    /// Made from whether A moves and whether B moves. At least one of the two bodies moves.
+    /// Makes the value from whether body A moves and whether body B moves. At least one of the two bodies must move.
     #[inline(always)]
     pub(crate) fn of([a_moves, b_moves]: [bool; 2]) -> Movers {
         match (a_moves, b_moves) {
@@ -67,8 +68,8 @@ impl Movers {
         }
     }
 
-    /// V_n and V_t of two bodies (eq. 10) (m/s), from n and the levers of n and t about each centre of gravity. The
-    /// function does not read the velocity of a body at rest.
+    /// Normal and tangential speed of two bodies (eq. 10) (m/s), computed from the normal n and from the levers of n
+    /// and t about each centre of gravity. The function does not read the velocity of a body that is at rest.
     #[inline(always)]
     pub(crate) fn speeds(
         self,
@@ -107,11 +108,12 @@ pub(crate) struct Scene<'w> {
     pub(crate) model: &'w Model,
     pub(crate) overlap: &'w Overlap,
     pub(crate) poses: &'w [Pose],
-    /// States at the start of the step or sub-step.
+    /// States of the bodies at the start of the step or sub-step.
     pub(crate) states: &'w [BodyState],
 }
 
-/// Computes the kinematics of a patch. `face` is the patch's fender, if it has one, and `old` the patch's memory.
+/// Computes the kinematics of a patch of contact. `face` is the fender of the patch, if there is one, and `old` the old
+/// memory of the patch.
 #[inline(always)]
 pub(crate) fn touch(
     scene: &Scene<'_>,
@@ -145,8 +147,8 @@ pub(crate) fn touch(
     Touch { normal, levers_a, levers_b, v_normal_mps, v_tangential_mps, shear_m, ..pressed }
 }
 
-/// Does [`touch`] again for the same patch, after a chain of its panel has parted. This is rare; a function of its own
-/// keeps a second copy of `touch` out of the caller.
+/// Computes [`touch`] again for the same patch, after a chain of its panel has parted. A second computation is rare;
+/// this separate function keeps a second copy of `touch` out of its caller.
 #[cold]
 #[inline(never)]
 pub(crate) fn touch_again(
@@ -160,8 +162,8 @@ pub(crate) fn touch_again(
     touch(scene, clip, patch, face, old, movers)
 }
 
-/// The press of outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections
-/// 1 and 2).
+/// The force of outline against outline: kS along the normal of the chord, at the centroid (docs/contact_model.md,
+/// sections 1 and 2).
 #[inline(always)]
 fn press_outline(
     scene: &Scene<'_>,
@@ -181,7 +183,7 @@ fn press_outline(
     }
 }
 
-/// The press of an outline against a fender, by the fender's law.
+/// The force of an outline against a fender, by the law of the fender.
 #[inline(never)]
 fn press_fender(
     scene: &Scene<'_>,
@@ -205,7 +207,7 @@ fn press_fender(
     }
 }
 
-/// The arms r of both bodies of a patch: from the body's centre of gravity to the point where the force acts,
+/// The arm r of each of the two bodies of a patch: from its centre of gravity to the point where the force acts,
 /// earth-fixed (m).
 #[inline]
 pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [Vec2; 2] {
@@ -214,7 +216,7 @@ pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [V
 }
 
 impl Touch {
-    /// A touch with this normal and these arms of A and B.
+    /// Makes a touch with this normal and these arms of the bodies A and B.
     #[cfg(test)]
     pub(crate) fn at(normal: Vec2, [arm_a_m, arm_b_m]: [Vec2; 2]) -> Touch {
         Touch {
@@ -225,8 +227,8 @@ impl Touch {
         }
     }
 
-    /// The report of a patch of bodies A and B, without forces. Body 1 is the body that was added first. If this is B,
-    /// n and t are reversed.
+    /// Makes the report of a patch between the bodies A and B, without forces. Body 1 of the report is the body that
+    /// was added first. If body 1 is B, the normal n and the tangent t are reversed.
     #[inline]
     pub(crate) fn contact(
         &self,

@@ -1,31 +1,32 @@
 //! The unloading law of a fender: rubber returns less energy than it absorbs.
 //!
 //! A fender's loading force is the gradient of an energy U, which depends on the hull's position (`face.rs`). On
-//! unloading, the force falls to a lower curve. The lower curve is the gradient of another energy U_u that is nowhere
-//! steeper: ∇U_u = (R_u/R) ∇U. Between the two curves
+//! unloading, the force of the fender falls to a lower curve. The lower curve is the gradient of another energy U_u,
+//! which is nowhere steeper than U: ∇U_u = (R_u/R) ∇U. Between the two curves the force is F = ∇U_u + z ∇D, with D = U
+//! − U_u ≥ 0 and 0 ≤ z ≤ 1. The factor z depends on the energy D alone: z = Σ q_i z_i over a few *play operators*. Each
+//! play operator has one state, its top T_i, and the factor z_i = (D − (1 − w_i) T_i)/(w_i T_i), where D moves T_i so
+//! that 0 ≤ z_i ≤ 1.
 //!
-//! F = ∇U_u + z ∇D,  D = U − U_u ≥ 0,  0 ≤ z ≤ 1,
+//! During loading the energy D equals the tops T_i, and z = 1. On unloading, the factor z falls to 0 while D loses the
+//! share w_i of T_i. On reloading, the factor z rises in the same way. This form of the unloading law has the following
+//! consequences:
 //!
-//! where z depends on D alone: z = Σ q_i z_i over a few *play operators*. Each play has one state, its top T_i:
+//! - While the tops T_i stay constant, the force is the gradient of the energy that the fender can still return, V =
+//!   U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i). As with an elastic fender, the path of the hull and the tilt of the
+//!   face do not matter.
+//! - Along any path of the hull the work is dW = dV + heat. Heat arises only when a top rises: q_i (1 − w_i/2) dT_i
+//!   ≥ 0. So the unloading law is passive: it creates no energy. Nothing is dissipated within the plays, and when a top
+//!   falls.
+//! - The unloading law does not contain time: results depend neither on the speed nor on Δt.
+//! - The unloading law has no scale except the load itself. A loop from zero to any deflection and back absorbs the
+//!   energy U. Such a loop returns U_u + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same
+//!   for any deflection and any reaction law. The factor r = (η − c)/(1 − c) makes this share equal to η.
+//! - A ship under a steady load rests on the fender where she stops. Any deflection between the two curves carries the
+//!   load of the ship. The ship does not creep, because between the two curves the plays act as springs.
 //!
-//! z_i = (D − (1 − w_i) T_i)/(w_i T_i), where D moves T_i so that 0 ≤ z_i ≤ 1.
-//!
-//! During loading D = T_i and z = 1. On unloading, z falls to 0 while D loses the share w_i of T_i. On reloading, z
-//! rises in the same way. This form has these consequences:
-//!
-//! - With T_i constant the force is the gradient of the energy that the fender can still return, V = U_u + Σ q_i (D −
-//!   (1 − w_i)T_i)²/(2 w_i T_i). As with an elastic fender, the path and the tilt of the face do not matter.
-//! - Along any path dW = dV + heat. There is heat only when a top rises: q_i (1 − w_i/2) dT_i ≥ 0. So the law is
-//!   passive. Within the plays, and when a top falls, nothing is dissipated.
-//! - The law does not contain time: results depend neither on the speed nor on Δt.
-//! - The law has no scale except the load itself. A loop from zero to any deflection and back absorbs U. The loop
-//!   returns U_u + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same for any deflection and
-//!   any reaction law. r = (η − c)/(1 − c) makes this share η.
-//! - A ship under a steady load rests where she stops. Any deflection between the two curves carries the load. The ship
-//!   does not creep, because the plays are springs there.
-//!
-//! Parallel plays are the Prandtl-Ishlinskii model of hysteresis. Several widths make the turn between the curves
-//! round, and let small oscillations decay that a single play would sustain. Widths and shares are our choice.
+//! Play operators in parallel are the Prandtl-Ishlinskii model of hysteresis. Plays of several widths make the turn
+//! between the curves round, and let small oscillations decay that a single play would sustain. We chose the widths and
+//! shares of the plays ourselves.
 
 use alloc::vec::Vec;
 
@@ -33,43 +34,44 @@ use crate::error::ModelError;
 use crate::number::{greater, lesser};
 use crate::reaction::{FenderLaw, check_curve, integral, on_line};
 
-/// How a fender's reaction falls when the hull moves away. Used by the coupled method; the paper's method has
-/// restitution instead.
+/// The law by which a fender's reaction falls when the hull moves away. Only the coupled method uses this law; the
+/// paper's method has restitution instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unloading {
-    /// Returned share of the absorbed energy, for a loop from zero to any deflection and back, with any reaction law.
-    /// The share is between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits one such fender leaves with the
-    /// square root of this share of its speed.
+    /// The fender returns this share of the absorbed energy in a loop from zero to any deflection and back, with any
+    /// reaction law. The returned share is between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits such a
+    /// fender leaves with the square root of this share of its speed.
     ReturnedEnergy(f64),
-    /// Points (δ (m), R (N)) of the lower curve, from (0, 0) on, with straight lines between them. The lower curve
-    /// needs a [`FenderLaw::Curve`], and lies nowhere above that curve. Beyond the last point, and in the stop, the
-    /// reaction falls to the same share of the loading curve as at the last point.
+    /// The law is given by points (δ (m), R (N)) of the lower curve, from (0, 0) on, with straight lines between them.
+    /// The lower curve needs a [`FenderLaw::Curve`] for loading, and lies nowhere above the loading curve. Beyond the
+    /// last point, and in the stop, the reaction falls to the same share of the loading curve as at the last point.
     Curve(Vec<[f64; 2]>),
 }
 
 /// Number of play operators.
 pub(crate) const PLAYS: usize = 3;
 
-/// w_i: width of each play in D, as a share of the play's top.
+/// Width w_i of each play operator in D, as a share of the play's top.
 const WIDTHS: [f64; PLAYS] = [1.0 / 10.0, 1.0 / 80.0, 1.0 / 640.0];
 
-/// q_i: shares of the plays in z. The shares are proportional to the widths, so that each play adds the same stiffness.
+/// Share q_i of each play operator in z. The shares of the plays are proportional to their widths, so that each play
+/// adds the same stiffness.
 const SHARES: [f64; PLAYS] = [
     WIDTHS[0] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[1] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[2] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
 ];
 
-/// c: share of D that the plays return.
+/// Share c of the energy D that the plays return.
 const RETURNED_BY_PLAYS: f64 =
     0.5 * (SHARES[0] * WIDTHS[0] + SHARES[1] * WIDTHS[1] + SHARES[2] * WIDTHS[2]);
 
 impl Unloading {
-    /// The smallest returned share. This share is not 0, because the force needs some distance to fall.
+    /// The smallest returned share. The smallest share is not 0, because the force needs some distance to fall.
     pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
-    /// The share of ∫ R dδ that a loop to a deflection and back returns, without the stop. For
-    /// [`Unloading::ReturnedEnergy`] this share does not depend on the deflection.
+    /// The share of the energy ∫ R dδ that a loop to a deflection and back returns, without the stop. For
+    /// [`Unloading::ReturnedEnergy`] the returned share does not depend on the deflection.
     #[must_use]
     pub fn returned_share(&self, law: &FenderLaw, deflection_m: f64) -> f64 {
         match self {
@@ -86,7 +88,8 @@ impl Unloading {
         }
     }
 
-    /// The lower reaction at a deflection whose loading reaction is `loading_n`, without factors and stop (N).
+    /// The reaction of the lower curve at a deflection whose loading reaction is `loading_n`, without factors and stop
+    /// (N).
     #[must_use]
     pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
         match self {
@@ -95,8 +98,8 @@ impl Unloading {
         }
     }
 
-    /// The first point (δ, R) at which an unloading curve lies above a loading curve by more than rounding. This point
-    /// is a vertex of one of the two curves, because both are straight between vertices.
+    /// Finds the first point (δ, R) at which an unloading curve lies above a loading curve by more than rounding. The
+    /// first point is a vertex of one of the two curves, because both curves are straight between vertices.
     #[must_use]
     pub fn first_point_above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
         let end_m = unloading.last().map_or(0.0, |p| p[0]);
@@ -106,7 +109,7 @@ impl Unloading {
             .find(|&[at_m, lower_n]| lower_n > on_line(loading, at_m) * (1.0 + 1e-9) + 1e-9)
     }
 
-    /// Checks the values. `name` is the fender's name for errors, and `law` the fender's loading law.
+    /// Checks the values. `name` is the name of the fender for errors, and `law` the loading law of the fender.
     pub(crate) fn check(&self, name: &str, law: &FenderLaw) -> Result<(), ModelError> {
         let bad = |field, value, must| {
             Err(ModelError::OutOfRange { owner: name.into(), field, value, must })
@@ -122,7 +125,7 @@ impl Unloading {
             Unloading::Curve(points) => {
                 let field = "deflection of the unloading curve";
                 let FenderLaw::Curve(loading) = law else {
-                    return bad(field, 0.0, "of a fender with a reaction curve");
+                    return bad(field, 0.0, "left out, because the fender has no reaction curve");
                 };
                 check_curve(name, [field, field], points)?;
                 match Unloading::first_point_above(points, loading) {
@@ -136,7 +139,7 @@ impl Unloading {
         }
     }
 
-    /// The numbers that distinguish this law from others, for fingerprints.
+    /// The numbers that distinguish this unloading law from others, for fingerprints of models.
     pub(crate) fn words(&self) -> impl Iterator<Item = f64> + '_ {
         let (share, points): (f64, &[[f64; 2]]) = match self {
             Unloading::ReturnedEnergy(share) => (*share, &[]),
@@ -146,12 +149,12 @@ impl Unloading {
     }
 }
 
-/// The factor r in R_u = r R with which a loop returns this share.
+/// The factor r in R_u = r R with which a loop returns the share `returned` of the energy.
 fn lower_share(returned: f64) -> f64 {
     greater((returned - RETURNED_BY_PLAYS) / (1.0 - RETURNED_BY_PLAYS), 0.0)
 }
 
-/// ∫ R_u dδ and R_u at a deflection (J, N).
+/// Energy ∫ R_u dδ and reaction R_u of the lower curve at a deflection (J, N).
 fn lower_of_curve(points: &[[f64; 2]], law: &FenderLaw, deflection_m: f64) -> (f64, f64) {
     let [end_m, end_n] = points[points.len() - 1];
     let loading_n = law.reaction_n(deflection_m);
@@ -163,39 +166,39 @@ fn lower_of_curve(points: &[[f64; 2]], law: &FenderLaw, deflection_m: f64) -> (f
     (integral(points, end_m) + share * beyond_j, share * loading_n)
 }
 
-/// R_u/R at the end of an unloading curve.
+/// Ratio R_u/R of the lower to the loading reaction at the end of an unloading curve.
 fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
     let loading_n = law.reaction_n(end_m);
     if loading_n > 0.0 { lesser(end_n / loading_n, 1.0) } else { 1.0 }
 }
 
-/// Loading force and energy of a contact at its deflection, before factors.
+/// Loading force and energy of a fender contact at its deflection, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Loading {
     pub(crate) deflection_m: f64,
-    /// Force of the reaction curve (N).
+    /// Force of the fender's reaction curve (N).
     pub(crate) spring_n: f64,
-    /// Force of the stop (N).
+    /// Force of the fender's stop (N).
     pub(crate) stop_n: f64,
     /// Energy U of reaction curve and stop (J).
     pub(crate) stored_j: f64,
 }
 
-/// Force and energy of a contact by the unloading law of its fender, before factors.
+/// Force and energy of a fender contact by the unloading law of the fender, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Unloaded {
-    /// Force by the unloading law, over the loading force.
+    /// Force by the unloading law, divided by the loading force.
     pub(crate) share: f64,
     /// Energy V that the fender can still return (J).
     pub(crate) recoverable_j: f64,
-    /// Energy dissipated since the given tops (J).
+    /// Energy that the fender has dissipated since it had the given tops (J).
     pub(crate) lost_j: f64,
-    /// T of each play (J).
+    /// Top T of each play operator (J).
     pub(crate) tops_j: [f64; PLAYS],
 }
 
-/// Applies the unloading law to a contact, starting from the tops that the contact remembers. `None` stands for a new
-/// contact: its loading is not known, so it has dissipated nothing yet.
+/// Applies the unloading law to a contact of a fender, starting from the tops that the contact remembers. `None` stands
+/// for a new contact, whose loading is not known: it has dissipated nothing yet.
 pub(crate) fn unload(
     unloading: &Unloading,
     law: &FenderLaw,
@@ -232,7 +235,7 @@ pub(crate) fn unload(
     }
 }
 
-/// The play operators at a value of D.
+/// The play operators of an unloading law at a value of the energy D.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Plays {
     z: f64,

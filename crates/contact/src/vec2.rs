@@ -1,18 +1,18 @@
 //! Plane vectors and rotations.
 //!
-//! Axes: x north (or forward, in a body's frame), y east (or to starboard). The positive sense of
-//! rotation is from x to y, clockwise on a chart, so that a positive heading turns to starboard.
+//! Axes of vectors: x north (or forward, in a body's frame), y east (or to starboard). The positive sense of rotation
+//! is from x to y, clockwise on a chart, so that a positive heading turns to starboard.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use crate::angle::sin_cos;
 
-/// A vector in the horizontal plane; its name states the unit.
+/// A vector in the horizontal plane; the name of the variable states the unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2 {
-    /// North, or forward in a body's frame.
+    /// North component, or forward component in a body's frame.
     pub x: f64,
-    /// East, or to starboard in a body's frame.
+    /// East component, or starboard component in a body's frame.
     pub y: f64,
 }
 
@@ -38,14 +38,14 @@ impl Vec2 {
         self.x * other.x + self.y * other.y
     }
 
-    /// a×b = a_x b_y − a_y b_x; positive when b lies in the positive sense from a.
+    /// Cross product a×b = a_x b_y − a_y b_x; positive when b lies in the positive sense of rotation from a.
     #[must_use]
     #[inline]
     pub fn cross(self, other: Vec2) -> f64 {
         self.x * other.y - self.y * other.x
     }
 
-    /// ω×r = ω(−r_y, r_x): the velocity of a point at arm `self` of a body that turns at `omega`.
+    /// Velocity ω×r = ω(−r_y, r_x) of a point at the arm `self` of a body that turns at the rate `omega`.
     #[must_use]
     #[inline]
     pub fn spun_by(self, omega: f64) -> Vec2 {
@@ -59,7 +59,7 @@ impl Vec2 {
         vec2(-self.y, self.x)
     }
 
-    /// The vector rotated by −90°: it points to the outward side of a boundary walked in the positive sense.
+    /// The vector rotated by −90°: for an edge of a boundary walked in the positive sense, the result points outward.
     #[must_use]
     #[inline]
     pub fn quarter_turn_back(self) -> Vec2 {
@@ -80,7 +80,7 @@ impl Vec2 {
         libm::sqrt(self.length_squared())
     }
 
-    /// True if neither component is infinite or NaN.
+    /// Returns true if neither component is infinite or NaN.
     #[must_use]
     #[inline]
     pub fn is_finite(self) -> bool {
@@ -134,7 +134,7 @@ impl Mul<f64> for Vec2 {
     }
 }
 
-/// A rotation by an angle, stored as cosine and sine so that a step computes them once per body.
+/// A rotation by an angle, stored as its cosine and sine so that a step computes them only once per body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// Cosine of the angle.
@@ -153,7 +153,7 @@ impl Rotation {
     /// No rotation.
     pub const IDENTITY: Rotation = Rotation { cos: 1.0, sin: 0.0 };
 
-    /// The rotation by `angle_rad`, from x to y. Every platform gives the same bits.
+    /// The rotation by `angle_rad`, from x to y. The rotation has the same bits on every platform.
     #[must_use]
     #[inline]
     pub fn from_angle(angle_rad: f64) -> Rotation {
@@ -164,21 +164,21 @@ impl Rotation {
         Rotation { cos, sin }
     }
 
-    /// Transforms a vector from the body's frame to the earth's.
+    /// Transforms a vector from the body's frame to the earth-fixed frame.
     #[must_use]
     #[inline]
     pub fn apply(self, v: Vec2) -> Vec2 {
         vec2(self.cos * v.x - self.sin * v.y, self.sin * v.x + self.cos * v.y)
     }
 
-    /// Transforms a vector from the earth's frame to the body's.
+    /// Transforms a vector from the earth-fixed frame to the body's frame.
     #[must_use]
     #[inline]
     pub fn apply_inverse(self, v: Vec2) -> Vec2 {
         vec2(self.cos * v.x + self.sin * v.y, -self.sin * v.x + self.cos * v.y)
     }
 
-    /// `self⁻¹ · other`: the attitude of `other` as seen from `self`.
+    /// The rotation `self⁻¹ · other`: the attitude of `other` as seen from `self`.
     #[must_use]
     #[inline]
     pub fn to(self, other: Rotation) -> Rotation {
@@ -189,7 +189,7 @@ impl Rotation {
     }
 }
 
-/// Position and attitude of a body: the map from the body's frame to the earth's.
+/// Position and attitude of a body, which map the body's frame to the earth-fixed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// Position of the body's centre of gravity (m).
@@ -199,34 +199,34 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The identity: no translation, no rotation.
+    /// The identity pose: no translation, no rotation.
     pub(crate) const IDENTITY: Pose =
         Pose { position_m: Vec2::ZERO, rotation: Rotation { cos: 1.0, sin: 0.0 } };
 
-    /// A pose from position and heading.
+    /// Makes a pose from a position and a heading.
     #[must_use]
     #[inline]
     pub fn new(position_m: Vec2, heading_rad: f64) -> Pose {
         Pose { position_m, rotation: Rotation::from_angle(heading_rad) }
     }
 
-    /// Transforms a point from the body's frame to the earth's.
+    /// Transforms a point from the body's frame to the earth-fixed frame.
     #[must_use]
     #[inline]
     pub fn apply(self, point_m: Vec2) -> Vec2 {
         self.position_m + self.rotation.apply(point_m)
     }
 
-    /// Transforms a point from the earth's frame to the body's.
+    /// Transforms a point from the earth-fixed frame to the body's frame.
     #[must_use]
     #[inline]
     pub fn apply_inverse(self, point_m: Vec2) -> Vec2 {
         self.rotation.apply_inverse(point_m - self.position_m)
     }
 
-    /// The pose of `other` as seen from `self`. The difference of the positions is taken first, so that no digits are
-    /// lost far from the origin. (At UTM coordinates, 1e7 m, an area computed from earth-fixed vertices is wrong by
-    /// 1e-3 m².)
+    /// The pose of `other` as seen from `self`. The function takes the difference of the positions first, so that no
+    /// digits are lost far from the origin. (At UTM coordinates, 1e7 m, an area computed from earth-fixed vertices
+    /// would be wrong by 1e-3 m².)
     #[must_use]
     #[inline]
     pub fn to(self, other: Pose) -> Pose {

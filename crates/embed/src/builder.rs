@@ -1,4 +1,4 @@
-//! An engine made by calls.
+//! Builds an engine part by part, by function calls instead of from a scenario file.
 
 use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, Unloading, Vec2};
 use fenderline_sim::{
@@ -10,7 +10,8 @@ use crate::engine::Engine;
 use crate::error::EngineError;
 use crate::settings::Settings;
 
-/// Collects the parts of an [`Engine`]. Indices count from 0 in the order of the calls.
+/// Collects the parts of an [`Engine`]. Indices of bodies, materials and fenders count from 0 in the order of the
+/// calls.
 ///
 /// ```
 /// use fenderline_contact::{Material, vec2};
@@ -38,18 +39,18 @@ pub struct EngineBuilder {
     pub(crate) notices: Vec<String>,
 }
 
-/// A body to be added.
+/// A body to be added to an engine.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyDef<'a> {
     /// Unique name.
     pub name: &'a str,
-    /// Outline, x forward and y to starboard of the centre of gravity (m); in either sense.
+    /// Outline of the body, in either sense: x forward and y to starboard of the centre of gravity (m).
     pub outline_m: &'a [Vec2],
-    /// Mass and added mass; `None` for a fixed body.
+    /// Mass and added mass of the body; `None` for a fixed body.
     pub mass: Option<MassProperties>,
-    /// Position at the start: north, east (m).
+    /// Position of the body at the start: north, east (m).
     pub position_m: Vec2,
-    /// Heading at the start (rad).
+    /// Heading of the body at the start (rad).
     pub heading_rad: f64,
 }
 
@@ -65,21 +66,20 @@ pub struct FenderDef<'a> {
     /// Direction of the fender's outward normal, in the body's frame: 0 forward, positive to
     /// starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face (m).
+    /// Width of the fender's face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed (m).
+    /// Distance from the fender's mounting to its uncompressed face (m).
     pub projection_m: f64,
-    /// Reaction as a function of deflection.
+    /// Reaction of the fender as a function of its deflection.
     pub law: FenderLaw,
-    /// Law by which the reaction falls as the hull moves back; `None`: by the restitution of the
-    /// material.
+    /// Law by which the fender's reaction falls as the hull moves back; `None`: by the restitution of the material.
     pub unloading: Option<Unloading>,
     /// Index of the fender's material: friction, restitution, damping and, for an area law,
     /// stiffness.
     pub material: usize,
-    /// Rated deflection (m); `None`: the projection. Reaction curves only.
+    /// Rated deflection of the fender (m); `None` means that it equals the projection. Reaction curves only.
     pub rated_deflection_m: Option<f64>,
-    /// The stop at the end of the travel; `None` for a law that stiffens by itself.
+    /// The stop at the end of the fender's travel; `None` for a law that stiffens by itself.
     pub stop: Option<Stop>,
 }
 
@@ -114,10 +114,10 @@ impl EngineBuilder {
         }
     }
 
-    /// Adds a material; [`EngineBuilder::build`] checks the numbers.
+    /// Adds a material; [`EngineBuilder::build`] checks the material's numbers.
     ///
     /// # Errors
-    /// A name that is empty or already used.
+    /// Fails for a name that is empty or already used.
     pub fn material(&mut self, name: &str, material: Material) -> Result<usize, EngineError> {
         let materials = &mut self.setup.materials;
         check_name("material", name, materials.iter().map(|other| other.name.as_str()))?;
@@ -125,10 +125,10 @@ impl EngineBuilder {
         Ok(materials.len() - 1)
     }
 
-    /// Adds a body; [`EngineBuilder::build`] checks the masses.
+    /// Adds a body; [`EngineBuilder::build`] checks the body's masses.
     ///
     /// # Errors
-    /// A name that is empty or already used, or an invalid outline.
+    /// Fails for a name that is empty or already used, or an invalid outline.
     pub fn body(&mut self, parts: &BodyDef<'_>) -> Result<usize, EngineError> {
         let bodies = &mut self.setup.bodies;
         check_name("body", parts.name, bodies.iter().map(|other| other.name.as_str()))?;
@@ -150,10 +150,11 @@ impl EngineBuilder {
         Ok(bodies.len() - 1)
     }
 
-    /// Adds a fender; [`EngineBuilder::build`] checks the numbers.
+    /// Adds a fender; [`EngineBuilder::build`] checks the fender's numbers.
     ///
     /// # Errors
-    /// A name that is empty or already used, no such body or material, or a rated deflection for an area law.
+    /// Fails for a name that is empty or already used, a body or material that does not exist, or a rated deflection
+    /// for an area law.
     pub fn fender(&mut self, parts: &FenderDef<'_>) -> Result<usize, EngineError> {
         let names = self.setup.fenders.iter().map(|other| other.name.as_str());
         check_name("fender", parts.name, names)?;
@@ -161,9 +162,11 @@ impl EngineBuilder {
         self.check_material(parts.material)?;
         let rated = match parts.rated_deflection_m {
             None => None,
-            Some(deflection_m) => Some(Rated::of(&parts.law, deflection_m).ok_or(
-                EngineError::Settings("a fender with an area law has no rated deflection"),
-            )?),
+            Some(deflection_m) => {
+                Some(Rated::of(&parts.law, deflection_m).ok_or(EngineError::Settings(
+                    "a fender whose reaction follows an area law has no rated deflection",
+                ))?)
+            }
         };
         self.setup.fenders.push(FenderSetup {
             name: parts.name.to_owned(),
@@ -196,7 +199,7 @@ impl EngineBuilder {
     /// Enables contact between two bodies.
     ///
     /// # Errors
-    /// No such body or material.
+    /// Fails if the body or the material does not exist.
     pub fn pair(&mut self, bodies: [usize; 2], material: usize) -> Result<(), EngineError> {
         bodies.into_iter().try_for_each(|body| self.check_body(body))?;
         self.check_material(material)?;
@@ -214,7 +217,7 @@ impl EngineBuilder {
         Ok(())
     }
 
-    /// Index of the body with this name.
+    /// Finds the index of the body with the given name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -222,7 +225,7 @@ impl EngineBuilder {
         index_of("body", name, self.setup.bodies.iter().map(|body| body.name.as_str()))
     }
 
-    /// Index of the material with this name.
+    /// Finds the index of the material with the given name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -230,7 +233,7 @@ impl EngineBuilder {
         index_of("material", name, self.setup.materials.iter().map(|one| one.name.as_str()))
     }
 
-    /// Index of the fender with this name.
+    /// Finds the index of the fender with the given name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -238,10 +241,11 @@ impl EngineBuilder {
         index_of("fender", name, self.setup.fenders.iter().map(|one| one.name.as_str()))
     }
 
-    /// Makes the engine. The builder can be used further.
+    /// Makes the engine. After a build the builder can be used further.
     ///
     /// # Errors
-    /// A number out of range, with the body, material or fender and the field; settings that conflict.
+    /// Fails for a number out of range, with the body, material or fender and the field; and for settings that
+    /// conflict.
     pub fn build(&self, settings: &Settings) -> Result<Engine, EngineError> {
         Engine::from_setup(String::new(), self.setup.clone(), self.notices.clone(), settings)
     }

@@ -10,9 +10,10 @@ use crate::builder::{EngineBuilder, check_name};
 use crate::error::EngineError;
 
 impl EngineBuilder {
-    /// Adds a fender by the keys of a scenario's `[fender.NAME]`, one `KEY=VALUE` a line: the type and size of a catalogue,
-    /// temperature, cones of a panel, chains, all keys that a fender has in a scenario. `on` names the body that
-    /// carries the fender, and `material` the material; both must have been added. Values carry units, as in scenarios.
+    /// Adds a fender by the keys of a scenario's `[fender.NAME]`, one `KEY=VALUE` a line. All keys of a fender in a
+    /// scenario are allowed: type and size of a catalogue, temperature, cones of a panel, chains. The key `on` names
+    /// the body that carries the fender, and `material` its material; body and material must have been added before.
+    /// The values of the keys carry units, as in scenarios.
     ///
     /// ```
     /// # use fenderline_contact::{Material, vec2};
@@ -29,8 +30,8 @@ impl EngineBuilder {
     /// ```
     ///
     /// # Errors
-    /// A name that is empty or already used; no such body or material; any mistake that the reader of scenarios finds,
-    /// with its line. After an error nothing is added.
+    /// Fails for a name that is empty or already used; for a body or material that does not exist; and for any mistake
+    /// that the reader of scenarios finds, with its line. After an error no fender is added.
     pub fn fender_by_keys(&mut self, name: &str, keys: &str) -> Result<usize, EngineError> {
         let names = self.setup.fenders.iter().map(|other| other.name.as_str());
         check_name("fender", name, names)?;
@@ -69,7 +70,7 @@ impl EngineBuilder {
         Ok(self.setup.fenders.len() - 1)
     }
 
-    /// A scenario with the body, the material and a fender to which the keys are added.
+    /// Text of a scenario with the body, the material and a fender to which the given keys are added.
     fn scenario_of(&self, fender: &str, body: usize, material: usize) -> String {
         let (body, material) = (&self.setup.bodies[body], &self.setup.materials[material]);
         let (carrier, rubber) = (shown(&body.name, "body"), shown(&material.name, "material"));
@@ -85,7 +86,7 @@ impl EngineBuilder {
     }
 }
 
-/// The numbers of a material, without numbers that [`EngineBuilder::build`] will refuse.
+/// The numbers of a material, without those that [`EngineBuilder::build`] will refuse.
 fn material_keys(m: &Material) -> String {
     let numbers = [
         ("stiffness", m.stiffness_npm2),
@@ -102,14 +103,14 @@ fn material_keys(m: &Material) -> String {
     numbers.map(line).join("\n")
 }
 
-/// The name, if TOML accepts it as a bare key; else a neutral name.
+/// The name of a fender, body or material, if TOML accepts it as a bare key; else a neutral name.
 fn shown(name: &str, otherwise: &str) -> String {
     let is_bare = name.len() <= 60
         && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
     if is_bare { name.to_owned() } else { otherwise.to_owned() }
 }
 
-/// A text with or without quotes.
+/// Reads a value that may stand in quotes or not.
 fn unquoted(value: &str) -> &str {
     let inner = |quote| value.strip_prefix(quote)?.strip_suffix(quote);
     inner('"').or_else(|| inner('\'')).unwrap_or(value)

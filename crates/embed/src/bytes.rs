@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         Ok(u64::from_le_bytes(bytes))
     }
 
-    /// A word that is 0 or 1.
+    /// Reads a word that must be 0 or 1.
     pub(crate) fn flag(&mut self) -> Read<bool> {
         match self.word32()? {
             0 => Ok(false),
@@ -154,7 +154,7 @@ impl<'a> Reader<'a> {
         Ok(Wrench { force_n: vec2(north_n, east_n), moment_nm })
     }
 
-    /// A list of as many items as the bytes say; never more items than the remaining bytes can hold.
+    /// Reads a list of as many items as the bytes say, but never more items than the remaining bytes can hold.
     pub(crate) fn list<T>(&mut self, read: impl Fn(&mut Self) -> Read<T>) -> Read<Vec<T>> {
         let count = self.word32()?;
         (0..count).map(|_| read(self)).collect()

@@ -1,4 +1,4 @@
-//! What a program draws of fenders: their faces as they are compressed now.
+//! What a program needs to draw fenders: their faces as they are compressed now.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyId, Fender, FenderId, Rotation, Vec2, vec2};
@@ -9,24 +9,25 @@ use crate::engine::Engine;
 /// of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FenderView {
-    /// The body that carries the fender.
+    /// Index of the body that carries the fender.
     pub body: BodyId,
-    /// The body that presses the fender; of several bodies, the body that presses deepest. `None`: no body presses the
-    /// fender.
+    /// Index of the body that presses the fender; if several bodies do, of the body that presses deepest. `None` means
+    /// that no body presses the fender.
     pub hull: Option<BodyId>,
     /// The two ends of the line where the fender is mounted (m): left and right as seen when looking out from the body.
     pub mount_m: [Vec2; 2],
-    /// The two ends of the face in its present compression and turn (m), in the same order.
+    /// The two ends of the fender's face in its present compression and turn (m): left and right as seen when looking
+    /// out from the body.
     pub face_m: [Vec2; 2],
-    /// Deflection in the last step (m); 0 if no body presses the fender.
+    /// Deflection of the fender in the last step (m); 0 if no body presses the fender.
     pub deflection_m: f64,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Normal force in the last step, the sum over all bodies that press the fender (N).
+    /// Normal force on the fender in the last step, summed over all bodies that press it (N).
     pub normal_force_n: f64,
-    /// Largest normal force of one body within the last step (N).
+    /// Largest normal force of a single body on the fender within the last step (N).
     pub peak_normal_force_n: f64,
-    /// Largest deflection within the last step (m).
+    /// Largest deflection of the fender within the last step (m).
     pub peak_deflection_m: f64,
     /// Turn of a panel on several cones about the vertical (rad); positive if the right end, as you look at the face,
     /// is deflected more. 0 for other fenders.
@@ -34,7 +35,8 @@ pub struct FenderView {
 }
 
 impl Engine {
-    /// All fenders, in the order of the model, as they are after the last step; uncompressed before the first.
+    /// Drawing data of all fenders, in the order of the model, after the last step; before the first step the fenders
+    /// are uncompressed.
     pub fn fender_views(&self) -> impl Iterator<Item = FenderView> + '_ {
         let count = self.model().fenders().len() as u32;
         (0..count).map(|index| self.fender_view(FenderId(index)))
@@ -80,8 +82,8 @@ fn at_rest(fender: &Fender) -> FenderView {
     }
 }
 
-/// The ends of the face, first the left end as seen when looking out. The right end as you look at the face is the
-/// left end as seen when looking out.
+/// The ends of a fender's face, first the left end as seen when looking out from the body. The right end of the face,
+/// for somebody who looks at the face, is the left end for somebody who looks out from the body.
 fn face(fender: &Fender, deflection_m: f64, turn_rad: f64) -> [Vec2; 2] {
     let out = Rotation::from_angle(fender.facing_rad);
     let middle_m = fender.position_m + out.apply(vec2(fender.projection_m - deflection_m, 0.0));

@@ -3,12 +3,12 @@
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `fndrdump` |
-//! | 4, 4 | version of this format; of the engine's snapshot in it |
+//! | 4, 4 | version of the dump's format, then version of the format of the engine's snapshot in the dump |
 //! | 4 + length | version of the library |
-//! | … | the model: bodies, materials, fenders, pairs, initial states; settings |
+//! | … | the model (bodies, materials, fenders, pairs, initial states), then the settings |
 //! | 4 + length | the saved engine before the first step |
 //! | … | the entries: teleports, and steps with their states, loads, outcome and the hash of their results |
-//! | 8 | FNV-1a of all bytes before |
+//! | 8 | FNV-1a hash of all bytes before it |
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -36,14 +36,14 @@ const LIBRARY: &str = env!("CARGO_PKG_VERSION");
 
 type Read<T> = Result<T, RestoreError>;
 
-/// Whether bytes begin as a dump does.
+/// Whether the given bytes begin as a dump does.
 #[must_use]
 pub fn is_dump(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
 impl Engine {
-    /// The recorded steps with all that is needed to replay them: see [`Engine::record`] and [`Dump`].
+    /// Returns a dump: the recorded steps with all that is needed to replay them (see [`Engine::record`] and [`Dump`]).
     ///
     /// # Errors
     /// [`EngineError::NotRecorded`].
@@ -64,7 +64,7 @@ impl Engine {
     }
 }
 
-/// A dump that was read, and the engine that replays the dump.
+/// A dump that was read, together with the engine that replays it.
 #[derive(Clone, Debug)]
 pub struct Dump {
     library: String,
@@ -76,7 +76,7 @@ pub struct Dump {
 /// How a recorded step ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DumpedOutcome {
-    /// The step was taken; the hash of its results.
+    /// The step was taken; holds the hash of the step's results.
     Done(u64),
     /// The step was refused with an error.
     Refused,
@@ -84,14 +84,14 @@ pub enum DumpedOutcome {
     Unfinished,
 }
 
-/// A step that was replayed.
+/// A recorded step that was replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DumpedStep {
-    /// Length of the step (s).
+    /// Length of the replayed step (s).
     pub step_s: f64,
-    /// How the step ended when it was recorded.
+    /// How the step had ended when it was recorded.
     pub outcome: DumpedOutcome,
-    /// The error of the replay.
+    /// Error with which the replayed step ended, if it was refused.
     pub error: Option<EngineError>,
     /// Whether the replayed step ended like the recorded step, with the same bits in all results.
     pub is_same: bool,
@@ -109,10 +109,10 @@ enum Entry {
 }
 
 impl Dump {
-    /// Reads a dump. Any bytes may be given.
+    /// Reads a dump. Any bytes may be given: bytes that are not a dump are refused.
     ///
     /// # Errors
-    /// Bytes that are not a complete, unchanged dump of a version that this library reads.
+    /// Fails for bytes that are not a complete, unchanged dump of a version that this library reads.
     pub fn read(bytes: &[u8]) -> Result<Dump, EngineError> {
         let mut input = Reader { rest: bytes, bodies: 0, fenders: 0 };
         let dump = EngineError::Dump;
@@ -157,13 +157,13 @@ impl Dump {
         &self.library
     }
 
-    /// The engine: before the first step, or after the last step that [`Dump::next_step`] took.
+    /// The engine of the dump: before the first step, or after the last step that [`Dump::next_step`] took.
     #[must_use]
     pub fn engine(&self) -> &Engine {
         &self.engine
     }
 
-    /// The engine, to continue after the replayed steps.
+    /// Takes the engine out of the dump, to continue after the replayed steps.
     #[must_use]
     pub fn into_engine(self) -> Engine {
         self.engine
@@ -175,7 +175,8 @@ impl Dump {
         self.steps
     }
 
-    /// Whether the next step did not end when it was recorded. The replay of such a step may panic.
+    /// Whether the next step of the dump did not end when it was recorded. The replay of a step that did not end may
+    /// panic.
     #[must_use]
     pub fn next_is_unfinished(&self) -> bool {
         let step = self.entries.iter().find_map(|entry| match entry {
@@ -185,7 +186,7 @@ impl Dump {
         step == Some(DumpedOutcome::Unfinished)
     }
 
-    /// Takes the next step; `None` at the end.
+    /// Takes the next step of the dump; `None` at the end of the dump.
     pub fn next_step(&mut self) -> Option<DumpedStep> {
         loop {
             match self.entries.pop_front()? {
@@ -208,7 +209,7 @@ impl Dump {
 }
 
 impl Engine {
-    /// A step with recorded input.
+    /// Takes a step of the engine with its recorded input.
     fn replay_step(
         &mut self,
         states: &[(BodyState, bool)],

@@ -1,4 +1,4 @@
-//! The engine in one object.
+//! The contact engine with its states and loads in one object.
 
 use std::sync::Arc;
 
@@ -14,23 +14,23 @@ use crate::recording::Recording;
 use crate::results::{Results, Saved, of_cosim, of_direct, of_paper};
 use crate::settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
-/// The contact engine with its model, its memory, and the states and loads that the host has set. Cloning it
-/// branches the run; clones share the model.
+/// The contact engine with its model, its memory, and the states and loads that the host has set. Cloning an engine
+/// branches the run; the clones share the model.
 #[derive(Clone, Debug)]
 pub struct Engine {
     pub(crate) plan: Arc<Plan>,
     pub(crate) core: Core,
     pub(crate) spare: Core,
-    /// The input states, one per body.
+    /// The states for the next step, one per body.
     pub(crate) states: Vec<BodyState>,
-    /// Which of them the host has set; a fixed body's need not be.
+    /// For each body, whether the host has set its state; a fixed body's state need not be set.
     pub(crate) is_set: Vec<bool>,
-    /// The loads, one per body; `None` if the host has set no loads.
+    /// The loads for the next step, one per body; `None` if the host has set no loads.
     pub(crate) loads: Option<Vec<Wrench>>,
     pub(crate) latest: Latest,
     /// Zero loads, for a direct host that has set no loads.
     pub(crate) no_loads: Vec<Wrench>,
-    /// The last steps, if [`Engine::record`] asked for a recording.
+    /// The recording of the last steps, if [`Engine::record`] asked for one.
     pub(crate) recording: Option<Box<Recording>>,
 }
 
@@ -48,8 +48,8 @@ pub(crate) struct Plan {
     pub(crate) all_other_pairs: Option<MaterialId>,
 }
 
-/// The mutable part, and buffers. An engine has two: a step runs on a copy in the second, and the two are
-/// swapped when it succeeds.
+/// The part of an engine that steps change, with its buffers. An engine has two cores: a step runs on a copy of the
+/// first core in the second, and the two cores are swapped when the step succeeds.
 #[derive(Clone, Debug)]
 pub(crate) enum Core {
     /// For the paper's method.
@@ -67,7 +67,7 @@ pub(crate) enum Core {
     },
 }
 
-/// Where the latest results are.
+/// Where an engine keeps the results of its latest step.
 #[derive(Clone, Debug)]
 pub(crate) enum Latest {
     Nowhere,
@@ -76,12 +76,12 @@ pub(crate) enum Latest {
 }
 
 impl Engine {
-    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes all other forces
-    /// on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names the parts of the scenario
-    /// that the host must compute.
+    /// Makes an engine for the bodies, fenders, materials and pairs of a scenario. The host computes all other forces
+    /// on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names the parts of the scenario that
+    /// the host must compute.
     ///
     /// # Errors
-    /// [`EngineError`] for settings that conflict with each other or with the scenario.
+    /// Fails for settings that conflict with each other or with the scenario.
     pub fn from_scenario(scenario: Scenario, settings: &Settings) -> Result<Engine, EngineError> {
         let Scenario { title, setup, notices, .. } = scenario;
         let mut notices: Vec<String> = notices.iter().map(ToString::to_string).collect();
@@ -114,7 +114,9 @@ impl Engine {
                 ));
             }
             if host.delay_steps > MAX_DELAY_STEPS {
-                return Err(EngineError::Settings("a host's delay may be at most 1000 steps"));
+                return Err(EngineError::Settings(
+                    "a host may pass states that are at most 1000 steps old",
+                ));
             }
         }
         let model = setup.contact_model()?;
@@ -133,7 +135,7 @@ impl Engine {
         Ok(Engine::new(Arc::new(plan)))
     }
 
-    /// An engine before its first step.
+    /// Makes an engine before its first step.
     pub(crate) fn new(plan: Arc<Plan>) -> Engine {
         let model = &plan.model;
         let count = plan.initial.len();
@@ -169,7 +171,7 @@ impl Engine {
         &self.plan.title
     }
 
-    /// Bodies, materials and fenders, with their names and masses.
+    /// The engine's model: bodies, materials and fenders, with their names and masses.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.plan.model
@@ -187,7 +189,7 @@ impl Engine {
         self.plan.host
     }
 
-    /// The scenario's notices, and the parts of the scenario that are left to the host; one line each.
+    /// The scenario's notices, and the parts of the scenario that are left to the host, with one line for each.
     #[must_use]
     pub fn notices(&self) -> &[String] {
         &self.plan.notices
@@ -199,19 +201,19 @@ impl Engine {
         &self.plan.initial
     }
 
-    /// The states of the next step: the states set last, or the initial states.
+    /// The states for the next step: the states that were set last, or the initial states.
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
-    /// The loads that were set; `None` without loads.
+    /// The loads that the host has set; `None` if it has set no loads.
     #[must_use]
     pub fn loads(&self) -> Option<&[Wrench]> {
         self.loads.as_deref()
     }
 
-    /// Index of the body with this name.
+    /// Finds the index of the body with the given name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -220,7 +222,7 @@ impl Engine {
         found.ok_or_else(|| EngineError::NoSuchName { what: "body", name: name.to_owned() })
     }
 
-    /// Index of the fender with this name.
+    /// Finds the index of the fender with the given name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -229,10 +231,10 @@ impl Engine {
         found.ok_or_else(|| EngineError::NoSuchName { what: "fender", name: name.to_owned() })
     }
 
-    /// Sets the state of one body.
+    /// Sets the state of one body for the next step.
     ///
     /// # Errors
-    /// There is no such body, or a number is not finite or out of range: body and field are named.
+    /// Fails if the body does not exist, or if a number is not finite or out of range; the error names body and field.
     pub fn set_state(&mut self, body: usize, state: &BodyState) -> Result<(), EngineError> {
         let count = self.states.len();
         if body >= count {
@@ -244,10 +246,10 @@ impl Engine {
         Ok(())
     }
 
-    /// Sets the states of all bodies, in the order of the model.
+    /// Sets the states of all bodies for the next step, in the order of the model.
     ///
     /// # Errors
-    /// As [`Engine::set_state`], or a wrong number of states. After an error none is set.
+    /// Fails as [`Engine::set_state`], or for a wrong number of states. After an error no state is set.
     pub fn set_states(&mut self, states: &[BodyState]) -> Result<(), EngineError> {
         self.check_states(states)?;
         self.states.copy_from_slice(states);
@@ -255,14 +257,14 @@ impl Engine {
         Ok(())
     }
 
-    /// Marks a body as teleported: the state of the body in the next step is a new position, not the result of
-    /// motion. The body's contacts start anew, no load is observed from the jump, and if the body overlaps
-    /// another body, it is pressed out slowly ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the
-    /// mark, the engine detects a teleport only if the new position differs from the position by the velocities
-    /// by more than a tenth of the body's radius.
+    /// Marks a body as teleported: the state of the body in the next step is a new position, not the result of motion.
+    /// A teleported body's contacts start anew, no load is observed from the jump, and if the body overlaps another
+    /// body, it is pushed out slowly ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the mark, the engine
+    /// detects a teleport only if the body's new position differs from what its velocities explain by more than a tenth
+    /// of the body's radius.
     ///
     /// # Errors
-    /// There is no such body.
+    /// Fails if the body does not exist.
     pub fn mark_teleported(&mut self, body: usize) -> Result<(), EngineError> {
         let count = self.states.len();
         if body >= count {
@@ -280,12 +282,12 @@ impl Engine {
         Ok(())
     }
 
-    /// Sets the loads: all forces on each body except contact, about the centre of gravity and earth-fixed, in
-    /// the order of the model. The loads hold until they are set again. `None`, as at the start, means zero
-    /// loads for a direct host; the loads of a co-simulation host are observed.
+    /// Sets the loads: all forces on each body except contact, about the centre of gravity and earth-fixed, in the
+    /// order of the model. The loads hold until the host sets loads again. Loads of `None`, as at the start, mean zero
+    /// loads for a direct host; a co-simulation host's loads are then observed.
     ///
     /// # Errors
-    /// As [`Engine::set_states`]; with the paper's method, which has no loads.
+    /// Fails as [`Engine::set_states`], and with the paper's method, which has no loads.
     pub fn set_loads(&mut self, loads: Option<&[Wrench]>) -> Result<(), EngineError> {
         let Some(loads) = loads else {
             self.loads = None;
@@ -299,10 +301,10 @@ impl Engine {
         Ok(())
     }
 
-    /// The results of the last step.
+    /// The results of the engine's last step.
     ///
     /// # Errors
-    /// No step was taken yet.
+    /// Fails if no step was taken yet.
     pub fn results(&self) -> Result<Results<'_>, EngineError> {
         match &self.latest {
             Latest::Nowhere => Err(EngineError::NoStepYet),
@@ -340,7 +342,7 @@ impl Engine {
 }
 
 impl Core {
-    /// The results of the step.
+    /// The results of the core's last step.
     pub(crate) fn results(&self) -> Results<'_> {
         match self {
             Core::Paper { work, .. } => of_paper(work),
@@ -350,7 +352,7 @@ impl Core {
     }
 }
 
-/// Notices of the parts of a set-up, other than contact, that act on bodies.
+/// Notices that name the parts of a scenario, other than contact, whose forces the host must compute.
 fn left_to_the_host(setup: &Setup) -> Vec<String> {
     let world = &setup.world;
     let parts = [

@@ -1,4 +1,4 @@
-//! Errors in a host's input. After an error the engine is unchanged.
+//! Errors in a host's input. After an error in the host's input the engine is unchanged.
 
 use std::fmt;
 
@@ -6,11 +6,11 @@ use fenderline_contact::{OutlineError, RestoreError, StepError};
 use fenderline_scenario::ScenarioError;
 use fenderline_sim::SetupError;
 
-/// A call that an engine refuses.
+/// Error of a call that an engine refuses.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EngineError {
-    /// The bodies, materials, pairs and fenders are not a valid contact problem.
+    /// The bodies, materials, pairs and fenders do not form a valid contact problem.
     Setup(SetupError),
     /// An invalid outline.
     Outline {
@@ -21,7 +21,7 @@ pub enum EngineError {
     },
     /// Settings that conflict.
     Settings(&'static str),
-    /// A name that is empty or already used.
+    /// A name of a body, material or fender is empty or already used.
     Name {
         /// `body`, `material` or `fender`.
         what: &'static str,
@@ -30,9 +30,9 @@ pub enum EngineError {
         /// What is wrong with the name.
         why: &'static str,
     },
-    /// An index beyond the last.
+    /// An index is larger than the last index.
     NoSuch {
-        /// `body`, `material`, `fender`, `contact` or `event`.
+        /// Kind of the part that the index should name: `body`, `material`, `fender`, `contact` or `event`.
         what: &'static str,
         /// The index given.
         index: usize,
@@ -46,24 +46,24 @@ pub enum EngineError {
         /// The name given.
         name: String,
     },
-    /// A state, a load or a time step out of range, or a wrong number of them.
+    /// A state, a load or a time step is out of range, or their number is wrong.
     Input(StepError),
-    /// A step with non-finite forces or states: the step is far too long for these states.
+    /// A step gave forces or states that are not finite: the step is far too long for the bodies' states.
     NotFinite,
-    /// A step before the state of a floating body was set.
+    /// A step was asked for before the state of a floating body was set.
     StateNotSet {
         /// The body.
         body: String,
     },
-    /// Results before the first step.
+    /// Results were asked for before the first step.
     NoStepYet,
-    /// Not available with the engine's settings.
+    /// The call asks for something that is not available with the engine's settings.
     NotAvailable(&'static str),
-    /// Bytes that are not a saved engine, or that belong to another model.
+    /// The bytes to restore are not a saved engine, or belong to another model.
     Restore(RestoreError),
-    /// A saved engine of the same model with other settings.
+    /// The saved engine has the same model, but other settings.
     OtherSettings,
-    /// Keys of a fender that a scenario would refuse; or a line without `=`.
+    /// The keys of a fender have a mistake for which a scenario would be refused, or a line has no `=`.
     Keys(Box<ScenarioError>),
     /// `on` or `material` is missing among the keys of a fender.
     MissingKey {
@@ -72,16 +72,16 @@ pub enum EngineError {
         /// The key.
         key: &'static str,
     },
-    /// A dump of an engine that is not recorded.
+    /// A dump was asked for of an engine that is not recorded.
     NotRecorded,
-    /// Bytes that are not a complete, unchanged dump.
+    /// The bytes are not a complete, unchanged dump.
     Dump(RestoreError),
-    /// A dump by another version of the library, with a format that this version does not read.
+    /// The dump was written by another version of the library, in a format that this version does not read.
     DumpVersion {
         /// The version of the library that wrote the dump.
         library: String,
     },
-    /// Points from which no outline can be made.
+    /// The given points make no outline.
     Points(&'static str),
 }
 
@@ -89,37 +89,49 @@ impl fmt::Display for EngineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             EngineError::Setup(error) => error.fmt(f),
-            EngineError::Outline { body, error } => write!(f, "outline of body `{body}`: {error}"),
+            EngineError::Outline { body, error } => {
+                write!(f, "the outline of body `{body}` is not valid: {error}")
+            }
             EngineError::Settings(why) | EngineError::NotAvailable(why) => f.write_str(why),
             EngineError::Name { what, name, why } => write!(f, "the {what} name `{name}` {why}"),
             EngineError::NoSuch { what, index, count } => {
-                write!(f, "there is no {what} {index}: there are {count}, counted from 0")
+                write!(
+                    f,
+                    "there is no {what} with index {index}: there are {count}, counted from 0"
+                )
             }
             EngineError::NoSuchName { what, name } => write!(f, "no {what} is named `{name}`"),
             EngineError::Input(error) => error.fmt(f),
             EngineError::NotFinite => f.write_str(
-                "the step gives forces or states that are not finite: it is far too long for these states",
+                "the step gives forces or states that are not finite: the step is far too long \
+                 for these states",
             ),
             EngineError::StateNotSet { body } => {
-                write!(f, "the state of body `{body}` was never set")
+                write!(f, "the host has not set the state of body `{body}`, which floats")
             }
-            EngineError::NoStepYet => f.write_str("there are no results: no step was taken"),
+            EngineError::NoStepYet => {
+                f.write_str("there are no results: the engine has not taken a step")
+            }
             EngineError::Restore(error) => error.fmt(f),
             EngineError::Keys(error) => error.fmt(f),
             EngineError::MissingKey { fender, key } => {
-                write!(f, "the keys of fender `{fender}` lack `{key}=`, the name of its {}", match *key {
-                    "on" => "body",
-                    other => other,
-                })
+                write!(
+                    f,
+                    "the keys of fender `{fender}` lack `{key}=`, the name of its {}",
+                    match *key {
+                        "on" => "body",
+                        other => other,
+                    }
+                )
             }
             EngineError::NotRecorded => {
-                f.write_str("the engine is not recorded: start the recording before the steps")
+                f.write_str("the engine records no steps: start the recording before the steps")
             }
             EngineError::Dump(RestoreError::NotASnapshot) => {
                 f.write_str("these bytes are not a dump of an engine")
             }
             EngineError::Dump(RestoreError::OtherModel) => {
-                f.write_str("the dump's model and its saved state do not belong together")
+                f.write_str("the dump's model and its saved engine do not belong together")
             }
             EngineError::Dump(RestoreError::Version { found }) => {
                 write!(f, "dumps of version {found} are not supported")
@@ -132,9 +144,10 @@ impl fmt::Display for EngineError {
                 write!(f, "the dump was written by version {library}: replay it with that version")
             }
             EngineError::Points(why) => f.write_str(why),
-            EngineError::OtherSettings => {
-                f.write_str("the saved engine has another method, host or delay")
-            }
+            EngineError::OtherSettings => f.write_str(
+                "the saved engine has another contact method, another kind of host or another \
+                 delay of the host's states",
+            ),
         }
     }
 }

@@ -1,9 +1,10 @@
-//! The contact engine as one object for other simulators. The C interface, the FMU and the Python package wrap it. It
-//! contains no physics.
+//! The contact engine as one object for other simulators. The C interface, the FMU and the Python package are wrappers
+//! around this crate. This crate contains no physics of its own.
 //!
 //! An [`Engine`] is made from a scenario ([`Engine::from_scenario`]) or by calls ([`EngineBuilder`]), for a direct or a
-//! co-simulation host ([`Settings`]). The host sets states, and loads if it knows them, takes a step, and reads
-//! [`Results`]. It can save the engine as bytes at any time, and restore the engine. A call that fails changes nothing.
+//! co-simulation host ([`Settings`]). The host sets states, sets loads if it knows them, takes a step, and reads the
+//! [`Results`]. The host can save the engine as bytes at any time, and restore the engine from them. A call of the
+//! engine that fails changes nothing.
 //!
 //! ```
 //! use fenderline_embed::*;
@@ -51,7 +52,7 @@ pub use recorded::MOST_RECORDED_STEPS;
 pub use results::{HostEstimate, Results};
 pub use settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
-/// The guide's snippets, as tests.
+/// Runs the pieces of code in the guide as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guides/rust.md")]
 pub struct Guide;

@@ -1,4 +1,4 @@
-//! Outlines from the points of a mesh: convex hull, mirrored half, fewer vertices.
+//! Makes outlines of bodies from the points of a mesh: convex hull, mirrored half, fewer vertices.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::bounded;
@@ -9,7 +9,7 @@ use crate::error::EngineError;
 /// straight edge.
 ///
 /// # Errors
-/// A point that is not finite, or points on one line.
+/// Fails if a point is not finite, or if all points lie on one line.
 pub fn hull_of_points(points_m: &[Vec2]) -> Result<Vec<Vec2>, EngineError> {
     check(points_m)?;
     let mut sorted = points_m.to_vec();
@@ -27,7 +27,7 @@ pub fn hull_of_points(points_m: &[Vec2]) -> Result<Vec<Vec2>, EngineError> {
     Ok(hull)
 }
 
-/// One side of the hull of sorted points.
+/// Finds one side of the convex hull of sorted points.
 fn chain(sorted: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
     let mut side: Vec<Vec2> = Vec::new();
     for point in sorted {
@@ -41,12 +41,12 @@ fn chain(sorted: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
     side
 }
 
-/// The outline of a ship from the points of the starboard side (m), from the bow to the stern or from the stern to the
-/// bow: these points and their mirror images about the centreline. Points on the centreline are not repeated; points to
-/// port by less than `tolerance_m` count as points on the centreline.
+/// Makes the outline of a ship from the points of her starboard side (m), from the bow to the stern or from the stern
+/// to the bow: these points and their mirror images about the centreline. Points on the centreline are not repeated;
+/// points to port by less than `tolerance_m` count as points on the centreline.
 ///
 /// # Errors
-/// A point that is not finite or farther to port, or no point to starboard of the centreline.
+/// Fails if a point is not finite or lies too far to port, or if no point lies to starboard of the centreline.
 pub fn mirrored_outline(side_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Vec2>, EngineError> {
     check(side_m)?;
     if !(tolerance_m.is_finite() && tolerance_m >= 0.0) {
@@ -70,11 +70,12 @@ pub fn mirrored_outline(side_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Vec2>, 
     Ok(whole)
 }
 
-/// An outline with fewer vertices, by the method of Ramer and of Douglas and Peucker. No vertex of the given outline is
-/// farther than `tolerance_m` from the new outline. The two vertices that are farthest apart along one axis stay.
+/// Thins an outline to fewer vertices, by the method of Ramer and of Douglas and Peucker. No vertex of the given
+/// outline is farther than `tolerance_m` from the new outline. When an outline is thinned, the two vertices that are
+/// farthest apart along one axis stay.
 ///
 /// # Errors
-/// A point or a tolerance that is not finite, or fewer than three vertices.
+/// Fails if a point or the tolerance is not finite, or if there are fewer than three vertices.
 pub fn simplified_outline(outline_m: &[Vec2], tolerance_m: f64) -> Result<Vec<Vec2>, EngineError> {
     check(outline_m)?;
     if !(tolerance_m.is_finite() && tolerance_m >= 0.0) {
@@ -113,7 +114,7 @@ fn extreme(points: &[Vec2], of: impl Fn(Vec2) -> f64) -> usize {
     (1..points.len()).fold(0, |best, i| if of(points[i]) > of(points[best]) { i } else { best })
 }
 
-/// Distance of a point from the piece of a line between two (m).
+/// Distance of a point from the straight piece between two other points (m).
 fn distance_m(point: Vec2, from: Vec2, to: Vec2) -> f64 {
     let (along, offset) = (to - from, point - from);
     let squared = along.length_squared();

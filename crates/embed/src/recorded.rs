@@ -9,10 +9,10 @@ use crate::recording::{DONE, Recording, Segment};
 use crate::results::Results;
 use crate::snapshot::write_results;
 
-/// The most steps that [`Engine::record`] keeps.
+/// The largest number of steps that [`Engine::record`] keeps.
 pub const MOST_RECORDED_STEPS: usize = 1_000_000;
 
-/// A hash of all results of a step.
+/// Hashes all results of a step.
 pub(crate) fn digest(results: &Results<'_>) -> u64 {
     let mut out = Writer::default();
     write_results(&mut out, results);
@@ -20,14 +20,17 @@ pub(crate) fn digest(results: &Results<'_>) -> u64 {
 }
 
 impl Engine {
-    /// Records steps from now on, at least the last `steps` of them; 0 ends it. [`Engine::dump`] makes a file of them. A step
-    /// then takes longer, by the copy and the hash of its input and results.
+    /// Records the engine's steps from now on, and keeps at least the last `steps` steps; `steps` = 0 ends the
+    /// recording. [`Engine::dump`] makes a file of the recorded steps. While the engine records, a step takes longer,
+    /// because its input is copied and its results are hashed.
     ///
     /// # Errors
     /// More than [`MOST_RECORDED_STEPS`].
     pub fn record(&mut self, steps: usize) -> Result<(), EngineError> {
         if steps > MOST_RECORDED_STEPS {
-            return Err(EngineError::Settings("at most 1000000 steps can be recorded"));
+            return Err(EngineError::Settings(
+                "at most 1000000 steps of an engine can be recorded",
+            ));
         }
         self.recording = (steps > 0).then(|| {
             let current = Segment::new(self.save());
@@ -36,7 +39,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins a new recording where one was asked for: the steps before do not lead here.
+    /// Begins the recording anew, if the engine records, because the recorded steps do not lead to the engine's new
+    /// state.
     pub(crate) fn restart_recording(&mut self) {
         if let Some(recording) = &self.recording {
             let wanted = recording.wanted;
@@ -45,7 +49,7 @@ impl Engine {
         }
     }
 
-    /// Begins a new segment where one is full.
+    /// Begins a new segment of the recording if the current segment is full.
     pub(crate) fn make_room_in_recording(&mut self) {
         if self.recording.as_ref().is_some_and(|own| own.current.steps >= own.wanted) {
             let next = Segment::new(self.save());
@@ -55,7 +59,7 @@ impl Engine {
         }
     }
 
-    /// Writes the hash of the results.
+    /// Writes the hash of the step's results to the recording.
     pub(crate) fn end_step_of_recording(&mut self) {
         let Some(mut recording) = self.recording.take() else { return };
         if let Ok(results) = self.results() {

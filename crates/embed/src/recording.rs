@@ -1,28 +1,29 @@
 //! The last steps of an engine, recorded so that they can be sent and replayed.
 //!
-//! Steps are kept in two segments, each with the saved engine at its start. When the second segment is full, the first
-//! is dropped. So the recording holds between once and twice the wanted number of steps.
+//! The recorded steps are kept in two segments, each with the saved engine at its start. When the second segment of the
+//! recording is full, the first segment is dropped. The recording therefore holds between once and twice as many steps
+//! as were asked for.
 
 use fenderline_contact::{BodyId, BodyState, Wrench};
 
 use crate::bytes::Writer;
 
-/// First word of an entry.
+/// First word of an entry in the recording; says of which kind the entry is.
 pub(crate) const MARK: u32 = 1;
 pub(crate) const STEP: u32 = 2;
 
-/// Outcome of a recorded step.
+/// Word for the outcome of a recorded step: the step did not end, was taken, or was refused.
 pub(crate) const UNFINISHED: u32 = 0;
 pub(crate) const DONE: u32 = 1;
 pub(crate) const REFUSED: u32 = 2;
 
-/// Bytes of an outcome and the digest after it.
+/// Number of bytes of a step's outcome and of the digest of its results after the outcome.
 const OUTCOME: usize = 12;
 
-/// The last steps of an engine.
+/// The recorded last steps of an engine.
 #[derive(Clone, Debug)]
 pub(crate) struct Recording {
-    /// Steps of a full segment.
+    /// Number of steps in a full segment.
     pub(crate) wanted: usize,
     pub(crate) previous: Option<Segment>,
     pub(crate) current: Segment,
@@ -43,7 +44,7 @@ impl Segment {
 }
 
 impl Recording {
-    /// The saved engine at the start of the recording, and all entries since.
+    /// The saved engine at the start of the recording, and all entries since then.
     pub(crate) fn parts(&self) -> (&[u8], [&[u8]; 2]) {
         match &self.previous {
             Some(previous) => (&previous.start, [&previous.entries, &self.current.entries]),
@@ -58,8 +59,8 @@ impl Recording {
         });
     }
 
-    /// Writes the input of a step before the step is taken, so the input is recorded even if the step does not end.
-    /// There are no flags, because all states are set.
+    /// Writes the input of a step before the step is taken, so the input is recorded even if the step does not end. The
+    /// entry of a step has no flags for the states that are set, because all states are set.
     pub(crate) fn begin_step(
         &mut self,
         states: &[BodyState],

@@ -5,44 +5,45 @@ use fenderline_contact::{
     Wrench,
 };
 
-/// Results of the last step, or the results that were saved with the engine. Unless stated otherwise, lists have one
-/// entry per body, in the order of the model.
+/// Results of the engine's last step, or the results that were saved with the engine. Unless stated otherwise, lists of
+/// results have one entry per body, in the order of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Results<'a> {
-    /// The wrench that the host adds to its forces for the step: earth-fixed, about the centre of gravity. For a
-    /// direct host it is the mean contact wrench over the step; if the host moves the body itself, it includes a
-    /// correction that keeps the body on the engine's motion. For a co-simulation host it is the wrench that moves the
-    /// body to the position that the engine computed.
+    /// The wrench on each body that the host adds to its own forces for the step: earth-fixed, about the centre of
+    /// gravity. For a direct host this wrench is the mean contact wrench over the step; if the host moves the body
+    /// itself, the wrench includes a correction that keeps the body on the engine's motion. For a co-simulation host
+    /// this wrench moves the body to the position that the engine computed.
     pub wrenches: &'a [Wrench],
-    /// The largest contact wrench within the step; `wrenches` are means: see
-    /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Size fenders by the largest wrench, and move bodies by
-    /// `wrenches`.
+    /// The largest contact wrench on each body within the step, while `wrenches` are means: see
+    /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Use the largest wrenches to size fenders, and `wrenches`
+    /// to move bodies.
     pub peak_wrenches: &'a [Wrench],
-    /// The touching patches, in a fixed order.
+    /// The contact patches of the step, in a fixed order.
     pub contacts: &'a [Contact],
-    /// The panels on several cones that a hull presses.
+    /// The motion of panels on several cones, for the panels that a hull presses.
     pub panels: &'a [PanelMotion],
-    /// The events of the step.
+    /// The events of the contacts in the step.
     pub events: &'a [Event],
     /// The engine's states at the end of the step, for direct hosts that let the engine move the bodies; empty for
-    /// co-simulation hosts and with the paper's method, because the host moves the bodies. As in a leapfrog scheme,
-    /// velocities are half a step older (half of the last sub-step, if contacts needed several).
+    /// co-simulation hosts and with the paper's method, because the host moves the bodies. As in a leapfrog scheme, the
+    /// velocities in `states_after` are half a step older than the positions (half of the last sub-step, if contacts
+    /// needed several).
     pub states_after: &'a [BodyState],
-    /// The engine's estimate of a co-simulation host; `None` for a direct host.
+    /// The engine's estimate of a co-simulation host's states and loads; `None` for a direct host.
     pub host_estimate: Option<HostEstimate<'a>>,
 }
 
-/// The engine's estimate of a co-simulation host.
+/// The engine's estimate of a co-simulation host's states and loads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HostEstimate<'a> {
     /// The host's present states.
     pub states: &'a [BodyState],
-    /// Its loads, reported or observed.
+    /// Loads on the host's bodies, reported by the host or observed by the engine.
     pub loads: &'a [Wrench],
 }
 
 impl Results<'_> {
-    /// Is every number among them finite?
+    /// Whether every number among the results is finite.
     pub(crate) fn are_finite(&self) -> bool {
         let of_state = |s: &BodyState| {
             s.position_m.is_finite()
@@ -110,7 +111,7 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
     ]
 }
 
-/// Number of [`numbers`] per contact.
+/// How many numbers [`numbers`] gives for a contact.
 pub(crate) const CONTACT_NUMBERS: usize = 34;
 
 /// Results that were saved with an engine.
@@ -126,7 +127,7 @@ pub(crate) struct Saved {
 }
 
 impl Saved {
-    /// A step of zero length.
+    /// Makes these results those of a pause, a step of zero length.
     pub(crate) fn pause(&mut self, states: &[BodyState]) {
         self.events.clear();
         for contact in &mut self.contacts {
@@ -154,7 +155,7 @@ impl Saved {
     }
 }
 
-/// Results of the paper's method, which has no sub-steps.
+/// Gathers the results of the paper's method, which has no sub-steps.
 pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
@@ -167,7 +168,7 @@ pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     }
 }
 
-/// Results for a direct host, by the coupled method.
+/// Gathers the results for a direct host, by the coupled method.
 pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
@@ -180,7 +181,7 @@ pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
     }
 }
 
-/// Results for a co-simulation host.
+/// Gathers the results for a co-simulation host.
 pub(crate) fn of_cosim(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),

@@ -1,18 +1,18 @@
-//! An engine as bytes: versioned, little-endian, with a check sum.
+//! A saved engine as bytes: versioned, little-endian, with a checksum.
 //!
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `fndrmbed` |
-//! | 4, 4 | version of this format; [`SNAPSHOT_VERSION`] of the engine's snapshot in it |
-//! | 8 | FNV-1a of the names of bodies and fenders in their order, as indices refer to them below |
-//! | 4, 4, 4, 4 | method; kind of host; its delay in steps; its integration |
-//! | 4 + length | length and bytes of the engine's own snapshot, which has the model's fingerprint |
-//! | 52 each | bodies: state; 1 if the host has set it, else 0 |
-//! | 4 + 24 each | 1 if loads were set, else 0; the loads |
-//! | 4 + … | 1 if there are results, else 0; the results |
-//! | 8 | FNV-1a of all bytes before |
+//! | 4, 4 | version of the format of these bytes, then [`SNAPSHOT_VERSION`] of the contact engine's snapshot in them |
+//! | 8 | FNV-1a hash of the names of bodies and fenders in their order, because the bytes that follow refer to them by index |
+//! | 4, 4, 4, 4 | method; kind of host; age of the host's states in steps; the host's integration |
+//! | 4 + length | length and bytes of the contact engine's own snapshot, which has the model's fingerprint |
+//! | 52 each | for each body: its state; then 1 if the host has set the state, else 0 |
+//! | 4 + 24 each | 1 if loads were set, else 0; then the loads |
+//! | 4 + … | 1 if there are results, else 0; then the results |
+//! | 8 | FNV-1a hash of all bytes before it |
 //!
-//! Results are saved too, so a restored engine reports the results of the saved engine.
+//! Results are saved too, so that a restored engine reports the results of the saved engine.
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
@@ -30,7 +30,7 @@ const MAGIC: &[u8; 8] = b"fndrmbed";
 const VERSION: u32 = 4;
 
 impl Engine {
-    /// The whole mutable state of this engine, as bytes.
+    /// Saves all of this engine that steps change, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
         let plan = &*self.plan;
@@ -62,12 +62,13 @@ impl Engine {
         out.0
     }
 
-    /// Restores what [`Engine::save`] saved from an engine of the same model, with bodies and fenders in the
-    /// same order, and with the same settings. Any bytes may be given.
+    /// Restores an engine that [`Engine::save`] saved: an engine of the same model, with bodies and fenders in the same
+    /// order, and with the same settings. Any bytes may be given to restore: bytes that are not a saved engine are
+    /// refused.
     ///
     /// # Errors
-    /// Bytes that are not a complete, unchanged save, or a save of another engine. This engine is
-    /// then unchanged.
+    /// Fails for bytes that are not a complete, unchanged saved engine, or that were saved from another engine. After
+    /// an error this engine is unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), EngineError> {
         let mut restored = self.clone();
         read(&mut restored, bytes)?;
@@ -157,7 +158,8 @@ fn restored_host(
     if host.settings() == settings { Ok(host) } else { Err(RestoreError::Content) }
 }
 
-/// A hash that differs for models with other names or another order, unlike the model's fingerprint.
+/// A hash of the names of a model's bodies and fenders in their order, on which the model's fingerprint does not
+/// depend.
 fn hash_of_names(plan: &Plan) -> u64 {
     let mut out = Writer::default();
     let bodies = plan.model.bodies().iter().map(|body| &body.name);
@@ -170,7 +172,7 @@ fn hash_of_names(plan: &Plan) -> u64 {
     Fnv1a::of(&out.0)
 }
 
-/// The settings, but for the Coriolis terms, which the model's fingerprint includes.
+/// The engine's settings as words, without the setting of the Coriolis terms, which the model's fingerprint includes.
 pub(crate) fn settings_words(plan: &Plan) -> [u32; 4] {
     let method = match plan.method {
         Method::Coupled => 0,
@@ -202,7 +204,7 @@ pub(crate) fn write_results(out: &mut Writer, results: &Results<'_>) {
     }
 }
 
-/// The engine's settings decide which results exist.
+/// Reads saved results; the engine's settings decide which results exist.
 fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreError> {
     let bodies = input.bodies;
     let mut saved = Saved {

@@ -9,7 +9,8 @@ use crate::engine::{Core, Engine, Latest, Plan};
 use crate::error::EngineError;
 
 impl Engine {
-    /// Returns to the start: forgets contacts, states and loads. The next step is the first.
+    /// Resets the engine to its start: it forgets contacts, states and loads. After the reset, the next step counts as
+    /// the first step.
     pub fn reset(&mut self) {
         let recording = self.recording.take();
         *self = Engine::new(Arc::clone(&self.plan));
@@ -17,11 +18,12 @@ impl Engine {
         self.restart_recording();
     }
 
-    /// One step of `step_s` seconds, from the states set last. A step of 0 s, of a paused host, changes nothing: the
-    /// results are those of the last step, without events and the contacts' work.
+    /// Takes one step of `step_s` seconds, from the states that were set last. A step of 0 s, as a paused host takes,
+    /// moves nothing: the results are those of the last step, but without events and without the work of the contacts.
     ///
     /// # Errors
-    /// The state of a floating body was never set, or a step that is neither 0 nor from 1e-9 s to 1e6 s.
+    /// Fails if the state of a floating body was never set, or if the step is neither 0 s nor from 1e-9 s to 1e6 s
+    /// long.
     pub fn step(&mut self, step_s: f64) -> Result<(), EngineError> {
         let mut bodies = self.plan.model.bodies().iter().zip(&self.is_set);
         let unset = bodies.find(|(body, is_set)| !**is_set && body.mobility != Mobility::Fixed);
@@ -44,11 +46,11 @@ impl Engine {
         Ok(())
     }
 
-    /// [`Engine::set_states`], [`Engine::set_loads`] if loads are given, and [`Engine::step`] in one call; returns
-    /// the wrenches. If any of them fails, nothing changes.
+    /// Does [`Engine::set_states`], [`Engine::set_loads`] if loads are given, and [`Engine::step`] in one call; returns
+    /// the wrenches. If one of the calls in [`Engine::advance`] fails, nothing changes.
     ///
     /// # Errors
-    /// Those of the three calls.
+    /// Fails as [`Engine::set_states`], [`Engine::set_loads`] or [`Engine::step`] does.
     pub fn advance(
         &mut self,
         states: &[BodyState],
@@ -81,7 +83,8 @@ impl Engine {
         Ok(self.results()?.wrenches)
     }
 
-    /// After a step its results are in the workspace. A pause of a restored engine keeps the saved results.
+    /// Notes where the results are: after a step they are in the workspace. A pause of a restored engine keeps the
+    /// results that were saved with the engine.
     fn keep_results(&mut self, step_s: f64) {
         match &mut self.latest {
             Latest::Saved(saved) if step_s == 0.0 => saved.pause(&self.states),
@@ -91,8 +94,8 @@ impl Engine {
 }
 
 impl Core {
-    /// A step from the state of `before`, which stays unchanged. After an error `self` is invalid until the next
-    /// step.
+    /// Takes a step from the state of the core `before`, which stays unchanged. After an error this core (`self`) is
+    /// not valid until its next step.
     fn take_step(
         &mut self,
         before: &Core,
@@ -120,7 +123,7 @@ impl Core {
                 host.copy_from(now);
                 host.step(model, work, states, loads, step_s)?;
             }
-            _ => unreachable!("both cores are for the same kind of host"),
+            _ => unreachable!("both cores of an engine are for the same kind of host"),
         }
         if self.results().are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
     }

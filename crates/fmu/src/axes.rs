@@ -1,8 +1,8 @@
-//! Vectors in a body's axes and earth-fixed.
+//! Turns vectors between a body's own axes and earth-fixed axes.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 
-/// Turns a vector from a body's axes to earth-fixed ones.
+/// Turns a vector from a body's axes to earth-fixed axes.
 pub(crate) fn earth_fixed(state: &BodyState, own: Vec2) -> Vec2 {
     Rotation::from_angle(state.heading_rad).apply(own)
 }

@@ -1,5 +1,5 @@
-//! Reading and writing memory of the master. Null and misaligned pointers are rejected; the master
-//! guarantees everything else: that a pointer is valid for its type and count during the call.
+//! Reads and writes memory of the master, the program that calls the FMU. Null and misaligned pointers are rejected;
+//! everything else is the master's promise: that a pointer is valid for its type and count during the call.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::{Path, PathBuf};
@@ -13,11 +13,11 @@ use crate::logger::{Logger2, Logger3};
 use crate::plan::Plan;
 use crate::status::Status;
 
-/// Limit of values per call; a longer array is an error.
+/// Most values that a call may read or write; a longer array is an error.
 const MOST_VALUES: usize = 1 << 20;
 /// Limit of a serialised state (bytes).
 const MOST_BYTES: usize = 1 << 30;
-/// Category of all messages, as the model description names it.
+/// Category of all messages to the master, as the model description names it.
 pub(crate) const CATEGORY: &CStr = c"logStatusError";
 
 /// Where messages go.
@@ -27,7 +27,7 @@ pub(crate) enum Log {
     Three { logger: Logger3, environment: Address },
 }
 
-/// A pointer of the master, which is passed back and never dereferenced.
+/// A pointer of the master, which is handed back to the master and never dereferenced.
 pub(crate) struct Address(pub(crate) *mut c_void);
 
 // SAFETY: the address is only passed back. The standard lets a master call an instance from any
@@ -80,14 +80,14 @@ fn check<T>(pointer: *const T, name: &str) -> Outcome {
 /// Copies values in.
 ///
 /// # Safety
-/// The master's promise for `count` values.
+/// The pointer must be valid for `count` values during the call, as the master promises.
 pub(crate) unsafe fn read<T: Copy>(pointer: *const T, count: usize, name: &str) -> Outcome<Vec<T>> {
     if count == 0 {
         return Ok(Vec::new());
     }
     check(pointer, name)?;
     if count > MOST_VALUES {
-        return Err(format!("{count} of {name} are too many"));
+        return Err(format!("{count} of {name} are more than a call may pass"));
     }
     // SAFETY: not NULL, aligned, and within the count that the master promises; any bytes are a valid number.
     Ok((0..count).map(|index| unsafe { pointer.add(index).read() }).collect())
@@ -96,7 +96,7 @@ pub(crate) unsafe fn read<T: Copy>(pointer: *const T, count: usize, name: &str) 
 /// Copies bytes in.
 ///
 /// # Safety
-/// The master's promise for `count` bytes.
+/// The pointer must be valid for `count` bytes during the call, as the master promises.
 pub(crate) unsafe fn read_bytes(pointer: *const u8, count: usize) -> Outcome<Vec<u8>> {
     check(pointer, "the serialised state")?;
     if count > MOST_BYTES {
@@ -109,7 +109,7 @@ pub(crate) unsafe fn read_bytes(pointer: *const u8, count: usize) -> Outcome<Vec
 /// Copies values out.
 ///
 /// # Safety
-/// The master's promise for room for the values.
+/// The pointer must have room for all of the values during the call, as the master promises.
 pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, values: &[T], name: &str) -> Outcome {
     if values.is_empty() {
         return Ok(());
@@ -122,7 +122,7 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, values: &[T], name: &str) -
     Ok(())
 }
 
-/// Rejects an invalid pointer to room for values.
+/// Rejects a NULL or misaligned pointer where the master should give room for values.
 pub(crate) fn check_room<T>(pointer: *const T, count: usize, name: &str) -> Outcome {
     if count == 0 { Ok(()) } else { check(pointer, name) }
 }
@@ -130,7 +130,7 @@ pub(crate) fn check_room<T>(pointer: *const T, count: usize, name: &str) -> Outc
 /// Copies a text in.
 ///
 /// # Safety
-/// The master's promise for a NUL at its end.
+/// The text must end with a NUL, as the master promises.
 pub(crate) unsafe fn text(pointer: *const c_char, name: &str) -> Outcome<String> {
     check(pointer, name)?;
     // SAFETY: not NULL; the master promises a NUL.
@@ -141,7 +141,7 @@ pub(crate) unsafe fn text(pointer: *const c_char, name: &str) -> Outcome<String>
 /// Limit of a bundle's size (bytes).
 const LARGEST_BUNDLE: u64 = 1 << 30;
 
-/// Creates an instance of the FMU with resources in this folder.
+/// Creates an instance of the FMU whose resources are in the folder `resources`.
 pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     let path = resources.join(crate::pack::BUNDLE_FILE);
     let json = read_text_of(&path, LARGEST_BUNDLE).map_err(|error| error.to_string())?;
@@ -149,15 +149,15 @@ pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     let plan = Plan::new(bundle).map_err(|error| error.to_string())?;
     if plan.token != token {
         return Err(format!(
-            "the FMU's token is `{}` and not `{token}`: description, resources and library do not \
-             belong together (library: {STAMP})",
+            "the FMU's token is `{}` and not `{token}`: its description, resources and library do not belong \
+             together (library: {STAMP})",
             plan.token
         ));
     }
     Ok(Instance::new(plan))
 }
 
-/// The folder that a `file:` URI names.
+/// The folder that a URI of the form `file:…` names.
 pub(crate) fn folder_of_uri(uri: &str) -> Outcome<PathBuf> {
     let no = || format!("the resource location `{uri}` is not a file URI");
     let rest = uri.strip_prefix("file:").ok_or_else(no)?;
@@ -184,7 +184,7 @@ pub(crate) fn folder_of_uri(uri: &str) -> Outcome<PathBuf> {
     Ok(PathBuf::from(if drive { &path[1..] } else { &path }))
 }
 
-/// For features that the FMU lacks: an error unless `count` is 0.
+/// Refuses the use of a feature that the FMU lacks: returns an error unless `count` is 0.
 pub(crate) fn none(count: usize, what: &str) -> Outcome {
     if count == 0 { Ok(()) } else { Err(format!("the FMU has no {what}")) }
 }

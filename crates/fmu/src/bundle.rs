@@ -21,20 +21,20 @@ pub struct Bundle {
     /// Name of the scenario file, for messages and the default title.
     name: String,
     text: String,
-    /// Keys that replace keys of the text, and their values.
+    /// Keys that replace keys of the scenario's text, each with its value.
     changes: Vec<[String; 2]>,
-    /// The named files' texts, by their names in the scenario.
+    /// Texts of the files that the scenario names, by those names.
     files: BTreeMap<String, String>,
 }
 
-/// A scenario that cannot be bundled, or a text that is not a bundle.
+/// Why a scenario cannot be bundled, or why a text is not a bundle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BundleError {
-    /// The file cannot be read.
+    /// The scenario file cannot be read.
     Unreadable(String),
-    /// The scenario reader refuses it.
+    /// The scenario reader refuses the file.
     Refused(ScenarioError),
-    /// The text is not a bundle: the missing part.
+    /// The text is not a bundle; says which part is missing.
     NotABundle(&'static str),
 }
 
@@ -91,7 +91,10 @@ impl Bundle {
     pub fn scenario(&self) -> Result<Scenario, BundleError> {
         let overrides = overrides(&self.changes)?;
         Scenario::parse_among(&self.text, &self.name, &overrides, &mut |name| {
-            self.files.get(name).cloned().ok_or_else(|| format!("{name}: it is not in the FMU"))
+            self.files
+                .get(name)
+                .cloned()
+                .ok_or_else(|| format!("{name}: the file is not in the FMU"))
         })
         .map_err(BundleError::Refused)
     }
@@ -112,8 +115,9 @@ impl Bundle {
         format!("{bundle:#}\n")
     }
 
-    /// The bundle's content for a hash: each text after its length. It does not depend on how [`Bundle::to_json`] orders its
-    /// keys, which another crate's choice of `serde_json`'s features can change.
+    /// The content of the bundle from which a hash is made: each text after its length. The bytes that are hashed do
+    /// not depend on how [`Bundle::to_json`] orders its keys, which another crate's choice of `serde_json`'s features
+    /// can change.
     pub(crate) fn content(&self) -> Vec<u8> {
         let changes = self.changes.iter().flatten().map(String::as_str);
         let files = self.files.iter().flat_map(|(name, text)| [name.as_str(), text.as_str()]);
@@ -136,7 +140,7 @@ impl Bundle {
         let no = BundleError::NotABundle;
         let bundle: Value = serde_json::from_str(json).map_err(|_| no("JSON"))?;
         if bundle["form"] != json!(FORM) {
-            return Err(no("form that this library knows"));
+            return Err(no("form version that this library can read"));
         }
         let text = |key: &str| bundle[key].as_str().map(str::to_owned);
         let change =

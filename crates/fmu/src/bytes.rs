@@ -1,4 +1,4 @@
-//! Numbers to bytes and back: little-endian, bit for bit.
+//! Turns numbers into bytes and back: little-endian, bit for bit.
 
 pub(crate) fn word32(out: &mut Vec<u8>, word: u32) {
     out.extend_from_slice(&word.to_le_bytes());
@@ -12,7 +12,7 @@ pub(crate) fn number(out: &mut Vec<u8>, number: f64) {
     word64(out, number.to_bits());
 }
 
-/// Reads bytes from the front; `None` if there are too few bytes.
+/// Reads numbers from the front of some bytes; `None` if there are too few bytes.
 pub(crate) struct Reader<'a>(pub(crate) &'a [u8]);
 
 impl<'a> Reader<'a> {

@@ -1,4 +1,4 @@
-//! A running FMU of the engine kind.
+//! A running FMU of the kind `engine`: the contact engine whose ships other FMUs simulate.
 
 use fenderline_contact::{BodyState, Contact, HostIntegration, HostSettings, Wrench};
 use fenderline_embed::{Engine, Host, Settings};
@@ -19,21 +19,21 @@ pub(crate) struct EngineRun {
     uses_loads: bool,
     body_fixed: bool,
     pub(crate) beginning: Beginning,
-    /// The reposition counter of each body at the last step; 0 for fixed bodies.
+    /// The reposition counter of each body at the last step; fixed bodies have 0.
     pub(crate) placed: Vec<i32>,
 }
 
-/// Start phase of an engine with a host whose states are delayed.
+/// How far the engine has begun, where the host's states come delayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beginning {
-    /// Number of steps still to be skipped: the host's states may not be valid yet.
+    /// Number of steps that are still skipped, because the host's states may not be valid yet.
     Waiting(u32),
-    /// The initial states have been processed.
+    /// The host's initial states have been processed.
     Begun,
 }
 
 impl EngineRun {
-    /// Starts with the parameters and the initial states.
+    /// Starts the engine with the parameters and the bodies' initial states.
     pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
         let mut run = EngineRun::at_rest(plan, values)?;
         if run.beginning == Beginning::Waiting(0) {
@@ -46,7 +46,7 @@ impl EngineRun {
         Ok(run)
     }
 
-    /// An engine with the parameters, before the initial step.
+    /// Makes the engine with the parameters, before its initial step.
     pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
         let of = |setting| plan.table.setting(values, setting);
         let is_on = |setting| of(setting) != 0.0;
@@ -85,12 +85,12 @@ impl EngineRun {
         Ok(EngineRun { engine, uses_loads, body_fixed, beginning, placed })
     }
 
-    /// True before the engine's first step.
+    /// True before the engine has made its first step.
     pub(crate) fn waits(&self) -> bool {
         self.beginning != Beginning::Begun
     }
 
-    /// A step of the host.
+    /// Takes a step of the host.
     pub(crate) fn step(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
         match self.beginning {
             Beginning::Begun => {}
@@ -108,7 +108,7 @@ impl EngineRun {
         self.advance(plan, values, step_s)
     }
 
-    /// A step of the engine from the states and loads of the inputs.
+    /// Takes a step of the engine from the states and loads that the inputs give.
     fn advance(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
         let inputs = Inputs { table: &plan.table, values };
         let mut states = self.engine.initial_states().to_vec();
@@ -138,12 +138,12 @@ impl EngineRun {
         Ok(())
     }
 
-    /// Bodies whose reposition counter has changed since the last step, with the new count.
+    /// Bodies whose reposition counter has changed since the last step, each with its new count.
     fn newly_placed(&self, inputs: &Inputs<'_>) -> Vec<(usize, i32)> {
         inputs.placed().filter(|&(body, count)| count != self.placed[body]).collect()
     }
 
-    /// Reads the outputs of the last step, or zeros before the first.
+    /// Reads the outputs of the engine's last step, or zeros before the first step.
     pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
         let results = self.engine.results();
         let nothing: (&[Wrench], &[Wrench], &[Contact]) = (&[], &[], &[]);

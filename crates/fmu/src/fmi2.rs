@@ -1,9 +1,10 @@
 //! The functions of FMI 2.0 for co-simulation, with the signatures of the standard's `fmi2FunctionTypes.h`.
 //!
-//! Safety of each: the master's promise (`border`). Components and states are handles, never dereferenced.
+//! Every function relies on the master's promise that its pointers are valid, as module `border` says. FMI's components
+//! and states are handles in this library, which are never dereferenced.
 #![allow(non_snake_case, reason = "the standard's names")]
 #![allow(missing_docs, reason = "the standard documents them")]
-#![allow(clippy::missing_safety_doc, reason = "the module says what the master promises")]
+#![allow(clippy::missing_safety_doc, reason = "the module's head says what the master promises")]
 
 use std::ffi::{CString, c_char, c_int, c_void};
 
@@ -16,7 +17,8 @@ use crate::registry::{as_pointer, free, make, next_number, with};
 use crate::status::Status;
 use crate::table::Class;
 
-/// `fmi2CallbackFunctions`. Only the logger is used: the library has its own memory, and no step is asynchronous.
+/// `fmi2CallbackFunctions`. The library uses only the logger of the callbacks: it has its own memory, and no step is
+/// asynchronous.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Callbacks {
@@ -209,11 +211,11 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mu
     }))
 }
 
-/// Number for a saved state: the number of the state to overwrite, or a new number, which is written to the
+/// Number under which a state is saved: that of the state to overwrite, or a new number, which is written to the
 /// master's pointer.
 ///
 /// # Safety
-/// The master's promise for one pointer.
+/// `state` must be valid for one pointer during the call, as the master promises.
 pub(crate) unsafe fn number_for(instance: &Instance, state: *mut *mut c_void) -> Outcome<usize> {
     // SAFETY: the master's promise.
     let old = unsafe { read(state, 1, "the FMU state") }?[0].addr();
@@ -240,7 +242,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(
 /// Frees a saved state and sets the master's pointer to NULL. Freeing NULL does nothing.
 ///
 /// # Safety
-/// The master's promise for one pointer.
+/// `state` must be valid for one pointer during the call, as the master promises.
 pub(crate) unsafe fn free_state(instance: &mut Instance, state: *mut *mut c_void) -> Outcome {
     // SAFETY: the master's promise.
     let number = unsafe { read(state, 1, "the FMU state") }?[0].addr();
@@ -277,10 +279,10 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     }))
 }
 
-/// Writes the bytes of a state; the room may be larger than needed.
+/// Writes the bytes of a saved state; the master's room may be larger than needed.
 ///
 /// # Safety
-/// The master's promise for `size` bytes.
+/// `bytes` must have room for `size` bytes during the call, as the master promises.
 pub(crate) unsafe fn serialize(
     instance: &Instance,
     number: usize,
@@ -289,7 +291,10 @@ pub(crate) unsafe fn serialize(
 ) -> Outcome {
     let own = instance.to_bytes(number)?;
     if size < own.len() {
-        return Err(format!("the state has {} bytes, but there is room for {size}", own.len()));
+        return Err(format!(
+            "the saved state has {} bytes, but there is room for only {size}",
+            own.len()
+        ));
     }
     // SAFETY: the master's promise for `size` bytes, and these are not more.
     unsafe { write(bytes, &own, "the bytes") }
@@ -308,10 +313,10 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     }))
 }
 
-/// Makes a saved state from bytes.
+/// Makes a saved state from the bytes of another.
 ///
 /// # Safety
-/// The master's promise for `size` bytes and one pointer.
+/// `bytes` must be valid for `size` bytes and `state` for one pointer during the call, as the master promises.
 pub(crate) unsafe fn deserialize(
     instance: &mut Instance,
     bytes: *const u8,
@@ -377,11 +382,11 @@ pub unsafe extern "C" fn fmi2DoStep(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2CancelStep(component: *mut c_void) -> c_int {
     code(with(component, "fmi2CancelStep", |_| {
-        Err("there is no step to cancel: steps are not asynchronous".to_owned())
+        Err("no step can be cancelled, because steps are not asynchronous".to_owned())
     }))
 }
 
-/// Writes a status value; Discard if there is no value, as the standard requires.
+/// Writes a status value to the master; the result is Discard if the FMU has no such value, as the standard requires.
 fn status_value<T: Copy>(
     component: *mut c_void,
     name: &str,

@@ -1,11 +1,12 @@
-//! The functions of FMI 3.0, with the signatures of the standard's `fmi3FunctionTypes.h`. All exist; those for model
-//! exchange, scheduled execution, clocks and unused types return an error.
+//! The functions of FMI 3.0, with the signatures of the standard's `fmi3FunctionTypes.h`. All functions of FMI 3.0
+//! exist; the functions for model exchange, scheduled execution, clocks and unused types return an error.
 //!
-//! Safety of each: the master's promise (`border`). Instances and states are handles, never dereferenced.
-//! `fmi3Boolean`, a `bool` of C, is read as a byte, so that any byte is valid.
+//! Every function relies on the master's promise that its pointers are valid, as module `border` says. FMI's instances
+//! and states are handles in this library, which are never dereferenced. `fmi3Boolean`, a `bool` of C, is read as a
+//! byte, so that any byte is valid.
 #![allow(non_snake_case, reason = "the standard's names")]
 #![allow(missing_docs, reason = "the standard documents them")]
-#![allow(clippy::missing_safety_doc, reason = "the module says what the master promises")]
+#![allow(clippy::missing_safety_doc, reason = "the module's head says what the master promises")]
 #![allow(clippy::too_many_arguments, reason = "the standard's signatures")]
 
 use std::ffi::{c_char, c_int, c_void};
@@ -145,12 +146,14 @@ phase!(
     fmi3Reset reset
 );
 
-/// The number of values must be that of references, as no variable is an array.
+/// Checks that there are as many values as value references, because no variable is an array.
 fn check_counts(references: usize, values: usize) -> Outcome {
     if references == values {
         return Ok(());
     }
-    Err(format!("{references} value references and {values} values: no variable is an array"))
+    Err(format!(
+        "a call gives {references} value references but {values} values, although no variable is an array"
+    ))
 }
 
 macro_rules! values {
@@ -206,7 +209,7 @@ values!(
         |v| f64::from(u8::from(v != 0))
 );
 
-/// Types that no variable has.
+/// Functions for the types of FMI 3.0 that no variable of the FMU has.
 macro_rules! no_values {
     ($($function:ident),*) => { $(
         #[unsafe(no_mangle)]
@@ -259,7 +262,7 @@ macro_rules! no_binaries {
 
 no_binaries!(fmi3GetBinary, fmi3SetBinary);
 
-/// Clocks: the FMU has none.
+/// Functions for clocks, of which the FMU has none.
 macro_rules! no_clocks {
     ($($function:ident($($argument:ident),*));*) => { $(
         #[unsafe(no_mangle)]
@@ -288,12 +291,13 @@ no_clocks!(
     fmi3SetShiftFraction(counters, resolutions)
 );
 
-/// Modes that the FMU does not have.
+/// Functions for the modes that the FMU does not have.
 macro_rules! no_mode {
     ($($function:ident),*) => { $(
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $function(fmu: *mut c_void) -> c_int {
-            code(with(fmu, stringify!($function), |_| Err("the FMU has no such mode".to_owned())))
+            code(with(fmu, stringify!($function), |_| Err("the FMU does not have the mode that was asked \
+                                                           for".to_owned())))
         }
     )* };
 }
@@ -385,7 +389,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     code(with(fmu, "fmi3DeserializeFMUState", |i| unsafe { deserialize(i, bytes, size, state) }))
 }
 
-/// Derivatives: the FMU provides none.
+/// Functions for derivatives, which the FMU does not provide.
 macro_rules! no_derivatives {
     ($($function:ident),*) => { $(
         #[unsafe(no_mangle)]
@@ -462,7 +466,7 @@ pub unsafe extern "C" fn fmi3DoStep(
     }))
 }
 
-/// Model exchange and scheduled execution.
+/// Functions for model exchange and scheduled execution, which the FMU does not offer.
 macro_rules! unsupported {
     ($($function:ident($($argument:ident: $type:ty),*));*) => { $(
         #[unsafe(no_mangle)]

@@ -1,35 +1,35 @@
-//! What an input stands for.
+//! The kinds of FMU inputs: what a value that the master sets stands for.
 
-/// What an input stands for.
+/// What an input of the FMU stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
-    /// A component of a body's state.
+    /// One component of a body's position or motion.
     State {
         body: usize,
         component: StateComponent,
     },
-    /// A body's counter of repositionings.
+    /// A body's counter, which the master raises when it puts the body at a new place.
     Placed(usize),
-    /// A component of a load on a body.
+    /// One component of a load on a body.
     Load {
         body: usize,
         component: LoadComponent,
     },
-    /// True where the master controls a vessel.
+    /// Whether the master controls a vessel; the value is true or false.
     ExternalControl(usize),
     Rudder(usize),
     Engine(usize),
     Thruster(usize, usize),
     AzimuthPower(usize, usize),
     AzimuthDirection(usize, usize),
-    /// True where the master controls a vector tug.
+    /// Whether the master controls a vector tug; the value is true or false.
     ExternalTugControl(usize),
     TugForce(usize),
     TugDirection(usize),
     TugPulls(usize),
 }
 
-/// Earth-fixed: x is north, y is east.
+/// A component of a body's earth-fixed position or motion: x is north, y is east.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StateComponent {
     X,
@@ -40,7 +40,7 @@ pub(crate) enum StateComponent {
     YawRate,
 }
 
-/// Earth-fixed: x is north, y is east.
+/// A component of an earth-fixed load: x is north, y is east.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LoadComponent {
     X,

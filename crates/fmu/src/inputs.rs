@@ -1,4 +1,4 @@
-//! Inputs: what a master sets at each communication point.
+//! The inputs of an FMU: what a master sets at each communication point.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Wrench};
@@ -10,7 +10,7 @@ use crate::input::{Input, LoadComponent, StateComponent};
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// The largest load that the engine takes (N, N·m).
+/// The largest force (N) or moment (N·m) that the engine takes.
 const LARGEST_LOAD: f64 = 1e15;
 
 struct Row<'a> {
@@ -50,7 +50,7 @@ fn add(table: &mut Table, row: Row<'_>) -> usize {
     })
 }
 
-/// States and loads of the floating bodies, for the engine.
+/// Adds the inputs of an engine FMU: states and loads of the floating bodies.
 pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
     let states = setup.initial_states();
     for (body, (of, state)) in setup.bodies.iter().zip(&states).enumerate() {
@@ -66,8 +66,20 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         let (x, v) = (state.position_m, state.velocity_mps);
         let (m, mps) = (Unit::Metre, Unit::MetrePerSecond);
         let place = [
-            state_row("x_m", "position of the centre of gravity, north", m, StateComponent::X, x.x),
-            state_row("y_m", "position of the centre of gravity, east", m, StateComponent::Y, x.y),
+            state_row(
+                "x_m",
+                "north coordinate of the body's centre of gravity",
+                m,
+                StateComponent::X,
+                x.x,
+            ),
+            state_row(
+                "y_m",
+                "east coordinate of the body's centre of gravity",
+                m,
+                StateComponent::Y,
+                x.y,
+            ),
         ];
         let what = "heading, clockwise from north";
         let heading = state_row(
@@ -77,22 +89,22 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
             StateComponent::Heading,
             state.heading_rad,
         );
-        let north = "velocity of the centre of gravity, north; forward where host.body_fixed";
-        let east = "velocity of the centre of gravity, east; to starboard where host.body_fixed";
+        let north = "velocity of the body's centre of gravity to the north; forward if host.body_fixed is true";
+        let east = "velocity of the body's centre of gravity to the east; to starboard if host.body_fixed is true";
         let velocity = [
             state_row("velocity_x_mps", north, mps, StateComponent::VelocityX, v.x),
             state_row("velocity_y_mps", east, mps, StateComponent::VelocityY, v.y),
         ];
-        let (what, unit) = ("rate of turn, positive to starboard", Unit::RadianPerSecond);
+        let (what, unit) =
+            ("rate of turn of the body, positive to starboard", Unit::RadianPerSecond);
         let turn = state_row("r_radps", what, unit, StateComponent::YawRate, state.yaw_rate_radps);
         table.group("LinearDisplacement", format!("{name}.position"), &place);
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
-        let what = "counter of repositionings. Increase the counter when the master sets the body \
-            to a new position instead of moving it there: the state of this step is then the new \
-            position, the body's contacts start anew, and overlapping bodies are pushed apart \
-            slowly";
+        let what = "counter of repositionings. Increase this counter when the master sets the body to a new \
+                    position instead of moving it there: the body's state in this step is then the new \
+                    position, the body's contacts start anew, and overlapping bodies are pushed apart slowly";
         let input = Input::Placed(body);
         let range = Some([0.0, f64::from(i32::MAX)]);
         let name_of = format!("body.{name}.reposition_count");
@@ -105,11 +117,16 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// Further forces on the floating bodies, for the simulation.
+/// Adds the inputs of a simulation FMU for further forces on the floating bodies.
 pub(crate) fn add_extra_loads(table: &mut Table, setup: &Setup) {
     for (body, of) in setup.bodies.iter().enumerate() {
         if of.mass.is_some() {
-            add_loads(table, (body, of), "external", "acts in addition to the scenario's loads");
+            add_loads(
+                table,
+                (body, of),
+                "external",
+                "acts on the body in addition to the scenario's loads",
+            );
         }
     }
 }
@@ -117,13 +134,23 @@ pub(crate) fn add_extra_loads(table: &mut Table, setup: &Setup) {
 fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, about: &str) {
     let name = &of.name;
     let fields = [
-        (LoadComponent::X, "x_n", Unit::Newton, "force at the centre of gravity, north"),
-        (LoadComponent::Y, "y_n", Unit::Newton, "force at the centre of gravity, east"),
+        (
+            LoadComponent::X,
+            "x_n",
+            Unit::Newton,
+            "force to the north at the body's centre of gravity",
+        ),
+        (
+            LoadComponent::Y,
+            "y_n",
+            Unit::Newton,
+            "force to the east at the body's centre of gravity",
+        ),
         (
             LoadComponent::Moment,
             "moment_nm",
             Unit::NewtonMetre,
-            "moment about the vertical, positive to starboard",
+            "moment on the body about the vertical, positive to starboard",
         ),
     ];
     let places = fields.map(|(component, field, unit, what)| {
@@ -143,7 +170,7 @@ fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, abo
     table.group("Torque", format!("{name}.{stem}_moment"), &places[2..]);
 }
 
-/// Controls of vessels and tugs.
+/// Adds the inputs that control vessels and tugs.
 pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
     let limits = |order: OrderName, argument| Some(order.limits(argument));
     let (one, radian) = (Unit::One, Unit::Radian);
@@ -153,12 +180,11 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
             let name = format!("vessel.{body}.{field}");
             add(table, Row { name, description, unit, start, range, input });
         };
-        let what =
-            "true: the inputs below control the vessel; false: the scenario's orders and pilots do";
+        let what = "true: the vessel's inputs in this list control her; false: the scenario's orders and pilots do";
         row("external_control", what, one, None, 0.0, Input::ExternalControl(index));
         // Without a rudder and an engine these inputs would have no effect.
         if OrderName::Rudder.spec().gear.is_on(index, setup) {
-            let what = "rudder ordered, positive turns to starboard";
+            let what = "rudder angle ordered; a positive angle turns the ship to starboard";
             let at_start = vessel.rudder.value;
             row(
                 "rudder_order_rad",
@@ -168,7 +194,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
                 at_start,
                 Input::Rudder(index),
             );
-            let what = "ordered revolutions over full revolutions, positive ahead";
+            let what = "revolutions ordered over full revolutions, positive ahead";
             let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
             let at_start = if at_start.is_finite() { at_start } else { 0.0 };
             row(
@@ -182,7 +208,8 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         }
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {
             let field = format!("thruster.{}.order", thruster.name);
-            let what = "ordered thrust over the largest thrust, positive to starboard";
+            let what =
+                "thrust of the thruster ordered over its largest thrust, positive to starboard";
             row(
                 &field,
                 what,
@@ -195,10 +222,10 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         for (unit, azimuth) in vessel.azimuths.iter().enumerate() {
             let field = format!("azimuth.{}.power_order", azimuth.name);
             let range = limits(OrderName::Azimuth, "power");
-            let what = "thrust ordered over the thrust at rest and full power";
+            let what = "thrust of the azimuth unit ordered over its thrust at rest and full power";
             row(&field, what, one, range, 0.0, Input::AzimuthPower(index, unit));
             let field = format!("azimuth.{}.direction_order_rad", azimuth.name);
-            let what = "direction of the thrust ordered, from the bow, positive to starboard";
+            let what = "direction ordered for the azimuth unit's thrust, from the bow, positive to starboard";
             let range = limits(OrderName::Azimuth, "direction");
             row(&field, what, radian, range, 0.0, Input::AzimuthDirection(index, unit));
         }
@@ -208,15 +235,17 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
             let name = format!("tug.{}.{field}", tug.tug.name);
             add(table, Row { name, description, unit, start: 0.0, range, input });
         };
-        let what = "true: the inputs below control the tug; false: the scenario's orders do";
+        let what =
+            "true: the tug's inputs in this list control her; false: the scenario's orders do";
         row("external_control", what, one, None, Input::ExternalTugControl(index));
-        let what = "force ordered; 0 is to stand by";
+        let what = "force ordered from the tug; at 0 she stands by";
         let range = limits(OrderName::Push, "force");
         row("force_order_n", what, Unit::Newton, range, Input::TugForce(index));
-        let what = "direction of the force ordered, from the ship's bow, positive to starboard";
+        let what =
+            "direction ordered for the tug's force, from the ship's bow, positive to starboard";
         let range = limits(OrderName::Push, "direction");
         row("direction_order_rad", what, radian, range, Input::TugDirection(index));
-        let what = "true: the tug pulls on her line; false: she pushes";
+        let what = "true: the tug pulls on her line; false: the tug pushes";
         row("pull", what, one, None, Input::TugPulls(index));
     }
 }
@@ -238,7 +267,7 @@ impl Inputs<'_> {
     }
 
     /// # Panics
-    /// The table lacks the input.
+    /// Panics if the table of variables lacks the input.
     fn value(&self, wanted: Input) -> f64 {
         let found = self.all().find(|(input, _)| *input == wanted);
         found.unwrap_or_else(|| panic!("the table has no {wanted:?}")).1
@@ -248,7 +277,7 @@ impl Inputs<'_> {
         self.value(wanted) != 0.0
     }
 
-    /// Writes the input states; fixed bodies have no input and keep their states.
+    /// Writes the states that the inputs give into `states`; fixed bodies have no inputs and keep their states.
     pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
         for (input, value) in self.all() {
             let Input::State { body, component } = input else { continue };
@@ -295,7 +324,7 @@ impl Inputs<'_> {
         loads
     }
 
-    /// The orders that follow from the inputs that have changed since `before`.
+    /// The orders that follow from inputs that have changed since `before`.
     pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
         let changed = |input: Input| self.value(input).to_bits() != before.value(input).to_bits();
         let mut orders = Vec::new();
@@ -309,8 +338,8 @@ impl Inputs<'_> {
         orders
     }
 
-    /// The order that an input gives, with the input that says whether the master is in control,
-    /// and the inputs whose change gives a new order. `None`: the input gives no order by itself.
+    /// The order that an input gives, with the input that says whether the master is in control, and with the inputs
+    /// whose change gives the order anew. The result is `None` for an input that gives no order by itself.
     fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
         let none = Arguments::new();
         let of_vessel = |vessel, order, arguments| {
@@ -365,11 +394,11 @@ impl Inputs<'_> {
     }
 }
 
-/// An order that a master gives by inputs.
+/// An order to a vessel or tug that a master gives by inputs.
 #[derive(Clone, Debug)]
 pub(crate) struct InputOrder {
     pub(crate) order: OrderName,
-    /// Index of the vessel or tug.
+    /// Index of the vessel or tug that gets the order.
     pub(crate) target: usize,
     pub(crate) arguments: Arguments,
 }

@@ -1,5 +1,5 @@
-//! One instance of an FMU, common to both versions of the standard: which calls are allowed in which phase, and what they
-//! do. An error is a message, and changes nothing.
+//! An instance of an FMU, as both versions of the standard have it: which calls are allowed in which phase, and what
+//! they do. A call that fails returns a message and changes nothing.
 
 use fenderline_contact::number::greater;
 
@@ -12,11 +12,11 @@ use crate::simulation::SimulationRun;
 use crate::state::{Phase, Run, State};
 use crate::table::{Causality, Class, Kind, StandsFor};
 
-/// The result of a call.
+/// The result of a call to the FMU: a value, or a message that says what is wrong.
 pub(crate) type Outcome<T = ()> = Result<T, String>;
 
-/// Tolerance between a communication point and the time reached, in steps and in seconds: masters round time to nanoseconds,
-/// or sum steps.
+/// Tolerance between a communication point and the time reached, as a share of the step and in seconds: masters round
+/// time to nanoseconds, or sum up steps.
 const SLACK_STEPS: f64 = 1e-6;
 const SLACK_S: f64 = 1e-9;
 
@@ -25,9 +25,9 @@ const SLACK_S: f64 = 1e-9;
 pub(crate) struct Instance {
     pub(crate) plan: Arc<Plan>,
     pub(crate) state: State,
-    /// States saved by the master, by handle.
+    /// States that the master has saved, by their handles.
     pub(crate) saved: BTreeMap<usize, State>,
-    /// A panic left the instance in an unknown state: it can only be freed.
+    /// Whether a panic left the instance in an unknown state, so that it can only be freed.
     pub(crate) broken: bool,
 }
 
@@ -87,7 +87,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Creates the run from the current values, and computes its first outputs.
+    /// Creates the run of engine or simulation from the values set so far, and computes its first outputs.
     fn start_run(&mut self) -> Outcome {
         let (plan, state) = (&*self.plan, &mut self.state);
         if state.run.is_some() {
@@ -113,7 +113,7 @@ impl Instance {
         }
     }
 
-    /// The values of some variables of a type.
+    /// The values of some variables of one type.
     pub(crate) fn get(&mut self, references: &[u32], class: Class) -> Outcome<Vec<f64>> {
         for &reference in references {
             let variable = self.check(reference, class)?;
@@ -147,7 +147,7 @@ impl Instance {
         Ok(variable)
     }
 
-    /// Sets some variables of a type: all of them, or none if one is invalid.
+    /// Sets some variables of a type: all of them, or no variable if one of them is invalid.
     pub(crate) fn set(&mut self, references: &[u32], values: &[f64], class: Class) -> Outcome {
         for (&reference, &value) in references.iter().zip(values) {
             let variable = self.check(reference, class)?;
@@ -190,25 +190,25 @@ impl Instance {
         self.must_be(&[Phase::Stepping], "a step")?;
         let (plan, state) = (&*self.plan, &mut self.state);
         if !(step_s >= 0.0 && from_s.is_finite() && (from_s + step_s).is_finite()) {
-            return Err(format!("a step from {from_s} s of {step_s} s is not valid"));
+            return Err(format!("a step from {from_s} s that lasts {step_s} s is not valid"));
         }
         let slack_s = SLACK_S * greater(state.time_s.abs(), 1.0) + SLACK_STEPS * step_s;
         if from_s < state.time_s - slack_s {
             return Err(format!(
-                "a step from {from_s} s goes back: {} s was reached; restore an older state first",
+                "a step from {from_s} s goes back: the time {} s was reached already; restore an older state first",
                 state.time_s
             ));
         }
         if from_s > state.time_s + slack_s {
             return Err(format!(
-                "a step from {from_s} s leaves a gap: only {} s was reached",
+                "a step from {from_s} s leaves a gap: only the time {} s was reached",
                 state.time_s
             ));
         }
         let end_s = from_s + step_s;
         if end_s > state.stop_s + slack_s {
             return Err(format!(
-                "a step to {end_s} s goes beyond the stop time {} s",
+                "a step to {end_s} s goes beyond the stop time of {} s",
                 state.stop_s
             ));
         }
@@ -219,14 +219,14 @@ impl Instance {
             Some(Run::Simulation(run)) => {
                 run.go_to(plan, &state.values, end_s - state.start_s)?;
             }
-            None => unreachable!("the stepping phase always has a run"),
+            None => unreachable!("in the stepping phase there is always a run"),
         }
         state.time_s = end_s;
         self.read_outputs();
         Ok(())
     }
 
-    /// Saves a copy of the state under a handle.
+    /// Saves a copy of the instance's state under a handle.
     pub(crate) fn save(&mut self, number: usize) {
         self.saved.insert(number, self.state.clone());
     }
@@ -234,7 +234,7 @@ impl Instance {
     fn saved(&self, number: usize) -> Outcome<&State> {
         self.saved
             .get(&number)
-            .ok_or_else(|| "no such FMU state, or a state of another instance".to_owned())
+            .ok_or_else(|| "no FMU state of this instance has the given handle".to_owned())
     }
 
     pub(crate) fn restore(&mut self, number: usize) -> Outcome {

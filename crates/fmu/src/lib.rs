@@ -1,20 +1,20 @@
-//! Functional mock-up units (FMUs) for co-simulation: FMI 2.0 and FMI 3.0 from one table of variables.
+//! Makes functional mock-up units (FMUs) for co-simulation: FMI 2.0 and FMI 3.0 from one table of variables.
 //!
 //! There are two kinds. [`Kind::Engine`] is the contact engine for ships that other FMUs simulate: inputs are the
 //! states of the ships, outputs are wrenches and fender data. [`Kind::Simulation`] is a whole scenario: inputs are
 //! controls and external forces, outputs are states and forces, with the same bits as `fenderline run`.
 //!
-//! A [`Bundle`] is a scenario with all files that the scenario names, the only resource of an FMU. The [`Table`] is
-//! made from the bundle: each variable with unit, start value and meaning. [`pack()`] writes the model description from
-//! the table and packs bundle, description and shared libraries, which [`try_library()`] has tried; an instance reads
-//! and writes values by the same table. The C functions (`fmi2`, `fmi3`) are a safe boundary, as in `fenderline-capi`:
-//! components and saved states are handles that are looked up and never dereferenced, and no panic crosses the
-//! boundary.
+//! A [`Bundle`] is a scenario with all files that the scenario names, the only resource of an FMU. The [`Table`] of
+//! variables is made from the bundle: it has each variable with unit, start value and meaning. [`pack()`] writes the
+//! model description from the table of variables, and packs bundle, description and shared libraries, which
+//! [`try_library()`] has tried; an instance reads and writes values by the same table. The C functions (`fmi2`, `fmi3`)
+//! are a safe boundary, as in `fenderline-capi`: components and saved states are handles that are looked up and never
+//! dereferenced, and no panic crosses the boundary.
 
-#![allow(unsafe_code, reason = "masters give raw pointers; each block says why it is sound")]
+#![allow(unsafe_code, reason = "masters give raw pointers; each unsafe block says why it is sound")]
 
 #[cfg(not(panic = "unwind"))]
-compile_error!("a panic must become a status: build this with panic = \"unwind\"");
+compile_error!("a panic must become a status: build the library with panic = \"unwind\"");
 
 mod axes;
 mod border;
@@ -53,7 +53,7 @@ pub use table::{Causality, Class, Kind, Table, Variable};
 pub use trial::{TrialError, try_library, try_library_bytes};
 pub use unit::Unit;
 
-/// A version of the standard.
+/// A version of the FMI standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fmi {
     /// FMI 2.0.

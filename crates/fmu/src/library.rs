@@ -1,4 +1,5 @@
-//! Shared libraries: file names as built, the platform of a file, and places within an FMU.
+//! Shared libraries of an FMU: their file names as cargo builds them, the platform of a library's file, and the places
+//! of libraries within an FMU.
 
 use core::fmt;
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
@@ -51,7 +52,7 @@ impl Platform {
         Platform::own() == Some(self) && !is_static
     }
 
-    /// The platform tuple of FMI 3.0.
+    /// The platform's name as FMI 3.0 writes it.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -63,7 +64,7 @@ impl Platform {
         }
     }
 
-    /// The platform of a name.
+    /// The platform that has the name `name`.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Platform> {
         Platform::ALL.into_iter().find(|platform| platform.name() == name)
@@ -119,8 +120,9 @@ impl fmt::Display for Platform {
 
 /// Path of a library within an FMU that has libraries for the platforms `all`.
 ///
-/// FMI 2.0 names the system and the width of a pointer only, and masters on 64-bit Arm look there. If a library for
-/// x86-64 takes that place, the library for Arm gets the place of FMI 3.0.
+/// FMI 2.0 names only the system and the width of a pointer, and masters on 64-bit Arm look for their library under
+/// that name. If a library for x86-64 takes the place that FMI 2.0 names, the library for Arm gets the place that FMI
+/// 3.0 names.
 pub(crate) fn place(fmi: Fmi, platform: Platform, all: &[Platform], identifier: &str) -> String {
     let shared = |x86_64: Platform, name| {
         if all.contains(&x86_64) { platform.name() } else { name }
@@ -136,9 +138,9 @@ pub(crate) fn place(fmi: Fmi, platform: Platform, all: &[Platform], identifier: 
     format!("binaries/{folder}/{identifier}{}", platform.suffix())
 }
 
-/// A text in the data of every library, as a part of a message for masters. By this text the program recognises
-/// a library for another machine, which cannot be loaded here. A library without this text belongs to another
-/// version of the program.
+/// A text that is in the data of every library as a part of a message for masters. By this text in a library's file,
+/// the program recognises a library for another machine, which cannot be loaded here. A library without this text
+/// belongs to another version of the program.
 pub const STAMP: &str = concat!("fenderline-fmu ", env!("CARGO_PKG_VERSION"), ", token form 2");
 
 /// Whether a library's file carries [`STAMP`].

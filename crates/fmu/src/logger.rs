@@ -1,4 +1,4 @@
-//! The functions of a master that take messages.
+//! The types of a master's functions that take messages from an FMU.
 
 use std::ffi::{c_char, c_int, c_void};
 

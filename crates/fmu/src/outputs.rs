@@ -1,4 +1,4 @@
-//! Outputs of both kinds of FMU, read after a step.
+//! The outputs of an engine FMU and of a simulation FMU, which are read after a step.
 
 use fenderline_contact::Contact;
 use fenderline_contact::number::greater;
@@ -10,7 +10,7 @@ use crate::unit::Unit;
 use crate::view::View;
 
 type Read = fn(&View<'_>, [usize; 2]) -> f64;
-/// Name, description, unit, and the function that reads the value.
+/// An output: its name, description and unit, and the function that reads its value.
 type Column<'a> = (&'a str, &'a str, Unit, Read);
 
 fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column<'_>]) -> Vec<usize> {
@@ -29,25 +29,26 @@ fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column<'_>]) ->
     columns.iter().map(add).collect()
 }
 
-/// The wrench on each body, each fender, and each pair of outlines that may touch.
+/// Adds the outputs for contact: the wrench on each body, and forces at each fender and at each pair of outlines that
+/// may touch.
 pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     use Unit::{Joule, Metre, Newton, NewtonMetre, One, Radian, SquareMetre};
     let columns: [Column<'_>; 3] = [
         (
             "force_x_n",
-            "mean contact force, north; forward where host.body_fixed",
+            "mean contact force on the body to the north; forward if host.body_fixed is true",
             Newton,
             |v, [b, _]| v.wrench(b).force_n.x,
         ),
         (
             "force_y_n",
-            "mean contact force, east; to starboard where host.body_fixed",
+            "mean contact force on the body to the east; to starboard if host.body_fixed is true",
             Newton,
             |v, [b, _]| v.wrench(b).force_n.y,
         ),
         (
             "moment_z_nm",
-            "moment of the contact forces about the centre of gravity, positive to starboard",
+            "moment of the contact forces about the body's centre of gravity, positive to starboard",
             NewtonMetre,
             |v, [b, _]| v.wrench(b).moment_nm,
         ),
@@ -58,12 +59,15 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         table.group("Torque", format!("{}.contact_moment", body.name), &places[2..]);
     }
     let columns: [Column<'_>; 6] = [
-        ("deflection_m", "deflection at the start of the step", Metre, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |most, c| greater(most, c.depth_m))
-        }),
+        (
+            "deflection_m",
+            "deflection of the fender at the start of the step",
+            Metre,
+            |v, [f, _]| v.on_fender(f).fold(0.0, |most, c| greater(most, c.depth_m)),
+        ),
         (
             "reaction_n",
-            "mean reaction along the fender's axis over the step",
+            "mean reaction of the fender along its axis over the step",
             Newton,
             |v, [f, _]| {
                 v.on_fender(f).fold(0.0, |sum, c| sum + c.normal_force_n * libm::cos(c.tilt_rad))
@@ -71,7 +75,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         ),
         (
             "peak_reaction_n",
-            "largest reaction along the fender's axis within the step",
+            "largest reaction of the fender along its axis within the step",
             Newton,
             |v, [f, _]| {
                 let along = |c: &Contact| c.peak_normal_force_n * libm::cos(c.tilt_rad);
@@ -81,9 +85,12 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         ("tangential_force_n", "friction force along the fender's face", Newton, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.tangential_force_n)
         }),
-        ("stored_j", "stored in spring and stop at the start of the step", Joule, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |sum, c| sum + c.energy.stored_j)
-        }),
+        (
+            "stored_j",
+            "energy stored in the fender's spring and stop at the start of the step",
+            Joule,
+            |v, [f, _]| v.on_fender(f).fold(0.0, |sum, c| sum + c.energy.stored_j),
+        ),
         (
             "tilt_rad",
             "largest angle between the fender's face and the hull",
@@ -95,19 +102,27 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
         add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
     }
     let columns: [Column<'_>; 6] = [
-        ("patches", "number of patches of contact", One, |v, pair| v.of_pair(pair).count() as f64),
-        ("normal_force_n", "sum of the normal forces, pressing; a mean", Newton, |v, pair| {
-            v.of_pair(pair).fold(0.0, |sum, c| sum + c.normal_force_n)
+        ("patches", "number of contact patches of the two bodies", One, |v, pair| {
+            v.of_pair(pair).count() as f64
         }),
         (
+            "normal_force_n",
+            "sum of the pressing normal forces between the two bodies, a mean over the step",
+            Newton,
+            |v, pair| v.of_pair(pair).fold(0.0, |sum, c| sum + c.normal_force_n),
+        ),
+        (
             "peak_normal_force_n",
-            "sum of the largest normal forces within the step",
+            "sum of the largest normal forces between the two bodies within the step",
             Newton,
             |v, pair| v.of_pair(pair).fold(0.0, |sum, c| sum + c.peak_normal_force_n),
         ),
-        ("tangential_force_n", "sum of the friction forces", Newton, |v, pair| {
-            v.of_pair(pair).fold(0.0, |sum, c| sum + c.tangential_force_n)
-        }),
+        (
+            "tangential_force_n",
+            "sum of the friction forces between the two bodies",
+            Newton,
+            |v, pair| v.of_pair(pair).fold(0.0, |sum, c| sum + c.tangential_force_n),
+        ),
         ("depth_m", "largest penetration", Metre, |v, pair| {
             v.of_pair(pair).fold(0.0, |most, c| greater(most, c.depth_m))
         }),
@@ -121,26 +136,28 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// The largest wrench on each body within the last step.
+/// Adds outputs for the largest wrench on each body within the last step.
 pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     use Unit::{Newton, NewtonMetre};
     let columns: [Column<'_>; 3] = [
         (
             "peak_force_x_n",
-            "contact force at its largest within the step, north; forward where host.body_fixed. \
-             Size fenders by this force, and move the body by force_x_n",
+            "contact force on the body to the north, when the force was largest within the step; forward if \
+             host.body_fixed is true. \
+             Size fenders by this largest force, but move the body by the mean force force_x_n",
             Newton,
             |v, [b, _]| v.peak(b).force_n.x,
         ),
         (
             "peak_force_y_n",
-            "contact force at its largest within the step, east; to starboard where host.body_fixed",
+            "contact force on the body to the east, when the force was largest within the step; to starboard if \
+             host.body_fixed is true",
             Newton,
             |v, [b, _]| v.peak(b).force_n.y,
         ),
         (
             "peak_moment_z_nm",
-            "moment of the contact forces when their force was largest, positive to starboard",
+            "moment of the contact forces on the body when their force was largest, positive to starboard",
             NewtonMetre,
             |v, [b, _]| v.peak(b).moment_nm,
         ),
@@ -152,7 +169,7 @@ pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// Bodies whose outlines may touch, one of them floating, in the order of the set-up.
+/// Pairs of bodies whose outlines may touch and of which at least one floats, in the order of the set-up.
 fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
     let named = |one: usize, two: usize| {
         let is = |pair: &PairSetup| pair.bodies == [one, two] || pair.bodies == [two, one];
@@ -167,19 +184,22 @@ fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
     .collect()
 }
 
-/// Further outputs of a simulation: states, vessels, tugs, lines and energy.
+/// Adds the further outputs of a simulation: states, vessels, tugs, lines and energy.
 pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add_motion(table, setup);
     add_world(table, setup);
     use Unit::Joule;
     let columns: [Column<'_>; 9] = [
-        ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
+        ("energy.kinetic_j", "kinetic energy of all bodies, added mass included", Joule, |v, _| {
             v.of_simulation(|s| s.energy().kinetic_j)
         }),
-        ("energy.load_work_j", "work of all forces except contact", Joule, |v, _| {
-            v.of_simulation(|s| s.energy().load_work_j)
-        }),
-        ("energy.stored_j", "stored in springs and stops", Joule, |v, _| {
+        (
+            "energy.load_work_j",
+            "work that all forces except contact have done on the bodies",
+            Joule,
+            |v, _| v.of_simulation(|s| s.energy().load_work_j),
+        ),
+        ("energy.stored_j", "energy stored in the springs and stops of contacts", Joule, |v, _| {
             v.of_simulation(|s| s.energy().stored_j)
         }),
         ("energy.shear_stored_j", "stored in shear springs", Joule, |v, _| {
@@ -197,24 +217,24 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         ("energy.friction_j", "lost to friction", Joule, |v, _| {
             v.of_simulation(|s| s.energy().friction_j)
         }),
-        ("energy.residual_j", "energy error of the time step", Joule, |v, _| {
+        ("energy.residual_j", "energy error that the time step has caused", Joule, |v, _| {
             v.of_simulation(|s| s.energy().residual_j)
         }),
     ];
     add(table, "", [0, 0], &columns);
 }
 
-/// Description of the velocities, which belong to another time than the positions.
-const NORTH_MPS: &str = "velocity, north; by the coupled method with the integrator semi_implicit, \
-    this and the following velocities belong to the middle of the scenario's last (sub-)step";
+/// Description of the body's velocities, which belong to another time than its positions.
+const NORTH_MPS: &str = "velocity to the north; by the coupled method with the integrator semi_implicit, the \
+                         velocities in this list belong to the middle of the scenario's last (sub-)step";
 
 fn add_motion(table: &mut Table, setup: &Setup) {
     use Unit::{Metre, MetrePerSecond, Radian, RadianPerSecond};
     let columns: [Column<'_>; 8] = [
-        ("x_m", "position of the centre of gravity, north", Metre, |v, [b, _]| {
+        ("x_m", "north coordinate of the body's centre of gravity", Metre, |v, [b, _]| {
             v.states[b].position_m.x
         }),
-        ("y_m", "position of the centre of gravity, east", Metre, |v, [b, _]| {
+        ("y_m", "east coordinate of the body's centre of gravity", Metre, |v, [b, _]| {
             v.states[b].position_m.y
         }),
         ("heading_rad", "heading, clockwise from north", Radian, |v, [b, _]| {
@@ -224,9 +244,12 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         ("velocity_y_mps", "velocity, east", MetrePerSecond, |v, [b, _]| {
             v.states[b].velocity_mps.y
         }),
-        ("r_radps", "rate of turn, positive to starboard", RadianPerSecond, |v, [b, _]| {
-            v.states[b].yaw_rate_radps
-        }),
+        (
+            "r_radps",
+            "rate of turn of the body, positive to starboard",
+            RadianPerSecond,
+            |v, [b, _]| v.states[b].yaw_rate_radps,
+        ),
         ("u_mps", "surge, forward", MetrePerSecond, |v, [b, _]| v.own_velocity(b).x),
         ("v_mps", "sway, to starboard", MetrePerSecond, |v, [b, _]| v.own_velocity(b).y),
     ];
@@ -263,21 +286,30 @@ fn add_motion(table: &mut Table, setup: &Setup) {
 fn add_world(table: &mut Table, setup: &Setup) {
     use Unit::{Metre, Newton, One, PerSecond, Radian};
     let columns: [Column<'_>; 6] = [
-        ("rudder_rad", "rudder, positive turns to starboard", Radian, |v, [i, _]| {
-            v.of_simulation(|s| s.vessels()[i].rudder.value)
-        }),
+        (
+            "rudder_rad",
+            "rudder angle; a positive angle turns the ship to starboard",
+            Radian,
+            |v, [i, _]| v.of_simulation(|s| s.vessels()[i].rudder.value),
+        ),
         ("shaft_rps", "revolutions, positive ahead", PerSecond, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].shaft.value)
         }),
-        ("heave_m", "heave, positive down, without waves", Metre, |v, [i, _]| {
+        ("heave_m", "heave of the vessel, positive down, without waves", Metre, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].attitude.heave.value)
         }),
-        ("roll_rad", "heel, to starboard, without waves", Radian, |v, [i, _]| {
-            v.of_simulation(|s| s.vessels()[i].attitude.roll.value)
-        }),
-        ("pitch_rad", "pitch, bow up, without waves", Radian, |v, [i, _]| {
-            v.of_simulation(|s| s.vessels()[i].attitude.pitch.value)
-        }),
+        (
+            "roll_rad",
+            "heel of the vessel, positive to starboard, without waves",
+            Radian,
+            |v, [i, _]| v.of_simulation(|s| s.vessels()[i].attitude.roll.value),
+        ),
+        (
+            "pitch_rad",
+            "pitch of the vessel, positive with the bow up, without waves",
+            Radian,
+            |v, [i, _]| v.of_simulation(|s| s.vessels()[i].attitude.pitch.value),
+        ),
         ("squat_m", "squat: sinkage under way", Metre, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].squat_m)
         }),
@@ -286,12 +318,15 @@ fn add_world(table: &mut Table, setup: &Setup) {
         v.of_simulation(|s| s.vessels()[i].thrusters[unit].value)
     })];
     let azimuth: [Column<'_>; 2] = [
-        ("power", "thrust over the thrust at rest", One, |v, [i, unit]| {
+        ("power", "thrust of the azimuth unit over its thrust at rest", One, |v, [i, unit]| {
             v.of_simulation(|s| s.vessels()[i].azimuths[unit].power.value)
         }),
-        ("direction_rad", "direction of the thrust from the bow", Radian, |v, [i, unit]| {
-            v.of_simulation(|s| s.vessels()[i].azimuths[unit].direction.angle_rad)
-        }),
+        (
+            "direction_rad",
+            "direction of the azimuth unit's thrust, from the bow",
+            Radian,
+            |v, [i, unit]| v.of_simulation(|s| s.vessels()[i].azimuths[unit].direction.angle_rad),
+        ),
     ];
     for (index, vessel) in setup.world.vessels.iter().enumerate() {
         let stem = format!("vessel.{}", setup.bodies[vessel.body].name);
@@ -310,21 +345,24 @@ fn add_world(table: &mut Table, setup: &Setup) {
                 libm::hypot(force.surge_n, force.sway_n)
             })
         }),
-        ("direction_rad", "direction of the force from the ship's bow", Radian, |v, [i, _]| {
-            v.of_simulation(|s| s.tugs()[i].state.direction_rad)
-        }),
+        (
+            "direction_rad",
+            "direction of the tug's force, from the ship's bow",
+            Radian,
+            |v, [i, _]| v.of_simulation(|s| s.tugs()[i].state.direction_rad),
+        ),
     ];
     for (index, tug) in setup.world.tugs.iter().enumerate() {
         add(table, &format!("tug.{}", tug.tug.name), [index, 0], &columns);
     }
     let columns: [Column<'_>; 3] = [
-        ("tension_n", "tension at the ship's end", Newton, |v, [i, _]| {
+        ("tension_n", "tension of the line at the ship's end", Newton, |v, [i, _]| {
             v.of_simulation(|s| s.lines()[i].load.tension_n)
         }),
         ("length_m", "unstretched length outboard", Metre, |v, [i, _]| {
             v.of_simulation(|s| s.lines()[i].line.as_ref().map_or(0.0, |(_, state)| state.length_m))
         }),
-        ("parted", "1 if the line has parted", One, |v, [i, _]| {
+        ("parted", "1 if the line has parted, else 0", One, |v, [i, _]| {
             v.of_simulation(|s| {
                 let line = s.lines()[i].line.as_ref();
                 line.map_or(0.0, |(_, state)| f64::from(u8::from(state.parted)))

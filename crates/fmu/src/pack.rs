@@ -1,4 +1,4 @@
-//! The file of an FMU: a zip of model description, libraries and scenario.
+//! Writes the file of an FMU: a zip archive of model description, libraries and scenario.
 
 use core::fmt;
 use std::io::{Cursor, Write as _};
@@ -11,7 +11,7 @@ use crate::description;
 use crate::library::{self, Platform};
 use crate::plan::Plan;
 
-/// Name of the scenario among the resources.
+/// File name of the scenario among the FMU's resources.
 pub(crate) const BUNDLE_FILE: &str = "scenario.json";
 
 /// The licence of the libraries in an FMU.
@@ -20,10 +20,10 @@ pub(crate) const LICENCE: &str = include_str!("license.txt");
 /// An FMU, and the file beside the FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packed {
-    /// The FMU's bytes: the same for the same scenario, program and libraries.
+    /// The bytes of the FMU, which are the same for the same scenario, program and libraries.
     pub fmu: Vec<u8>,
-    /// File name of the description for the Open Simulation Platform. Masters of the platform look for this file in the
-    /// FMU's folder.
+    /// File name of the description for the Open Simulation Platform. Masters of the Open Simulation Platform look for
+    /// the description with this name in the FMU's folder.
     pub osp_name: String,
     /// The text of the description for the Open Simulation Platform.
     pub osp: String,
@@ -41,11 +41,11 @@ impl fmt::Display for PackError {
 
 impl std::error::Error for PackError {}
 
-/// Packs an FMU with a library for each of some platforms. `stem` is the FMU's file name without extension, and the
-/// model's name.
+/// Packs an FMU with a library for each of some platforms. `stem` is the FMU's file name without extension, and also
+/// the model's name.
 ///
 /// # Errors
-/// A file that is too large for a zip.
+/// Fails if a file is too large for a zip archive.
 pub fn pack(
     plan: &Plan,
     fmi: Fmi,

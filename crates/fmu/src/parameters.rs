@@ -1,4 +1,4 @@
-//! Parameters: numbers of the set-up that a master can change until the end of initialization.
+//! Parameters of an FMU: numbers of the set-up that a master can change until the end of initialization.
 
 use fenderline_contact::Unloading;
 use fenderline_sim::{FenderSetup, MassProperties, Setup};
@@ -6,10 +6,11 @@ use fenderline_sim::{FenderSetup, MassProperties, Setup};
 use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// Limit of masses and stiffnesses, in SI units. The engine has narrower limits.
+/// Largest mass or stiffness that a parameter may have, in SI units. Some values have narrower limits in the engine.
 const LARGEST: f64 = 1e15;
 
-/// A field of a type: name, description, unit, and the functions that read and write the value.
+/// A number in a type of the set-up: name, description and unit of the parameter, and the functions that read and write
+/// the number.
 struct Field<T> {
     name: &'static str,
     description: &'static str,
@@ -77,7 +78,8 @@ macro_rules! start {
     };
 }
 
-/// Materials, and masses of bodies. Masses of vessels are not parameters, as they come from their models.
+/// Adds the parameters for materials, and for the masses of bodies. The masses of vessels are not parameters, because
+/// the vessels' models give them.
 pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
     let fields = [
         material!("stiffness_npm2", NewtonPerSquareMetre, stiffness_npm2, "area stiffness k"),
@@ -86,7 +88,7 @@ pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
             "shear_stiffness_npm",
             NewtonPerMetre,
             shear_stiffness_npm,
-            "stiffness of the shear spring k_s"
+            "stiffness k_s of the material's shear spring"
         ),
         material!("friction_static", One, friction_static, "coefficient of static friction"),
         material!("friction_dynamic", One, friction_dynamic, "coefficient of dynamic friction"),
@@ -110,8 +112,8 @@ pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// Returned energy of fenders with an unloading law by a share of the absorbed energy. The restitution of their material has
-/// no effect.
+/// Adds the parameter for the returned energy of each fender whose unloading law is a share of the absorbed energy. If
+/// a fender has this parameter, the restitution of its material has no effect.
 pub(crate) fn add_fenders(table: &mut Table, setup: &Setup) {
     let fields = [Field {
         name: "returned_energy",
@@ -133,15 +135,32 @@ pub(crate) fn add_fenders(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// Where the floating bodies start, for the simulation.
+/// Adds the parameters of a simulation for the places and motions with which the floating bodies start.
 pub(crate) fn add_starts(table: &mut Table, setup: &Setup) {
     let fields = [
-        start!("start_x_m", Metre, position_m.x, "position at the start, north"),
-        start!("start_y_m", Metre, position_m.y, "position at the start, east"),
+        start!("start_x_m", Metre, position_m.x, "north coordinate of the body at the start"),
+        start!("start_y_m", Metre, position_m.y, "east coordinate of the body at the start"),
         start!("start_heading_rad", Radian, heading_rad, "heading at the start"),
-        start!("start_u_mps", MetrePerSecond, velocity.surge_mps, "surge at the start, forward"),
-        start!("start_v_mps", MetrePerSecond, velocity.sway_mps, "sway at the start, to starboard"),
-        start!("start_r_radps", RadianPerSecond, velocity.yaw_radps, "rate of turn at the start"),
+        start!(
+            "start_u_mps",
+            MetrePerSecond,
+            velocity.surge_mps,
+            "surge velocity of the body at the start, \
+            positive forward"
+        ),
+        start!(
+            "start_v_mps",
+            MetrePerSecond,
+            velocity.sway_mps,
+            "sway velocity of the body at the start, \
+            positive to starboard"
+        ),
+        start!(
+            "start_r_radps",
+            RadianPerSecond,
+            velocity.yaw_radps,
+            "rate of turn of the body at the start"
+        ),
     ];
     for (of, body) in setup.bodies.iter().enumerate() {
         if body.mass.is_some() {
@@ -150,7 +169,7 @@ pub(crate) fn add_starts(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// The set-up with the master's parameters.
+/// The set-up with the values of the parameters that the master has set.
 pub(crate) fn applied(table: &Table, values: &[f64], setup: &Setup) -> Setup {
     let mut setup = setup.clone();
     for (variable, &value) in table.variables.iter().zip(values) {

@@ -1,4 +1,4 @@
-//! The constant part of an FMU: scenario, table and fingerprint.
+//! The part of an FMU that does not change: scenario, table of variables and fingerprint.
 
 use core::fmt;
 
@@ -13,7 +13,7 @@ use crate::parameters::{add_fenders, add_materials_and_masses, add_starts};
 use crate::table::{Causality, Class, FORWARD_EULER, Kind, Setting, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// What all instances of an FMU share.
+/// The data that all instances of an FMU share.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The scenario, self-contained.
@@ -22,18 +22,18 @@ pub struct Plan {
     pub scenario: Scenario,
     /// The variables.
     pub table: Table,
-    /// GUID of FMI 2.0, instantiation token of FMI 3.0: a hash of bundle, table and version.
+    /// GUID in FMI 2.0 and instantiation token in FMI 3.0: a hash of bundle, table and version.
     pub token: String,
 }
 
-/// A scenario that cannot be exported as an FMU.
+/// Why a scenario cannot be exported as an FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PlanError {
     /// The scenario is invalid.
     Bundle(BundleError),
-    /// The scenario cannot be run, with the reason.
+    /// The scenario cannot be run; the text says why.
     Setup(String),
-    /// The scenario starts other programs, which an FMU cannot.
+    /// The scenario starts other programs as providers, which an FMU cannot do.
     Providers,
 }
 
@@ -43,7 +43,7 @@ impl fmt::Display for PlanError {
             PlanError::Bundle(error) => error.fmt(f),
             PlanError::Setup(error) => write!(f, "error: {error}"),
             PlanError::Providers => f.write_str(
-                "error: the scenario starts providers, which an FMU cannot do: leave them out and \
+                "error: the scenario starts providers, which an FMU cannot do: leave the providers out and \
                  connect their forces to the inputs `body.NAME.external_x_n` and so on",
             ),
         }
@@ -53,7 +53,7 @@ impl fmt::Display for PlanError {
 impl std::error::Error for PlanError {}
 
 impl Plan {
-    /// Reads the scenario and makes the table.
+    /// Reads the scenario of a bundle and makes the table of variables.
     ///
     /// # Errors
     /// [`PlanError`].
@@ -92,8 +92,9 @@ impl Plan {
     }
 }
 
-/// Settings for the engine's host. The defaults are those of an OSP master: states one step old, forward Euler, loads not
-/// connected. With the paper's method, which has no co-simulation mode, the default is a host with current states.
+/// Adds the settings by which an engine FMU knows how its host works. The defaults are those of a master of the Open
+/// Simulation Platform: input states that are one step old, forward Euler, and no loads connected. With the paper's
+/// method, which has no co-simulation mode, the default is a host with current states.
 fn add_settings(table: &mut Table, scenario: &Scenario) {
     let coupled = f64::from(u8::from(scenario.setup.method == Method::Coupled));
     let rows = [
@@ -107,15 +108,15 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
         ),
         (
             "delay_steps",
-            "if host.following: age of the input states when the wrench starts to act, in steps; 1 \
-             if the master steps all FMUs at the same time, 0 if it steps the engine first",
+            "if host.following: number of steps by which the input states are old when the wrench starts to \
+             act; 1 if the master steps all FMUs at the same time, 0 if the master steps the engine first",
             Setting::DelaySteps,
             1.0,
         ),
         (
             "skip_steps",
-            "if host.following with a delay: number of first steps without a wrench. Masters send zeros \
-             until every FMU has made a step, and bodies that overlap at the origin would get a wrench",
+            "if host.following with a delay: number of steps at the start without a wrench. Masters send zeros \
+             until every FMU has made a step, so that all bodies overlap at the origin and would get a wrench",
             Setting::SkipSteps,
             1.0,
         ),
@@ -133,13 +134,13 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
         ),
         (
             "body_fixed",
-            "true: velocities, loads and wrenches in the bodies' axes; false: earth-fixed",
+            "true: velocities, loads and wrenches are in the bodies' axes; false: they are earth-fixed",
             Setting::BodyFixed,
             0.0,
         ),
         (
             "step_s",
-            "if host.following: the communication step, for the wrench at the start",
+            "if host.following: length of the communication step, for the wrench at the start",
             Setting::StepS,
             scenario.setup.step_s,
         ),

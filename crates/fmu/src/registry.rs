@@ -1,5 +1,5 @@
-//! All instances of the process. A component is a handle that is looked up here and never dereferenced, so that a freed or
-//! invalid component is rejected.
+//! The registry of all FMU instances of the process. The handle of an instance is looked up here and never
+//! dereferenced, so that a freed or invalid handle is rejected.
 
 use std::collections::BTreeMap;
 use std::ffi::c_void;
@@ -11,7 +11,7 @@ use crate::border::Log;
 use crate::instance::{Instance, Outcome};
 use crate::status::Status;
 
-/// An instance, and the receiver of its messages.
+/// An instance of an FMU, and the receiver of its messages.
 struct Held {
     instance: Mutex<Instance>,
     log: Log,
@@ -25,7 +25,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A new handle, for an instance or a saved state.
+/// A new handle for an instance or for a saved state.
 pub(crate) fn next_number() -> usize {
     // Multiples of 16 look like aligned pointers to masters that check.
     NEXT.fetch_add(1, Ordering::Relaxed).wrapping_mul(16)
@@ -35,7 +35,7 @@ pub(crate) fn as_pointer(number: usize) -> *mut c_void {
     std::ptr::without_provenance_mut(number)
 }
 
-/// Creates an instance. If that fails, logs the reason and returns NULL.
+/// Creates an instance. If the instance cannot be made, logs the reason and returns NULL.
 pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c_void {
     match catch_unwind(AssertUnwindSafe(make)) {
         Ok(Ok(instance)) => {
@@ -55,12 +55,12 @@ pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c
     }
 }
 
-/// Frees an instance; an invalid component is ignored.
+/// Frees an instance of the FMU; a handle that is not known is ignored.
 pub(crate) fn free(component: *mut c_void) {
     lock(&ALL).remove(&component.addr());
 }
 
-/// Calls `body` with the instance of a component, and logs its error.
+/// Calls `body` with the instance that belongs to a handle, and logs an error of the call.
 pub(crate) fn with(
     component: *mut c_void,
     name: &str,

@@ -1,4 +1,4 @@
-//! A running FMU of the simulation kind.
+//! A running FMU of the kind `simulation`: a whole scenario.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
@@ -10,30 +10,32 @@ use crate::plan::Plan;
 use crate::table::{StandsFor, Table};
 use crate::view::View;
 
-/// Tolerance for the end of a communication step to coincide with the end of a scenario step, in steps.
+/// How far, in scenario steps, the end of a communication step may lie from the end of a scenario step and still count
+/// as equal.
 const SLACK_STEPS: f64 = 1e-6;
 
-/// Limit of scenario steps per communication step, equal to hours. More steps would look like a hang, and are an error.
+/// Most scenario steps in one communication step, which take hours of simulated time. A communication step of even more
+/// scenario steps would look like a hang, and is refused.
 const MOST_STEPS_A_CALL: u64 = 100_000;
 
 /// An initialised simulation. A clone continues independently.
 ///
-/// The simulation advances in the scenario's steps, whatever the communication step: at a communication point it is at
-/// the last step that does not end later.
+/// The simulation advances in the scenario's steps, whatever the communication step: at a communication point it has
+/// made all scenario steps that end by that time.
 #[derive(Clone, Debug)]
 pub(crate) struct SimulationRun {
     simulation: Simulation,
     steps: u64,
-    /// Inputs as of the last step; entries of other variables are unused.
+    /// The values that the inputs had in the last step; the entries of other variables are unused.
     taken: Vec<f64>,
-    /// All input changes in their order. With the parameters they define the whole run, since the same input gives the same
-    /// bits.
+    /// All changes of the inputs, in the order in which they came. The parameters and these changes define the whole
+    /// run, because the same input gives the same bits.
     pub(crate) journal: Vec<Entry>,
-    /// A step failed: the simulation stays at the last good step and does not continue.
+    /// Whether a step has failed: the simulation then stays at the last good step and does not continue.
     failed: bool,
 }
 
-/// Number of scenario steps that end no later than a time since the start.
+/// Number of scenario steps that end at or before a time, counted from the start.
 pub(crate) fn due(plan: &Plan, t_s: f64) -> u64 {
     greater(libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS), 0.0) as u64
 }
@@ -55,23 +57,23 @@ impl SimulationRun {
         Ok(SimulationRun { simulation, steps: 0, taken, journal: Vec::new(), failed: false })
     }
 
-    /// True after a failed step.
+    /// True after a step of the simulation has failed.
     pub(crate) fn has_failed(&self) -> bool {
         self.failed
     }
 
-    /// Number of scenario steps taken.
+    /// Number of scenario steps that the simulation has taken.
     pub(crate) fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Advances to a time since the start. After an error the simulation stays at the last good step and does not
-    /// continue.
+    /// Advances the simulation to a time since its start. After an error the simulation stays at the last good step and
+    /// does not continue.
     pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
         let due = due(plan, t_s);
         if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {
             return Err(format!(
-                "the step to {t_s} s has more than {MOST_STEPS_A_CALL} scenario steps"
+                "the communication step to {t_s} s has more than {MOST_STEPS_A_CALL} scenario steps"
             ));
         }
         while self.steps < due {
@@ -82,7 +84,7 @@ impl SimulationRun {
 
     fn step(&mut self, table: &Table, values: &[f64]) -> Result<(), String> {
         if self.failed {
-            return Err("a step failed before: restore an older state, or reset".to_owned());
+            return Err("an earlier step failed: restore an older state, or reset".to_owned());
         }
         let taken = self.take(table, values);
         let done =
@@ -93,7 +95,7 @@ impl SimulationRun {
         Ok(())
     }
 
-    /// Applies changed inputs to the simulation.
+    /// Gives the simulation the inputs that have changed.
     fn take(&mut self, table: &Table, values: &[f64]) -> Result<(), String> {
         let is_input =
             |variable: usize| matches!(table.variables[variable].stands_for, StandsFor::Input(_));
@@ -128,7 +130,7 @@ impl SimulationRun {
         Ok(())
     }
 
-    /// Replays a journal for a number of steps.
+    /// Makes a simulation and repeats a number of its steps with the changes of inputs in a journal.
     pub(crate) fn replay(
         plan: &Plan,
         values: &[f64],

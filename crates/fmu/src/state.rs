@@ -1,20 +1,20 @@
-//! The state of an instance: everything that changes, and the byte format.
+//! The state of an FMU's instance: everything that changes, and the byte format in which it is saved.
 //!
 //! | bytes | content |
 //! |---|---|
-//! | 8, 4 | `fndrlfmu`; version of this format |
-//! | 8 | FNV-1a of the token, which identifies this FMU |
-//! | 4, 8, 8, 8 | phase; start, stop (infinity where there is none) and time (s) |
-//! | 4 + 8 each | the values of all variables |
-//! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
-//! | 4, 4 each | an engine: first steps still to skip, or all bits set if it has started; repositioning counter of each body |
+//! | 8, 4 | the letters `fndrlfmu`; version of the byte format |
+//! | 8 | FNV-1a hash of the token that identifies the FMU |
+//! | 4, 8, 8, 8 | phase of the instance; start time, stop time (infinity where none is set) and present time (s) |
+//! | 4 + 8 each | the values of all variables of the FMU |
+//! | 4 | kind of the run: 0 not initialized, 1 an engine, 2 a simulation |
+//! | 4, 4 each | for an engine: number of first steps still to skip, or all bits set if the engine has started; repositioning counter of each body |
 //! | 4 + length | its own bytes |
-//! | 8, 4 + 20 each | a simulation: number of steps; changes of inputs: step, variable, value |
-//! | 8 | FNV-1a of all bytes before |
+//! | 8, 4 + 20 each | for a simulation: number of steps; each change of an input with step, variable and value |
+//! | 8 | FNV-1a hash of all bytes before this hash |
 //!
-//! A simulation is saved as its inputs and restored by replaying them: the same input gives the same bits, and no
-//! byte format has to follow every change of the simulator. Restoring from bytes takes the time of the run; a state
-//! that is not serialised is a copy and restores at once.
+//! A simulation is saved as its inputs and restored by repeating its steps with them: the same input gives the same
+//! bits, and no byte format has to follow every change of the simulator. Restoring a simulation from bytes takes as
+//! long as its run took; a saved state that is not serialised is a copy, which is restored at once.
 
 use fenderline_contact::hash::Fnv1a;
 
@@ -26,12 +26,12 @@ use crate::table::Class;
 
 const MAGIC: &[u8; 8] = b"fndrlfmu";
 const VERSION: u32 = 2;
-/// In place of the steps to skip: the engine has started.
+/// The number that stands for "the engine has started", in place of the number of steps to skip.
 const BEGUN: u32 = u32::MAX;
-/// Limit of replayed steps: months of simulated time.
+/// Most steps that restoring may repeat: months of simulated time.
 const MOST_STEPS: u64 = 100_000_000;
 
-/// The phase of an instance's life cycle.
+/// The phase of an FMU instance's life.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
     Instantiated,
@@ -61,23 +61,23 @@ impl Phase {
     }
 }
 
-/// The run, by the kind of FMU.
+/// The run of an instance: an engine or a simulation, by the kind of FMU.
 #[derive(Clone, Debug)]
 pub(crate) enum Run {
     Engine(Box<EngineRun>),
     Simulation(Box<SimulationRun>),
 }
 
-/// The state of an instance.
+/// The state of an FMU's instance.
 #[derive(Clone, Debug)]
 pub(crate) struct State {
     pub(crate) phase: Phase,
     pub(crate) start_s: f64,
-    /// Infinity if the master gave no stop time.
+    /// Stop time (s); infinity if the master gave none.
     pub(crate) stop_s: f64,
     pub(crate) time_s: f64,
     pub(crate) values: Vec<f64>,
-    /// `None` before initialization, or if a value was set after the run was created.
+    /// The run; `None` before initialization, or if a value was set after the run was created.
     pub(crate) run: Option<Run>,
 }
 
@@ -94,12 +94,12 @@ impl State {
     }
 
     /// # Errors
-    /// A simulation that failed within a communication step: replaying cannot reach that point.
+    /// Fails for a simulation that failed within a communication step: repeating its steps cannot reach that point.
     pub(crate) fn to_bytes(&self, plan: &Plan) -> Result<Vec<u8>, String> {
         if let Some(Run::Simulation(run)) = &self.run
             && run.has_failed()
         {
-            return Err("a step failed: this state cannot be serialised".to_owned());
+            return Err("a step failed: the state of this instance cannot be serialised".to_owned());
         }
         let mut out = MAGIC.to_vec();
         word32(&mut out, VERSION);
@@ -140,7 +140,7 @@ impl State {
         Ok(out)
     }
 
-    /// Reads a serialised state; any bytes may be given.
+    /// Reads a serialised state; bytes that are no serialised state are refused.
     pub(crate) fn of_bytes(plan: &Plan, bytes: &[u8]) -> Result<State, String> {
         let end = bytes.len().checked_sub(8).ok_or_else(broken)?;
         let (summed, sum) = bytes.split_at(end);
@@ -166,7 +166,7 @@ impl State {
     }
 }
 
-/// Reads up to the kind of run.
+/// Reads the head of a serialised state, up to the kind of run.
 fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
     if input.take(8)? != MAGIC || input.word32()? != VERSION {
         return None;
@@ -228,7 +228,7 @@ fn read_simulation(
     let reached = due(plan, state.time_s - state.start_s);
     let steps = input.word64().filter(|steps| *steps == reached).ok_or_else(broken)?;
     if steps > MOST_STEPS {
-        return Err(format!("{steps} steps are too many to replay"));
+        return Err(format!("restoring the state would repeat {steps} steps, which are too many"));
     }
     let count = input.word32().ok_or_else(broken)?;
     let mut journal = Vec::new();

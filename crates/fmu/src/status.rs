@@ -1,6 +1,6 @@
-//! The status of a call.
+//! The status that a call of an FMU returns.
 
-/// The status of a call; the numbers are those of `fmi2Status` and `fmi3Status`.
+/// The status that a call of an FMU returns; its numbers are those of `fmi2Status` and `fmi3Status`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub(crate) enum Status {

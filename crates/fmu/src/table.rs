@@ -1,4 +1,4 @@
-//! The table of variables: their model description, and the quantities for which they stand.
+//! The table of an FMU's variables: how the model description shows them, and the quantities for which they stand.
 
 use fenderline_sim::Setup;
 
@@ -9,14 +9,14 @@ use crate::view::View;
 /// What an FMU is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The contact engine: states in, wrenches out.
+    /// The contact engine: its inputs are states of bodies, its outputs are wrenches.
     Engine,
-    /// The whole scenario: controls in, states out.
+    /// The whole scenario: its inputs are controls, its outputs are states.
     Simulation,
 }
 
 impl Kind {
-    /// Its name on the command line.
+    /// Name of the kind of FMU on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ pub enum Class {
     Integer,
     /// A switch.
     Boolean,
-    /// One of some named items, by its value.
+    /// One of several named items, each of which has a number.
     Enumeration,
 }
 
@@ -48,21 +48,27 @@ pub enum Class {
 pub(crate) struct Enumeration {
     pub(crate) name: &'static str,
     pub(crate) description: &'static str,
-    /// Name and description of the values 1, 2 and so on.
+    /// Names and descriptions of the items with the numbers 1, 2 and so on.
     pub(crate) items: &'static [(&'static str, &'static str)],
 }
 
-/// How a co-simulation host integrates.
+/// The ways in which a co-simulation host may integrate the motion of its bodies.
 pub(crate) static INTEGRATION: Enumeration = Enumeration {
     name: "Integration",
     description: "how the host moves its bodies",
     items: &[
-        ("forward_euler", "positions with the old velocities, then velocities"),
-        ("semi_implicit", "velocities, then positions with the new velocities"),
+        (
+            "forward_euler",
+            "the host first moves positions by the old velocities, then changes velocities",
+        ),
+        (
+            "semi_implicit",
+            "the host first changes velocities, then moves positions by the new velocities",
+        ),
     ],
 };
 
-/// The value of `forward_euler` of [`INTEGRATION`].
+/// The number of the item `forward_euler` of [`INTEGRATION`].
 pub(crate) const FORWARD_EULER: u32 = 1;
 
 /// Who sets a variable.
@@ -70,15 +76,15 @@ pub(crate) const FORWARD_EULER: u32 = 1;
 pub enum Causality {
     /// Time.
     Independent,
-    /// The master, until initialization ends.
+    /// The master sets the variable, until initialization ends.
     Parameter,
-    /// The master, at any communication point.
+    /// The master sets the variable, at any communication point.
     Input,
     /// The FMU.
     Output,
 }
 
-/// One variable. Its value reference is its index in the table.
+/// One variable. The value reference of a variable is its index in the table.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// Unique name.
@@ -91,14 +97,14 @@ pub struct Variable {
     pub class: Class,
     /// Who sets the variable.
     pub causality: Causality,
-    /// Start value; 0 for outputs, which have no start value in the model description.
+    /// Start value of the variable; 0 for outputs, which have no start value in the model description.
     pub start: f64,
-    /// Smallest and largest allowed value.
+    /// Smallest and largest value that the variable may have.
     pub range: Option<[f64; 2]>,
     pub(crate) stands_for: StandsFor,
 }
 
-/// What a variable refers to.
+/// What a variable of the FMU stands for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum StandsFor {
     Time,
@@ -108,33 +114,33 @@ pub(crate) enum StandsFor {
     Output(Output),
 }
 
-/// Settings for the engine's host.
+/// Settings by which an engine FMU knows how its host works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Setting {
-    /// Co-simulation: the engine follows a host that moves its bodies itself.
+    /// Whether the FMU runs in co-simulation: the engine follows a host that moves its bodies itself.
     Following,
-    /// Age of the input states, in steps.
+    /// Number of steps by which the input states are old.
     DelaySteps,
-    /// First steps without a wrench.
+    /// Number of steps at the start without a wrench.
     SkipSteps,
-    /// The host's integrator, of [`INTEGRATION`].
+    /// How the host integrates, as an item of [`INTEGRATION`].
     Integration,
-    /// The load inputs are connected; otherwise loads are estimated.
+    /// Whether the load inputs are connected; otherwise the engine estimates the loads.
     TellsLoads,
-    /// Vectors are in the bodies' axes.
+    /// Whether vectors are in the bodies' axes.
     BodyFixed,
     /// The communication step.
     StepS,
 }
 
-/// A number of the set-up.
+/// A number of the scenario's set-up that a parameter sets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parameter {
     pub(crate) of: usize,
     pub(crate) write: fn(&mut Setup, usize, f64),
 }
 
-/// A number that is read off a run.
+/// A number that an output reads from a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Output {
     pub(crate) of: [usize; 2],
@@ -144,13 +150,13 @@ pub(crate) struct Output {
 /// All variables of an FMU.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// The variables, in the order of their value references.
+    /// The variables of the FMU, in the order of their value references.
     pub variables: Vec<Variable>,
-    /// Groups of variables that belong together, for OSP.
+    /// Groups of variables that belong together, for the Open Simulation Platform.
     pub(crate) groups: Vec<Group>,
 }
 
-/// Variables that are a vector or an angle, as the Open Simulation Platform groups them.
+/// A group of variables that are a vector or an angle, as the Open Simulation Platform groups them.
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
     pub(crate) name: String,
@@ -170,7 +176,7 @@ impl Variable {
 }
 
 impl Table {
-    /// A table with time alone.
+    /// A table of variables with time as its only variable.
     pub(crate) fn new() -> Table {
         let mut table = Table { variables: Vec::new(), groups: Vec::new() };
         table.add(Variable {
@@ -186,8 +192,8 @@ impl Table {
         table
     }
 
-    /// Adds a variable and returns its index. Characters that are not allowed in names are replaced, and a duplicate name
-    /// gets a number.
+    /// Adds a variable to the table and returns its index. Characters that are not allowed in names of variables are
+    /// replaced, and a name that exists already gets a number.
     pub(crate) fn add(&mut self, mut variable: Variable) -> usize {
         let clean = |text: &str| text.replace(|c: char| c.is_control(), "_");
         let name = clean(&variable.name);
@@ -209,16 +215,17 @@ impl Table {
         self.variables.iter().map(|variable| variable.start).collect()
     }
 
-    /// The value of a setting, in the table of an engine.
+    /// The value of a setting, from the values of an engine FMU's variables.
     ///
     /// # Panics
-    /// The table is not an engine's.
+    /// Panics if the table is not that of an engine FMU.
     pub(crate) fn setting(&self, values: &[f64], wanted: Setting) -> f64 {
         let is = |v: &Variable| matches!(v.stands_for, StandsFor::Setting(s) if s == wanted);
         values[self.variables.iter().position(is).expect("an engine's table has all settings")]
     }
 
-    /// The interface of the FMU as text. Libraries with the same text are compatible.
+    /// The interface of the FMU as text, with all of its variables. Two FMUs whose interfaces have the same text are
+    /// compatible.
     pub(crate) fn text(&self) -> String {
         let line = |v: &Variable| {
             let Variable { name, unit, class, causality, start, range, .. } = v;

@@ -1,4 +1,4 @@
-//! Tries a library before it goes into an FMU: loads it and makes an instance, as a master does.
+//! Tries a shared library before it goes into an FMU: loads it and makes an instance, as a master does.
 
 use core::fmt;
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
@@ -11,23 +11,23 @@ use libloading::Library;
 use crate::pack::BUNDLE_FILE;
 use crate::plan::Plan;
 
-/// The reason why a library cannot go into an FMU of the plan.
+/// Says why a library cannot go into an FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TrialError {
     /// The files for the trial cannot be written.
     Folder(String),
-    /// The system does not load the library, with the system's reason.
+    /// The operating system does not load the library; its reason is the text.
     NotLoaded(String),
-    /// The library lacks a function of the standard.
+    /// The library lacks a function of the FMI standard.
     Lacks(&'static str),
-    /// The library makes no instance, with its message.
+    /// The library makes no instance; its message is the text.
     Refused(String),
 }
 
 impl fmt::Display for TrialError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            TrialError::Folder(why) => write!(f, "cannot try the FMU's library: {why}"),
+            TrialError::Folder(why) => write!(f, "the FMU's library cannot be tried: {why}"),
             TrialError::NotLoaded(why) => write!(f, "the FMU's library cannot be loaded: {why}"),
             TrialError::Lacks(name) => write!(f, "the FMU's library has no function `{name}`"),
             TrialError::Refused(why) => {
@@ -51,7 +51,7 @@ pub fn try_library(file: &Path, plan: &Plan) -> Result<(), TrialError> {
     make_instance(&file, &folder.0, &plan.token)
 }
 
-/// As [`try_library`], for a library that is in memory.
+/// Tries a library as [`try_library`] does, for a library whose bytes are in memory.
 ///
 /// # Errors
 /// [`TrialError`].
@@ -80,7 +80,8 @@ type Instantiate = unsafe extern "C" fn(
 /// `fmi3FreeInstance`.
 type Free = unsafe extern "C" fn(*mut c_void);
 
-/// Makes an instance by FMI 3.0 and frees it. The library has both versions, and one token.
+/// Makes an instance by the functions of FMI 3.0 and frees it again. An instance by FMI 3.0 is enough for the trial,
+/// because the library has the functions of both versions of FMI, and one token.
 fn make_instance(file: &Path, resources: &Path, token: &str) -> Result<(), TrialError> {
     // SAFETY: loading runs the library's initialisers. The user names a library to be run by masters; ours has none but
     // the standard library's.
@@ -141,7 +142,7 @@ unsafe extern "C" fn note(
     *messages.lock().unwrap_or_else(PoisonError::into_inner) = message;
 }
 
-/// A temporary folder, removed when it is dropped.
+/// A temporary folder, which is removed when this value is dropped.
 struct Folder(PathBuf);
 
 impl Folder {

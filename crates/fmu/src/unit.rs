@@ -1,9 +1,9 @@
 //! Units of variables.
 
-/// The unit of a variable; all are SI.
+/// The SI unit of an FMU variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Unit {
-    /// A pure number, a count or a switch.
+    /// A variable without a unit: a pure number, a count or a switch.
     One,
     /// s
     Second,
@@ -40,7 +40,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Name in a model description; `None` for a pure number.
+    /// Name of the unit in a model description; `None` for a pure number.
     pub(crate) fn name(self) -> Option<&'static str> {
         Some(match self {
             Unit::One => return None,
@@ -63,10 +63,10 @@ impl Unit {
         })
     }
 
-    /// The unit of a summary quantity, by the symbol in the catalogue.
+    /// The unit of a summary quantity, found by the unit's symbol in the catalogue of quantities.
     ///
     /// # Panics
-    /// A symbol that no variable has: the tests make the variables of every quantity.
+    /// Panics for a symbol that is not the unit of any variable of an FMU; the tests try the symbols of all quantities.
     pub(crate) fn of_symbol(symbol: &str) -> Unit {
         match symbol {
             "1" => Unit::One,
@@ -78,11 +78,11 @@ impl Unit {
             "N/m²" => Unit::NewtonPerSquareMetre,
             "N·s" => Unit::NewtonSecond,
             "J" => Unit::Joule,
-            _ => panic!("an FMU has no variable in {symbol}"),
+            _ => panic!("an FMU has no variable whose unit is {symbol}"),
         }
     }
 
-    /// Exponents of kg, m, s and rad.
+    /// The powers of kg, m, s and rad of which the unit is the product.
     pub(crate) fn exponents(self) -> [i32; 4] {
         match self {
             Unit::One => [0, 0, 0, 0],

@@ -1,21 +1,21 @@
-//! The results of a run, from which outputs are read.
+//! The results of a run from which an FMU's outputs are read.
 
 use fenderline_contact::{BodyState, Contact, Wrench};
 use fenderline_sim::Simulation;
 
 use crate::axes::body_fixed;
 
-/// The results of a run from which outputs are read.
+/// The results of a run from which an FMU's outputs are read.
 pub(crate) struct View<'a> {
     pub(crate) states: &'a [BodyState],
-    /// Contact wrenches, one per body, earth-fixed.
+    /// Contact wrenches in earth-fixed axes, one on each body.
     pub(crate) wrenches: &'a [Wrench],
-    /// The largest wrench on each body within the last step; empty for a simulation.
+    /// The largest contact wrench on each body within the last step; empty for a simulation.
     pub(crate) peaks: &'a [Wrench],
     pub(crate) contacts: &'a [Contact],
-    /// Report wrenches in the bodies' axes.
+    /// Whether wrenches are reported in the bodies' axes.
     pub(crate) body_fixed: bool,
-    /// The simulation, where there is one.
+    /// The running simulation; `None` for an engine.
     pub(crate) simulation: Option<&'a Simulation>,
 }
 

@@ -1,8 +1,10 @@
-//! Reads files that a user names. Only regular files of bounded size are read, so that no name can hang the program.
+//! Reads files that a user names. The program reads only regular files of bounded size, so that no file name can make
+//! it hang.
 //!
-//! A named pipe blocks whoever opens it, a device may never end, and a file can be replaced between a check and the
-//! opening. So the file is checked first, which touches no device, then opened without waiting, and checked again
-//! through the open handle, which renaming does not affect.
+//! Opening a named pipe blocks the program, reading a device may never end, and somebody can replace a file between a
+//! check of the file and its opening. The program therefore checks the file's metadata first, then opens the file
+//! without waiting, and checks the metadata again through the open handle, which a renaming of the file does not
+//! affect.
 
 use core::fmt;
 use std::fs::{File, FileType, Metadata, OpenOptions};
@@ -11,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use crate::printable::printable_line;
 
-/// A file that cannot be read or is refused.
+/// The error for a file that cannot be read or that the program refuses to read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
     /// The file.
@@ -23,14 +25,14 @@ pub struct FileError {
 /// What is wrong with a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileFault {
-    /// An error of the operating system.
+    /// The operating system reports an error.
     System {
-        /// Its kind.
+        /// The kind of the operating system's error.
         kind: io::ErrorKind,
-        /// Its text.
+        /// The text of the operating system's error.
         text: String,
     },
-    /// The file is not a regular file; says what it is, as "a named pipe".
+    /// The file is not a regular file; the text says what the file is, for example "a pipe".
     NotRegular(&'static str),
     /// The file is larger than the caller allows.
     TooLarge {
@@ -76,11 +78,11 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Opens a regular file of at most `largest_bytes` for reading, and never waits. The file may still grow after
-/// opening: a caller that streams the file must count the bytes.
+/// Opens a regular file of at most `largest_bytes` for reading, and never waits. The file may still grow after it was
+/// opened, so a caller that reads the file piece by piece must count the bytes.
 ///
 /// # Errors
-/// [`FileError`] for a file that does not exist, is not regular, or is larger.
+/// Returns a [`FileError`] if the file does not exist, is not a regular file, or is larger than `largest_bytes`.
 pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> {
     let system = |e: io::Error| FileError::system(path, &e);
     // Check before opening: opening some devices acts on them, and a pipe's writer would believe that it has a reader.
@@ -93,12 +95,12 @@ pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> 
 /// The content of a regular file of at most `largest_bytes`.
 ///
 /// # Errors
-/// As [`open_regular`], and for a file that grows beyond `largest_bytes` while it is read.
+/// Fails like [`open_regular`], and also if the file grows beyond `largest_bytes` while it is read.
 pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
     bounded(open_regular(path, largest_bytes)?, path, largest_bytes)
 }
 
-/// All of a stream of at most `largest_bytes`; `path` is its name in errors.
+/// Reads a stream of at most `largest_bytes` to its end; errors call the stream `path`.
 fn bounded(stream: impl io::Read, path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     // Reading one byte more than allowed detects a file that is larger than its metadata say, as in /proc.
@@ -115,15 +117,16 @@ fn bounded(stream: impl io::Read, path: &Path, largest_bytes: u64) -> Result<Vec
 /// The text of a regular file of at most `largest_bytes`.
 ///
 /// # Errors
-/// As [`read_bytes`], and for a file that is not UTF-8 text.
+/// Fails like [`read_bytes`], and also if the file is not UTF-8 text.
 pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError> {
     text(read_bytes(path, largest_bytes)?, path)
 }
 
-/// The text of a stream of at most `largest_bytes`, such as standard input; `name` is its name in errors. Waits for its end.
+/// Reads the text of a stream of at most `largest_bytes`, such as standard input, and waits for the end of the stream.
+/// Errors call the stream `name`.
 ///
 /// # Errors
-/// A stream that cannot be read, is larger, or is not UTF-8 text.
+/// Fails if the stream cannot be read, is larger than `largest_bytes`, or is not UTF-8 text.
 pub fn read_stream_of(
     stream: impl io::Read,
     name: &str,
@@ -141,8 +144,8 @@ fn text(bytes: Vec<u8>, path: &Path) -> Result<String, FileError> {
     })
 }
 
-/// Options for reading a file that a user names: opening never waits for a pipe, device or terminal, and no terminal
-/// becomes the program's controlling terminal.
+/// Options for opening a file that a user names for reading: opening the file never waits for a pipe, device or
+/// terminal, and a terminal opened in this way does not become the program's controlling terminal.
 fn without_waiting() -> OpenOptions {
     with_flags(
         #[cfg(unix)]
@@ -150,8 +153,8 @@ fn without_waiting() -> OpenOptions {
     )
 }
 
-/// Options for writing a file that others may have created: as for reading, and a symbolic link is an error instead of
-/// being followed.
+/// Options for opening a file for writing that another program may have created: opening the file never waits, and
+/// fails if the path is a symbolic link.
 #[must_use]
 pub fn without_following() -> OpenOptions {
     with_flags(
@@ -161,14 +164,14 @@ pub fn without_following() -> OpenOptions {
 }
 
 fn with_flags(#[cfg(unix)] flags: i32) -> OpenOptions {
-    #[cfg_attr(not(unix), expect(unused_mut, reason = "only unix has flags to set"))]
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only on Unix does the function set flags"))]
     let mut options = OpenOptions::new();
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, flags);
     options
 }
 
-/// What an irregular file is, as "a folder"; `None` for a regular file.
+/// Says in words what a file is that is not a regular file, for example "a folder"; `None` for a regular file.
 #[must_use]
 pub fn irregular(kind: FileType) -> Option<&'static str> {
     if kind.is_file() {

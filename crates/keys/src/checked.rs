@@ -1,6 +1,7 @@
-//! A scenario's tables after reading: every key is known, every value has its kind, is in SI and within its bounds, and
-//! defaults are filled in. Code looks keys up by the constants of [`table_keys!`](crate::table_keys): the compiler
-//! refuses a key that does not exist, a key of another table, and a key that holds something else.
+//! The tables of a scenario after they were read and checked: every key is known, every value is of the right kind, in
+//! SI units and within its bounds, and missing keys have their defaults. Code looks up a key of a table by a constant
+//! that [`table_keys!`](crate::table_keys) makes, so the compiler refuses a key that does not exist, a key of another
+//! table, and a key whose value is of another type.
 //!
 //! ```
 //! use fenderline_keys::checked::Table;
@@ -11,7 +12,7 @@
 //! }
 //! ```
 //!
-//! With a misspelt key these lines do not compile:
+//! A look-up with a misspelt key does not compile:
 //!
 //! ```compile_fail,E0599
 //! # use fenderline_keys::checked::Table;
@@ -21,7 +22,7 @@
 //! }
 //! ```
 //!
-//! Nor with a key of another table:
+//! A look-up with a key of another table does not compile:
 //!
 //! ```compile_fail,E0308
 //! # use fenderline_keys::checked::Table;
@@ -32,7 +33,7 @@
 //! }
 //! ```
 //!
-//! Nor if the key holds another kind of value:
+//! A look-up does not compile if the key holds another kind of value:
 //!
 //! ```compile_fail,E0599
 //! # use fenderline_keys::checked::Table;
@@ -60,16 +61,16 @@ use crate::place::Span;
 use crate::spec::{TableKeys, TableSpec};
 use crate::typed_key::{AnyKey, Anything, Key, ReadAs, are_among};
 
-/// A table that has been read.
+/// A table of a scenario file after it was read and checked.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// The declaration of the table.
+    /// The declaration of the table: which keys the table may have.
     pub spec: &'static TableSpec,
     /// Dotted path of the table; empty for the whole file.
     pub path: String,
-    /// Header of the table, or the whole of an inline table.
+    /// Place in the file of the table's header, or of the whole table if the table is written inline.
     pub span: Span,
-    /// The keys of the table, in the order of the declaration.
+    /// The keys of the table with their values, in the order in which the declaration lists the keys.
     pub items: Vec<Item>,
 }
 
@@ -78,17 +79,17 @@ pub struct Table {
 pub struct Item {
     /// The name of the key.
     pub name: &'static str,
-    /// The span of the key; the table's span for a default.
+    /// Place of the key in the file; for a default, the place of the table.
     pub key_span: Span,
-    /// The span of the value; the table's span for a default.
+    /// Place of the value in the file; for a default, the place of the table.
     pub span: Span,
-    /// The value is the default: the file does not give the key.
+    /// True if the value is the key's default, because the file does not give the key.
     pub is_default: bool,
     /// The value.
     pub value: Value,
 }
 
-/// A value that has been read.
+/// The value of a key after it was read and checked.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// A text.
@@ -99,13 +100,13 @@ pub enum Value {
     Flag(bool),
     /// One of several words.
     Choice(Word),
-    /// In SI.
+    /// A number in SI units.
     Number(f64),
-    /// In SI.
+    /// A vector in SI units.
     Vector(Vec2),
-    /// In metres.
+    /// The vertices of an outline (m).
     Outline(Vec<Vec2>),
-    /// In SI; the first of each row rises.
+    /// Rows of two numbers in SI units; the first number increases from row to row.
     Curve(Vec<(f64, f64)>),
     /// A name.
     Name(String),
@@ -128,7 +129,7 @@ impl Table {
     /// The table as a table with the keys `T`, for code that looks its keys up.
     ///
     /// # Panics
-    /// In a debug build, if the table is declared with a key that is not of `T`.
+    /// Panics in a debug build if the declaration of the table has a key that `T` does not have.
     pub fn of<T: TableKeys>(&self) -> Of<'_, T> {
         debug_assert!(are_among(self.spec.keys, T::KEYS), "{} has other keys", self.spec.what);
         Of { table: self, of: PhantomData }
@@ -136,15 +137,15 @@ impl Table {
 }
 
 impl Item {
-    /// Whether the item is of this key.
+    /// Whether the item is the value of the key `key`.
     pub fn is<T, V>(&self, key: Key<T, V>) -> bool {
         self.name == key.name()
     }
 
-    /// The item as the entry of a key.
+    /// The item as an [`Entry`], whose type says what kind of value the key holds.
     ///
     /// # Panics
-    /// If the item is of another key.
+    /// Panics if the item belongs to another key than `key`.
     pub fn entry<T, V>(&self, key: Key<T, V>) -> Entry<'_, V> {
         assert!(self.is(key), "{} is not {key}", self.name);
         Entry { item: self, of: PhantomData }
@@ -158,44 +159,47 @@ pub struct Of<'t, T> {
 }
 
 impl<'t, T> Of<'t, T> {
-    /// The dotted path of one of the table's keys.
+    /// The dotted path of a key of the table, as in `body.tug.mass`.
     pub fn path_of<V>(self, key: Key<T, V>) -> String {
         key_path::join(&self.table.path, key.name())
     }
 
-    /// The key, if the file gives the key or the key has a default.
+    /// The entry of a key; `None` if the file does not give the key and the key has no default.
     pub fn item<V>(self, key: Key<T, V>) -> Option<Entry<'t, V>> {
         debug_assert!(self.has(key), "{} has no key {key}", self.spec.what);
         self.item_if_any(key)
     }
 
-    /// The first of some keys that the file gives or that has a default.
+    /// The entry of the first key in the list `keys` that the file gives or that has a default.
     pub fn first_of(self, keys: &[AnyKey<T>]) -> Option<Entry<'t, Anything>> {
         keys.iter().find_map(|key| self.item(*key))
     }
 
-    /// A key that is always present: the reader refuses its absence or fills in its default.
+    /// The entry of a key that is always present, because the reader of the file refuses a table without the key or
+    /// fills in the key's default.
     pub fn given<V>(self, key: Key<T, V>) -> Entry<'t, V> {
         self.item(key).unwrap_or_else(|| unreachable!("{} without {key}", self.spec.what))
     }
 
-    /// The key, if this kind of table has the key, and the file gives the key or the key has a default.
+    /// The entry of a key that this kind of table may lack; `None` without the key, or if the file does not give the
+    /// key and the key has no default.
     pub fn item_if_any<V>(self, key: Key<T, V>) -> Option<Entry<'t, V>> {
         let item = self.table.items.iter().find(|item| item.is(key));
         item.map(|item| Entry { item, of: PhantomData })
     }
 
-    /// The number of a key that only some kinds of table have.
+    /// The number under a key that only some kinds of table have; `None` if the table does not hold the key.
     pub fn number_if_any(self, key: Key<T, Number>) -> Option<f64> {
         self.item_if_any(key).map(|item| *item.number())
     }
 
-    /// Whether this kind of table has the key.
+    /// Whether the declaration of this kind of table has the key `key`.
     pub fn has<V>(self, key: Key<T, V>) -> bool {
         self.table.spec.key(key.name()).is_some()
     }
 
-    /// The same table, for code that reads several kinds of table.
+    /// This table with another type of keys, for code that reads several kinds of table by the keys that these tables
+    /// share.
     pub fn read_as<R>(self) -> Of<'t, R>
     where
         T: ReadAs<R>,
@@ -208,12 +212,12 @@ impl<'t, T> Of<'t, T> {
         self.table.path_to(entry.item)
     }
 
-    /// Every entry, whatever it holds.
+    /// Every entry of the table, whatever kind of value the entry holds.
     pub fn entries(self) -> impl Iterator<Item = Entry<'t, Anything>> {
         self.table.items.iter().map(|item| Entry { item, of: PhantomData })
     }
 
-    /// The same table, for code that does not look keys up.
+    /// This table without the type of its keys, for code that does not look up keys.
     pub fn any(self) -> Of<'t, Anything> {
         Of { table: self.table, of: PhantomData }
     }
@@ -224,7 +228,7 @@ impl<'t, T> Of<'t, T> {
     }
 }
 
-/// The value of a key, a `V`, with its place in the file.
+/// A key's value of type `V`, with the place of the value in the file.
 pub struct Entry<'t, V> {
     item: &'t Item,
     of: PhantomData<fn() -> V>,
@@ -236,7 +240,7 @@ impl<'t, V> Entry<'t, V> {
         self.item
     }
 
-    /// The same without the type of the value.
+    /// This entry without the type of its value.
     pub fn any(self) -> Entry<'t, Anything> {
         Entry { item: self.item, of: PhantomData }
     }
@@ -249,25 +253,25 @@ pub struct Tables<'t, T> {
 }
 
 impl<'t, T> Tables<'t, T> {
-    /// How many there are.
+    /// Number of tables.
     pub fn len(self) -> usize {
         self.tables.len()
     }
 
-    /// Whether there is none.
+    /// Whether there is no table.
     pub fn is_empty(self) -> bool {
         self.tables.is_empty()
     }
 
-    /// The table at an index.
+    /// The table at the index `index`, from 0.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// Panics if `index` is not less than the number of tables.
     pub fn at(self, index: usize) -> Of<'t, T> {
         Of { table: &self.tables[index].1, of: PhantomData }
     }
 
-    /// Copies, for tables that are made from these.
+    /// Copies the tables with their names, for code that makes other tables from them.
     pub fn to_vec(self) -> Vec<(String, Table)> {
         self.tables.to_vec()
     }
@@ -278,7 +282,7 @@ impl<'t, T> Tables<'t, T> {
     }
 }
 
-/// Iterates over tables with their names.
+/// Iterator over tables with their names.
 pub type EachNamed<'t, T> =
     Map<slice::Iter<'t, (String, Table)>, fn(&'t (String, Table)) -> (&'t String, Of<'t, T>)>;
 
@@ -292,7 +296,7 @@ impl<'t, T> IntoIterator for Tables<'t, T> {
 }
 
 impl<'t, T: TableKeys> From<&'t [(String, Table)]> for Tables<'t, T> {
-    /// Tables that were made from others.
+    /// Wraps tables that the program itself made from other tables.
     fn from(tables: &'t [(String, Table)]) -> Self {
         for (_, table) in tables {
             let _ = table.of::<T>();
@@ -308,31 +312,31 @@ pub struct List<'t, T> {
 }
 
 impl<'t, T> List<'t, T> {
-    /// How many there are.
+    /// Number of tables in the list.
     pub fn len(self) -> usize {
         self.tables.len()
     }
 
-    /// Whether there is none.
+    /// Whether the list has no table.
     pub fn is_empty(self) -> bool {
         self.tables.is_empty()
     }
 
-    /// The table at an index.
+    /// The table at the index `index` of the list, from 0.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// Panics if `index` is not less than the number of tables.
     pub fn at(self, index: usize) -> Of<'t, T> {
         Of { table: &self.tables[index], of: PhantomData }
     }
 
-    /// Each table, in the order of the file.
+    /// Each table of the list, in the order of the file.
     pub fn iter(self) -> Each<'t, T> {
         self.into_iter()
     }
 }
 
-/// Iterates over the tables of a list.
+/// Iterator over the tables of a list.
 pub type Each<'t, T> = Map<slice::Iter<'t, Table>, fn(&'t Table) -> Of<'t, T>>;
 
 impl<'t, T> IntoIterator for List<'t, T> {
@@ -409,7 +413,7 @@ lists! {
 }
 
 impl<C: Copy + 'static> Entry<'_, OneOf<C>> {
-    /// What the word stands for.
+    /// The value of the program for which the word in the file stands.
     pub fn choice(self) -> C {
         match &self.item.value {
             Value::Choice(word) => word.value(),

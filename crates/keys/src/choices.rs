@@ -1,13 +1,13 @@
-//! Keys that hold one of several words, each of which stands for a value of the program.
+//! Keys whose value is one of several words; each word stands for a value in the program.
 
 use core::any::{Any, type_name};
 use core::fmt::Debug;
 
-/// The words of a key, each with the value that it stands for.
+/// The words that a key may have, each with the value of the program for which the word stands.
 #[derive(Debug)]
 pub struct Choices<T: 'static>(pub &'static [Choice<T>]);
 
-/// One word of a key.
+/// One of the words that a key may have.
 #[derive(Debug)]
 pub struct Choice<T> {
     /// The word.
@@ -18,13 +18,13 @@ pub struct Choice<T> {
     pub doc: &'static str,
 }
 
-/// [`Choices`] of any type of value, as the key table holds them.
+/// [`Choices`] whose words stand for values of any type, as the table of all keys holds them.
 pub trait AnyChoices: Debug + Sync {
-    /// The words, in the order in which documentation shows them.
+    /// The words that the key may have, in the order in which the documentation lists them.
     fn words(&'static self) -> Vec<Word>;
 }
 
-/// A [`Choice`] of any type of value.
+/// A [`Choice`] whose word stands for a value of any type.
 #[derive(Clone, Copy, Debug)]
 pub struct Word {
     /// The word.
@@ -45,7 +45,7 @@ impl Word {
     ///
     /// # Panics
     ///
-    /// If the key table has values of another type under this key.
+    /// Panics if the word stands for a value of another type than `T`.
     pub fn value<T: Copy + 'static>(&self) -> T {
         match self.value.downcast_ref() {
             Some(value) => *value,

@@ -1,5 +1,5 @@
-//! Comma-separated files of numbers, with one header line of column names. Empty lines and lines that begin with `#`
-//! are skipped. Every mistake is an error at its line.
+//! Reads comma-separated files of numbers with one header line of column names. The reader of these files skips empty
+//! lines and lines that begin with `#`. Every mistake in a file is an error that names the line of the mistake.
 
 use crate::error::{Place, ScenarioError};
 use crate::printable::printable_number;
@@ -8,10 +8,10 @@ use crate::suggest::nearest;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// A file of numbers in columns.
+/// A file of numbers in columns, after it was read.
 pub struct Csv<'a> {
     sources: Sources<'a>,
-    /// The scenario's key that names the file.
+    /// The key of the scenario under which the file is named.
     key: &'a str,
     header: Span,
     columns: Vec<&'a str>,
@@ -21,16 +21,16 @@ pub struct Csv<'a> {
 /// How a file of another program is laid out.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Layout<'a> {
-    /// Lines at the top that are not read.
+    /// Number of lines at the top of the file that are not read.
     pub skip_lines: usize,
-    /// Names of the columns, for a file without a line of these names; [`NOT_READ`] for a column to skip.
+    /// Names of the columns, for a file without a line of column names; [`NOT_READ`] for a column to skip.
     pub columns: Option<&'a [String]>,
 }
 
-/// The name of a column that is not read.
+/// The name that marks a column of a file as a column to skip.
 pub const NOT_READ: &str = "-";
 
-/// What separates the cells of a line.
+/// What separates the cells of a line: a character or blanks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
     Char(char),
@@ -38,34 +38,34 @@ enum Separator {
 }
 
 impl Separator {
-    /// That of a line of a file from another program.
+    /// The separator of the cells in a line of a file from another program.
     fn of(line: &str) -> Separator {
         let found = [';', '\t', ','].into_iter().find(|c| line.contains(*c));
         found.map_or(Separator::Blanks, Separator::Char)
     }
 }
 
-/// One row.
+/// One row of numbers of a file.
 struct Row {
     numbers: Vec<f64>,
     cells: Vec<Span>,
 }
 
-/// Numbers on a full grid.
+/// The rows of a file as a full grid: each combination of the values on the axes has one row.
 #[derive(Debug)]
 pub struct Grid {
-    /// The values on each axis, rising.
+    /// The values on each axis of the grid, in rising order.
     pub axes: Vec<Vec<f64>>,
-    /// The file's rows in the order of the grid, the last axis fastest.
+    /// Indices of the file's rows in the order of the grid, in which the value on the last axis changes fastest.
     pub rows: Vec<usize>,
 }
 
 impl<'a> Csv<'a> {
-    /// Reads a file's text. `known` are the columns that the file may have.
+    /// Reads a file's text. `known` lists the columns that the file may have.
     ///
     /// # Errors
-    /// No header, an unknown or repeated column, no rows, a row with too many or too few numbers, a cell that is not a
-    /// finite number.
+    /// Fails if the file has no header, an unknown or repeated column, or no rows, if a row has too many or too few
+    /// numbers, or if a cell is not a finite number.
     pub fn parse(text: &'a str, file_name: &'a str, key: &'a str, known: &[&str]) -> Read<Csv<'a>> {
         let sources = Sources::new(file_name, text, &[]);
         let mut lines = lines(text, 0, Separator::Char(','));
@@ -75,11 +75,11 @@ impl<'a> Csv<'a> {
         Csv::read(sources, (key, known, false), (header, cells), lines)
     }
 
-    /// As [`Csv::parse`], of a file of another program: its cells are separated by semicolons, tabs, commas or blanks, and its numbers may have
-    /// a decimal comma where commas do not separate.
+    /// Reads the text of a file of another program as [`Csv::parse`] does, but the cells may be separated by
+    /// semicolons, tabs, commas or blanks. The numbers may have a decimal comma if commas do not separate the cells.
     ///
     /// # Errors
-    /// As [`Csv::parse`].
+    /// Fails like [`Csv::parse`].
     pub fn parse_laid_out(
         text: &'a str,
         file_name: &'a str,
@@ -175,20 +175,20 @@ impl<'a> Csv<'a> {
         self.rows.len()
     }
 
-    /// Whether the file has this column.
+    /// Whether the file has the column `column`.
     pub fn has(&self, column: &str) -> bool {
         self.columns.contains(&column)
     }
 
-    /// An error about the header.
+    /// An error that points to the header line of the file.
     pub fn header_error(&self, message: impl Into<String>) -> ScenarioError {
         self.sources.error(&self.header, self.key, message)
     }
 
-    /// The index of a column that the file must have.
+    /// The index of the column `column`, which the file must have.
     ///
     /// # Errors
-    /// The file does not have the column.
+    /// Fails if the file does not have the column `column`.
     pub fn column(&self, column: &str) -> Read<usize> {
         self.columns
             .iter()
@@ -196,10 +196,10 @@ impl<'a> Csv<'a> {
             .ok_or_else(|| self.header_error(format!("the column `{column}` is missing")))
     }
 
-    /// A number within bounds, both included.
+    /// The number in a cell, which must lie within bounds; both bounds are allowed.
     ///
     /// # Errors
-    /// A number outside them.
+    /// Fails if the number is outside the bounds.
     pub fn number(&self, row: usize, column: usize, [low, high]: [f64; 2]) -> Read<f64> {
         let number = self.rows[row].numbers[column];
         if number >= low && number <= high {
@@ -218,26 +218,27 @@ impl<'a> Csv<'a> {
         ))
     }
 
-    /// A number without bounds, which was read already.
+    /// The number in a cell, without a check of bounds.
     pub fn plain(&self, row: usize, column: usize) -> f64 {
         self.rows[row].numbers[column]
     }
 
-    /// Where a cell is, or the header, for a notice.
+    /// The place of a cell in the file, to be shown in a warning; the place of the header if `cell` is `None`.
     pub fn place_of(&self, cell: Option<(usize, usize)>) -> Place {
         let span = cell.map_or(&self.header, |(row, column)| &self.rows[row].cells[column]);
         self.sources.place(span)
     }
 
-    /// An error about one cell.
+    /// An error that points to one cell of the file.
     pub fn cell_error(&self, row: usize, column: usize, message: String) -> ScenarioError {
         self.sources.error(&self.rows[row].cells[column], self.key, message)
     }
 
-    /// The rows as a full grid over some columns: each combination of their values once. The rows may be in any order.
+    /// The rows of the file as a full grid over the columns `columns`: each combination of values in these columns has
+    /// one row. The rows may stand in the file in any order.
     ///
     /// # Errors
-    /// A combination that is given twice or missing.
+    /// Fails if the file has two rows or no row for a combination of values.
     pub fn grid(&self, columns: &[usize]) -> Read<Grid> {
         let at = |row: usize, axis: usize| self.rows[row].numbers[columns[axis]];
         let axes: Vec<Vec<f64>> = (0..columns.len())
@@ -260,7 +261,7 @@ impl<'a> Csv<'a> {
             return Err(self.cell_error(
                 two[1],
                 columns.first().copied().unwrap_or(0),
-                format!("a second row for {place}"),
+                format!("the file has a second row for {place}"),
             ));
         }
         // Sorted rows must count through the values of the axes like digits; a row that does not fit means a missing
@@ -275,7 +276,9 @@ impl<'a> Csv<'a> {
             if !fits {
                 let place = self.place(columns, |axis| axes[axis][digits[axis]]);
                 let error = self.header_error(format!("the file has no row for {place}"));
-                return Err(error.with_help("a grid has no holes: one row for each combination"));
+                return Err(error.with_help(
+                    "the file needs one row for each combination of the values in these columns",
+                ));
             }
             let turns = (0..columns.len()).rev().find(|axis| digits[*axis] + 1 < axes[*axis].len());
             let Some(axis) = turns else { break };
@@ -301,10 +304,10 @@ impl<'a> Csv<'a> {
 
 fn no_header(sources: &Sources<'_>, known: &[&str]) -> ScenarioError {
     let error = sources.file_error("the file has no header line");
-    error.with_help(format!("its columns are some of {}", known.join(", ")))
+    error.with_help(format!("the header line names columns, which may be {}", known.join(", ")))
 }
 
-/// The lines after the first few that are neither empty nor comments, each with its cells.
+/// The lines of a text after its first `skip_lines` lines, without empty lines and comments, each line with its cells.
 fn lines(
     text: &str,
     skip_lines: usize,
@@ -347,7 +350,7 @@ fn lines(
     })
 }
 
-/// The byte at which the line after the first few begins.
+/// Index of the byte of the text at which the line after the first `count` lines begins.
 fn after_lines(text: &str, count: usize) -> usize {
     let mut rest = text;
     for _ in 0..count {

@@ -1,4 +1,4 @@
-//! What went wrong in a scenario, and where.
+//! Errors and warnings about a scenario file: what is wrong with the file, and at which place.
 
 use core::fmt;
 
@@ -7,8 +7,8 @@ pub use crate::place::Place;
 use crate::place::Snippet;
 use crate::printable::printable_line;
 
-/// A scenario that cannot be run: one mistake, its place, and if possible what to write instead. Displays as
-/// several lines with the offending line of the file.
+/// The error for a scenario that cannot be run: one mistake, its place in the file, and if possible what to write
+/// instead. `Display` prints the error as several lines, one of which is the line of the file with the mistake.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
 
@@ -23,7 +23,7 @@ struct Content {
 }
 
 impl ScenarioError {
-    /// An error at a place, of a key.
+    /// Makes an error with the place of the mistake, the key that has the mistake, and a message.
     pub fn new(place: Place, key: Option<String>, message: String) -> ScenarioError {
         ScenarioError(Box::new(Content {
             place,
@@ -35,20 +35,22 @@ impl ScenarioError {
         }))
     }
 
-    /// A mistake in a row of a file that a campaign names; `key` is the campaign's key that names the file.
+    /// Makes the error for a mistake in a row of a file that a campaign names; `key` is the key of the campaign under
+    /// which the file is named.
     #[must_use]
     pub fn in_row(origin: &Origin, key: &str, message: impl Into<String>) -> ScenarioError {
         ScenarioError::new(origin.place.clone(), Some(key.to_owned()), message.into())
             .at_origin(origin)
     }
 
-    /// The error with a suggestion.
+    /// Adds to the error a suggestion of what to write instead.
     pub fn with_help(mut self, help: impl Into<String>) -> ScenarioError {
         self.0.help = Some(help.into());
         self
     }
 
-    /// Puts the error where a key or value from outside of the file comes from.
+    /// Moves the error to the place from which a key or value came that does not stand in the scenario file, such as a
+    /// command-line option.
     pub fn at_origin(mut self, origin: &Origin) -> ScenarioError {
         self.0.place = origin.place.clone();
         self.0.snippet.clone_from(&origin.snippet);
@@ -56,7 +58,7 @@ impl ScenarioError {
         self
     }
 
-    /// The error with the line that it is in.
+    /// Adds to the error the line of the file that contains the mistake.
     pub fn with_snippet(mut self, snippet: Option<Snippet>) -> ScenarioError {
         self.0.snippet = snippet;
         self
@@ -68,7 +70,8 @@ impl ScenarioError {
         &self.0.place
     }
 
-    /// Line of the file, from 1; `None` if the mistake does not belong to one line.
+    /// Number of the line with the mistake in the file, counted from 1; `None` if the mistake does not belong to one
+    /// line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.0.place {
@@ -90,7 +93,8 @@ impl ScenarioError {
         &self.0.message
     }
 
-    /// Information that the place does not show, such as the value that a campaign drew.
+    /// Further information about the mistake that the place in the file does not show, such as the random value that a
+    /// campaign drew for the key.
     #[must_use]
     pub fn note(&self) -> Option<&str> {
         self.0.note.as_deref()
@@ -123,7 +127,8 @@ impl fmt::Display for ScenarioError {
     }
 }
 
-/// As [`Display`](fmt::Display), so that `unwrap` in a host's test shows the place.
+/// Prints the error as [`Display`](fmt::Display) does, so that a failing `unwrap` in a test shows the place of the
+/// mistake.
 impl fmt::Debug for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -143,7 +148,7 @@ pub struct Notice {
     pub message: String,
 }
 
-/// The beginning of notices about keys and tables that have no effect.
+/// The first words of every warning about a key or table that has no effect.
 pub const NO_EFFECT: &str = "no effect: ";
 
 impl Notice {

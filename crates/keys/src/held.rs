@@ -1,15 +1,15 @@
-//! What the value of a key is, as a type. The declaration of a key in [`table_keys!`](crate::table_keys) states
-//! the type, and the compiler compares it with the [`Kind`] of the key.
+//! Types that say what kind of value a key holds. The declaration of a key in [`table_keys!`](crate::table_keys) states
+//! the type of the key's value, and the compiler compares this type with the [`Kind`] of the key.
 
 use core::marker::PhantomData;
 
 use crate::spec::{KeySpec, Kind, TableKeys};
 
-/// The type of the value of a key.
+/// A type that says what kind of value a key holds.
 pub trait Held {
-    /// The variant of [`Value`](crate::checked::Value) that the reader makes.
+    /// The variant of [`Value`](crate::checked::Value) in which the reader stores the value of such a key.
     const VARIANT: Variant;
-    /// The keys of the table that is the value.
+    /// If the value is a table or tables: the keys of these tables.
     const TABLE: Option<&'static [KeySpec]> = None;
 }
 
@@ -34,7 +34,7 @@ pub enum Variant {
 }
 
 impl Kind {
-    /// The variant of the values of this kind.
+    /// The variant of [`Value`](crate::checked::Value) that values of this kind of key have.
     pub const fn variant(&self) -> Variant {
         match self {
             Kind::Text | Kind::FileName | Kind::AnyNumber => Variant::Text,
@@ -54,7 +54,7 @@ impl Kind {
         }
     }
 
-    /// The keys of the tables of this kind.
+    /// The keys of the tables that a key of this kind holds; `None` if the kind holds no table.
     pub const fn table(&self) -> Option<&'static [KeySpec]> {
         match self {
             Kind::Table(spec) | Kind::Named(spec) | Kind::List(spec) => Some(spec.keys),
@@ -100,7 +100,7 @@ held! {
     TwoNames: TwoNames;
 }
 
-/// One of several words, each of which stands for a `C`.
+/// One of several words, each of which stands for a value of type `C`.
 #[derive(Debug)]
 pub struct OneOf<C>(PhantomData<fn() -> C>);
 

@@ -2,7 +2,8 @@
 
 use crate::place::first;
 
-/// `parent.name`, with the name in quotes if TOML needs quotes; cut if the path is very long.
+/// Joins a path and a key's name to `parent.name`. The name stands in quotes if TOML needs quotes, and a very long name
+/// is cut.
 pub fn join(parent: &str, name: &str) -> String {
     let (shown, is_cut) = first(name, 60);
     let bare = !shown.is_empty()
@@ -17,7 +18,7 @@ pub fn join(parent: &str, name: &str) -> String {
     if parent.is_empty() { shown } else { format!("{parent}.{shown}") }
 }
 
-/// `parent[index]`, with the index as given.
+/// The path `parent[index]` of an item of a list, with the number `index` as the caller gives it.
 pub fn item(parent: &str, index: usize) -> String {
     format!("{parent}[{index}]")
 }

@@ -1,7 +1,8 @@
 //! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
-//! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add its
-//! row to the table, then use its constant in `assemble` of the crate `fenderline-scenario`.
+//! The bounds of the keys are wider than the figures of any real ship, and keep all computed numbers far from overflow.
+//! To add a key, add a row for the key to its table below, then use the constant of the key in `assemble` of the crate
+//! `fenderline-scenario`.
 
 pub mod anchor;
 pub mod approach;
@@ -58,9 +59,9 @@ use self::run::{CONTACT, ContactKey, TIME, TimeKey};
 /// The whole file.
 pub static SCENARIO: TableSpec = TableSpec {
     what: "a scenario",
-    doc: "Ships, fenders, quays and tugs in the horizontal plane: x north, y east, headings \
-          clockwise from north. A plain number is in SI units (angles in radians); a string \
-          carries its unit, as \"4 kn\".",
+    doc: "A scenario describes ships, fenders, quays and tugs in the horizontal plane: x points \
+          north, y points east, headings are clockwise from north. A plain number is in SI units \
+          (angles in radians); a number with another unit is a string, as \"4 kn\".",
     keys: ScenarioKey::ALL,
     rules: None,
 };
@@ -114,7 +115,7 @@ table_keys! {
             "body",
             Kind::Named(&BODY),
             Refused,
-            "Bodies, by name. Their order in the file is the order of results.",
+            "Bodies, by name. The results list the bodies in the order of the file.",
             &[],
         ),
         PAIR: ListOf<PairKey> = key(
@@ -142,16 +143,16 @@ table_keys! {
             "fender_files",
             Kind::Texts,
             Is("[]"),
-            "Files with fender data of your own (fenders/README.md shows their form), relative \
-                  to this file.",
+            "Files with your own fender data, named relative to the scenario file; \
+             fenders/README.md shows the form of such files.",
             &["[\"our_fenders.toml\"]"],
         ),
         BERTHING: TableOf<berthing::BerthingKey> = key(
             "berthing",
             Kind::Table(&berthing::BERTHING),
             Means("no study"),
-            "Particulars for the berthing energy by formula, which the report compares with the \
-             energy of the run.",
+            "Particulars for the berthing energy by PIANC's formula, which the report compares \
+             with the berthing energy of the run.",
             &[],
         ),
         ENVIRONMENT: TableOf<environment::EnvironmentKey> = key(
@@ -172,21 +173,23 @@ table_keys! {
             "vessel",
             Kind::Named(&vessel::VESSEL),
             Is("{}"),
-            "Kinds of vessels that the scenario defines, by name. Vessels of the library need no table.",
+            "Kinds of vessels that the scenario defines, by name. Vessels of the library need no \
+             table.",
             &[],
         ),
         VESSEL_FILES: Texts = key(
             "vessel_files",
             Kind::Texts,
             Is("[]"),
-            "Files with vessels of your own (vessels/README.md shows their form), relative to this file.",
+            "Files with your own vessels, named relative to the scenario file; vessels/README.md \
+             shows the form of such files.",
             &["[\"our_vessels.toml\"]"],
         ),
         TUG: NamedOf<world::TugKey> = key(
             "tug",
             Kind::Named(&world::TUG),
             Is("{}"),
-            "Tugs that are forces on vessels, by name.",
+            "Tugs that are only forces on vessels, without a hull of their own, by name.",
             &[],
         ),
         LINE: NamedOf<mooring::LineKey> = key(
@@ -207,28 +210,28 @@ table_keys! {
             "bollard",
             Kind::Named(&mooring::BOLLARD),
             Is("{}"),
-            "Bollards to which orders send lines, by name.",
+            "Bollards on which orders put mooring lines, by name.",
             &[],
         ),
         LINE_HANDLING: TableOf<mooring::LineHandlingKey> = key(
             "line_handling",
             Kind::Table(&mooring::LINE_HANDLING),
             Is("{}"),
-            "How lines come to a bollard.",
+            "How mooring lines are brought to a bollard, and how long this takes.",
             &[],
         ),
         STATISTICS: TableOf<limit::StatisticsKey> = key(
             "statistics",
             Kind::Table(&limit::STATISTICS),
-            Means("no statistics, unless there is a `limit`"),
-            "Statistics of motions and lines.",
+            Means("no statistics, unless the scenario has a `limit`"),
+            "Statistics of the motions of vessels and of the tension of mooring lines.",
             &[],
         ),
         LIMIT: NamedOf<limit::LimitKey> = key(
             "limit",
             Kind::Named(&limit::LIMIT),
             Is("{}"),
-            "Limits of motions, lines and fenders, by name.",
+            "Limits of vessels' motions and of the loads of lines and fenders, by name.",
             &[],
         ),
         FACTORS: TableOf<factors::FactorsKey> = key(
@@ -242,28 +245,29 @@ table_keys! {
             "passing",
             Kind::Named(&passing::PASSING),
             Is("{}"),
-            "Ships that pass, by name. They push vessels by the flow about them.",
+            "Ships that pass the vessels of the scenario, by name. The flow about a passing ship \
+             pushes the vessels that she passes.",
             &[],
         ),
         EXERCISE: TableOf<exercise::ExerciseKey> = key(
             "exercise",
             Kind::Table(&exercise::EXERCISE),
             Means("no exercise"),
-            "A goal for the pilot, and limits with points.",
+            "An exercise: a goal for the pilot, and limits that cost points if they are exceeded.",
             &[],
         ),
         ORDER: ListOf<order::OrderKey> = key(
             "order",
             Kind::List(&order::ORDER),
             Is("[]"),
-            "Orders at times of the run.",
+            "Orders to ships, tugs and linesmen, each at a time of the run.",
             &[],
         ),
         EVENT: ListOf<event::EventKey> = key(
             "event",
             Kind::List(&event::EVENT),
             Is("[]"),
-            "Changes of the weather and faults at times of the run.",
+            "Changes of the weather and faults, each at a time of the run.",
             &[],
         ),
         PROVIDER: ListOf<provider::ProviderKey> = key(
@@ -277,7 +281,7 @@ table_keys! {
             "load",
             Kind::List(&LOAD),
             Is("[]"),
-            "Steady or timed external loads.",
+            "External loads on bodies, steady or by time.",
             &[],
         ),
     }

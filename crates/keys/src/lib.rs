@@ -1,8 +1,9 @@
-//! Files that people write: TOML text with units to checked values, and errors that name file, line and key.
+//! Reads files that people write: turns TOML text with units into checked values, or reports an error that names file,
+//! line and key.
 //!
-//! [`keys`] declares every key of a scenario once: name, kind, unit, bounds, default and meaning. From that declaration
-//! [`reader`] checks a file, [`overrides`] sets single keys, and [`schema`] makes the JSON Schema. The crate
-//! `fenderline-scenario` turns the checked values into a set-up.
+//! [`keys`] declares every key of a scenario once: name, kind, unit, bounds, default and meaning. From the declaration
+//! of the keys [`reader`] checks a file, [`overrides`] sets single keys, and [`schema`] makes the JSON Schema. The
+//! crate `fenderline-scenario` turns the checked values of a scenario into the set-up of a simulation.
 //!
 //! | subject | module |
 //! |---|---|
@@ -10,8 +11,8 @@
 //! | the keys of a scenario | [`keys`] |
 //! | text to checked values | [`syntax`], [`reader`], [`checked`] |
 //! | values with units | [`units`] |
-//! | where a value was written, and errors | [`place`], [`sources`], [`origin`], [`error`] |
-//! | files of any kind, opened so that none can hang the program | [`bounded_file`] |
+//! | the place where a value was written, and errors | [`place`], [`sources`], [`origin`], [`error`] |
+//! | opening a file so that no kind of file can hang the program | [`bounded_file`] |
 //! | tables of numbers in CSV files | [`csv`] |
 #![forbid(unsafe_code)]
 

@@ -1,11 +1,12 @@
-//! Finds where a TOML text is nested too deeply. The parser reports that it is, but not where.
+//! Finds where a TOML text is nested too deeply. The TOML parser reports that a text is nested too deeply, but not
+//! where.
 
 use crate::place::Span;
 
-/// The parser's limit, for brackets and braces as for names in a dotted key.
+/// Deepest nesting of brackets and braces that the TOML parser accepts, and largest number of names in a dotted key.
 const DEEPEST: usize = 80;
 
-/// The bracket, brace or dot that goes one level too deep; `None` if there is none.
+/// Place of the bracket, brace or dot that nests one level too deep; `None` if the text is not nested too deeply.
 pub fn too_deep(text: &str) -> Option<Span> {
     let bytes = text.as_bytes();
     let (mut at, mut depth, mut dots) = (0, 0_usize, 0);
@@ -33,7 +34,8 @@ pub fn too_deep(text: &str) -> Option<Span> {
     None
 }
 
-/// The position after the string that begins at a quote; the end of the text for an unclosed string.
+/// The position after the string that begins with the quote at `start`; the end of the text if the string is not
+/// closed.
 fn after_string(bytes: &[u8], start: usize) -> usize {
     let quote = bytes[start];
     let is_long = bytes[start..].starts_with(&[quote; 3]);

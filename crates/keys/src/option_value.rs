@@ -5,44 +5,47 @@ use crate::units::{self, Measure, measures as unit};
 /// A length, or a share of another length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LengthOrShare {
-    /// In metres.
+    /// A length in metres.
     Metres(f64),
-    /// 0.72 for "72 %".
+    /// A share of another length, for example 0.72 for "72 %".
     Share(f64),
 }
 
-/// A length in metres: `1.2`, `"1.2 m"`, `"1200 mm"`.
+/// Reads a length, in metres, from a text such as `1.2`, `"1.2 m"` or `"1200 mm"`.
 ///
 /// # Errors
-/// Words that say what is wrong and what to write.
+/// Returns a text that says what is wrong with the option's value and what to write instead.
 pub fn length_m(text: &str) -> Result<f64, String> {
     quantity(text, &unit::LENGTH)
 }
 
-/// A force in newtons: `585000`, `"585 kN"`.
+/// Reads a force, in newtons, from a text such as `585000` or `"585 kN"`.
 ///
 /// # Errors
-/// As [`length_m`].
+/// Fails like [`length_m`].
 pub fn force_n(text: &str) -> Result<f64, String> {
     quantity(text, &unit::FORCE)
 }
 
-/// A share: `"10 %"`, or `10` for the same. The result is 0.1.
+/// Reads a share in per cent: `"10 %"` and `10` both give 0.1.
 ///
 /// # Errors
-/// As [`length_m`].
+/// Fails like [`length_m`].
 pub fn percent(text: &str) -> Result<f64, String> {
     let parsed = parsed(text)?;
     if parsed.dimension != unit::PLAIN_NUMBER.dimension {
-        return Err(format!("it is {}, but must be a percentage, as \"10 %\"", parsed.dimension));
+        return Err(format!(
+            "the value is {}, but must be a percentage, as \"10 %\"",
+            parsed.dimension
+        ));
     }
     Ok(if parsed.has_unit { parsed.si } else { parsed.si / 100.0 })
 }
 
-/// A length, or a share of one: `0.864`, `"864 mm"`, `"72 %"`.
+/// Reads a length, as in `0.864` or `"864 mm"`, or a share of another length, as in `"72 %"`.
 ///
 /// # Errors
-/// As [`length_m`].
+/// Fails like [`length_m`].
 pub fn length_or_share(text: &str) -> Result<LengthOrShare, String> {
     let parsed = parsed(text)?;
     if parsed.has_unit && parsed.dimension == unit::PLAIN_NUMBER.dimension {
@@ -51,10 +54,10 @@ pub fn length_or_share(text: &str) -> Result<LengthOrShare, String> {
     length_m(text).map(LengthOrShare::Metres)
 }
 
-/// A number in a unit: `"95 t"` is 931.6 in `"kN"`; without a unit only if `unit` is empty.
+/// Reads a quantity as a number in the unit `unit`. A text without a unit is accepted only if `unit` is empty.
 ///
 /// # Errors
-/// As [`length_m`].
+/// Fails like [`length_m`].
 pub fn in_unit(text: &str, unit: &str) -> Result<f64, String> {
     let ours =
         parsed(&format!("1 {}", unit.replace('²', "^2").replace('³', "^3").replace('·', ".")))?;
@@ -64,7 +67,7 @@ pub fn in_unit(text: &str, unit: &str) -> Result<f64, String> {
             if unit.is_empty() { "\"1.5\"".to_owned() } else { format!("\"1.5 {unit}\"") };
         let what =
             if given.has_unit { given.dimension.to_string() } else { "without a unit".to_owned() };
-        return Err(format!("it is {what}, but must be as {example}"));
+        return Err(format!("the value is {what}, but must be written as {example}"));
     }
     Ok(given.si / ours.si)
 }
@@ -116,7 +119,7 @@ mod tests {
                 "it is a force [N], but must be a length [m], as \"1.5 m\"",
             ),
             (length_m("1.2 metre").map(|_| ()), "`metre` is not a known unit; did you mean `m`?"),
-            (length_m("high").map(|_| ()), "there is no number in it"),
+            (length_m("high").map(|_| ()), "the text does not start with a number"),
             (force_n("60 t").map(|_| ()), "it is a mass [kg], but must be a force [N]"),
             (percent("10 mm").map(|_| ()), "must be a percentage, as \"10 %\""),
             (length_or_share("3 kN").map(|_| ()), "must be a length"),

@@ -1,22 +1,22 @@
-//! Where a key or value that is set from outside of a scenario's file comes from.
+//! The origin of a key or value that does not stand in the scenario file itself.
 
 use crate::place::{Place, Snippet, cut};
 
-/// Where a key or a value of an [`Override`](crate::overrides::Override) comes from: a line of a campaign's file, a row of a table. Errors about
-/// the override point there.
+/// The origin of a key or value of an [`Override`](crate::overrides::Override), such as a line of a campaign's file or
+/// a row of a table. Errors about the override point to this origin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Origin {
-    /// Where the value was written.
+    /// Place at which the key or value was written.
     pub place: Place,
-    /// The line of the value.
+    /// The line of the file in which the key or value was written.
     pub snippet: Option<Snippet>,
-    /// Information that the place does not show, such as the value that was drawn.
+    /// Further information that the place does not show, such as the random value that a campaign drew.
     pub note: Option<String>,
 }
 
 impl Origin {
-    /// Text in a line of a file: `text` is the whole line, `column` (from 1, in characters) and `length` are the place
-    /// and length of the text in the line.
+    /// The origin of a key or value in a line of a file. `text` is the whole line; the key or value starts at the
+    /// character `column` (from 1) and is `length` characters long.
     #[must_use]
     pub fn line(name: &str, line: usize, column: usize, text: &str, length: usize) -> Origin {
         let start = |characters: usize| {
@@ -28,13 +28,13 @@ impl Origin {
         Origin { place, snippet: Some(snippet), note: None }
     }
 
-    /// A file that has no lines.
+    /// The origin of a value in a file without lines of text.
     #[must_use]
     pub fn file(name: &str) -> Origin {
         Origin { place: Place::WholeFile { name: name.to_owned() }, snippet: None, note: None }
     }
 
-    /// The same with a sentence that errors print below the place.
+    /// Adds a sentence that errors print below the place of the origin.
     #[must_use]
     pub fn with_note(mut self, note: impl Into<String>) -> Origin {
         self.note = Some(note.into());

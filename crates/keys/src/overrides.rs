@@ -1,4 +1,5 @@
-//! Overrides of single keys from the command line, applied to the file's tables before they are checked.
+//! Overrides of single keys from the command line. They are applied to the tables of the scenario file before the
+//! tables are checked.
 
 mod apply;
 mod paths;
@@ -14,11 +15,12 @@ use crate::key_path;
 use crate::origin::Origin;
 use crate::place::quoted;
 
-/// One key of a scenario and the value that replaces the file's, as `--set KEY=VALUE` gives them.
+/// One key of a scenario and the value that replaces the value in the file, as `--set KEY=VALUE` gives them.
 ///
-/// The key is a dotted path; an item of a list goes by its number from 0, as in `load.0.force`. A `*` in a name stands for
-/// any text: `fender.*.temperature` sets this key of all fenders. A fender of a row goes by its own name, as in
-/// `fender.a_3.tolerance`, the whole row as in `fender_row.a.tolerance`. The value is TOML, or a text without quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
+/// The key is a dotted path, in which an item of a list is named by its number from 0, as in `load.0.force`. A `*` in a
+/// name of the path stands for any text: `fender.*.temperature` sets the temperature of all fenders. A path names a
+/// single fender of a row as in `fender.a_3.tolerance`, and the whole row as in `fender_row.a.tolerance`. The value of
+/// an override is TOML, or a text without quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
 ///
 /// ```
 /// use fenderline_keys::overrides::Override;
@@ -32,15 +34,15 @@ pub struct Override {
     shown: String,
     path: Vec<String>,
     value: String,
-    /// Where key and value come from, if not from the command line.
+    /// The origins of key and value, if they do not come from the command line.
     origins: Option<Box<[Origin; 2]>>,
 }
 
 impl Override {
-    /// Reads `KEY=VALUE`. Errors name it `--set KEY=VALUE`.
+    /// Reads an override from the text `KEY=VALUE`. Errors call the override `--set KEY=VALUE`.
     ///
     /// # Errors
-    /// A text without `=`, or a key that is not a dotted path.
+    /// Fails if the text has no `=`, or if the key is not a dotted path.
     pub fn parse(text: &str) -> Result<Override, ScenarioError> {
         let option = format!("--set {text}");
         match text.split_once('=') {
@@ -50,10 +52,11 @@ impl Override {
         }
     }
 
-    /// An override of a key by a value. Errors name it by `option`, its text in the command line.
+    /// Makes an override of the key `key` by the value `value`. Errors call the override `option`, which is its text in
+    /// the command line.
     ///
     /// # Errors
-    /// A key that is not a dotted path, or an empty value.
+    /// Fails if the key is not a dotted path, or if the value is empty.
     pub fn new(option: &str, key: &str, value: &str) -> Result<Override, ScenarioError> {
         let shown = shown(option);
         let path = split_path(key.trim()).ok_or_else(|| {
@@ -69,11 +72,11 @@ impl Override {
         Ok(Override { shown, path, value: value.to_owned(), origins: None })
     }
 
-    /// An override of a key by a value that come from other files: errors about the one point at `key_origin`, about the other at
-    /// `origin`.
+    /// Makes an override whose key and value come from other files. Errors about the key point to `key_origin`, errors
+    /// about the value point to `origin`.
     ///
     /// # Errors
-    /// As [`Override::new`].
+    /// Fails like [`Override::new`].
     pub fn from_files(
         (key, key_origin): (&str, Origin),
         (value, origin): (&str, Origin),
@@ -87,40 +90,40 @@ impl Override {
         }
     }
 
-    /// The same without the files that it comes from.
+    /// This override without the origins of its key and value.
     #[must_use]
     pub fn without_origins(self) -> Override {
         Override { origins: None, ..self }
     }
 
-    /// The names of the dotted path.
+    /// The names in the dotted path of the override's key.
     #[must_use]
     pub fn path(&self) -> &[String] {
         &self.path
     }
 
-    /// The value as the user wrote it: TOML, or a text without quotes.
+    /// The value of the override as the user wrote it: TOML, or a text without quotes.
     #[must_use]
     pub fn value_text(&self) -> &str {
         &self.value
     }
 
-    /// The option as errors print it.
+    /// The option of the command line, as errors print it.
     pub fn shown(&self) -> &str {
         &self.shown
     }
 
-    /// Where the key comes from.
+    /// The origin of the override's key; `None` if the key comes from the command line.
     pub fn key_origin(&self) -> Option<&Origin> {
         self.origins.as_ref().map(|origins| &origins[0])
     }
 
-    /// Where the value comes from.
+    /// The origin of the override's value; `None` if the value comes from the command line.
     pub fn origin(&self) -> Option<&Origin> {
         self.origins.as_ref().map(|origins| &origins[1])
     }
 
-    /// The value as TOML, or as a text if it is not TOML.
+    /// The value of the override, read as TOML, or as a text if the value is not TOML.
     pub fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
         match DeValue::parse(&self.value) {
             Ok(value) => Ok(value),
@@ -141,13 +144,13 @@ fn option_error(shown: &str, key: Option<String>, message: String) -> ScenarioEr
     ScenarioError::new(Place::Option { text: shown.to_owned() }, key, message)
 }
 
-/// An option, cut to a length that messages can show.
+/// The text of an option, cut to a length that messages can show.
 fn shown(option: &str) -> String {
     let (kept, is_cut) = crate::place::first(option, 200);
     if is_cut { format!("{kept}…") } else { kept }
 }
 
-/// The names of a dotted path. TOML's parser reads it, so that quoted names work as in a file.
+/// The names in a dotted path. TOML's parser reads the path, so that names in quotes work as in a file.
 fn split_path(key: &str) -> Option<Vec<String>> {
     const DEEPEST: usize = 16;
     if key.contains(['=', '\n', '\r']) || key.len() > 1000 {

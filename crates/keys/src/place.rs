@@ -1,21 +1,21 @@
-//! Places in files, and the lines that errors show.
+//! Places in files, and the lines of files that errors show.
 
 use core::fmt;
 use core::ops::Range;
 
 use crate::printable::{printable_char, printable_line};
 
-/// A range of positions: bytes of the file, or the position of an override's key or value.
+/// A range of positions in the sources of a scenario: bytes of the file, or the position of an override's key or value.
 pub type Span = Range<usize>;
 
-/// Where an error or a notice points.
+/// The place to which an error or a warning points.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A place in a file.
     File {
         /// The name under which the caller passed the file.
         name: String,
-        /// Line, from 1.
+        /// Number of the line, from 1.
         line: usize,
         /// Column in characters, from 1.
         column: usize,
@@ -44,18 +44,19 @@ impl fmt::Display for Place {
     }
 }
 
-/// A line of the file, cut to what a terminal shows.
+/// A line of the file that an error shows, cut to the width of a terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snippet {
-    /// The line as it was written.
+    /// The text of the line.
     pub line: String,
-    /// Characters of `line` before the marked ones.
+    /// Number of characters in `line` before the marked characters.
     pub before: usize,
     /// Number of characters to mark.
     pub marked: usize,
 }
 
-/// A line in three parts, cut on both sides so that the marked part fits a line of a terminal.
+/// Joins the three parts of a line and cuts it on both sides, so that its marked part can be shown in one line of a
+/// terminal.
 pub fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     const BEFORE: usize = 40;
     const MARKED: usize = 40;
@@ -84,14 +85,14 @@ pub fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     Snippet { line: line.trim_end().to_owned(), before: before_count, marked: marked_count.max(1) }
 }
 
-/// The first `count` characters, safe to print, and whether there are more.
+/// The first `count` characters of a text, safe to print, and whether the text has more characters.
 pub fn first(text: &str, count: usize) -> (String, bool) {
     let mut chars = text.chars();
     let kept = chars.by_ref().take(count).map(printable_char).collect();
     (kept, chars.next().is_some())
 }
 
-/// A user's text for a message: in quotes, shortened, safe to print.
+/// A user's text for a message: in quotes, shortened and safe to print.
 pub fn quoted(text: &str) -> String {
     let (kept, is_cut) = first(text, 40);
     if is_cut { format!("\"{kept}…\"") } else { format!("\"{kept}\"") }

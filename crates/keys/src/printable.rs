@@ -1,21 +1,21 @@
-//! Makes texts of users safe to print: without characters that control a terminal.
+//! Makes texts from users safe to print, by removing characters that control a terminal.
 
 use core::fmt::Write as _;
 use std::borrow::Cow;
 
 use fenderline_contact::DisplayNumber;
 
-/// Replaces a character that is not printed.
+/// The character that replaces a character that must not be printed.
 const REPLACED: char = '\u{FFFD}';
 
-/// A text in one line that is safe to print: control characters, line breaks and characters that reorder a line are
-/// replaced by U+FFFD.
+/// Makes a text of one line safe to print: U+FFFD replaces control characters, line breaks and characters that reorder
+/// a line.
 #[must_use]
 pub fn printable_line(text: &str) -> Cow<'_, str> {
     without(text, is_control)
 }
 
-/// A text of several lines that is safe to print; its line breaks and tabs stay.
+/// Makes a text of several lines safe to print; line breaks and tabs stay.
 #[must_use]
 pub fn printable_text(text: &str) -> Cow<'_, str> {
     without(text, |c| !matches!(c, '\n' | '\t') && is_control(c))
@@ -28,8 +28,8 @@ fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(|c| if is_bad(c) { REPLACED } else { c }).collect())
 }
 
-/// JSON of the same value that is safe to print. Characters that control a terminal occur only within strings, where
-/// they are escaped.
+/// Makes a JSON text safe to print without changing its value. Characters that control a terminal occur only within
+/// strings, so the function escapes them there.
 #[must_use]
 pub fn escaped_json(text: &str) -> Cow<'_, str> {
     let is_bad = |c: char| c != '\n' && is_control(c);
@@ -48,14 +48,15 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped)
 }
 
-/// A number in the shortest form that reads back to the same number, in scientific notation if it would have many
-/// digits.
+/// Writes a number in the shortest form that reads back to the same number, in scientific notation if it would have
+/// many digits.
 #[must_use]
 pub fn printable_number(value: f64) -> String {
     DisplayNumber(value).to_string()
 }
 
-/// One character as printed in a snippet of a file. A tab becomes a space, so that the marks below a line stay aligned.
+/// The form in which a character is printed in a line of a file that an error shows. A tab becomes a space, so that the
+/// marks below a line stay aligned.
 pub fn printable_char(c: char) -> char {
     match c {
         '\t' => ' ',

@@ -1,11 +1,12 @@
-//! Whether a rated reaction fits the size of a fender.
+//! Checks whether a rated reaction fits the size of a fender.
 
 use crate::printable::printable_number;
 
-/// Rated reaction over the square of the height (N/m²). Rubber and pneumatic fenders of catalogues have 60 to 1500 kN/m²
-/// for each metre of length, or for a cone; our choice is wide enough for soft fenders and for long fenders.
+/// Expected range of a fender's rated reaction divided by the square of its height (N/m²). Rubber and pneumatic fenders
+/// of catalogues have 60 to 1500 kN/m² for each metre of length, or for a cone; the range that we chose is wide enough
+/// for soft fenders and for long fenders.
 const REACTION_OVER_HEIGHT_SQUARED: [f64; 2] = [10e3, 100e6];
-/// What is odd about a rated reaction for the size of a fender.
+/// A message if a rated reaction does not fit the size of a fender; `None` if it fits.
 pub fn odd_reaction(reaction_n: f64, size_m: f64, what: &str) -> Option<String> {
     let [low_n, high_n] = REACTION_OVER_HEIGHT_SQUARED.map(|each| each * size_m * size_m);
     if (low_n..=high_n).contains(&reaction_n) {

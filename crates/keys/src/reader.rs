@@ -1,5 +1,5 @@
-//! From a TOML tree to checked tables, by the key table alone. Keys are read in the order of the file, so that the
-//! first mistake in the file is reported.
+//! Turns a TOML tree into checked tables, using only the declarations of the keys. The reader reads the keys in the
+//! order of the file, so that it reports the first mistake in the file.
 
 mod errors;
 mod meant;
@@ -25,7 +25,7 @@ type Read<T> = Result<T, ScenarioError>;
 
 type Node<'i> = Spanned<DeValue<'i>>;
 
-/// Reads a table and all below it.
+/// Reads a table and all tables within this table.
 pub fn table(
     sources: &Sources<'_>,
     spec: &'static TableSpec,
@@ -52,7 +52,7 @@ pub fn table(
     with_defaults(sources, spec, path, &span, items)
 }
 
-/// A table of these items and the defaults of all other keys.
+/// Makes a table of the items `items` and the defaults of all other keys.
 pub fn with_defaults(
     sources: &Sources<'_>,
     spec: &'static TableSpec,
@@ -89,7 +89,7 @@ fn absent_key(
     }
 }
 
-/// A table's entries in the order of the file; `toml` sorts them by name.
+/// The entries of a table in the order of the file; the crate `toml` sorts the entries by name.
 fn in_file_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<DeString<'i>>, &'t Node<'i>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
@@ -193,7 +193,7 @@ fn as_table<'t, 'i>(
     }
 }
 
-/// The written form of a table, with the keys that it must have, or else with its first keys.
+/// Shows how to write a table, with the keys that the table must have, or with its first keys if no key is required.
 fn as_written(name: &str, spec: &TableSpec) -> String {
     const SHOWN: usize = 3;
     let must = spec.keys.iter().filter(|key| matches!(key.absent, Absent::Refused));
@@ -207,7 +207,7 @@ fn as_written(name: &str, spec: &TableSpec) -> String {
     format!("write {name} = {{ {entries} }}")
 }
 
-/// A copy of a value, with everything in it placed at one span of the sources.
+/// A copy of a TOML value in which every part has the same place `span` in the sources.
 pub fn respan<'i>(node: &Node<'i>, span: &Span) -> Node<'i> {
     let value = match node.get_ref() {
         DeValue::Array(nodes) => {

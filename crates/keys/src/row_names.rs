@@ -1,11 +1,11 @@
 //! The names of fenders and dolphins in a row: NAME_1, NAME_2 and so on.
 
-/// The name of a member of a row, counted from 1.
+/// The name of the fender or dolphin with the number `number` in a row; the numbers start from 1.
 pub fn name_in_row(row: &str, number: usize) -> String {
     format!("{row}_{number}")
 }
 
-/// The number of the row's member with this name.
+/// The number in the row `row` of the fender or dolphin `name`; `None` if the name is not a name in this row.
 pub fn number_in_row(row: &str, name: &str) -> Option<usize> {
     let digits = name.strip_prefix(row)?.strip_prefix('_')?;
     let is_number = !digits.starts_with('0') && digits.bytes().all(|byte| byte.is_ascii_digit());

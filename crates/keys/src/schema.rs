@@ -1,4 +1,4 @@
-//! JSON Schema of files, made from the same key table as the reader.
+//! Makes the JSON Schema of files from the same declarations of keys that the reader uses.
 
 use serde_json::{Map, Value as Json, json};
 use toml::de::DeValue;
@@ -6,10 +6,10 @@ use toml::de::DeValue;
 use crate::choices::{AnyChoices, Word};
 use crate::spec::{Absent, KeySpec, Kind, Quantity, TableSpec};
 
-/// A number and a unit, roughly: the reader checks the unit itself.
+/// Rough pattern of a text with a number and a unit; the reader of the file checks the unit itself.
 const QUANTITY_PATTERN: &str = r"^\s*[+\-−]?[0-9]+(\.[0-9]+)?([eE][+\-]?[0-9]+)?\s*\S.*$";
 
-/// The JSON Schema (draft 2020-12) of a file whose keys are those of a table, under a title.
+/// The JSON Schema (draft 2020-12) of a file that has the keys of the table `spec`, under the title `title`.
 #[must_use]
 pub fn whole_file(spec: &TableSpec, title: &str) -> Json {
     let mut schema = table(spec);
@@ -133,7 +133,7 @@ fn two(item: &Json) -> Json {
     json!({ "type": "array", "items": item, "minItems": 2, "maxItems": 2 })
 }
 
-/// The SI unit of a key's plain numbers.
+/// The SI unit in which plain numbers of a key are read.
 fn unit(kind: &Kind) -> Option<&'static str> {
     match kind {
         Kind::Quantity(value)
@@ -160,9 +160,9 @@ fn object(value: Json) -> Map<String, Json> {
     }
 }
 
-/// A TOML value of the key table as JSON.
+/// Turns a TOML value in the declaration of a key, such as a default, into JSON.
 fn parsed(toml: &str) -> Json {
-    let value = DeValue::parse(toml).expect("values in the key table are TOML");
+    let value = DeValue::parse(toml).expect("the values in the declarations of the keys are TOML");
     to_json(value.get_ref())
 }
 

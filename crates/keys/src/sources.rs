@@ -1,5 +1,6 @@
-//! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then two positions for
-//! each override, of its key and of its value. The start of a span shows to which text the span belongs.
+//! The texts from which a scenario is read, with one numbering of all positions: first the bytes of the file, then for
+//! each override a position for its key and a position for its value. The start of a span therefore shows to which text
+//! the span belongs.
 
 use core::cell::OnceCell;
 
@@ -9,35 +10,36 @@ use crate::overrides::Override;
 use crate::place::{Place, Snippet, cut};
 pub use crate::place::{Span, quoted};
 
-/// The file and the overrides on top of it.
+/// The text of a scenario file, and the overrides that replace values in the file.
 #[derive(Clone)]
 pub struct Sources<'a> {
     /// The name of the file.
     pub file_name: &'a str,
     /// The text of the file.
     pub text: &'a str,
-    /// What replaces keys of the file.
+    /// The overrides that replace values of keys in the file.
     pub overrides: &'a [Override],
-    /// Computed when the first place is queried: a scenario without errors or notices needs none.
+    /// Marks for finding lines and columns. They are computed when the first place is asked for, because a scenario
+    /// without errors and warnings needs no marks.
     marks: OnceCell<Vec<Mark>>,
 }
 
-/// A byte of the text whose line and column are known. There is one at the start of each line and every few hundred
-/// bytes of a long line. Finding a place scans from the nearest mark; scanning the whole text would take quadratic time
-/// in a file with a notice on every line.
+/// A mark: a byte of the text whose line and column are known. The text has a mark at the start of each line, and every
+/// few hundred bytes in a long line. The search for a line and column scans the text from the nearest mark; a scan from
+/// the start of the text would take quadratic time in a file with a warning on every line.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     byte: usize,
-    /// From 0.
+    /// Number of the line, from 0.
     line: usize,
-    /// From 0, in characters.
+    /// Column in characters, from 0.
     column: usize,
 }
 
-/// Bytes between two marks of a line, to within one character.
+/// Number of bytes between two marks in a long line, to within one character.
 const BETWEEN_MARKS: usize = 256;
 
-/// The marks of a text, in one pass.
+/// Computes all marks of a text in one pass.
 fn marks(text: &str) -> Vec<Mark> {
     let mut marks = vec![Mark { byte: 0, line: 0, column: 0 }];
     let mut here = marks[0];
@@ -57,26 +59,26 @@ fn marks(text: &str) -> Vec<Mark> {
 }
 
 impl<'a> Sources<'a> {
-    /// The sources of a file.
+    /// Makes the sources from the text of a file and the overrides.
     pub fn new(file_name: &'a str, text: &'a str, overrides: &'a [Override]) -> Sources<'a> {
         Sources { file_name, text, overrides, marks: OnceCell::new() }
     }
 }
 
 impl Sources<'_> {
-    /// The span of the key of the override of this index.
+    /// The span of the key of the override with the index `index`.
     pub fn override_key_span(&self, index: usize) -> Span {
         let position = self.text.len() + 1 + 2 * index;
         position..position
     }
 
-    /// The span of everything in the value of the override of this index.
+    /// The span of the value, and of every part of the value, of the override with the index `index`.
     pub fn override_span(&self, index: usize) -> Span {
         let position = self.text.len() + 2 + 2 * index;
         position..position
     }
 
-    /// The override to which a span belongs, and the origin of its key or value if known.
+    /// The override to which a span belongs, and the origin of the override's key or value if it is known.
     fn override_of(&self, span: &Span) -> Option<(&Override, Option<&Origin>)> {
         let position = span.start.checked_sub(self.text.len() + 1)?;
         let own = &self.overrides[position / 2];
@@ -84,12 +86,12 @@ impl Sources<'_> {
         Some((own, origin))
     }
 
-    /// Where a span of the file is, for errors about another file that takes its values from here.
+    /// The origin that a span of this file is for values of another file; errors about those values point to this span.
     pub fn origin(&self, span: &Span) -> Origin {
         Origin { place: self.place(span), snippet: self.snippet(span), note: None }
     }
 
-    /// Where a span starts.
+    /// The place at which a span starts.
     pub fn place(&self, span: &Span) -> Place {
         match self.override_of(span) {
             Some((_, Some(origin))) => return origin.place.clone(),
@@ -107,12 +109,12 @@ impl Sources<'_> {
         }
     }
 
-    /// An error about `key` at a span.
+    /// An error about the key `key` that points to the span `span`.
     pub fn error(&self, span: &Span, key: &str, message: impl Into<String>) -> ScenarioError {
         self.syntax_error(span, Some(key.to_owned()), message.into())
     }
 
-    /// An error that need not belong to a key.
+    /// An error that points to the span `span` and need not belong to a key.
     pub fn syntax_error(&self, span: &Span, key: Option<String>, message: String) -> ScenarioError {
         let error = ScenarioError::new(self.place(span), key, message);
         match self.override_of(span) {

@@ -1,5 +1,5 @@
-//! How scenario files are described: the types of the key table in [`crate::keys`], from which the
-//! reader, the overrides and the JSON Schema all work.
+//! How scenario files are described: the types with which [`crate::keys`] declares the keys. The reader, the overrides
+//! and the JSON Schema all use these declarations.
 
 use serde_json::Value as Json;
 
@@ -9,18 +9,19 @@ use crate::units::Measure;
 /// A table of keys.
 #[derive(Debug)]
 pub struct TableSpec {
-    /// The thing that such a table describes, with its article, as `a material`.
+    /// What a table of this kind describes, with the article, as in `a material`.
     pub what: &'static str,
     /// What the table is for.
     pub doc: &'static str,
     /// Keys of the table, in the order in which documentation shows them.
     pub keys: &'static [KeySpec],
-    /// Rules between the keys, as JSON Schema keywords. `assemble` checks them in code, and a test compares the two.
+    /// Rules between the keys of the table, as JSON Schema keywords. `assemble` checks the same rules in code, and a
+    /// test compares both.
     pub rules: Option<fn() -> Json>,
 }
 
 impl TableSpec {
-    /// The key of this name.
+    /// The key of the table with the name `name`.
     pub fn key(&self, name: &str) -> Option<&'static KeySpec> {
         self.keys.iter().find(|key| key.name == name)
     }
@@ -33,7 +34,7 @@ pub struct KeySpec {
     pub name: &'static str,
     /// What the key holds.
     pub kind: Kind,
-    /// Meaning of the key's absence.
+    /// What it means if the file does not give the key.
     pub absent: Absent,
     /// What the key is for.
     pub doc: &'static str,
@@ -41,7 +42,7 @@ pub struct KeySpec {
     pub examples: &'static [&'static str],
 }
 
-/// A key, by position: name, kind, what its absence means, documentation, examples.
+/// Declares a key by its name, its kind, the meaning of its absence, its documentation and example values.
 pub const fn key(
     name: &'static str,
     kind: Kind,
@@ -52,29 +53,29 @@ pub const fn key(
     KeySpec { name, kind, absent, doc, examples }
 }
 
-/// The keys of a table, as a type.
+/// A type that stands for the keys of a kind of table.
 pub trait TableKeys {
-    /// Every key that such a table may have.
+    /// Every key that a table of this kind may have.
     const KEYS: &'static [KeySpec];
 }
 
-/// What the absence of a key means.
+/// What it means if the file does not give a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absent {
-    /// An error.
+    /// A file without the key is an error.
     Refused,
-    /// The same as this value, written as TOML.
+    /// A file without the key means the same as a file with this value of the key, which is written as TOML.
     Is(&'static str),
-    /// What these words say.
+    /// These words say what a file without the key means.
     Means(&'static str),
-    /// An error unless these words hold. `assemble` checks the condition.
+    /// A file without the key is an error unless the condition in these words holds. `assemble` checks the condition.
     Unless(&'static str),
 }
 
 /// What a key holds.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
-    /// Free text in one line.
+    /// A free text in one line.
     Text,
     /// `true` or `false`.
     Flag,
@@ -88,19 +89,19 @@ pub enum Kind {
     Vector(Quantity),
     /// A point in a body's axes: forward and to starboard.
     Point(Quantity),
-    /// The name of a file, relative to this one, that is read with the scenario.
+    /// The name of a file that is read with the scenario, relative to the file in which the name stands.
     FileName,
-    /// The names of several files, as [`Kind::FileName`].
+    /// The names of several files, each as in [`Kind::FileName`].
     FileNames,
     /// A list of texts.
     Texts,
     /// A list of values of any kind: numbers, or texts with their units.
     Values,
-    /// A number, or a text with a number and a unit, of any dimension.
+    /// A number, or a text with a number and a unit of any dimension.
     AnyNumber,
-    /// A list of points, forward and to starboard.
+    /// A list of points in a body's axes: forward and to starboard.
     Outline(Quantity),
-    /// A list of points, with the least and the greatest number of them.
+    /// A list of points, with the least and the greatest number of points.
     Points(Quantity, usize, usize),
     /// A curve in rows of two numbers.
     Curve(&'static CurveSpec),
@@ -112,13 +113,13 @@ pub enum Kind {
     TwoBodyNames,
     /// A table.
     Table(&'static TableSpec),
-    /// Tables under names that the user gives.
+    /// Tables, each under a name that the user gives.
     Named(&'static TableSpec),
     /// A list of tables.
     List(&'static TableSpec),
 }
 
-/// A kind of quantity and its bounds in SI, both included.
+/// A kind of quantity and its bounds in SI; both bounds are allowed values.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
     /// Dimension and unit.
@@ -129,14 +130,14 @@ pub struct Quantity {
     pub high: f64,
 }
 
-/// A curve: what its two columns are, and how many rows it needs. The first number rises from row to
-/// row.
+/// A curve: what its two columns are, and how many rows it needs. The first number of a curve's rows increases from row
+/// to row.
 #[derive(Debug)]
 pub struct CurveSpec {
     /// Name and quantity of the first column.
     pub from: (&'static str, Quantity),
     /// Name and quantity of the second column.
     pub to: (&'static str, Quantity),
-    /// The least number of rows.
+    /// The least number of rows of the curve.
     pub fewest: usize,
 }

@@ -1,9 +1,10 @@
 //! "Did you mean …?"
 
-/// The candidate that `word` most likely stands for, if any is near.
+/// The candidate that the user most likely meant by the misspelt `word`, if a candidate is near enough.
 ///
-/// A candidate is near if at most a third of the letters differ, or one letter of a short word. Swapped neighbours
-/// count once, and case does not count. The first of equally near candidates wins.
+/// A candidate is near if at most a third of its letters differ from the word, or one letter of a short word. Two
+/// swapped neighbouring letters count as one difference, and upper and lower case count as equal. If several candidates
+/// are equally near, the first of these candidates wins.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // Computing the distance takes time in proportion to the product of both lengths.
     const LONGEST: usize = 100;

@@ -1,4 +1,4 @@
-//! From text to a TOML tree, and TOML's own errors in this crate's form.
+//! Parses a text into a TOML tree, and turns the errors of the TOML parser into errors of this crate.
 
 use toml::de::DeTable;
 
@@ -7,7 +7,7 @@ use crate::nesting::too_deep;
 use crate::place::{Span, quoted};
 use crate::sources::Sources;
 
-/// Largest file that is read, in bytes.
+/// Size of the largest scenario file that the program reads, in bytes.
 const LARGEST_FILE: usize = 16 << 20;
 
 /// Parses the file.
@@ -15,8 +15,7 @@ pub fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
     let bytes = sources.text.len();
     if bytes > LARGEST_FILE {
         let message = format!(
-            "the file has {bytes} bytes; a scenario has at most {LARGEST_FILE} \
-            bytes"
+            "the file has {bytes} bytes, but a scenario may have at most {LARGEST_FILE} bytes"
         );
         return Err(sources.file_error(message));
     }
@@ -24,7 +23,7 @@ pub fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
     Ok(document.into_inner())
 }
 
-/// TOML's complaint in this crate's form.
+/// Turns an error of the TOML parser into an error of this crate.
 fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
     let is_too_deep = error.message().contains("recursion");
     let at = if is_too_deep { too_deep(sources.text) } else { error.span() };
@@ -47,7 +46,7 @@ fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
     error
 }
 
-/// The error for a key or table that is given twice; it names the line of the first.
+/// The error for a key or table that the file gives twice; the error names the line of the first one.
 fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> ScenarioError {
     let quotes = ['"', '\''];
     let name = sources.text.get(span.clone()).unwrap_or_default().trim_matches(quotes);
@@ -57,13 +56,16 @@ fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> Scena
         None => format!("{} is given twice", quoted(name)),
         Some(key) => match first_line(&sources.text[..span.start], key) {
             None => format!("`{key}` is given twice"),
-            Some(line) => format!("`{key}` is given twice; first in line {line}"),
+            Some(line) => format!("`{key}` is given twice; it is first given in line {line}"),
         },
     };
-    sources.syntax_error(span, key, message).with_help("keep one of the two, or rename one")
+    sources
+        .syntax_error(span, key, message)
+        .with_help("keep only one of the two, or rename one of them")
 }
 
-/// The line, from 1, that first has a key or a table, in the text `before` its second occurrence.
+/// Number, from 1, of the line that first gives a key or a table, within the text `before` the second occurrence of the
+/// key or table.
 fn first_line(before: &str, key: &str) -> Option<usize> {
     let (above, _) = before.rsplit_once('\n')?;
     let second = &before[above.len() + 1..];
@@ -81,7 +83,8 @@ fn first_line(before: &str, key: &str) -> Option<usize> {
     own.filter(|(_, line)| is_it(line)).last().map(|(index, _)| index + 1)
 }
 
-/// True after `step = 0.1 ` or `step = 0`, where an unquoted unit or a decimal comma follows.
+/// True if the text ends after a number, as in `step = 0.1 ` or `step = 0`, so that an unquoted unit or a decimal comma
+/// is likely to follow.
 fn follows_a_number(before: &str) -> bool {
     let line = before.rsplit('\n').next().unwrap_or_default();
     line.rsplit_once(['=', '[', ',']).is_some_and(|(_, value)| {
@@ -89,8 +92,8 @@ fn follows_a_number(before: &str) -> bool {
     })
 }
 
-/// The key that a place in broken text most likely belongs to: the text before the `=` of its line, under the last
-/// table header above it.
+/// The key to which a place in broken text most likely belongs: the text before the `=` in the line of the place, in
+/// the table whose header stands last above this line.
 fn enclosing_key(text: &str, position: usize) -> Option<String> {
     let position = text.floor_char_boundary(position.min(text.len()));
     let line_start = text[..position].rfind('\n').map_or(0, |newline| newline + 1);
@@ -106,15 +109,15 @@ fn enclosing_key(text: &str, position: usize) -> Option<String> {
     }
 }
 
-/// What a line like `[body.tug]` or `[[pair]]` holds, closed or not. Tables of scenarios start with
-/// a letter, unlike the points of an outline.
+/// The table's name in a header line like `[body.tug]` or `[[pair]]`, even if the closing bracket is missing. The names
+/// of a scenario's tables start with a letter, unlike a line with points of an outline.
 fn header(line: &str) -> Option<String> {
     let inner = line.trim_start().strip_prefix('[')?.trim_start_matches('[');
     let inner = inner.split(']').next().filter(|inner| inner.starts_with(char::is_alphabetic));
     plausible_key(inner?)
 }
 
-/// The text, if it may be a dotted key.
+/// Returns the text if it may be a dotted key.
 fn plausible_key(text: &str) -> Option<String> {
     const LONGEST: usize = 120;
     let text = text.trim();

@@ -1,7 +1,7 @@
-//! Keys as constants, so that the compiler knows every key of every table, and what the key holds.
+//! Keys as constants, so that the compiler knows every key of every table and the type of the key's value.
 //!
-//! [`table_keys!`](crate::table_keys) declares the keys of a table once. The rows are the table for reader,
-//! overrides and schema, and each row is a constant by which code looks the key up in a table that has been read.
+//! [`table_keys!`](crate::table_keys) declares the keys of a table once. Reader, overrides and schema use these
+//! declarations, and each key becomes a constant with which code looks up the key in a table that has been read.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -9,10 +9,11 @@ use core::marker::PhantomData;
 use crate::held::Held;
 use crate::spec::KeySpec;
 
-/// Code that reads tables with the keys `T` may read tables with these keys too: they share these keys.
+/// States that a table with these keys also has the keys `T`, so that code for tables with the keys `T` can read this
+/// table.
 pub trait ReadAs<T> {}
 
-/// A key of a table with the keys `T`, which holds a `V`.
+/// A key of a table with the keys `T`; the key's value is of the type `V`.
 pub struct Key<T, V> {
     name: &'static str,
     of: PhantomData<fn() -> (T, V)>,
@@ -22,16 +23,16 @@ pub struct Key<T, V> {
 #[derive(Debug)]
 pub enum Anything {}
 
-/// A key of a table with the keys `T`, whatever the key holds.
+/// A key of a table with the keys `T`, whatever the type of the key's value.
 pub type AnyKey<T> = Key<T, Anything>;
 
 impl<T, V> Key<T, V> {
-    /// The name, as files write it.
+    /// The name of the key, as files write it.
     pub const fn name(self) -> &'static str {
         self.name
     }
 
-    /// The same key of the tables `S`, of which this table is one.
+    /// This key as a key of the tables `S`; this kind of table is one of the tables `S`.
     pub const fn shared<S>(self) -> Key<S, V>
     where
         T: ReadAs<S>,
@@ -39,15 +40,15 @@ impl<T, V> Key<T, V> {
         Key { name: self.name, of: PhantomData }
     }
 
-    /// The same key without the type of its value, for lists of keys of several kinds.
+    /// This key without the type of its value, for lists of keys with values of different types.
     pub const fn any(self) -> AnyKey<T> {
         Key { name: self.name, of: PhantomData }
     }
 }
 
 impl<T, V: Held> Key<T, V> {
-    /// The key of a declaration. While compiling, the declaration is compared with the type of the value and with the
-    /// name of the constant.
+    /// The typed key for a declaration, for use in a constant. The compiler checks that the declaration fits the type
+    /// of the value and the name of the constant.
     #[must_use]
     pub const fn declared(spec: &KeySpec, constant: &str) -> Key<T, V> {
         assert!(
@@ -57,7 +58,7 @@ impl<T, V: Held> Key<T, V> {
         Key::of(spec)
     }
 
-    /// The key of a declaration.
+    /// The typed key for a declaration of a key.
     #[must_use]
     pub const fn of(spec: &KeySpec) -> Key<T, V> {
         assert!(
@@ -99,10 +100,12 @@ impl<T, V> fmt::Display for Key<T, V> {
     }
 }
 
-/// Declares the keys of a table: their rows for [`TableSpec`](crate::spec::TableSpec), and a constant for each.
+/// Declares the keys of a table: the list of keys for [`TableSpec`](crate::spec::TableSpec), and a constant for each
+/// key.
 ///
-/// A row is `CONSTANT: what the key holds = declaration`. The constant is the key's name in capitals. The rows together
-/// are `ALL`. A table that has further keys names all of them in `of`.
+/// A key is declared as `CONSTANT: type of the value = declaration`. The constant is the key's name in capitals. The
+/// constant `ALL` is the list of all these keys. A table that has further keys names the list of all its keys after
+/// `of`.
 #[macro_export]
 macro_rules! table_keys {
     (
@@ -124,7 +127,7 @@ macro_rules! table_keys {
 
         #[allow(dead_code, reason = "some keys are only checked, or read with all others")]
         impl $keys {
-            /// The rows, in the order in which documentation shows them.
+            /// The declarations of the keys, in the order in which the documentation shows the keys.
             $vis const ALL: &'static [$crate::spec::KeySpec] = &[$($spec),*];
 
             $(
@@ -178,7 +181,7 @@ macro_rules! shared_keys {
     };
 }
 
-/// A list of keys of a table, whatever they hold: `any_keys![TailKey: ROPE, LENGTH]`.
+/// Makes a list of keys of a table, whatever the types of their values: `any_keys![TailKey: ROPE, LENGTH]`.
 #[macro_export]
 macro_rules! any_keys {
     ($keys:ident: $($constant:ident),+ $(,)?) => {
@@ -186,7 +189,7 @@ macro_rules! any_keys {
     };
 }
 
-/// Whether a text is another in capitals.
+/// Whether the text `capitals` is the text `text` in capitals.
 const fn is_in_capitals(capitals: &str, text: &str) -> bool {
     let (capitals, text) = (capitals.as_bytes(), text.as_bytes());
     if capitals.len() != text.len() {
@@ -202,7 +205,7 @@ const fn is_in_capitals(capitals: &str, text: &str) -> bool {
     true
 }
 
-/// Whether the names of some keys are all among the names of others.
+/// Whether the names of the keys `some` are all among the names of the keys `others`.
 pub(crate) const fn are_among(some: &[KeySpec], others: &[KeySpec]) -> bool {
     let mut index = 0;
     while index < some.len() {
@@ -218,7 +221,7 @@ pub(crate) const fn are_among(some: &[KeySpec], others: &[KeySpec]) -> bool {
     true
 }
 
-/// Whether two texts are the same. `==` of texts cannot be computed while compiling.
+/// Whether two texts are the same. The function does by hand what `==` of texts cannot do at compile time.
 pub(crate) const fn is_same(one: &str, other: &str) -> bool {
     let (one, other) = (one.as_bytes(), other.as_bytes());
     if one.len() != other.len() {

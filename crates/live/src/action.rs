@@ -28,13 +28,13 @@ pub enum Action {
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 #[allow(missing_docs, reason = "protocol.ts explains the fields")]
 pub enum OtherAction {
-    /// An order in words to a tug: a vector tug or a tug that is a vessel. The simulation works out the force, its
-    /// direction and the place.
+    /// An order in words to a tug: a vector tug or a tug that is a vessel. The simulation works out how strongly, in
+    /// which direction and at which place of the ship the tug pushes or pulls.
     Tug {
         tug: String,
         #[serde(with = "crate::word")]
         order: TugWord,
-        /// Force as a share of the tug's bollard pull. An order to push or pull needs it.
+        /// Force as a share of the tug's bollard pull. An order to push or pull needs a force.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         power: Option<f64>,
         #[serde(default, with = "crate::word")]
@@ -42,8 +42,8 @@ pub enum OtherAction {
         #[serde(default, with = "crate::word")]
         place: SidePlace,
     },
-    /// Sets the mean wind at a height of 10 m, at once or over a time. The scenario's gusts go on, in proportion to the
-    /// new mean wind. A wind from a time series becomes steady.
+    /// Sets the mean wind at a height of 10 m, at once or over a time. The gusts of the scenario go on, in proportion
+    /// to the new mean wind. A wind that came from a time series becomes steady.
     Wind {
         speed_mps: f64,
         from_rad: f64,
@@ -67,8 +67,8 @@ pub enum OtherAction {
     Plan { at_s: f64, event: Box<OtherAction> },
     /// Cancels a planned event. `id` is the number of the event.
     CancelPlanned { id: u64 },
-    /// Sets the visibility, at once or over a time. Without a distance the air is clear. Fog hides ships from people;
-    /// it changes nothing in the simulated world.
+    /// Sets the visibility, at once or over a time. If no distance is given, the air is clear. Low visibility hides
+    /// ships from people; it changes nothing in the simulated world.
     Visibility {
         #[serde(default)]
         distance_m: Option<f64>,
@@ -82,7 +82,7 @@ pub enum OtherAction {
         fault: Fault,
         on: bool,
     },
-    /// Makes one thruster or azimuth unit of a vessel trip, or brings it back.
+    /// Makes one thruster or azimuth unit of a vessel trip, or brings the unit back.
     ThrusterOut { vessel: String, thruster: String, on: bool },
     /// Places a vessel before the first step: her centre of gravity, her heading and, if given, her speed ahead.
     Place {
@@ -92,11 +92,11 @@ pub enum OtherAction {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ahead_mps: Option<f64>,
     },
-    /// Sets the speed limit at the fenders. A greater closing speed raises an alarm.
+    /// Sets the limit of a ship's closing speed at the fenders. A closing speed above the limit raises an alarm.
     ApproachLimit { speed_mps: f64 },
-    /// Acknowledges the alarm with this key. The simulated world does not change.
+    /// Acknowledges the alarm whose key is `key`. Acknowledging an alarm does not change the simulated world.
     Acknowledge { key: String },
-    /// A note for the debriefing. A note without a text is a mark. The simulated world does not change.
+    /// Writes a note for the debriefing. A note without a text is a mark. A note does not change the simulated world.
     Note {
         #[serde(default, skip_serializing_if = "String::is_empty")]
         text: String,
@@ -108,7 +108,7 @@ fn is_zero(number: &f64) -> bool {
 }
 
 impl OtherAction {
-    /// True for commands that can be planned: changes of the weather, and faults.
+    /// True for commands that can be planned for a later time: changes of the weather, and faults.
     #[must_use]
     pub fn can_be_planned(&self) -> bool {
         match self {
@@ -131,8 +131,8 @@ impl OtherAction {
     }
 }
 
-/// Limits of the commands that are not in the table of orders: least and greatest value. Pages get the limits in
-/// `hello`.
+/// Limits of the commands that are not in the table of orders: the least and the greatest value of each number. Pages
+/// of the browser get these limits in the message `hello`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CommandLimits {
     /// Force in an order in words to a tug, as a share of her bollard pull.
@@ -143,9 +143,9 @@ pub struct CommandLimits {
     pub current_mps: Pair,
     /// Visibility (m).
     pub visibility_m: Pair,
-    /// Speed limit at the fenders (m/s).
+    /// Limit of the closing speed at the fenders (m/s).
     pub approach_limit_mps: Pair,
-    /// Pace: simulated time over wall time.
+    /// Pace of the exercise: simulated time over wall time.
     pub pace: Pair,
     /// Time over which wind, current or visibility changes (s).
     pub over_s: Pair,
@@ -153,7 +153,7 @@ pub struct CommandLimits {
     pub trial_s: Pair,
 }
 
-/// The limits that the server applies.
+/// The limits of commands that the server applies.
 pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
     tug_power: [0.0, 1.0],
     wind_mps: [0.0, MeanWind::FASTEST_MPS],
@@ -214,7 +214,7 @@ impl<'de> Deserialize<'de> for Action {
 pub enum AnchorFault {
     /// The windlass has no power.
     WindlassFailed,
-    /// The anchor does not dig in: it holds no better than a dragging anchor.
+    /// The anchor does not dig in, and holds no better than a dragging anchor.
     DoesNotBite,
 }
 
@@ -231,7 +231,7 @@ impl AnchorFault {
         .collect()
     }
 
-    /// Switches the fault on or off.
+    /// Switches a fault of the anchor on or off.
     pub(crate) fn switch(self, faults: &mut AnchorFaults, on: bool) {
         match self {
             AnchorFault::WindlassFailed => faults.windlass_failed = on,

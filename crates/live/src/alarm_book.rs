@@ -4,17 +4,17 @@
 use crate::message::{AlarmNow, Role};
 use crate::refusal::Refusal;
 
-/// First word of the keys of contact alarms.
+/// First word of the keys of alarms for contact of hulls.
 pub(crate) const TOUCH: &str = "touch";
-/// First word of the keys of fender alarms.
+/// First word of the keys of alarms for overloaded fenders.
 pub(crate) const FENDER: &str = "fender";
 
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// A caution needs attention. The caution is removed when its cause ends.
+    /// A caution needs attention. A caution is removed from the list when its cause ends.
     Caution,
-    /// An alarm needs action. The alarm stays until somebody acknowledges it.
+    /// An alarm needs action. An alarm stays in the list until somebody acknowledges it.
     Alarm,
 }
 
@@ -27,20 +27,21 @@ impl Level {
     }
 }
 
-/// An alarm whose cause is active in this tick.
+/// An alarm whose cause is active in the present tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alarm {
     /// How urgent the alarm is.
     pub level: Level,
-    /// Kind and subject of the alarm. The list holds at most one alarm of each key.
+    /// Key of the alarm: its kind and the bodies, tugs or lines that it is about. The list holds at most one alarm of
+    /// each key.
     pub key: String,
-    /// The text that people read.
+    /// The text of the alarm that people read.
     pub text: String,
     /// Names of the bodies, tugs and lines that the alarm is about.
     pub about: Vec<String>,
 }
 
-/// An alarm in the list.
+/// An alarm in the list of alarms.
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     alarm: Alarm,
@@ -74,19 +75,21 @@ impl AlarmBook {
         });
     }
 
-    /// Checks that a role may acknowledge the alarm with this key, and returns its text.
+    /// Checks that a role may acknowledge the alarm that has the key `key`, and returns the alarm's text.
     ///
     /// # Errors
-    /// There is no such alarm, somebody has acknowledged it already, or the role may not acknowledge it.
+    /// Fails if there is no alarm with the key, if somebody has acknowledged it already, or if the role may not
+    /// acknowledge it.
     pub fn may_acknowledge(&self, key: &str, role: &Role) -> Result<&str, Refusal> {
         let entry = self.0.iter().find(|entry| entry.alarm.key == key);
-        let entry = entry.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
+        let entry =
+            entry.ok_or_else(|| Refusal::new("the list of alarms has no such alarm any more"))?;
         match role {
             Role::Instructor | Role::Pilot { .. } => {}
             Role::Tugmaster { tug } if entry.alarm.about.contains(tug) => {}
             Role::Tugmaster { tug } => {
                 return Err(Refusal::new(format_args!(
-                    "the master of {tug} may acknowledge only her alarms"
+                    "the master of {tug} may acknowledge only the alarms of {tug}"
                 )));
             }
             Role::Observer => return Err(Refusal::new("an observer cannot acknowledge alarms")),
@@ -97,7 +100,7 @@ impl AlarmBook {
         Ok(&entry.alarm.text)
     }
 
-    /// The text of the alarm with this key.
+    /// The text of the alarm that has the key `key`.
     pub(crate) fn text(&self, key: &str) -> Option<&str> {
         let entry = self.0.iter().find(|entry| entry.alarm.key == key)?;
         Some(&entry.alarm.text)
@@ -109,8 +112,8 @@ impl AlarmBook {
         begun.map(|entry| (entry.alarm.level, entry.alarm.text.as_str()))
     }
 
-    /// Acknowledges the alarm with this key. Does nothing if there is no such alarm: a version with other alarms can
-    /// then still replay a recording.
+    /// Acknowledges the alarm that has the key `key`. Does nothing if there is no alarm with the key, so that a version
+    /// of the program with other alarms can still replay a recording.
     pub(crate) fn acknowledge(&mut self, key: &str) {
         let Some(at) = self.0.iter().position(|entry| entry.alarm.key == key) else { return };
         self.0[at].acknowledged = true;
@@ -119,7 +122,7 @@ impl AlarmBook {
         }
     }
 
-    /// The list for pages: alarms before cautions, each in the order in which they began.
+    /// The list of alarms for pages: alarms before cautions, each in the order in which they began.
     #[must_use]
     pub fn messages(&self) -> Vec<AlarmNow> {
         let mut all: Vec<&Entry> = self.0.iter().collect();
@@ -128,8 +131,8 @@ impl AlarmBook {
         all.into_iter().map(Entry::message).collect()
     }
 
-    /// True if the list has an alarm of this fender that nobody has acknowledged. The fender is or was loaded beyond
-    /// its rating, or has failed.
+    /// True if the list has an alarm of the fender `name` that nobody has acknowledged. An alarm of a fender says that
+    /// the fender is or was loaded beyond its rating, or has failed.
     pub(crate) fn has_open_fender(&self, fender: &str) -> bool {
         self.0.iter().any(|entry| {
             let Alarm { level, key, about, .. } = &entry.alarm;
@@ -154,8 +157,8 @@ impl AlarmBook {
 }
 
 impl Entry {
-    /// Updates an entry whose cause is active, still or again. An entry that nobody acknowledged keeps its greatest
-    /// level.
+    /// Updates an alarm in the list whose cause is still active, or active again. An alarm in the list that nobody
+    /// acknowledged keeps its greatest level.
     fn renew(&mut self, alarm: Alarm, t_s: f64) {
         self.active = true;
         if alarm.level > self.alarm.level {

@@ -3,17 +3,17 @@
 use fenderline_contact::number::greater;
 use serde::Serialize;
 
-/// Deceleration that the limit assumes on the way to the fenders (m/s²).
+/// Deceleration that the limit of the closing speed assumes on the way to the fenders (m/s²).
 const SLOWING_MPS2: f64 = 0.002;
 /// A closing speed above this share of the limit is a caution.
 const CAUTION_SHARE: f64 = 2.0 / 3.0;
 
-/// The limit of the closing speed. At a distance d from the fenders the limit is √(v₀² + 2ad): the speed of a ship that
-/// decelerates by a = 0.002 m/s² and touches at v₀. This rule is our choice; it comes from no port's rule and no
-/// standard. Pilot and instructor may set another v₀.
+/// The limit of the closing speed of a ship towards the berth. At a distance d from the fenders the limit is √(v₀² +
+/// 2ad): the speed of a ship that slows down by a = 0.002 m/s² and touches the fenders at v₀. The limit is our choice;
+/// it comes from no port's rule and no standard. Pilot and instructor may set another speed v₀ at the fenders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ApproachLimit {
-    /// The limit v₀ at the fenders (m/s).
+    /// The limit v₀ of the closing speed at the fenders (m/s).
     pub at_fenders_mps: f64,
 }
 
@@ -30,24 +30,25 @@ pub enum Light {
 }
 
 impl Default for ApproachLimit {
-    /// Design tables give a large ship in a sheltered berth about 0.15 m/s (recalled, not read).
+    /// Design tables give a large ship in a sheltered berth about 0.15 m/s (a number from memory, not read there).
     fn default() -> ApproachLimit {
         ApproachLimit { at_fenders_mps: 0.15 }
     }
 }
 
 impl ApproachLimit {
-    /// The least and the greatest v₀ that can be set (m/s).
+    /// The least and the greatest limit v₀ that can be set (m/s).
     pub const LIMITS_MPS: [f64; 2] = [0.05, 1.0];
 
-    /// The limit at a distance from the fenders (m/s).
+    /// The limit of the closing speed at a distance from the fenders (m/s).
     #[must_use]
     pub fn at_mps(self, off_m: f64) -> f64 {
         let v0 = self.at_fenders_mps;
         libm::sqrt(v0 * v0 + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
     }
 
-    /// The signal for a closing speed at a distance. A ship that moves away from the berth is never too fast.
+    /// The board's signal for a closing speed at a distance from the fenders. A ship that moves away from the berth is
+    /// never too fast.
     #[must_use]
     pub fn light(self, closing_mps: f64, off_m: f64) -> Light {
         let limit_mps = self.at_mps(off_m);

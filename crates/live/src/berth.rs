@@ -9,9 +9,9 @@ use crate::cast::Cast;
 use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
 use crate::pair::pair;
 
-/// The berth of the docking board: the berth with the most fenders. Of several such berths it is the nearest to the
-/// pilot's own ship at the start. Fenders on the own ship and on tugs do not count. `None` without a ship or without
-/// such fenders.
+/// The berth of the docking board: the berth with the most fenders. Of several berths with equally many fenders, the
+/// docking board takes the nearest to the pilot's own ship at the start. Fenders on the own ship and on tugs do not
+/// count. The result is `None` without a ship, or without fenders of a berth.
 pub(crate) fn of(setup: &Setup, cast: &Cast) -> Option<Berth> {
     let vessels = &setup.world.vessels;
     let own = vessels[cast.own?].body;
@@ -28,8 +28,8 @@ pub fn berth_info(berth: &Berth) -> BerthInfo {
     BerthInfo { body: berth.body, from, to, facing }
 }
 
-/// A ship relative to the berth. The body that carries the berth is in the state `on`. The docking board fills in the
-/// lamps, the limit and the contact of each end.
+/// The position and speed of a ship relative to the berth. `on` is the position and motion of the body that carries the
+/// berth. The docking board fills in the lamps, the speed limit and the contact of each end of the ship.
 pub(crate) fn seen_from(
     berth: &Berth,
     on: &BodyState,

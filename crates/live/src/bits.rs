@@ -4,7 +4,8 @@ use fenderline_contact::hash::Fnv1a;
 use fenderline_sim::Simulation;
 
 /// FNV-1a hash of the states of all bodies, the vessels' machinery, the lines, the anchors and the tugs. If a replay
-/// differs anywhere, its fingerprint differs within a step or two. The hash gives no protection against malice.
+/// differs anywhere from its recording, the fingerprint differs within a step or two. The hash gives no protection
+/// against a forged recording.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Fnv1a::default();
     let mut add = |number: f64| hash.word(number.to_bits());

@@ -12,10 +12,12 @@ use crate::refusal::Refusal;
 use crate::{happening, place, world_change};
 
 /// Carries out a command, which takes effect at the next step. The first manual order to a vessel, tug, line or anchor
-/// drops the scenario's later timed orders to it. Returns true if there were such orders.
+/// drops the scenario's later timed orders to that target. Returns true if the command has dropped timed orders of the
+/// scenario.
 ///
 /// # Errors
-/// The reason for the person who gave the command. Nothing is changed in this case.
+/// Returns why the command is refused, in words for the person who gave it. If the command is refused, it changes
+/// nothing.
 pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<bool, Refusal> {
     match action {
         Action::Order(named) => {
@@ -38,7 +40,7 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
         Action::Other(OtherAction::CancelPlanned { id }) => now.script.cancel(*id).map(|()| false),
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
             let limits = COMMAND_LIMITS.approach_limit_mps;
-            within("speed limit at the fenders [m/s]", *speed_mps, limits)?;
+            within("limit of the closing speed at the fenders [m/s]", *speed_mps, limits)?;
             now.approach = ApproachLimit { at_fenders_mps: *speed_mps };
             Ok(false)
         }
@@ -79,7 +81,8 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     Ok(dropped)
 }
 
-/// Resolves an order in words to a tug. The tug is a vector tug, or a vessel that assists the ship that she serves.
+/// Turns an order in words to a tug into an order with numbers. The tug is a vector tug, or a vessel that assists a
+/// ship.
 fn tug_order(
     name: &str,
     words: &TugWords,
@@ -96,7 +99,7 @@ fn tug_order(
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
 }
 
-/// The power of an order to a tug. Only an order that asks for no force may leave the power out.
+/// The power that an order to a tug asks for. Only an order that asks for no force may leave the power out.
 fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
     match (word, power) {
         (_, Some(power)) => {
@@ -113,7 +116,7 @@ fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
     }
 }
 
-/// A note is one line of limited length.
+/// Refuses a note that is longer than one line or than the limit.
 fn check_note(text: &str) -> Result<(), Refusal> {
     if text.chars().count() > LONGEST_NOTE {
         return Err(Refusal::new(format_args!("a note has at most {LONGEST_NOTE} characters")));
@@ -128,7 +131,7 @@ fn within(what: &str, value: f64, [least, most]: [f64; 2]) -> Result<(), Refusal
     if value >= least && value <= most {
         return Ok(());
     }
-    Err(Refusal::new(format_args!("{what}: {value} is not within {least} and {most}")))
+    Err(Refusal::new(format_args!("{what}: {value} is not between {least} and {most}")))
 }
 
 fn vessel_named(setup: &Setup, name: &str) -> Result<usize, Refusal> {

@@ -8,8 +8,8 @@ use crate::action::{Action, OtherAction};
 use crate::named_order::NamedOrder;
 use crate::request::Control;
 
-/// A vessel counts as a tug if only azimuth units propel her and she is at most this long (m). The longest harbour and
-/// escort tugs are about 50 m long (recalled). The value is our choice.
+/// A vessel counts as a tug if only azimuth units propel her and her length is at most this number (m). The longest
+/// harbour and escort tugs are about 50 m long (a number from memory). The greatest length of a tug is our choice.
 const LONGEST_TUG_M: f64 = 60.0;
 
 /// The vessels, tugs and lines of a scenario by name, with their roles.
@@ -24,32 +24,32 @@ pub struct Cast {
     pub is_tug: Vec<bool>,
     /// Names of the vector tugs, in the order of the set-up.
     pub tugs: Vec<String>,
-    /// For each vector tug, the index of the vessel that she serves.
+    /// For each vector tug, the index of the vessel that the tug serves.
     pub tug_serves: Vec<usize>,
-    /// For each vessel that is a tug, the index of the ship that she serves. This ship is the first one to which she
-    /// has a towline, otherwise the first ship that she may touch, otherwise the own ship. The search begins with the
-    /// own ship and goes on with the other ships in their order.
+    /// For each vessel that is a tug, the index of the ship that the tug serves. A tug serves the first ship to which
+    /// she has a towline, otherwise the first ship that she may touch, otherwise the pilot's own ship. The search for
+    /// the ship that a tug serves begins with the own ship and goes on with the other ships in their order.
     pub serves: Vec<Option<usize>>,
-    /// Name of each line, and the vessels to which its ends are attached.
+    /// Name of each line, and the vessels at its ends.
     lines: Vec<(String, Vec<usize>)>,
     /// Name of each anchor, and the vessel that carries the anchor.
     anchors: Vec<(String, usize)>,
 }
 
-/// The helm that a command belongs to.
+/// The helm from which a command is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Helm {
-    /// A vessel or a vector tug.
+    /// The helm of a vessel or of a vector tug.
     Of(Control),
-    /// A line, by the vessels at its ends, or an anchor, by the vessel that carries it.
+    /// The helms of the vessels at a line's ends, or of the vessel that carries an anchor; holds the vessels' names.
     Line(Vec<String>),
-    /// Weather, faults, and the places of ships before the start.
+    /// The helm for weather, faults, and the places of ships before the start.
     World,
-    /// The limit of the docking board and of the alarms of an approach.
+    /// The helm for the speed limit of the docking board and of the alarms of an approach.
     Board,
-    /// An alarm in the list. The alarm book decides who may acknowledge it.
+    /// An alarm in the list of alarms. The alarm book decides who may acknowledge an alarm.
     Alarm,
-    /// The notes for the debriefing.
+    /// The helm for the notes for the debriefing.
     Notes,
 }
 
@@ -69,7 +69,7 @@ fn serves(setup: &Setup, own: Option<usize>, is_tug: &[bool], tug: usize) -> Opt
 }
 
 impl Cast {
-    /// The roles in a set-up.
+    /// Finds the roles of the vessels in a scenario's set-up.
     #[must_use]
     pub fn of(setup: &Setup) -> Cast {
         let vessels = &setup.world.vessels;
@@ -104,7 +104,7 @@ impl Cast {
         }
     }
 
-    /// All helms: vessels, then vector tugs.
+    /// All helms of a scenario: the vessels, then the vector tugs.
     #[must_use]
     pub fn controls(&self) -> Vec<Control> {
         let vessels = self.vessels.iter().cloned().map(Control::Vessel);
@@ -119,7 +119,8 @@ impl Cast {
         vessels.chain(self.tugs.iter().cloned()).collect()
     }
 
-    /// Indices of the ships that can be conned: the own ship, then the others. Tugs are not among them.
+    /// Indices of the ships that can be conned: the pilot's own ship, then the others. Tugs are not among the ships
+    /// that can be conned.
     #[must_use]
     pub fn ships(&self) -> Vec<usize> {
         let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
@@ -127,7 +128,8 @@ impl Cast {
         self.own.into_iter().chain(others).collect()
     }
 
-    /// Names of the ships besides the own ship and the tugs. Each of these ships can have her own pilot.
+    /// Names of the ships besides the pilot's own ship and the tugs. Each ship besides the own ship can have her own
+    /// pilot.
     #[must_use]
     pub fn other_ships(&self) -> Vec<String> {
         let others = self.ships().into_iter().filter(|index| self.own != Some(*index));
@@ -160,8 +162,8 @@ impl Cast {
         index.is_some_and(|index| self.is_tug[index])
     }
 
-    /// The helm that a command belongs to. This function accepts names that do not exist; carrying out such a command
-    /// is refused.
+    /// The helm from which the command `action` is given. This function accepts names of vessels that do not exist;
+    /// carrying out a command to such a vessel is refused.
     #[must_use]
     pub fn helm(&self, action: &Action) -> Helm {
         match action {

@@ -1,11 +1,11 @@
-//! The chart as pages get it.
+//! The chart in the form in which pages of the browser get it.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::chart::{Chart, ChartFeature, ChartShape, MarkColour};
 
 use crate::message::{ChartInfo, Pair};
 
-/// The features of a chart, in their order.
+/// The features of a chart, in the order of the chart.
 pub(crate) fn chart_infos(chart: &Chart) -> Vec<ChartInfo> {
     chart.features.iter().map(info).collect()
 }
@@ -39,7 +39,8 @@ fn places(line: &[Vec2]) -> Vec<Pair> {
     line.iter().copied().map(place).collect()
 }
 
-/// Rounds a position to a centimetre. Centimetres are enough for drawing, and short numbers make a short message.
+/// Rounds a position on the chart to a centimetre. A chart that is exact to a centimetre is enough for drawing, and
+/// short numbers make a short message.
 fn place(at_m: Vec2) -> Pair {
     [at_m.x, at_m.y].map(|coordinate| libm::round(coordinate * 100.0) / 100.0)
 }

@@ -1,4 +1,4 @@
-//! The exercise of a session, for pages.
+//! The exercise of a session, as pages of the browser get it.
 
 use fenderline_sim::Setup;
 use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, State};
@@ -7,7 +7,7 @@ use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
 };
 
-/// The text of how an exercise ended, without its score. `None` while the exercise goes on.
+/// The text of how an exercise ended, without its score. The text is `None` while the exercise goes on.
 pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
     match exercise.state() {
         State::Running => None,
@@ -57,7 +57,7 @@ pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
     }
 }
 
-/// Score and limits of an exercise, which only the instructor sees.
+/// Score and limits of an exercise, which only the instructor gets.
 pub(crate) fn marks(exercise: &Assessment, setup: &Setup) -> ExerciseMarks {
     let deductions: Vec<Deduction<'_>> = exercise.deductions().collect();
     let limits = exercise.setup().limits.iter().zip(exercise.marks()).map(|(limit, mark)| {

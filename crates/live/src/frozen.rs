@@ -1,4 +1,4 @@
-//! Frozen instruments: what they show on board in place of the true values.
+//! Frozen instruments: the values that they show on board in place of the true values.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::{Fault, Simulation};
@@ -23,17 +23,17 @@ pub(crate) struct Place {
 }
 
 impl Frozen {
-    /// For each vessel, no frozen instrument.
+    /// For each vessel an entry that says that no instrument is frozen.
     pub(crate) fn none(simulation: &Simulation) -> Vec<Frozen> {
         vec![Frozen::default(); simulation.vessels().len()]
     }
 
-    /// True if any instrument is frozen.
+    /// True if any instrument of the vessel is frozen.
     pub(crate) fn any(&self) -> bool {
         *self != Frozen::default()
     }
 
-    /// The speeds that the instruments show, if they are frozen.
+    /// The speeds that frozen instruments show; `None` if they are not frozen.
     pub(crate) fn speeds(&self) -> Option<Speeds> {
         self.speeds
     }
@@ -65,7 +65,7 @@ pub(crate) fn place(simulation: &Simulation, index: usize) -> Place {
     Place { centre_m: state.position_m, midship_m: state.pose().apply(vec2(-ahead_m, 0.0)) }
 }
 
-/// The value that was kept, or the present value if the fault has just begun.
+/// The value that a frozen instrument kept, or the present value if its fault has just begun.
 fn kept<T>(is_frozen: bool, before: Option<T>, now: T) -> Option<T> {
     is_frozen.then(|| before.unwrap_or(now))
 }

@@ -1,4 +1,5 @@
-//! What happens by itself: changes of the weather and faults, at once or when their planned time has come.
+//! Events in the simulated world that nobody orders at that moment: changes of the weather and faults, at once or when
+//! their planned time has come.
 
 use crate::action::OtherAction;
 use crate::cast::Cast;
@@ -9,10 +10,10 @@ use crate::refusal::Refusal;
 use crate::script::{Fate, Planned, Script};
 use crate::world_change;
 
-/// Makes an event happen that [`OtherAction::can_be_planned`]; it takes effect at the next step.
+/// Makes an event happen for which [`OtherAction::can_be_planned`] is true; the event takes effect at the next step.
 ///
 /// # Errors
-/// The reason why it cannot happen. Nothing is changed then.
+/// Returns why the event cannot happen. Nothing is changed then.
 pub(crate) fn happen(event: &OtherAction, cast: &Cast, now: &mut Now) -> Result<(), Refusal> {
     if let OtherAction::AnchorFault { anchor, fault, on } = event {
         let mut anchors = now.simulation.setup().world.anchors.iter();
@@ -30,10 +31,10 @@ pub(crate) fn happen(event: &OtherAction, cast: &Cast, now: &mut Now) -> Result<
     Ok(())
 }
 
-/// Plans an event. It must be one that could be carried out now.
+/// Plans an event. The event must be one that could also be carried out at once.
 ///
 /// # Errors
-/// The reason why it cannot be planned.
+/// Returns why the event cannot be planned.
 pub(crate) fn plan(
     event: &OtherAction,
     at_s: f64,
@@ -67,7 +68,7 @@ pub(crate) fn plan(
     Ok(())
 }
 
-/// True if something is due in the next step.
+/// True if a planned event is due in the next step.
 pub(crate) fn is_due(now: &Now) -> bool {
     let Script { planned, .. } = &now.script;
     let end_s = now.simulation.time_s() + now.simulation.setup().step_s;
@@ -75,7 +76,7 @@ pub(crate) fn is_due(now: &Now) -> bool {
     planned.iter().any(is_due)
 }
 
-/// Carries out what is due in the next step. Returns the events that fired.
+/// Carries out the planned events that are due in the next step. Returns the planned events that happened.
 pub(crate) fn run(cast: &Cast, now: &mut Now) -> Vec<OtherAction> {
     let t_s = now.simulation.time_s();
     let end_s = t_s + now.simulation.setup().step_s;

@@ -1,4 +1,5 @@
-//! The data of a scenario that do not change, for pages: hulls, machinery, fenders, lines, anchors, tugs, orders.
+//! The data of a scenario that do not change during a session, for pages: hulls, machinery, fenders, lines, anchors,
+//! tugs, orders.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
@@ -20,13 +21,13 @@ use crate::message::{
 use crate::order_info::{order_infos, telegraph};
 use crate::pair::pair;
 
-/// The working load of a cable over its breaking load. The guideline for ropes gives no value for cables; the value is
-/// our choice.
+/// The working load of a cable as a share of its breaking load. The guideline for ropes gives no working load of
+/// cables, so that the share is our choice.
 const CABLE_WORKING_SHARE: f64 = 0.5;
-/// Rate of a winch in a manual order, if the winch can go as fast (m/s): a usual speed for warping under load.
+/// Rate at which a winch runs in a manual order, if it can run so fast (m/s): a usual speed for warping under load.
 const MANUAL_WINCH_MPS: f64 = 0.15;
 
-/// The data of a scenario that do not change.
+/// The data of a scenario that do not change during a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Info {
     /// The field `bodies` of [`crate::message::Hello`].
@@ -58,7 +59,7 @@ pub struct Info {
 }
 
 impl Info {
-    /// Collects the data of a set-up.
+    /// Collects, from a scenario's set-up, the data that do not change during a session.
     #[must_use]
     pub fn of(setup: &Setup, cast: &Cast) -> Info {
         let world = &setup.world;
@@ -147,7 +148,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
     }
 }
 
-/// Named places at a ship's side, the nearest first.
+/// Named places at a ship's side for orders to tugs, the nearest first.
 fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
     let (outline, length_m) = (&setup.bodies[ship.body].outline, ship.ship.particulars.length_m);
     let has_side =

@@ -1,16 +1,16 @@
 //! A simulation that people steer: a deterministic session without clock, threads, sockets or files.
 //!
 //! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. The
-//! scenario and the log determine every state, bit for bit. A session can therefore be rewound, branched from any tick,
-//! recorded line by line ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages
-//! ([`message`]) and reads the requests of pages ([`Request`]).
+//! scenario and the log of commands determine every state of the session, bit for bit. A session can therefore be
+//! rewound, branched from any tick, recorded line by line ([`RecordingReader`]) and replayed ([`Replay`]). This crate
+//! also makes the messages that pages of the browser get ([`message`]) and reads the requests of pages ([`Request`]).
 //!
-//! When the session is over, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms,
-//! acknowledgements, notes and events.
+//! When the session is over, a [`Repeat`] steps through one of its branches from the start and keeps the log: commands,
+//! alarms, acknowledgements, notes and events.
 //!
-//! [`Watched`] gives the same messages for a run that nobody steers.
+//! [`Watched`] makes the same messages to pages for a run that nobody steers.
 //!
-//! The owner of a session decides when it steps. `fenderline serve` paces the session to wall time.
+//! The owner of a session decides when the session takes a step. `fenderline serve` paces the session to wall time.
 #![forbid(unsafe_code)]
 
 mod action;

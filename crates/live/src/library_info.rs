@@ -1,4 +1,4 @@
-//! The choices for a new exercise, for the instructor's page.
+//! The ships, tugs and fenders among which an instructor chooses for a new exercise.
 
 use std::sync::OnceLock;
 
@@ -7,7 +7,7 @@ use fenderline_scenario::{FenderLibrary, VesselLibrary};
 
 use crate::message::{FamilyInfo, LibraryInfo, LibraryVessel, SizeInfo};
 
-/// The ships, tugs and fenders of the program's libraries.
+/// The ships, tugs and fenders in the program's libraries.
 #[must_use]
 pub fn library_info() -> &'static LibraryInfo {
     static LIBRARY: OnceLock<LibraryInfo> = OnceLock::new();

@@ -1,13 +1,14 @@
-//! Limits of a session and of its recording. The writer stops at the limits and the reader refuses what is beyond them.
-//! Every recording can therefore be replayed.
+//! Limits of a session and of its recording. The writer of a recording stops at the limits, and the reader refuses a
+//! recording that is beyond them. Every recording that is written can therefore be replayed.
 
 use std::fmt;
 
-/// The largest recording (bytes). The limits below allow some 300 MiB.
+/// The largest recording (bytes). The limits on lines, commands and ticks allow recordings of some 300 MiB.
 pub const LARGEST_RECORDING_BYTES: u64 = 512 << 20;
-/// The longest first line (bytes): a scenario with all files that it names.
+/// The longest first line of a recording (bytes): it holds a scenario with all files that the scenario names.
 pub(crate) const LONGEST_HEADER_BYTES: u64 = 64 << 20;
-/// The longest of the other lines (bytes). The message of a page is at most a quarter of this.
+/// The longest line of a recording other than the first (bytes). A message from a page has at most a quarter of this
+/// length.
 pub(crate) const LONGEST_LINE_BYTES: u64 = 64 << 10;
 /// Largest number of commands of a session: ten a second for a day.
 pub(crate) const MOST_COMMANDS: usize = 864_000;
@@ -15,14 +16,15 @@ pub(crate) const MOST_COMMANDS: usize = 864_000;
 pub(crate) const MOST_BRANCHES: usize = 1000;
 /// Largest number of ticks of all branches together: eleven days at 0.1 s.
 pub(crate) const MOST_TICKS: u64 = 10_000_000;
-/// Number of ticks from one `reached` line of a branch to the next. There are never more ticks than this between two
-/// lines of a branch. A short file therefore cannot cause a long run.
+/// Number of ticks from one `reached` line of a branch in a recording to the next. Two lines of a branch in a recording
+/// are never more than this number of ticks apart. Because of these `reached` lines, a short recording cannot cause a
+/// long run.
 pub(crate) const MARKS: u64 = 10;
 
-/// Largest number of orders in a trial, and of orders that are given together.
+/// Largest number of orders in a trial, and of orders that a message gives together.
 pub(crate) const MOST_TRIAL_ORDERS: usize = 16;
 
-/// Largest number of planned events that wait.
+/// Largest number of planned events that may wait for their time.
 pub(crate) const MOST_PLANNED: usize = 100;
 /// The longest time from now to a planned event (s).
 pub(crate) const LONGEST_PLAN_S: f64 = 86_400.0;
@@ -32,12 +34,13 @@ pub const LONGEST_NAME: usize = 30;
 
 /// The longest note (characters).
 pub(crate) const LONGEST_NOTE: usize = 300;
-/// Largest number of notes in a branch within [`NOTE_TICKS`].
+/// Largest number of notes that a branch may have within [`NOTE_TICKS`] ticks.
 pub(crate) const MOST_NOTES: usize = 20;
 /// The span of ticks in which notes are counted: ten seconds at steps of 0.1 s.
 pub(crate) const NOTE_TICKS: u64 = 100;
 
-/// The limit that a session has reached. The session can still be displayed, rewound and saved, but it cannot go on.
+/// The limit that a session has reached. A session at a limit can still be displayed, rewound and saved, but it cannot
+/// go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Full {
     /// Size of the recording.

@@ -1,5 +1,5 @@
-//! Messages to pages. `web/src/protocol.ts` has the same fields and explains each of them. `tests/protocol.rs` compares
-//! the names.
+//! Messages to pages. The file `web/src/protocol.ts` has the same fields as these messages and explains each of them.
+//! `tests/protocol.rs` compares the names.
 #![allow(missing_docs, reason = "protocol.ts explains every field")]
 
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,8 @@ use crate::approach::Light;
 pub use crate::pair::Pair;
 use crate::request::Control;
 
-/// Version number of the protocol. A page with another number asks the user to reload it.
+/// Version number of the protocol between server and page. A page with another version of the protocol asks the user to
+/// reload the page.
 pub const PROTOCOL: u32 = 5;
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -42,12 +43,12 @@ pub struct Hello<'a> {
     pub links: Option<&'a [Link]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub library: Option<&'a LibraryInfo>,
-    /// Deleted files that can be put back. Only instructors get the list.
+    /// Deleted files that can be put back. Only instructors get the list of deleted files.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deleted: Option<&'a [GalleryEntry]>,
 }
 
-/// The choices for a new exercise.
+/// The ships, tugs and fenders among which an instructor chooses for a new exercise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LibraryInfo {
     pub vessels: Vec<LibraryVessel>,
@@ -87,7 +88,7 @@ pub struct ExerciseInfo {
     pub time_limit_s: Option<f64>,
     pub pass_mark: f64,
     pub limits: Vec<LimitInfo>,
-    /// Where an anchor must lie; `None` if the goal has no such place.
+    /// Where an anchor must lie; `None` if the goal asks for no place of an anchor.
     pub place: Option<PlaceInfo>,
 }
 
@@ -107,7 +108,7 @@ pub struct LimitInfo {
     pub fails: bool,
 }
 
-/// One order from the table of orders in `fenderline_sim`.
+/// An order in the table of orders of `fenderline_sim`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OrderInfo {
     pub name: &'static str,
@@ -117,7 +118,7 @@ pub struct OrderInfo {
     pub arguments: Vec<ArgumentInfo>,
 }
 
-/// One order of the engine telegraph.
+/// An order that the engine telegraph can give.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TelegraphInfo {
     pub word: &'static str,
@@ -167,12 +168,12 @@ pub struct GalleryEntry {
     pub file: String,
     pub title: String,
     pub text: String,
-    /// The berth of this scenario in words, if a new exercise can use it.
+    /// The berth of the listed scenario in words, if a new exercise can use the berth.
     pub berth: Option<String>,
-    /// Time at which the file of a recording was last written (seconds since the start of 1970). `None` for a scenario.
+    /// Time at which the recording's file was last written (seconds since the start of 1970). `None` for a scenario.
     pub written_unix_s: Option<u64>,
-    /// True if the instructor can rename and delete this file. The file is a recording or an exercise saved from the
-    /// page, and lies in the server's folders.
+    /// True if the instructor can rename and delete the listed file. A file can be changed if it is a recording, or an
+    /// exercise saved from the page, and lies in the server's folders.
     pub changeable: bool,
 }
 
@@ -228,7 +229,7 @@ pub struct VesselInfo {
     pub thrusters: Vec<ThrusterInfo>,
     pub azimuths: Vec<AzimuthInfo>,
     pub is_tug: bool,
-    /// Index of the ship that a tug serves.
+    /// Index of the ship that the tug serves.
     pub serves: Option<usize>,
     pub has_towline: bool,
     pub places: Vec<&'static str>,
@@ -267,15 +268,15 @@ pub struct LineInfo {
     pub name: String,
     pub ship: usize,
     pub fairlead_m: Pair,
-    /// The place where the line is made fast without an order. `null` for a line that stays on board until it is sent
-    /// to a bollard.
+    /// The place where the line is made fast if nobody orders another. The place is `null` for a line that stays on
+    /// board until it is sent to a bollard.
     pub end: Option<LineEndInfo>,
     pub breaking_n: f64,
     pub working_n: f64,
     pub winch_mps: Option<f64>,
     /// Distance to the farthest bollard that the line can reach (m).
     pub reach_m: f64,
-    /// The thing that limits the reach: the rope, or a heaving line where there is no boat.
+    /// The thing that limits how far the line reaches: the rope, or a heaving line where there is no boat.
     pub reach_by: &'static str,
 }
 
@@ -318,14 +319,14 @@ pub struct TugInfo {
     pub pull_at_m: Pair,
 }
 
-/// A ship that passes on a track of her own. No order moves her, and she touches nothing.
+/// A ship that passes on a track of her own. No order moves the passing ship, and she touches nothing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrafficInfo {
     pub name: String,
     pub outline: Vec<Pair>,
 }
 
-/// A frame without its `events`: clients get different events.
+/// A frame without its `events`, because each client gets other events.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "frame")]
 pub struct Frame {
@@ -333,7 +334,7 @@ pub struct Frame {
     pub t_s: f64,
     pub at_ms: u64,
     pub run: RunState,
-    /// State of each body; `None` if fog hides it.
+    /// Position and motion of each body; `None` if fog hides the body.
     pub bodies: Vec<Option<[f64; 6]>>,
     pub vessels: Vec<VesselNow>,
     pub fenders: Vec<FenderNow>,
@@ -341,7 +342,7 @@ pub struct Frame {
     pub lines: Vec<LineNow>,
     pub anchors: Vec<AnchorNow>,
     pub tugs: Vec<TugNow>,
-    /// State of each passing ship; `None` if fog hides her.
+    /// Position and motion of each passing ship; `None` if fog hides the ship.
     pub traffic: Vec<Option<[f64; 6]>>,
     pub passages: Vec<PassageNow>,
     pub wind: WindNow,
@@ -354,7 +355,7 @@ pub struct Frame {
     pub exercise: Option<ExerciseNow>,
 }
 
-/// The state of an exercise, for everybody.
+/// The state of an exercise as everybody gets it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExerciseNow {
     pub state: &'static str,
@@ -369,7 +370,7 @@ pub struct ConditionNow {
     pub now: String,
 }
 
-/// The marks of an exercise. Only instructors' frames contain them.
+/// The marks of an exercise. Only the frames of instructors contain the marks of the exercise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExerciseMarks {
     pub score: f64,
@@ -481,7 +482,7 @@ pub struct AssistNow {
     pub force_n: f64,
 }
 
-/// How much of her order a tug that is a vessel has carried out.
+/// What a tug that is a vessel is doing to carry out her order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AssistState {
@@ -516,7 +517,7 @@ pub struct Lamp {
     pub text: &'static str,
 }
 
-/// The position of an end of a ship at the berth.
+/// How an end of a ship lies at the berth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BerthEnd {
@@ -558,11 +559,11 @@ pub struct LineNow {
     pub state: &'static str,
     pub tension_n: f64,
     pub over_working: bool,
-    /// Index of the bollard to which the line is fast or was sent.
+    /// Index of the bollard to which the line is fast or on its way.
     pub bollard: Option<usize>,
     /// Unstretched length of the line outboard (m).
     pub length_m: Option<f64>,
-    /// Time until the line is fast (s). `null` while the line waits for line handlers or is not under way.
+    /// Time until the line is fast (s). The time is `null` while the line waits for line handlers or is not under way.
     pub fast_in_s: Option<f64>,
     pub winch: &'static str,
 }
@@ -570,7 +571,7 @@ pub struct LineNow {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AnchorNow {
     pub state: &'static str,
-    /// Position of the anchor on the bottom; `null` if the anchor is not on the bottom.
+    /// Position of the anchor on the bottom; `null` if the anchor does not lie there.
     pub place_m: Option<Pair>,
     pub chain_m: f64,
     pub tension_n: f64,
@@ -584,7 +585,7 @@ pub struct AnchorNow {
     /// Length of chain that the windlass shall put out (m); `null` while the brake holds.
     pub to_m: Option<f64>,
     pub stalled: bool,
-    /// The report from the forecastle.
+    /// The report from the forecastle about the anchor.
     pub report: String,
     pub faults: Vec<AnchorFault>,
 }
@@ -647,11 +648,11 @@ pub struct EventNow {
     pub text: String,
 }
 
-/// The past up to the present tick. Each field is a column.
+/// The past of a session up to the present tick. Each field of the past is a column of values over time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "history")]
 pub struct History {
-    /// Index of the vessel that the speeds and distances belong to.
+    /// Index of the vessel to which the speeds and distances of the past belong.
     pub vessel: Option<usize>,
     pub t_s: Vec<f64>,
     pub bow_mps: Vec<Option<f64>>,
@@ -667,7 +668,7 @@ pub struct History {
     pub events: Vec<Then>,
 }
 
-/// An event of the past, or an alarm that began, with the level of the alarm.
+/// An event of the past, or an alarm that began; an alarm has its level.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Then {
     pub t_s: f64,
@@ -716,7 +717,7 @@ pub struct PlannedNow {
     pub reason: Option<String>,
 }
 
-/// The predicted path of a vessel. Each point has time (s), north and east (m), and heading (rad).
+/// The predicted path of a vessel. Each point of the path has time (s), north and east (m), and heading (rad).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShipPath {
     pub vessel: usize,
@@ -726,14 +727,14 @@ pub struct ShipPath {
 /// The JSON text of a message.
 ///
 /// # Panics
-/// Never. All maps in these types have text keys, and a number that is not finite becomes `null`.
+/// Never. All maps in the messages have text keys, and a number that is not finite becomes `null`.
 #[must_use]
 pub fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
 }
 
-/// The text of a frame with the events since the client's last frame. For an instructor the text includes the text
-/// `marks`, the marks of the exercise.
+/// The JSON of a frame together with the events since the client's last frame. For an instructor, the JSON also gets
+/// the text `marks`, which holds the marks of the exercise.
 #[must_use]
 pub fn with_events(frame: &str, events: &[EventNow], marks: Option<&str>) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);

@@ -1,4 +1,4 @@
-//! An order from the table of orders with names of the scenario, as pages send it and recordings store it.
+//! An order from the table of orders, with names of the scenario, as pages send orders and recordings store them.
 
 use fenderline_contact::vec2;
 use fenderline_sim::order::{
@@ -9,19 +9,20 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::refusal::Refusal;
 
-/// An order with names in place of indices. Its JSON is `{"do": WORD, TARGET: NAME, ARGUMENT_UNIT: VALUE, …}` with the
-/// words of the table in `fenderline_sim`. An argument that is `null` or missing has its default.
+/// An order with names of the scenario in place of indices. The JSON of an order is
+/// `{"do": WORD, TARGET: NAME, ARGUMENT_UNIT: VALUE, …}` with the words of the table in `fenderline_sim`. An argument
+/// that is `null` or missing takes its default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedOrder {
     /// The order.
     pub order: OrderName,
     /// Name of the vessel, tug, line or anchor that gets the order.
     pub to: String,
-    /// The arguments with given values.
+    /// The arguments of the order that have given values.
     given: Vec<(&'static Argument, Given)>,
 }
 
-/// The value of an argument.
+/// The value that an order gives to an argument.
 #[derive(Clone, Debug, PartialEq)]
 enum Given {
     Number(f64),
@@ -36,28 +37,28 @@ impl NamedOrder {
         NamedOrder { order, to: to.to_owned(), given: Vec::new() }
     }
 
-    /// Adds a number. `name` is the argument's name in the table.
+    /// Adds a number. `name` is the name of the argument in the table of orders.
     ///
     /// # Panics
-    /// If the order has no such argument.
+    /// Panics if the order has no argument of this name.
     #[must_use]
     pub fn number(self, name: &str, value: f64) -> NamedOrder {
         self.with(name, Given::Number(value))
     }
 
-    /// Adds a position. `name` is the argument's name in the table.
+    /// Adds a position. `name` is the name of the argument in the table of orders.
     ///
     /// # Panics
-    /// If the order has no such argument.
+    /// Panics if the order has no argument of this name.
     #[must_use]
     pub fn place(self, name: &str, at_m: [f64; 2]) -> NamedOrder {
         self.with(name, Given::Place(at_m))
     }
 
-    /// Adds a name. `name` is the argument's name in the table.
+    /// Adds a name. `name` is the name of the argument in the table of orders.
     ///
     /// # Panics
-    /// If the order has no such argument.
+    /// Panics if the order has no argument of this name.
     #[must_use]
     pub fn name(self, name: &str, value: &str) -> NamedOrder {
         self.with(name, Given::Name(value.to_owned()))
@@ -74,7 +75,7 @@ impl NamedOrder {
     /// Reads an order from its JSON without the word of the order.
     ///
     /// # Errors
-    /// A field that is missing, unknown or of the wrong kind.
+    /// Fails for a field that is missing, unknown or of the wrong kind.
     pub(crate) fn from_json(
         order: OrderName,
         map: Map<String, Json>,
@@ -85,7 +86,7 @@ impl NamedOrder {
         for (field, value) in map {
             if field == spec.target.word() {
                 let Json::String(name) = value else {
-                    return Err(format!("invalid type: `{field}` is a name"));
+                    return Err(format!("invalid type: the value of `{field}` must be a name"));
                 };
                 to = Some(name);
                 continue;
@@ -132,10 +133,10 @@ impl NamedOrder {
         map
     }
 
-    /// The simulation's action for this order, checked.
+    /// Turns the order into an action of the simulation, and checks it.
     ///
     /// # Errors
-    /// A name that does not exist, or an order that the simulation refuses.
+    /// Fails for a name that does not exist, or for an order that the simulation refuses.
     pub fn resolve(&self, setup: &Setup) -> Result<Action, Refusal> {
         let world = &setup.world;
         let (kind, name) = (self.order.spec().target, self.to.as_str());
@@ -199,7 +200,7 @@ impl NamedOrder {
 }
 
 impl Given {
-    /// Reads a value; `None` for `null`.
+    /// Reads the value of an argument; `None` for `null`.
     fn from_json(argument: &Argument, field: &str, value: &Json) -> Result<Option<Given>, String> {
         if value.is_null() && argument.absent != Absent::Refused {
             return Ok(None);

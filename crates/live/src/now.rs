@@ -1,4 +1,4 @@
-//! The state of a session: everything that changes from tick to tick.
+//! The present state of a session: everything that changes from tick to tick.
 
 use fenderline_sim::Simulation;
 use fenderline_sim::exercise::{Assessment, ExerciseSetup};
@@ -11,7 +11,7 @@ use crate::frozen::Frozen;
 use crate::manual_control::ManualControl;
 use crate::script::Script;
 
-/// Everything that changes from tick to tick.
+/// Everything in a session that changes from tick to tick.
 #[derive(Clone, Debug)]
 pub(crate) struct Now {
     pub(crate) simulation: Simulation,
@@ -41,7 +41,7 @@ impl Now {
         Now { simulation, manual, approach, frozen, seen, alarms, exercise, script, tick: 0 }
     }
 
-    /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
+    /// Updates the exercise after a step. Returns the text of the exercise's end, if the exercise ends with this step.
     pub(crate) fn mark_exercise(&mut self) -> Option<&'static str> {
         let exercise = self.exercise.as_mut()?;
         if exercise.state().ended_s().is_some() {

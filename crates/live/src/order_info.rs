@@ -11,7 +11,7 @@ pub fn order_infos() -> Vec<OrderInfo> {
     OrderName::ALL.iter().map(|order| order_info(*order)).collect()
 }
 
-/// The engine telegraph, from full astern to navigation full.
+/// The orders of the engine telegraph, from full astern to navigation full.
 pub(crate) fn telegraph() -> Vec<TelegraphInfo> {
     let info =
         |order: Telegraph| TelegraphInfo { word: order.word(), share: order.revolutions_ratio() };

@@ -1,8 +1,10 @@
-//! Predictions one after the other. The latest prediction is continued as long as the run follows it.
+//! Predictions of the ships' paths, one after the other. The latest prediction is continued as long as the run does
+//! what was predicted.
 //!
-//! Nobody gives an order in most ticks. The run then reaches the state that the latest prediction has for this tick.
-//! The next prediction is the latest one without its first tick and with one more tick at its end. Continuing costs one
-//! step in place of thousands, and has the same bits as a prediction from the beginning.
+//! In most ticks, nobody gives an order. Without an order the run reaches the state that the latest prediction has for
+//! the present tick. The next prediction is the latest prediction without its first tick and with one more tick at its
+//! end. Continuing a prediction costs one step in place of thousands, and has the same bits as a prediction from the
+//! beginning.
 
 use std::collections::VecDeque;
 
@@ -10,7 +12,7 @@ use crate::bits::fingerprint;
 use crate::message::{Reply, ShipPath};
 use crate::prediction::{MOST_PATHS, Prediction};
 
-/// Predictions of one run, one after the other.
+/// Predictions of a session's run, one after the other.
 #[derive(Debug, Default)]
 pub struct Outlook {
     latest: Option<Latest>,
@@ -19,9 +21,9 @@ pub struct Outlook {
 /// The latest prediction.
 #[derive(Debug)]
 struct Latest {
-    /// The prediction after its last step, at the end of the paths.
+    /// The predicting simulation after its last step, at the end of the paths.
     at_end: Prediction,
-    /// Number of the first tick in `ticks`.
+    /// Number of the first tick in the list `ticks`.
     first: u64,
     ticks: VecDeque<Tick>,
 }
@@ -36,8 +38,9 @@ struct Tick {
 }
 
 impl Outlook {
-    /// The paths of a prediction over `seconds`, with a position every `every_s`. The first position is the present
-    /// one. The prediction ends early if a step fails or `go_on` returns false. `go_on` is called at each position.
+    /// The paths of a prediction over `seconds`, with a position every `every_s`. The first position of each path is
+    /// the present position. The prediction ends early if a step fails or `go_on` returns false. The function `go_on`
+    /// is called at each position of the paths.
     pub fn run(
         &mut self,
         prediction: Prediction,
@@ -55,7 +58,8 @@ impl Outlook {
         Reply::Prediction { tick, paths }
     }
 
-    /// Forgets the latest prediction. The next prediction starts from the beginning, as it must for another run.
+    /// Forgets the latest prediction. After that, the next prediction starts from the beginning, as it must for another
+    /// run.
     pub fn forget(&mut self) {
         self.latest = None;
     }
@@ -69,8 +73,8 @@ impl Latest {
         latest
     }
 
-    /// The rest of this prediction from the first tick of another prediction on, if the state at that tick is as
-    /// predicted.
+    /// Keeps the rest of the latest prediction from the first tick of the prediction `other` on, if the state at that
+    /// tick is as predicted.
     fn from(mut self, other: &Prediction) -> Option<Latest> {
         let passed = usize::try_from(other.tick().checked_sub(self.first)?).ok()?;
         let is_as_said = other.may_continue(&self.at_end)
@@ -80,7 +84,8 @@ impl Latest {
         is_as_said.then_some(self)
     }
 
-    /// Runs until the paths have this many steps. Returns false if the prediction ends before.
+    /// Runs the prediction until the paths have `steps` steps. Returns false if the prediction ends before the paths
+    /// have `steps` steps.
     fn reach(&mut self, steps: u64, every: u64, go_on: &mut impl FnMut() -> bool) -> bool {
         while (self.ticks.len() as u64) <= steps {
             if (self.ticks.len() as u64 - 1).is_multiple_of(every) && !go_on() {
@@ -94,7 +99,7 @@ impl Latest {
         true
     }
 
-    /// Keeps the predicted state of the tick that was reached.
+    /// Keeps the predicted state of the tick that the prediction has reached.
     fn note(&mut self) {
         let mut positions = [[0.0; 4]; MOST_PATHS];
         for (position, vessel) in positions.iter_mut().zip(self.at_end.vessels()) {

@@ -1,7 +1,7 @@
 //! The past of a session for the strip charts and the log of a page. The session keeps the past, so that a page that is
-//! opened late or loaded again shows what the other pages show. The past is limited: it has values once a second of
-//! simulated time, with the peaks of loads in between, and the latest events. Each entry belongs to the branch that
-//! made it, so that a rewind loses nothing.
+//! opened or loaded later shows the same as the other pages. The past is limited: it has values once a second of
+//! simulated time, with the peaks of loads between the samples, and the latest events. Each sample and event belongs to
+//! the branch that made it, so that a rewind loses nothing.
 
 use std::collections::VecDeque;
 
@@ -9,9 +9,9 @@ use fenderline_contact::number::greater;
 
 use crate::message::{History, Then};
 
-/// Simulated time between two samples (s).
+/// Simulated time between two samples of the past (s).
 const EVERY_S: f64 = 1.0;
-/// A page gets this much time before the present tick (s).
+/// A page gets the past of this length before the present tick (s).
 const SHOWN_S: f64 = 1800.0;
 /// Largest number of samples of all branches: more than two hours of one branch.
 const MOST_SAMPLES: usize = 8000;
@@ -19,14 +19,15 @@ const MOST_SAMPLES: usize = 8000;
 const MOST_EVENTS: usize = 1000;
 const SHOWN_EVENTS: usize = 200;
 
-/// Values for strip charts after a tick.
+/// The values for strip charts after a tick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) t_s: f64,
-    /// Values of each ship that can be conned, in the order of [`crate::Cast::ships`]. Without a vessel there is one
-    /// entry, for a body.
+    /// The values of each ship that can be conned, in the order of [`crate::Cast::ships`]. Without a vessel the list
+    /// has one entry, for a floating body.
     pub(crate) ships: Vec<ShipSample>,
-    /// Values that frozen instruments show, for each ship that has some: her index in `ships`, and the values.
+    /// The values that frozen instruments show, for each ship with frozen instruments: the ship's index in `ships`, and
+    /// the values.
     pub(crate) shown: Vec<(usize, ShipSample)>,
     /// Greatest load of a fender over its rating: `of_energy` and `of_reaction`. Greatest load of a line over its
     /// working load: `of_working`.
@@ -37,8 +38,8 @@ pub(crate) struct Sample {
     pub(crate) contact_n: f64,
 }
 
-/// Values of a ship. Distances and speeds of her ends are those at the berth, if there is a berth. A value that the
-/// ship does not have is `None`.
+/// Values of a ship. The distances and speeds of the ship's ends are those at the berth, if there is a berth. A value
+/// that does not exist for the ship is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShipSample {
     pub(crate) bow_mps: Option<f64>,
@@ -50,7 +51,7 @@ pub(crate) struct ShipSample {
 }
 
 impl Sample {
-    /// This sample with the loads of an earlier sample where they are greater.
+    /// The present sample, but with the loads of an earlier sample where those are greater.
     fn with_peaks(self, before: &Sample) -> Sample {
         Sample {
             of_energy: greater(self.of_energy, before.of_energy),
@@ -69,11 +70,13 @@ pub(crate) struct Of {
     pub(crate) place: usize,
     /// Index of the ship among the vessels.
     pub(crate) vessel: Option<usize>,
-    /// True for the values that the ship's instruments showed, frozen ones included. False for the true values.
+    /// True asks for the values that the ship's instruments showed, frozen instruments included. False asks for the
+    /// ship's true values.
     pub(crate) as_shown: bool,
 }
 
-/// An entry of the past: the branch and the tick of the commands that led to it, and the tick from which it is visible.
+/// A sample or event of the past: its branch, the tick of the commands that led to it, and the tick from which people
+/// see it.
 #[derive(Clone, Debug, PartialEq)]
 struct Entry<T> {
     branch: usize,
@@ -89,11 +92,12 @@ pub(crate) struct Past {
     every: u64,
     samples: VecDeque<Entry<Sample>>,
     events: VecDeque<Entry<Then>>,
-    /// For each branch, the last tick that is kept. Steps that are repeated after a rewind change nothing.
+    /// For each branch, the last tick whose values are kept. Steps that are repeated after a rewind do not change the
+    /// past.
     reached: Vec<u64>,
-    /// The peaks of the loads since the last sample.
+    /// The peaks of the loads since the last sample was kept.
     peaks: Option<Sample>,
-    /// Counts the changes of the past.
+    /// Number of times that the past has changed.
     version: u64,
 }
 
@@ -111,12 +115,13 @@ impl Past {
         }
     }
 
-    /// A number that differs after each change.
+    /// A number that is another after each change of the past.
     pub(crate) fn version(&self) -> u64 {
         self.version
     }
 
-    /// Keeps the step that led a branch to `tick`, with its events. Does nothing if the step is kept already.
+    /// Keeps the values and events of the step that led a branch to `tick`. Does nothing if the past already has the
+    /// step.
     pub(crate) fn keep_step(
         &mut self,
         branch: usize,
@@ -165,8 +170,8 @@ impl Past {
         self.version += 1;
     }
 
-    /// The past before a tick, with the values of one ship. `branch_at` gives the branch whose commands applied at a
-    /// tick.
+    /// The past before a tick, with the strip-chart values of one ship. `branch_at` gives the branch whose commands
+    /// applied at a tick.
     pub(crate) fn before(
         &self,
         tick: u64,
@@ -201,12 +206,12 @@ impl Past {
     }
 }
 
-/// True if an entry of the history belongs to the branch that leads to this tick, and is not later than the tick.
+/// True if a sample or event of the past belongs to the branch that leads to `tick`, and is not later than `tick`.
 fn is_of<T>(entry: &Entry<T>, tick: u64, branch_at: impl Fn(u64) -> usize) -> bool {
     entry.seen_tick <= tick && branch_at(entry.cause_tick) == entry.branch
 }
 
-/// Rounds to four decimals. A chart does not show more.
+/// Rounds to four decimals. A strip chart does not show more decimals than four.
 fn short(value: f64) -> f64 {
     libm::round(value * 1e4) / 1e4
 }

@@ -1,5 +1,5 @@
-//! Placing vessels by hand before the first step. A vessel is never placed in another hull, a structure, a fender, or
-//! on land.
+//! Places vessels by hand before the first step of a session. A vessel is never placed in another hull, a structure, a
+//! fender, or on land.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::chart::{Chart, ChartKind, ChartShape};
@@ -16,15 +16,16 @@ use crate::refusal::Refusal;
 
 /// Greatest distance from the origin at which a vessel can be placed (m).
 const FARTHEST_M: f64 = 1e6;
-/// Greatest size of an accepted heading (rad).
+/// Greatest heading, in either direction, that is accepted (rad).
 const LARGEST_ANGLE_RAD: f64 = 100.0;
 /// Greatest speed at which a vessel can begin, ahead or astern (m/s).
 const FASTEST_MPS: f64 = 15.0;
 
-/// Places a vessel. Tugs that lines join to a ship move with her, so that the lengths of their lines do not change.
+/// Places a vessel. Tugs that lines join to the ship move with her, so that the lengths of the lines do not change.
 ///
 /// # Errors
-/// A step was taken already, a number is beyond its limits, or something is in the way: the reason then names it.
+/// Fails if a step was taken already, if a number is beyond its limits, or if something is in the way, which the error
+/// names.
 pub(crate) fn place(
     vessel: usize,
     (at_m, heading_rad): (Pair, f64),
@@ -34,7 +35,7 @@ pub(crate) fn place(
 ) -> Result<(), Refusal> {
     if now.tick > 0 {
         return Err(Refusal::new(
-            "ships are placed before the start: go back to 0:00 and begin a branch there, or open the scenario again",
+            "ships are placed before the start: go back to 0:00 and begin a branch at 0:00, or open the scenario again",
         ));
     }
     let in_reach = at_m.iter().all(|coordinate| coordinate.abs() <= FARTHEST_M)
@@ -42,7 +43,7 @@ pub(crate) fn place(
     let can_begin = ahead_mps.is_none_or(|speed_mps| speed_mps.abs() <= FASTEST_MPS);
     if !in_reach || !can_begin {
         return Err(Refusal::new(format_args!(
-            "a ship is placed within {} km of the origin, with at most {FASTEST_MPS} m/s",
+            "a ship is placed within {} km of the origin, and begins with at most {FASTEST_MPS} m/s",
             FARTHEST_M / 1000.0
         )));
     }
@@ -71,9 +72,9 @@ pub(crate) fn place(
     });
     let starts: Vec<(usize, BodyStart)> = starts.collect();
     let name = setup.bodies[body].name.clone();
-    now.simulation
-        .place(&starts)
-        .map_err(|why| Refusal::new(format_args!("{name} cannot be placed there: {why}")))?;
+    now.simulation.place(&starts).map_err(|why| {
+        Refusal::new(format_args!("{name} cannot be placed at this point: {why}"))
+    })?;
     let simulation = &now.simulation;
     now.seen = Seen::before_the_first_step(simulation);
     now.frozen = Frozen::none(simulation);
@@ -100,7 +101,7 @@ fn companions(ship: usize, cast: &Cast, simulation: &Simulation) -> impl Iterato
     tugs.map(|(tug, _)| tug.body).filter(move |&body| joined(body))
 }
 
-/// What the placed bodies would lie in, in words; `None` if nothing is in the way.
+/// The body or land on which a placed vessel would lie, in words; `None` if nothing is in the way.
 fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<String> {
     let setup = simulation.setup();
     let pose = |body: usize| {
@@ -140,7 +141,7 @@ fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<
     None
 }
 
-/// The coast or quay of the chart on which a hull would lie.
+/// The coast or quay of the chart on which a placed hull would lie.
 fn ashore(chart: &Chart, hull: &[Vec2]) -> Option<String> {
     let overlaps = |outline: &[Vec2]| of_outlines_m(hull, outline) <= 0.0;
     let is_land = |kind: ChartKind| matches!(kind, ChartKind::Coast | ChartKind::Quay);
@@ -159,13 +160,13 @@ fn ashore(chart: &Chart, hull: &[Vec2]) -> Option<String> {
     })
 }
 
-/// True if a hull lies wholly within a basin.
+/// True if a hull lies wholly within a basin of the chart.
 fn lies_within(hull: &[Vec2], basin: &[Vec2]) -> bool {
     hull.iter().all(|&corner| contains(basin, corner))
         && !basin.iter().any(|&corner| contains(hull, corner))
 }
 
-/// The rectangle that a fender covers, in its body's axes.
+/// The rectangle that a fender covers, in the axes of the fender's body.
 fn face(fender: &FenderSetup) -> [Vec2; 4] {
     let (out, along) = (
         vec2(libm::cos(fender.facing_rad), libm::sin(fender.facing_rad)),

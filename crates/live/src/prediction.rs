@@ -9,18 +9,18 @@ use crate::session::Session;
 /// Largest number of ships whose paths a prediction contains.
 pub const MOST_PATHS: usize = 3;
 
-/// A copy of the simulation that runs ahead, also on another thread.
+/// A copy of the simulation that runs ahead of the session, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     simulation: Simulation,
     /// Tick at which the prediction begins.
     tick: u64,
-    /// How often something other than a step had changed the run before the prediction: commands, events, or going to
-    /// another tick.
+    /// Number of times that something other than a step had changed the run before the prediction: commands, events, or
+    /// going to another tick.
     interventions: u64,
-    /// Number of the scenario's orders that were dropped.
+    /// Number of the scenario's orders that the prediction has dropped.
     dropped: usize,
-    /// Indices of the vessels whose paths are kept.
+    /// Indices of the vessels whose paths the prediction keeps.
     vessels: Vec<usize>,
 }
 
@@ -35,7 +35,7 @@ impl Cast {
 }
 
 impl Session {
-    /// A prediction from the present state without further orders; `None` without vessels.
+    /// A prediction from the present state of the session without further orders; `None` without vessels.
     #[must_use]
     pub fn prediction(&self) -> Option<Prediction> {
         let vessels = self.cast().predicted();
@@ -47,8 +47,8 @@ impl Session {
 }
 
 impl Prediction {
-    /// A prediction that begins in a state. The scenario's later orders are dropped; orders that are due in the next
-    /// step stay. The weather stays as it is.
+    /// A prediction that begins in the state of `simulation`. A prediction drops the scenario's later orders; orders
+    /// that are due in the next step stay. The weather stays during a prediction as it is now.
     pub(crate) fn of(mut simulation: Simulation, tick: u64, vessels: Vec<usize>) -> Prediction {
         let end_s = simulation.time_s() + simulation.setup().step_s;
         let planned = simulation.pending_orders().len();
@@ -63,7 +63,7 @@ impl Prediction {
         Prediction { simulation, tick, interventions: 0, dropped, vessels }
     }
 
-    /// Leaves out the paths of these vessels.
+    /// Leaves the paths of the vessels `vessels` out of the prediction.
     pub(crate) fn leave_out(&mut self, vessels: &[usize]) {
         self.vessels.retain(|vessel| !vessels.contains(vessel));
     }
@@ -73,9 +73,9 @@ impl Prediction {
         self.tick
     }
 
-    /// True if an earlier prediction of the same run can be continued in place of this one, provided that it has the
-    /// same state at this tick. Only steps have changed the run since then, and no order is due that the earlier
-    /// prediction dropped.
+    /// True if an earlier prediction of the same run can be continued in place of this prediction, provided that both
+    /// have the same state at this tick. Only steps have changed the run since the earlier prediction, and no order is
+    /// due that the earlier prediction dropped.
     pub(crate) fn may_continue(&self, earlier: &Prediction) -> bool {
         self.interventions == earlier.interventions
             && self.dropped == earlier.dropped
@@ -94,13 +94,13 @@ impl Prediction {
         self.simulation.step().map(|_| ())
     }
 
-    /// Number of steps in `seconds`, and number of steps between two positions.
+    /// Number of the simulation's steps in `seconds`, and number of steps between two positions of a path.
     pub(crate) fn steps_of(&self, seconds: f64, every_s: f64) -> (u64, u64) {
         let steps = |time_s: f64| libm::round(time_s / self.simulation.setup().step_s) as u64;
         (steps(seconds), steps(every_s).max(1))
     }
 
-    /// Time (s), position (m) and heading (rad) of one of the vessels, in the format of a path.
+    /// Time (s), position (m) and heading (rad) of a vessel, as a path has them.
     pub(crate) fn position(&self, vessel: usize) -> [f64; 4] {
         let body = self.simulation.setup().world.vessels[vessel].body;
         let state = &self.simulation.states()[body];
@@ -111,8 +111,8 @@ impl Prediction {
         &self.simulation
     }
 
-    /// Runs for a number of seconds and returns the paths, with a position every `every_s`. The first position is the
-    /// present one.
+    /// Runs the prediction for a number of seconds and returns the ships' paths, with a position every `every_s`. The
+    /// first position of each path is the present position.
     #[must_use]
     pub fn run(
         mut self,
@@ -124,8 +124,8 @@ impl Prediction {
         Reply::Prediction { tick: self.tick, paths }
     }
 
-    /// Runs as [`Prediction::run`] does. Returns the paths, and whether they reach the end. `go_on` gets the paths at
-    /// each new position. The run ends early if `go_on` returns false or a step fails.
+    /// Runs as [`Prediction::run`] does. Returns the predicted paths, and whether they reach the end. The function
+    /// `go_on` gets the paths at each new position. The prediction ends early if `go_on` returns false or a step fails.
     pub(crate) fn advance(
         &mut self,
         seconds: f64,

@@ -2,12 +2,13 @@
 
 use std::fmt;
 
-/// The reason why a command was refused, for the person who gave the command. The command has changed nothing.
+/// The reason why a command was refused, for the person who gave the command. A command that is refused has changed
+/// nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal(String);
 
 impl Refusal {
-    /// Makes a refusal with this reason.
+    /// Makes a refusal whose reason is `why`.
     #[must_use]
     pub fn new(reason: impl fmt::Display) -> Refusal {
         Refusal(reason.to_string())

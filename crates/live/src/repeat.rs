@@ -1,5 +1,5 @@
 //! Steps again through a branch of a session from its start, and keeps the log of commands, alarms, acknowledgements,
-//! notes and events. A report of the session is made from this log.
+//! notes and events. The report of a session is made from this log.
 
 use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{Simulation, StepRecord};
@@ -9,11 +9,11 @@ use crate::alarm_book::{Alarm, Level};
 use crate::refusal::Refusal;
 use crate::session::{Given, Session, StepError};
 
-/// If the cause of an alarm comes back within this time, the log counts it as the same alarm (s). A speed that varies
-/// about its limit then makes one line of the log and not a hundred.
+/// If the cause of an alarm comes back within this time (s), the log counts it as the same alarm. A speed that varies
+/// about its limit then makes one line in the log and not a hundred.
 const SAME_ALARM_S: f64 = 10.0;
 
-/// A command in the log.
+/// A command in the log of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedCommand {
     /// Time at which the command took effect (s).
@@ -24,24 +24,25 @@ pub struct LoggedCommand {
     pub action: Action,
 }
 
-/// An alarm or caution in the log.
+/// An alarm or caution in the log of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedAlarm {
     /// Time at which the cause of the alarm began (s).
     pub t_s: f64,
     /// Time at which the cause of the alarm ended (s); `None` while the cause is active.
     pub until_s: Option<f64>,
-    /// Kind and subject, see [`Alarm::key`].
+    /// Kind and subject of the alarm, see [`Alarm::key`].
     pub key: String,
     /// The greatest level of the alarm.
     pub level: Level,
-    /// The text of the alarm when it reached that level.
+    /// The text of the alarm when it reached its greatest level.
     pub text: String,
-    /// Time at which the alarm was acknowledged at that level (s), and the person who did it. `None` if nobody did.
+    /// Time at which the alarm was acknowledged at its greatest level (s), and the person who acknowledged it. `None`
+    /// if nobody did.
     pub acknowledged: Option<(f64, String)>,
 }
 
-/// An acknowledgement in the log.
+/// An acknowledgement of an alarm in the log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedAcknowledgement {
     /// Time of the acknowledgement (s).
@@ -59,20 +60,20 @@ pub struct LoggedNote {
     pub t_s: f64,
     /// The person who wrote the note.
     pub who: String,
-    /// The text of the note. The text is empty for a mark.
+    /// The text of the note. The text is empty for a note that is only a mark.
     pub text: String,
 }
 
-/// What people did and what happened. Each list is in the order of time.
+/// The log of what people did and what happened in a session. Each list of the log is in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SessionLog {
-    /// The commands that change the simulated world.
+    /// The commands that changed the simulated world.
     pub commands: Vec<LoggedCommand>,
     /// The alarms and cautions.
     pub alarms: Vec<LoggedAlarm>,
     /// The acknowledgements of alarms.
     pub acknowledgements: Vec<LoggedAcknowledgement>,
-    /// The notes for the debriefing.
+    /// The notes that people wrote for the debriefing.
     pub notes: Vec<LoggedNote>,
     /// Time (s) and text of the other events, such as a line that parted.
     pub events: Vec<(f64, String)>,
@@ -87,14 +88,14 @@ pub struct Repeat {
     known: Vec<(String, usize)>,
 }
 
-/// The name in the log for the giver of planned changes.
+/// The name that the log gives to planned changes, in place of a person.
 const PLAN: &str = "plan";
 
 impl Repeat {
-    /// Opens a branch of `session` at its start. Nothing is added to the recording.
+    /// Opens a branch of `session` at its start. Stepping through the branch adds nothing to the recording.
     ///
     /// # Errors
-    /// There is no branch with this number, or the branch has no steps.
+    /// Fails if there is no branch with this number, or if the branch has no steps.
     pub fn of(mut session: Session, branch: usize) -> Result<Repeat, Refusal> {
         session.go_to_branch(branch)?;
         session.rewind(0)?;
@@ -106,7 +107,7 @@ impl Repeat {
         Ok(repeat)
     }
 
-    /// The simulation in its present state.
+    /// The simulation in the state that the repeat has reached.
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         self.session.simulation()
@@ -130,13 +131,13 @@ impl Repeat {
         self.session.branches()[self.session.current_branch()].ends_tick
     }
 
-    /// Takes one step and hands its record to `each`.
+    /// Takes one step and hands the record of the step to `each`.
     ///
     /// # Errors
     /// The errors of [`Session::step`].
     ///
     /// # Panics
-    /// The branch is at its end.
+    /// Panics if the branch is at its end.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         assert!(!self.is_done(), "the branch is at its end");
         self.note_given();
@@ -186,7 +187,7 @@ impl Repeat {
         }
     }
 
-    /// The log up to the present state.
+    /// The log up to the state that the repeat has reached.
     #[must_use]
     pub fn log(&self) -> &SessionLog {
         &self.log
@@ -219,15 +220,15 @@ impl Repeat {
 }
 
 impl LoggedAlarm {
-    /// True if the alarm is active, or ended so recently that it continues if its cause comes back. An alarm that was
-    /// acknowledged and has ended is over.
+    /// True if the alarm is active, or if its cause ended so recently that the alarm continues when the cause comes
+    /// back. An alarm that was acknowledged and whose cause has ended is over.
     fn is_within(&self, t_s: f64) -> bool {
         self.until_s
             .is_none_or(|until_s| self.acknowledged.is_none() && t_s - until_s < SAME_ALARM_S)
     }
 }
 
-/// Adds an alarm and returns its index.
+/// Adds an alarm to the log and returns its index.
 fn begin(
     alarms: &mut Vec<LoggedAlarm>,
     t_s: f64,

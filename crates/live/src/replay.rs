@@ -17,14 +17,14 @@ pub enum ReplayError {
     Recording(RecordingError),
     /// The scenario of the recording cannot be opened as a session.
     Session(Box<SessionError>),
-    /// A line cannot be replayed. Another version of the program may have made the recording.
+    /// A line of the recording cannot be replayed. Another version of the program may have made the recording.
     Line {
-        /// Number of the line, from 1.
+        /// Number of the line that cannot be replayed, counted from 1.
         line: usize,
         /// The reason.
         why: String,
     },
-    /// The recording has changed since it was checked.
+    /// The recording has changed since the program checked it.
     Changed,
 }
 
@@ -44,10 +44,10 @@ impl std::error::Error for ReplayError {}
 /// A replayed session that is ready to continue.
 #[derive(Debug)]
 pub struct Replayed {
-    /// The session at the end of the recording. New lines of the session follow the lines that [`crate::copy_kept`]
-    /// copies.
+    /// The session at the end of the recording. New lines of the continued session are written after the lines that
+    /// [`crate::copy_kept`] copies.
     pub session: Session,
-    /// Number of replayed states whose bits equal the recorded ones.
+    /// Number of replayed states whose bits equal the bits in the recording.
     pub same: u64,
 }
 
@@ -57,13 +57,13 @@ pub struct Replay<R> {
     reader: RecordingReader<R>,
     outline: Outline,
     session: Session,
-    /// The line that is being replayed.
+    /// The line of the recording that is being replayed.
     line: Option<Line>,
     /// The tick to which the session returns, while it goes back to an earlier tick.
     back_to: Option<u64>,
-    /// For each branch, the bits at its end, if the replay has left the branch there.
+    /// For each branch, the bits of the state at its end, if the replay has left the branch there.
     left: Vec<Option<String>>,
-    /// The branch of the last line.
+    /// The branch that the last line belongs to.
     last_branch: usize,
     done: u64,
     repeated: u64,
@@ -72,10 +72,10 @@ pub struct Replay<R> {
 }
 
 impl<R: BufRead> Replay<R> {
-    /// Begins a replay. `input` must be at its start, and `outline` must come from the same input.
+    /// Begins a replay. `input` is the recording from its start, and `outline` must come from the same recording.
     ///
     /// # Errors
-    /// A session cannot be opened from the first line.
+    /// Fails if a session cannot be opened from the first line.
     pub fn begin(input: R, outline: Outline) -> Result<Replay<R>, ReplayError> {
         let reader = RecordingReader::open(input).map_err(ReplayError::Recording)?;
         let session = Session::open(reader.source().clone());
@@ -96,11 +96,11 @@ impl<R: BufRead> Replay<R> {
         })
     }
 
-    /// Replays up to `count` steps and lines. Returns true when the replay is complete.
+    /// Replays up to `count` steps and lines of the recording. Returns true when the whole recording has been replayed.
     ///
     /// # Errors
-    /// A line that cannot be carried out, or a state whose bits differ from the recorded ones: another version of the program
-    /// may have made the recording.
+    /// Fails for a line that cannot be carried out, or for a state whose bits differ from the recorded bits: another
+    /// version of the program may have made the recording.
     pub fn play(&mut self, count: u64) -> Result<bool, ReplayError> {
         let mut left = count;
         while left > 0 && !self.is_over {
@@ -116,19 +116,20 @@ impl<R: BufRead> Replay<R> {
         Ok(self.is_over)
     }
 
-    /// Number of ticks that have been replayed. The outline has the total.
+    /// Number of the recording's ticks that have been replayed so far. The outline of the recording has the total
+    /// number of ticks.
     #[must_use]
     pub fn done(&self) -> u64 {
         self.done
     }
 
-    /// Returns the session when the replay is complete.
+    /// Returns the session when the whole recording has been replayed.
     ///
     /// # Errors
-    /// The recording has changed since it was checked.
+    /// Fails if the recording has changed since the program checked it.
     ///
     /// # Panics
-    /// If the replay is not complete.
+    /// Panics if the replay is not complete.
     pub fn finish(self) -> Result<Replayed, ReplayError> {
         assert!(self.is_over, "the replay is not complete");
         let (bytes, chain) = self.reader.kept();
@@ -140,7 +141,8 @@ impl<R: BufRead> Replay<R> {
         Ok(Replayed { session, same: self.same })
     }
 
-    /// Branch and tick of the line. `None` for a state that was compared already when the replay left its branch.
+    /// Branch and tick to which the line belongs. The result is `None` for a state that the replay compared already
+    /// when it left the branch.
     fn goal(&mut self) -> Option<(usize, u64)> {
         let ends = |branch: usize| self.session.branches()[branch].ends_tick;
         match &self.line {
@@ -156,12 +158,14 @@ impl<R: BufRead> Replay<R> {
             }
             Some(Line::Command { branch, tick, .. }) => Some((*branch, *tick)),
             Some(Line::Branch { parent, from_tick, .. }) => Some((*parent, *from_tick)),
-            Some(Line::End {}) => unreachable!("the reader does not return it"),
+            Some(Line::End {}) => {
+                unreachable!("the reader of the recording returns no line that ends the session")
+            }
             None => Some((self.last_branch, ends(self.last_branch))),
         }
     }
 
-    /// Goes to a tick of a branch. Returns true when the session is there.
+    /// Lets the replayed session go to a tick of a branch. Returns true when the session is there.
     fn go(&mut self, branch: usize, tick: u64, left: &mut u64) -> Result<bool, ReplayError> {
         let ends_tick = self.session.branches()[branch].ends_tick;
         let session = &mut self.session;
@@ -184,8 +188,9 @@ impl<R: BufRead> Replay<R> {
                 session.step_again();
             }
             if self.repeated > MOST_REPEATED {
-                let why =
-                    format!("more than {MOST_REPEATED} repeated steps to change between branches");
+                let why = format!(
+                    "the replay needs more than {MOST_REPEATED} repeated steps to change between branches"
+                );
                 return Err(self.wrong(why));
             }
             if !session.is_rewound() {
@@ -204,7 +209,7 @@ impl<R: BufRead> Replay<R> {
         Ok(true)
     }
 
-    /// Carries out the line. The session must be at the tick of the line.
+    /// Carries out the line. The session must have reached the tick of the line.
     fn carry_out(&mut self) -> Result<(), ReplayError> {
         match self.line.take() {
             Some(Line::Command { branch, who, action, .. }) => {
@@ -225,7 +230,9 @@ impl<R: BufRead> Replay<R> {
                 self.last_branch = self.session.branch().map_err(|e| self.wrong(e))?;
                 self.left.push(None);
             }
-            Some(Line::End {}) => unreachable!("the reader does not return it"),
+            Some(Line::End {}) => {
+                unreachable!("the reader of the recording returns no line that ends the session")
+            }
             None => self.is_over = true,
         }
         self.session.take_events();

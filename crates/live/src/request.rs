@@ -11,33 +11,34 @@ use crate::refusal::Refusal;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
-    /// A vessel: her rudder, engine and thrusters.
+    /// The helm of a vessel: rudder, engine and thrusters.
     Vessel(String),
     /// A vector tug.
     Tug(String),
-    /// The session: pause, rewind, weather and the like. The value is always `true` in JSON.
+    /// The helm of the session itself: pause, rewind, weather and the like. The bool is always `true` in JSON.
     Session(bool),
 }
 
 /// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that both agree.
 macro_rules! conducts {
     ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty),* },)*) => {
-        /// A command to the session itself: claims, time, branches, files. The recording keeps only its consequences.
+        /// A command to the session itself: about helms, time, branches or files. The recording keeps only what a
+        /// command to the session causes.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(tag = "do", deny_unknown_fields)]
-        #[allow(missing_docs, reason = "the fields are those of protocol.ts")]
+        #[allow(missing_docs, reason = "the fields are explained in protocol.ts")]
         pub enum Conduct {
             $($(#[$doc])* #[serde(rename = $word)] $name { $($field: $type),* },)*
         }
 
         impl Conduct {
-            /// For each variant, the word in the field `do`.
+            /// For each variant of [`Conduct`], the word in the field `do`.
             pub const WORDS: &[&str] = &[$($word),*];
         }
     };
 }
 
-/// An exercise to make, and its name in the gallery.
+/// An exercise to make from choices, and its name in the gallery.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Creation {
@@ -45,7 +46,7 @@ pub struct Creation {
     pub name: String,
     /// The choices.
     pub exercise: NewExercise,
-    /// True if the exercise may replace an exercise with this name.
+    /// True if the exercise may replace an exercise of the same name.
     pub replace: bool,
 }
 
@@ -60,13 +61,13 @@ conducts! {
     Resume = "resume" {},
     /// Takes one step.
     SingleStep = "single_step" {},
-    /// Sets the pace: simulated time over wall time.
+    /// Sets the pace of the run: simulated time over wall time.
     Pace = "pace" { pace: f64 },
-    /// Goes to a tick of this branch.
+    /// Goes to a tick of the branch that is shown.
     Rewind = "rewind" { tick: u64 },
     /// Begins a new branch at the tick to which the run is rewound.
     Branch = "branch" {},
-    /// Goes to the end of another branch.
+    /// Shows another branch of the session, at its end.
     ShowBranch = "show_branch" { id: usize },
     /// Opens another scenario or a saved session. Frames report the progress.
     Load = "load" { file: String },
@@ -74,31 +75,31 @@ conducts! {
     StopOpening = "stop_opening" {},
     /// Gives the name of the person at this page, for labels and the recording.
     Name = "name" { name: String },
-    /// Identifies this page by a secret that the page keeps when it is reloaded. The page gets back the controls that
-    /// it left.
+    /// Identifies a page by a secret that the page keeps when it is reloaded. The page gets back the helms that it held
+    /// before it was reloaded.
     Seat = "seat" { key: String },
-    /// Shows where orders would take the ships, by means of a copy of the run. The answers carry the number of this
-    /// command.
+    /// Shows where orders would take the ships, by means of a copy of the run. The answers to the page carry the number
+    /// of the command that began the trial.
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
-    /// Gives several orders at once. Either all orders are given or none.
+    /// Gives several orders at once. Either all of the orders are given or none of them.
     Give = "give" { orders: Vec<Action> },
-    /// Asks for the past that strip charts and log show. The past is that of the own ship, or of the ship that `vessel`
-    /// names.
+    /// Asks for the past of the session that strip charts and log show. The values are those of the own ship, or of the
+    /// ship that `vessel` names.
     History = "history" { vessel: Option<String> },
-    /// Makes the report of the session up to now. The report can be fetched when this command is acknowledged.
+    /// Makes the report of the session up to now. The page can fetch the report when this command is acknowledged.
     Report = "report" {},
     /// Saves a copy of the recording under a name.
     Save = "save" { name: String },
-    /// Saves the present state as an exercise of the gallery. With `replace` the new exercise may replace an exercise
-    /// with this name.
+    /// Saves the present state of the session as an exercise of the gallery. If `replace` is true, the new exercise may
+    /// replace an exercise of the same name.
     SaveExercise = "save_exercise" { name: String, title: String, replace: bool },
     /// Gives a recording or a saved exercise of the gallery another name. `name` has no ending.
     Rename = "rename" { file: String, name: String },
     /// Moves a recording or a saved exercise of the gallery to the folder of deleted files.
     Delete = "delete" { file: String },
-    /// Moves a deleted file back.
+    /// Moves a deleted file back to the gallery.
     PutBack = "put_back" { file: String },
-    /// Makes a new exercise from choices and adds it to the gallery.
+    /// Makes a new exercise from the user's choices and adds it to the gallery.
     Create = "create" { of: Box<Creation> },
 }
 
@@ -119,10 +120,11 @@ enum Message {
 }
 
 impl Request {
-    /// Reads a message of a page: its number, if it has a readable one, and its request.
+    /// Reads a message of a page and returns its request, and its number if the number can be read.
     ///
     /// # Errors
-    /// The reason for the page: text that is not JSON, a number that is not finite, a missing or unknown field.
+    /// Refuses text that is not JSON, a number that is not finite, and a missing or unknown field; the reason is for
+    /// the page.
     pub fn parse(text: &str) -> (Option<i64>, Result<Request, Refusal>) {
         let refused = |e: serde_json::Error| Refusal::new(format_args!("not understood: {e}"));
         let message: Message = match serde_json::from_str(text) {

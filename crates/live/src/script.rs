@@ -1,5 +1,5 @@
-//! The instructor's script: events at given times. The script is a part of the state that is kept, rewound and
-//! branched. The script runs before each step.
+//! The instructor's script of a session: events that are planned for given times. The script is a part of a session's
+//! state, which is kept, rewound and branched. The script runs before each step of the simulation.
 
 use fenderline_sim::{PlannedChange, Setup};
 
@@ -15,11 +15,11 @@ pub(crate) enum Fate {
     Waits,
     Fired,
     Cancelled,
-    /// The event could not be carried out at its time. The text is the reason.
+    /// The event could not be carried out at its time. The text says why the event was refused.
     Refused(String),
 }
 
-/// An event at a time.
+/// An event that is planned for a time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Planned {
     pub(crate) id: u64,
@@ -32,12 +32,12 @@ pub(crate) struct Planned {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Script {
     pub(crate) planned: Vec<Planned>,
-    /// Number of events that were planned so far.
+    /// Number of events that were planned in the session so far.
     pub(crate) count: u64,
 }
 
 impl Script {
-    /// The script of a scenario with planned changes.
+    /// The script of a scenario, with the changes that the scenario plans.
     pub(crate) fn of_scenario(planned: &[PlannedChange], cast: &Cast, setup: &Setup) -> Script {
         let events = planned.iter().zip(1..).map(|(planned, id)| Planned {
             id,
@@ -48,7 +48,7 @@ impl Script {
         Script { planned: events.collect(), count: planned.len() as u64 }
     }
 
-    /// The events that wait, with their times (s).
+    /// The planned events that wait, with their times (s).
     pub(crate) fn waiting(&self) -> impl Iterator<Item = (f64, &OtherAction)> {
         let waiting = self.planned.iter().filter(|planned| planned.fate == Fate::Waits);
         waiting.map(|planned| (planned.at_s, &planned.event))
@@ -61,15 +61,16 @@ impl Script {
         all
     }
 
-    /// Cancels an event that waits.
+    /// Cancels a planned event that waits for its time.
     ///
     /// # Errors
-    /// No event with this number waits.
+    /// Fails if no event with the number `id` waits.
     pub(crate) fn cancel(&mut self, id: u64) -> Result<(), Refusal> {
         let waits = |planned: &&mut Planned| planned.id == id && planned.fate == Fate::Waits;
         let planned = self.planned.iter_mut().find(waits);
-        planned.ok_or_else(|| Refusal::new("this event has happened, or was cancelled"))?.fate =
-            Fate::Cancelled;
+        planned
+            .ok_or_else(|| Refusal::new("the planned event has happened, or was cancelled"))?
+            .fate = Fate::Cancelled;
         Ok(())
     }
 }

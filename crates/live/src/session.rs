@@ -29,7 +29,8 @@ use crate::refusal::Refusal;
 use crate::script::Script;
 use crate::source::Source;
 
-/// A branch: the commands from a tick on. Before that tick the commands of the parent branch apply.
+/// A branch of a session: the commands from a tick on. At ticks before the branch begins, the commands of its parent
+/// branch apply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// The branch from which this branch begins; `None` for the first branch.
@@ -42,7 +43,7 @@ pub struct Branch {
     commands: Vec<Given>,
 }
 
-/// A command that was given.
+/// A command that was given in a session.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Given {
     /// The tick at which the command takes effect.
@@ -51,7 +52,7 @@ pub(crate) struct Given {
     pub(crate) action: Action,
 }
 
-/// A simulation that people steer. The documentation of the crate describes it.
+/// A simulation that people steer. The documentation of the crate describes sessions.
 #[derive(Clone, Debug)]
 pub struct Session {
     source: Source,
@@ -69,9 +70,9 @@ pub struct Session {
     /// Time (s) and text of the events since the last call of [`Session::take_events`].
     events: Vec<(f64, String)>,
     past: Past,
-    /// The planned events that happened before the last step.
+    /// The planned events that happened just before the last step.
     fired: Vec<OtherAction>,
-    /// How often the simulation was changed by something other than a step or an order of the scenario.
+    /// Number of times that something other than a step or an order of the scenario has changed the simulation.
     interventions: u64,
 }
 
@@ -82,7 +83,7 @@ pub enum SessionError {
     Scenario(Box<ScenarioError>),
     /// The simulation refuses the set-up.
     Setup(SetupError),
-    /// The scenario with all files that it names is too large for the first line of a recording.
+    /// The scenario, with all files that it names, is too large for the first line of a recording.
     TooLarge,
 }
 
@@ -91,7 +92,7 @@ pub enum SessionError {
 pub enum StepError {
     /// The simulation failed.
     Simulation(SimError),
-    /// The session has reached a limit.
+    /// The session has reached a limit and cannot go on.
     Full(Full),
 }
 
@@ -126,7 +127,7 @@ impl Session {
     /// Opens a session before its first step. The first line of the recording is ready to be taken.
     ///
     /// # Errors
-    /// A scenario that is invalid, cannot be simulated, or is too large to be recorded.
+    /// Fails for a scenario that is invalid, cannot be simulated, or is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
         let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
         let mut scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
@@ -171,7 +172,7 @@ impl Session {
         &self.title
     }
 
-    /// The roles of the vessels.
+    /// The roles of the scenario's vessels.
     #[must_use]
     pub fn cast(&self) -> &Cast {
         &self.cast
@@ -183,49 +184,49 @@ impl Session {
         &self.info
     }
 
-    /// The alarms after the present tick.
+    /// The alarms in the list after the present tick.
     #[must_use]
     pub fn alarms(&self) -> &AlarmBook {
         &self.now.alarms
     }
 
-    /// The events that the instructor has planned, by time, and what became of them.
+    /// The events that the instructor has planned, in the order of their times, and what became of each.
     #[must_use]
     pub fn planned(&self) -> Vec<PlannedNow> {
         self.now.script.messages()
     }
 
-    /// The planned events that happened before the last step.
+    /// The planned events that happened just before the last step.
     pub(crate) fn fired(&self) -> &[OtherAction] {
         &self.fired
     }
 
-    /// The exercise, if the scenario has one.
+    /// The exercise of the session, if the scenario has one.
     #[must_use]
     pub fn exercise(&self) -> Option<&Assessment> {
         self.now().exercise.as_ref()
     }
 
-    /// The constant part of the exercise, for pages.
+    /// The data of the exercise that do not change, for pages.
     #[must_use]
     pub fn exercise_info(&self) -> Option<ExerciseInfo> {
         self.exercise().map(|exercise| exercise::info(exercise, self.simulation().setup()))
     }
 
-    /// The marks so far, for the instructor's page.
+    /// The marks of the exercise so far, for the instructor's page.
     #[must_use]
     pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
         self.exercise().map(|exercise| exercise::marks(exercise, self.simulation().setup()))
     }
 
-    /// The simulation in its present state.
+    /// The simulation in the session's present state.
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         &self.now.simulation
     }
 
-    /// How often the simulation was changed by something other than a step or an order of the scenario: by commands, by
-    /// events, or by going to another tick.
+    /// Number of times that something other than a step or an order of the scenario has changed the simulation:
+    /// commands, events, or going to another tick.
     pub(crate) fn interventions(&self) -> u64 {
         self.interventions
     }
@@ -258,21 +259,22 @@ impl Session {
         self.now.tick < self.branches[self.current].ends_tick
     }
 
-    /// The state's fingerprint, in hexadecimal.
+    /// The fingerprint of the present state, in hexadecimal.
     #[must_use]
     pub fn bits(&self) -> String {
         bits(&self.now.simulation)
     }
 
-    /// Carries out and records a command, which takes effect at the next step. Returns the tick of the command. `at_ms`
-    /// is used for the recording only.
+    /// Carries out and records a command, which takes effect at the next step. Returns the tick at which the command
+    /// takes effect. The time `at_ms` is used for the recording only.
     ///
     /// # Errors
-    /// Why the command was refused. Nothing is changed in this case.
+    /// Returns why the command was refused. A refused command changes nothing.
     pub fn command(&mut self, who: &str, at_ms: u64, action: Action) -> Result<u64, Refusal> {
         if self.is_rewound() {
             return Err(Refusal::new(
-                "the run is rewound: nothing can be ordered in the past; branch off, or go to its end",
+                "the run is rewound, and nothing can be ordered in the past: begin a branch here, or go to the \
+                 end of the run",
             ));
         }
         self.has_room_for(1)?;
@@ -290,8 +292,7 @@ impl Session {
             self.tell(text);
         }
         if dropped {
-            let text =
-                "now under manual control: the later orders of the scenario to it are cancelled";
+            let text = "now under manual control: the scenario's later orders to the same vessel, tug, line or anchor are cancelled";
             self.tell(text.to_owned());
         }
         self.commands += 1;
@@ -300,7 +301,7 @@ impl Session {
         Ok(tick)
     }
 
-    /// Checks that the limits allow this number of further commands.
+    /// Checks that the limits allow `commands` further commands.
     pub(crate) fn has_room_for(&self, commands: usize) -> Result<(), Refusal> {
         if self.commands + commands <= MOST_COMMANDS {
             return Ok(());
@@ -308,7 +309,7 @@ impl Session {
         Err(Refusal::new(format_args!("a session has at most {MOST_COMMANDS} commands")))
     }
 
-    /// The text of the event that an acknowledgement or a note makes.
+    /// The text of the event that a command makes if it acknowledges an alarm or writes a note.
     fn said_of(&self, who: &str, action: &Action) -> Option<String> {
         match action {
             Action::Other(OtherAction::Acknowledge { key }) => {
@@ -330,12 +331,12 @@ impl Session {
         self.events.push((t_s, text));
     }
 
-    /// The past that strip charts and log show: the last half hour before the present tick. `vessel` is the index of
-    /// the ship: the own ship, or another ship that can be conned. A pilot gets the values that
-    /// the instruments showed, frozen ones included. Everybody else gets the true values.
+    /// The past that strip charts and the log show: the last half hour before the present tick. `vessel` is the index
+    /// of the ship whose past is wanted: the own ship, or another ship that can be conned. A pilot gets the values that
+    /// the ship's instruments showed, frozen instruments included. Everybody else gets the true values of the ship.
     ///
     /// # Errors
-    /// The vessel is a tug or does not exist. The session keeps no past of such a vessel.
+    /// Fails if the vessel is a tug or does not exist. The session keeps no past of a tug.
     pub fn history(&self, vessel: Option<usize>, role: &Role) -> Result<History, Refusal> {
         let (tick, t_s) = (self.now.tick, self.now.simulation.time_s());
         let vessel = vessel.or(self.cast.own);
@@ -348,13 +349,13 @@ impl Session {
         Ok(self.past.before(tick, t_s, of, |tick| self.segment(self.current, tick).0))
     }
 
-    /// A value that differs after each change of [`Session::history`].
+    /// A number that is another after each change of [`Session::history`].
     #[must_use]
     pub fn history_version(&self) -> (usize, u64, u64) {
         (self.current, self.now.tick, self.past.version())
     }
 
-    /// Checks that the limits allow one more note.
+    /// Checks that the limits allow one more note for the debriefing.
     fn has_room_for_note(&self) -> Result<(), Refusal> {
         let commands = self.branches[self.current].commands.iter().rev();
         let lately = commands.take_while(|given| given.tick + NOTE_TICKS > self.now.tick);
@@ -362,7 +363,7 @@ impl Session {
             |given: &&Given| matches!(given.action, Action::Other(OtherAction::Note { .. }));
         if lately.filter(is_note).count() >= MOST_NOTES {
             return Err(Refusal::new(format_args!(
-                "there are {MOST_NOTES} notes within {NOTE_TICKS} ticks: wait before the next"
+                "there are {MOST_NOTES} notes within {NOTE_TICKS} ticks already: wait before you write the next"
             )));
         }
         Ok(())
@@ -371,12 +372,13 @@ impl Session {
     /// Takes one step. While the session is rewound, the step repeats the recorded commands.
     ///
     /// # Errors
-    /// The simulation failed, or the session has reached a limit. The session is unchanged in these cases.
+    /// Fails if the simulation failed, or if the session has reached a limit. A step that fails leaves the session
+    /// unchanged.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.step_with(|_| ())
     }
 
-    /// Takes one step as [`Session::step`] does. `each` gets the record of the step.
+    /// Takes one step as [`Session::step`] does. The function `each` gets the record of the step.
     ///
     /// # Errors
     /// The errors of [`Session::step`].
@@ -404,7 +406,7 @@ impl Session {
         Ok(())
     }
 
-    /// Checks that the limits allow one more tick.
+    /// Checks that the limits allow one more tick of the session.
     fn has_room(&self) -> Result<(), Full> {
         if self.ticks >= MOST_TICKS {
             return Err(Full::Ticks);
@@ -454,7 +456,7 @@ impl Session {
         Ok(())
     }
 
-    /// Carries out the recorded commands of this tick.
+    /// Carries out the recorded commands of the present tick.
     pub(crate) fn apply_recorded(&mut self) {
         let (segment, of_tick) = self.given_at(self.now.tick);
         for Given { action, .. } in &self.branches[segment].commands[of_tick] {
@@ -470,7 +472,8 @@ impl Session {
         &self.branches[segment].commands[of_tick]
     }
 
-    /// The branch that contains the commands of a tick of the current branch, and their range in its list of commands.
+    /// The branch that contains the commands of a tick of the current branch, and the range of these commands in that
+    /// branch's list.
     fn given_at(&self, tick: u64) -> (usize, Range<usize>) {
         let (segment, _) = self.segment(self.current, tick);
         let commands = &self.branches[segment].commands;
@@ -480,7 +483,7 @@ impl Session {
     }
 
     /// The branch whose commands apply at a tick of `branch`, and the first tick of that branch. The result is `branch`
-    /// itself or one of its ancestors. At the first tick of a branch its own commands apply.
+    /// itself or one of its ancestors. At the first tick of a branch, the branch's own commands apply.
     fn segment(&self, branch: usize, tick: u64) -> (usize, u64) {
         let mut at = branch;
         loop {
@@ -495,7 +498,7 @@ impl Session {
     /// Goes to a tick of the current branch.
     ///
     /// # Errors
-    /// The tick is beyond the end of the branch.
+    /// Fails if the tick is beyond the end of the branch.
     pub fn rewind(&mut self, tick: u64) -> Result<(), Refusal> {
         let ends_tick = self.branches[self.current].ends_tick;
         if tick > ends_tick {
@@ -508,7 +511,7 @@ impl Session {
         Ok(())
     }
 
-    /// Goes to a tick of the current branch. The present state may belong to any branch.
+    /// Lets the session go to a tick of the current branch. Before this, the session may be in a state of any branch.
     fn go_to(&mut self, tick: u64) {
         self.restore(tick);
         while self.now.tick < tick {
@@ -519,14 +522,14 @@ impl Session {
         }
     }
 
-    /// For a replay: begins to go to a tick of a branch. The caller completes the way with [`Session::step_again`] up
-    /// to that tick, and at the end of the branch with [`Session::apply_recorded`].
+    /// For a replay: begins to bring the session to a tick of a branch. The caller takes the steps up to that tick with
+    /// [`Session::step_again`], and at the end of the branch calls [`Session::apply_recorded`].
     pub(crate) fn begin_to_go_to(&mut self, branch: usize, tick: u64) {
         self.current = branch;
         self.restore(tick);
     }
 
-    /// Repeats a step. The events of the step are not reported again.
+    /// Repeats a step. The events of a repeated step are not reported again.
     pub(crate) fn step_again(&mut self) {
         let events = self.events.len();
         self.apply_recorded();
@@ -565,10 +568,10 @@ impl Session {
     /// Begins a new branch at the present tick and returns its number.
     ///
     /// # Errors
-    /// The session is at the end of its branch, it has too many branches, or the recording is full.
+    /// Fails if the session is at the end of its branch, has too many branches, or has a full recording.
     pub fn branch(&mut self) -> Result<usize, Refusal> {
         if !self.is_rewound() {
-            return Err(Refusal::new("the run is at its end: rewind it first"));
+            return Err(Refusal::new("the run is at its end: rewind it before you begin a branch"));
         }
         if self.branches.len() >= MOST_BRANCHES {
             return Err(Refusal::new(format_args!(
@@ -592,7 +595,7 @@ impl Session {
     /// Goes to the end of another branch.
     ///
     /// # Errors
-    /// There is no branch with this number.
+    /// Fails if there is no branch with the number `id`.
     pub fn go_to_branch(&mut self, branch: usize) -> Result<(), Refusal> {
         if branch >= self.branches.len() {
             return Err(Refusal::new(format_args!("there is no branch {branch}")));
@@ -603,19 +606,19 @@ impl Session {
         Ok(())
     }
 
-    /// Takes the lines since the last call. The caller appends the lines to the recording's file.
+    /// Takes the lines of the recording since the last call. The caller appends the lines to the recording's file.
     pub fn take_lines(&mut self) -> String {
         self.writer.take()
     }
 
-    /// The line that would end the recording after all lines so far. This line ends the file when the session is over,
-    /// and a copy at any time.
+    /// The line that would end the recording after all lines so far. The line ends the recording's file when the
+    /// session is over; a copy that is saved earlier ends with it too.
     #[must_use]
     pub fn end_line(&self) -> String {
         self.writer.end_line()
     }
 
-    /// Length of the recording so far without the line that ends it (bytes).
+    /// Length of the recording so far, without the line that ends it (bytes).
     #[must_use]
     pub fn recorded_bytes(&self) -> u64 {
         self.writer.bytes()
@@ -626,7 +629,7 @@ impl Session {
         self.writer = writer;
     }
 
-    /// Takes the events since the last call: time (s) and text.
+    /// Takes the events of the session since the last call: time (s) and text.
     pub fn take_events(&mut self) -> Vec<(f64, String)> {
         std::mem::take(&mut self.events)
     }

@@ -1,4 +1,4 @@
-//! What the instruments of a vessel show on board, frozen ones too.
+//! Finds what the instruments of a vessel show on board, including frozen instruments.
 
 use fenderline_contact::Vec2;
 
@@ -7,21 +7,21 @@ use crate::message::{Frame, Role};
 use crate::session::Session;
 use crate::speeds::{Speeds, speeds};
 
-/// What the instruments of a vessel show: the true values, or those at which an instrument is frozen.
+/// What the instruments of a vessel show: the true values, or the values at which an instrument is frozen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
-    /// By the gyro compass, from north (rad).
+    /// Heading that the gyro compass shows, from north (rad).
     pub heading_rad: f64,
-    /// Rate of turn, positive to starboard (rad/s); none while the compass is frozen.
+    /// Rate of turn, positive to starboard (rad/s); 0 while the compass is frozen.
     pub turn_radps: f64,
-    /// Where the antenna is, which is midship (m).
+    /// Position that the satellite receiver shows: that of its antenna, which is midship (m).
     pub midship_m: Vec2,
-    /// By log and satellite receiver.
+    /// Speeds that the log and the satellite receiver show.
     pub speeds: Speeds,
 }
 
 impl Session {
-    /// What the instruments of a vessel show, by her index.
+    /// What the instruments of the vessel with this index show.
     #[must_use]
     pub fn shown(&self, vessel: usize) -> Shown {
         let (simulation, frozen) = (self.simulation(), &self.now().frozen[vessel]);
@@ -34,7 +34,7 @@ impl Session {
         }
     }
 
-    /// The vessel of a pilot or a tug master if one of her instruments that pages show is frozen.
+    /// The vessel of a pilot or a tug master, if one of her instruments that pages show is frozen.
     pub(crate) fn frozen_vessel(&self, role: &Role) -> Option<usize> {
         let name = match role {
             Role::Pilot { vessel } => self.cast().ship_of(vessel)?,
@@ -45,7 +45,7 @@ impl Session {
         self.now().frozen[vessel].any().then_some(vessel)
     }
 
-    /// Puts frozen values in the place of true ones.
+    /// Puts the values of frozen instruments in the place of the true values of a frame.
     pub(crate) fn freeze(&self, vessel: usize, frame: &mut Frame) {
         let Frozen { heading_rad, speeds, place } = self.now().frozen[vessel];
         let body = self.simulation().setup().world.vessels[vessel].body;

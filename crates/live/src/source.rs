@@ -5,15 +5,15 @@ use std::collections::BTreeMap;
 use fenderline_scenario::{Override, Scenario, ScenarioError};
 use serde::{Deserialize, Serialize};
 
-/// A self-contained scenario: its text and the texts of the files that it names. A recording contains it. The recording
-/// can therefore be replayed after those files have changed.
+/// A self-contained scenario: its text and the texts of the files that it names. A recording contains it. A recording
+/// that contains a self-contained scenario can be replayed after the scenario's files have changed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Name of the scenario's file, without folders.
     pub file: String,
     /// The text of the scenario.
     pub text: String,
-    /// Texts of the files that the scenario names. The map's keys are the names in the scenario.
+    /// Texts of the files that the scenario names. The keys of the map are the names that the scenario uses.
     pub files: BTreeMap<String, String>,
     /// Keys of the scenario to override, each as `KEY=VALUE`.
     pub set: Vec<String>,
@@ -24,7 +24,7 @@ impl Source {
     /// it cannot be read.
     ///
     /// # Errors
-    /// The first mistake in the scenario.
+    /// Fails with the first mistake in the scenario.
     pub fn collect(
         file: &str,
         text: String,
@@ -43,12 +43,12 @@ impl Source {
     /// Parses the scenario.
     ///
     /// # Errors
-    /// The first mistake in the scenario, such as a file that it names but that `files` lacks.
+    /// Fails with the first mistake in the scenario, such as a file that it names but that `files` lacks.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
         self.scenario_with(&[])
     }
 
-    /// Parses the scenario as [`Source::scenario`] does, with more keys overridden.
+    /// Parses the scenario as [`Source::scenario`] does, and overrides further keys.
     ///
     /// # Errors
     /// The errors of [`Source::scenario`].
@@ -59,11 +59,12 @@ impl Source {
             self.files
                 .get(name)
                 .cloned()
-                .ok_or_else(|| format!("{name} is missing in the recording"))
+                .ok_or_else(|| format!("the recording lacks the file {name}"))
         })
     }
 
-    /// The comment above the first key, without comment signs. In this comment the author describes the scenario.
+    /// The comment of a scenario file above its first key, without comment signs. In the comment above the first key,
+    /// the author describes the scenario.
     #[must_use]
     pub fn leading_comment(text: &str) -> String {
         let lines = text.lines().skip_while(|line| line.trim().is_empty());

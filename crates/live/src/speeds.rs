@@ -1,4 +1,4 @@
-//! The speeds of a vessel: over ground, through the water, of bow and stern.
+//! Finds the speeds of a vessel: over ground, through the water, of bow and stern.
 
 use fenderline_contact::Rotation;
 use fenderline_sim::Simulation;
@@ -8,17 +8,17 @@ use crate::pair::Pair;
 /// The speeds of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
-    /// Of her centre of gravity over ground, north and east (m/s).
+    /// Velocity of the vessel's centre of gravity over ground, north and east (m/s).
     pub velocity_mps: Pair,
-    /// Of midship over ground, ahead and to starboard (m/s).
+    /// Velocity of midship over ground, ahead and to starboard (m/s).
     pub ground_mps: Pair,
-    /// Course of midship over ground, from north (rad); her heading while she is at rest.
+    /// Course of midship over ground, from north (rad); the vessel's heading while she is at rest.
     pub course_rad: f64,
-    /// Of midship through the water, ahead and to starboard (m/s).
+    /// Velocity of midship through the water, ahead and to starboard (m/s).
     pub water_mps: Pair,
-    /// Of her foremost point over ground, to starboard (m/s).
+    /// Speed of the vessel's foremost point over ground, to starboard (m/s).
     pub bow_mps: f64,
-    /// Of her aftmost point over ground, to starboard (m/s).
+    /// Speed of the vessel's aftmost point over ground, to starboard (m/s).
     pub stern_mps: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Trial manoeuvres. Orders are given to a copy of the run, to see where they would take the ships. The run itself does
-//! not change.
+//! Trial manoeuvres. In a trial, orders are given to a copy of the run, to see where they would take the ships. A trial
+//! does not change the run itself.
 
 use fenderline_sim::{Gravity, Simulation};
 
@@ -15,21 +15,22 @@ use crate::session::Session;
 /// Number of positions of a ship's path in a trial, not counting the present position.
 const POSITIONS: f64 = 60.0;
 
-/// A copy of the run to which orders were given. The copy can run ahead, also on another thread.
+/// A copy of the run to which orders were given. The copy of a trial can run ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Trial {
     prediction: Prediction,
     horizon_s: f64,
-    /// The findings of the run before the trial.
+    /// The findings of the verdict on the run before the trial.
     known: Vec<String>,
 }
 
 impl Session {
-    /// Begins a trial in the present state. The run may be rewound. The orders are given at once to a copy of the run,
-    /// by the rules of real orders. The trial ends after `horizon_s`.
+    /// Begins a trial in the present state of the session. A trial may also begin while the run is rewound. The orders
+    /// are given at once to a copy of the run, by the rules of real orders. The trial ends `horizon_s` seconds after it
+    /// began.
     ///
     /// # Errors
-    /// A horizon beyond the limits, or the reason why one of the orders was refused.
+    /// Fails for a horizon beyond the limits, or with the reason why one of the orders was refused.
     pub fn trial(&self, orders: &[Action], horizon_s: f64) -> Result<Trial, Refusal> {
         let [least_s, most_s] = crate::COMMAND_LIMITS.trial_s;
         if !(least_s..=most_s).contains(&horizon_s) {
@@ -47,11 +48,12 @@ impl Session {
         })
     }
 
-    /// Checks that these orders can be given now one after the other, by giving them to a copy. Returns the copy.
+    /// Checks that the orders can be given now one after the other, by giving them to a copy of the run. Returns the
+    /// copy.
     ///
     /// # Errors
-    /// There are no orders, or too many, or one of the commands is not an order. If an order was refused, the reason,
-    /// with the number of the order if there are several.
+    /// Fails if there are no orders or too many, or if one of the commands is not an order. If an order was refused,
+    /// the error is the reason, with the number of the order if there are several.
     pub(crate) fn with_orders(&self, orders: &[Action]) -> Result<Now, Refusal> {
         if orders.is_empty() || orders.len() > MOST_TRIAL_ORDERS {
             return Err(Refusal::new(format_args!(
@@ -73,10 +75,11 @@ impl Session {
         Ok(now)
     }
 
-    /// Gives and records these orders. Either all orders are given or none. Returns their tick.
+    /// Gives several orders in the session and records them. Either all of the orders are given or none of them.
+    /// Returns their tick.
     ///
     /// # Errors
-    /// The errors of [`Session::trial`] and [`Session::command`].
+    /// Fails as [`Session::trial`] and [`Session::command`] do.
     pub fn command_all(
         &mut self,
         who: &str,
@@ -93,8 +96,8 @@ impl Session {
 }
 
 impl Trial {
-    /// Runs to the trial's horizon. `watch` gets the answer so far at each new position. If `watch` returns false, the
-    /// run ends and its answer is not complete.
+    /// Runs the copy of the trial up to the time that the trial looks ahead. The function `watch` gets the answer so
+    /// far at each new position. If `watch` returns false, the trial stops early and its answer is not complete.
     #[must_use]
     pub fn run(mut self, id: i64, mut watch: impl FnMut(&[ShipPath]) -> bool) -> Reply {
         let tick = self.prediction.tick();
@@ -105,7 +108,7 @@ impl Trial {
         Reply::Trial { id, tick, horizon_s, complete, paths, findings }
     }
 
-    /// Leaves out the paths of these vessels, such as vessels that fog hides.
+    /// Leaves the paths of the vessels `vessels` out of the answer, such as vessels that fog hides.
     pub fn leave_out(&mut self, vessels: &[usize]) {
         self.prediction.leave_out(vessels);
     }
@@ -130,7 +133,7 @@ impl Trial {
     }
 }
 
-/// The findings of a run about what went wrong, in sentences.
+/// The findings about what went wrong in a run, in sentences.
 fn findings(simulation: &Simulation) -> Vec<String> {
     let findings = simulation.findings();
     let grave = findings.iter().filter(|finding| {

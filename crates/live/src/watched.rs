@@ -1,4 +1,4 @@
-//! A run that nobody steers. Pages get the same messages from it as from a session.
+//! A run that nobody steers. Pages get the same messages from a watched run as from a session.
 
 use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{SimError, Simulation, StepRecord};
@@ -20,7 +20,7 @@ pub struct Watched {
     cast: Cast,
     info: Info,
     now: Now,
-    /// The events since the last frame.
+    /// The events since the last frame was made.
     events: Vec<EventNow>,
 }
 
@@ -39,16 +39,16 @@ impl Watched {
         Watched { title, file, cast, info, now, events: Vec::new() }
     }
 
-    /// The simulation in its present state.
+    /// The watched simulation in its present state.
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         &self.now.simulation
     }
 
-    /// Takes one step and hands its record to `each`.
+    /// Takes one step and hands the record of the step to `each`.
     ///
     /// # Errors
-    /// The errors of [`Simulation::step`]. Nothing is changed in this case.
+    /// The errors of [`Simulation::step`]. A step that fails changes nothing.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let record = simulation.step()?;
@@ -61,8 +61,8 @@ impl Watched {
         Ok(())
     }
 
-    /// Notes alarms and events of the last step, for frames. Pages need this after every step, because a contact during
-    /// a single step raises an alarm too. A run without pages can save the cost.
+    /// Notes alarms and events of the last step, for frames. Pages need these notes after every step, because a contact
+    /// during a single step raises an alarm too. A run that no page shows can leave the notes out and save their cost.
     pub fn note(&mut self) {
         frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, .. } = &self.now;
@@ -105,8 +105,8 @@ impl Watched {
         })
     }
 
-    /// The frame of the present state as text, with the events since the last frame. A watched run has no pace and no
-    /// wall time: `at_ms` is 0 and `paused` is true.
+    /// The JSON of the frame of the present state, with the events since the last frame. A watched run has no pace and
+    /// no wall time: `at_ms` is 0 and `paused` is true.
     #[must_use]
     pub fn frame(&mut self) -> String {
         let run = RunState {
@@ -127,7 +127,7 @@ impl Watched {
         message::with_events(&message::text(&frame), &events, marks.as_deref())
     }
 
-    /// The exercise, if the scenario has one.
+    /// The exercise of the watched run, if the scenario has one.
     #[must_use]
     pub fn exercise(&self) -> Option<&Assessment> {
         self.now.exercise.as_ref()
@@ -145,7 +145,7 @@ impl Watched {
         message::text(&frame::verdict(&self.now.simulation))
     }
 
-    /// The state's fingerprint, in hexadecimal: see [`crate::Session::bits`].
+    /// The fingerprint of the present state, in hexadecimal: see [`crate::Session::bits`].
     #[must_use]
     pub fn bits(&self) -> String {
         crate::session::bits(&self.now.simulation)

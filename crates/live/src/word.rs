@@ -1,4 +1,4 @@
-//! Words of `fenderline_sim` in JSON: `#[serde(with = "crate::word")]`.
+//! Writes words of `fenderline_sim` into JSON and reads them: `#[serde(with = "crate::word")]`.
 
 use fenderline_sim::order::Word;
 use serde::de::Error;

@@ -1,4 +1,5 @@
-//! Changes of weather and faults. Pages send the changes with the names of the scenario; the simulation uses indices.
+//! Changes of the weather and faults, which people send to the simulation. Pages send such changes with the names of
+//! the scenario; the simulation uses indices.
 
 use fenderline_sim::{Change, Setup};
 
@@ -6,10 +7,11 @@ use crate::action::OtherAction;
 use crate::cast::Cast;
 use crate::refusal::Refusal;
 
-/// The simulation's change for an action. `None` if the action is no change of weather and no fault.
+/// Turns an action of a page into a change of the simulation. The result is `None` if the action is no change of the
+/// weather and no fault.
 ///
 /// # Errors
-/// A name that does not exist.
+/// Fails for a name that does not exist in the scenario.
 pub(crate) fn resolve(
     action: &OtherAction,
     cast: &Cast,
@@ -49,7 +51,9 @@ pub(crate) fn resolve(
         OtherAction::TugOut { tug, on } => {
             let index = cast.tugs.iter().position(|name| name == tug);
             let tug = index.ok_or_else(|| {
-                Refusal::new(format_args!("`{tug}` is no vector tug; other tugs have faults"))
+                Refusal::new(format_args!(
+                    "`{tug}` is no vector tug and cannot drop out; give her a fault instead"
+                ))
             })?;
             Change::TugOut { tug, on: *on }
         }
@@ -64,13 +68,13 @@ pub(crate) fn resolve(
     }))
 }
 
-/// The index of a vessel.
+/// The index of the vessel that has the name `name`.
 pub(crate) fn vessel_named(cast: &Cast, name: &str) -> Result<usize, Refusal> {
     let index = cast.vessels.iter().position(|vessel| vessel == name);
     index.ok_or_else(|| Refusal::new(format_args!("there is no vessel `{name}`")))
 }
 
-/// A change of the simulation, written with the names of the scenario.
+/// Turns a change of the simulation into an action with the names of the scenario.
 pub(crate) fn named(change: &Change, cast: &Cast, setup: &Setup) -> OtherAction {
     let vessel = |index: usize| cast.vessels[index].clone();
     match *change {

@@ -49,7 +49,7 @@ fn an_anchor_is_let_go_reported_veered_and_slipped_and_the_recording_replays() {
     assert!(here.report.starts_with("2 shackles out, "), "{}", here.report);
     assert!(here.place_m.is_some() && here.holding_n > 1e5);
     let text = refused(&mut session, chain(OrderName::LetGoAnchor, 82.5));
-    assert_eq!(text, "anchor `weather` is on the bottom already: veer chain instead");
+    assert_eq!(text, "anchor `weather` is already on the bottom: veer chain instead");
     command(&mut session, chain(OrderName::Veer, 82.5));
     go(&mut session, 1000);
     assert_eq!(now(&session).chain_m, 82.5);
@@ -57,7 +57,7 @@ fn an_anchor_is_let_go_reported_veered_and_slipped_and_the_recording_replays() {
     go(&mut session, 5);
     assert_eq!((now(&session).state, now(&session).report.as_str()), ("lost", "gone: slipped"));
     let text = refused(&mut session, chain(OrderName::HeaveIn, 0.0));
-    assert_eq!(text, "anchor `weather` is gone: its chain was slipped");
+    assert_eq!(text, "anchor `weather` is lost: its chain was slipped");
     // An anchor that was slipped by order raises no alarm.
     assert!(alarms(&session).iter().all(|text| !text.contains("nchor")), "{:?}", alarms(&session));
     let text = support::saved(&mut session);
@@ -73,7 +73,7 @@ fn the_second_of_two_orders_for_one_anchor_in_one_tick_is_not_acknowledged_and_d
     go(&mut session, 100);
     command(&mut session, support::order(OrderName::Slip, "weather").into());
     let text = refused(&mut session, chain(OrderName::HeaveIn, 0.0));
-    assert_eq!(text, "anchor `weather` is gone: its chain was slipped");
+    assert_eq!(text, "anchor `weather` is lost: its chain was slipped");
     session.take_events();
     go(&mut session, 1);
     let events = session.take_events();

@@ -205,7 +205,10 @@ fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
         ),
         (order(OrderName::Azimuth, "ship").name("name", "a").into(), "no azimuth unit"),
         (order(OrderName::StandBy, "third").into(), "no tug `third`"),
-        (order(OrderName::Push, "aft").number("direction", 1.0).into(), "needs `force`"),
+        (
+            order(OrderName::Push, "aft").number("direction", 1.0).into(),
+            "needs the argument `force`",
+        ),
         (
             order(OrderName::Pull, "aft").number("force", -1.0).number("direction", 1.0).into(),
             "must be between",
@@ -265,7 +268,7 @@ fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
             OtherAction::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }.into(),
             "no vessel",
         ),
-        (OtherAction::ApproachLimit { speed_mps: 2.0 }.into(), "is not within"),
+        (OtherAction::ApproachLimit { speed_mps: 2.0 }.into(), "is not between"),
         (words("third", TugWord::Push), "no tug `third`"),
         (words("ship", TugWord::Push), "no tug `ship`"),
     ] {

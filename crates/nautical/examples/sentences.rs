@@ -1,4 +1,5 @@
-//! Prints sentences of every kind, each after a line of JSON with the values in it. `check.py` compares the two.
+//! Prints NMEA and AIS sentences of every kind, each after a line of JSON with the values that the sentence holds.
+//! `check.py` compares the two.
 
 use fenderline_nautical::{
     GeoPoint, Instruments, Moment, PositionReport, Shaft, ShipData, ais_position, ais_ship_data,

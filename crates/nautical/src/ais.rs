@@ -1,4 +1,4 @@
-//! AIS: position reports and ship data, encoded in six-bit characters in sentences.
+//! AIS messages: position reports and ship data, encoded in sentences of six-bit characters.
 
 use core::f64::consts::TAU;
 
@@ -6,12 +6,12 @@ use crate::NAUTICAL_MILE_M;
 use crate::chart::GeoPoint;
 use crate::sentence::sentence;
 
-/// A position report (message 1).
+/// A position report of a ship (AIS message 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionReport {
     /// Maritime mobile service identity, nine digits.
     pub mmsi: u32,
-    /// Navigational status: 0 under way with her engine, 5 moored, 8 under sail, 15 not defined.
+    /// Navigational status of the ship: 0 under way with her engine, 5 moored, 8 under sail, 15 not defined.
     pub status: u8,
     /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
@@ -25,20 +25,20 @@ pub struct PositionReport {
     pub heading_rad: f64,
     /// Second of the minute in UTC, 0 to 59.
     pub second: u8,
-    /// Radio status, 19 bits; ignored where there is no radio.
+    /// Radio status, 19 bits; receivers ignore it in reports that no radio sent.
     pub radio: u32,
 }
 
-/// Static and voyage data (message 5).
+/// Static and voyage data of a ship (AIS message 5).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShipData {
     /// Maritime mobile service identity, nine digits.
     pub mmsi: u32,
-    /// IMO number; 0: not available.
+    /// IMO number of the ship; 0: not available.
     pub imo: u32,
     /// Up to 7 characters.
     pub call_sign: String,
-    /// Up to 20 characters; a character that AIS does not have becomes `?`.
+    /// Name of the ship, up to 20 characters; a character that AIS does not have becomes `?`.
     pub name: String,
     /// Type of ship and cargo: 52 a tug, 70 a cargo ship, 80 a tanker.
     pub kind: u8,
@@ -46,7 +46,7 @@ pub struct ShipData {
     pub extent_m: [f64; 4],
     /// Position fixing device: 1 GPS, 0 undefined.
     pub device: u8,
-    /// Estimated time of arrival: month, day, hour, minute; (0, 0, 24, 60): not available.
+    /// Estimated time of arrival of the ship: month, day, hour, minute; (0, 0, 24, 60): not available.
     pub arrival: (u8, u8, u8, u8),
     /// Draught (m).
     pub draught_m: f64,
@@ -54,7 +54,7 @@ pub struct ShipData {
     pub destination: String,
 }
 
-/// The bits of a message, most significant first.
+/// The bits of an AIS message, most significant first.
 #[derive(Default)]
 struct Bits(Vec<bool>);
 
@@ -69,7 +69,8 @@ impl Bits {
         self.unsigned(value as u32, width);
     }
 
-    /// Characters of six bits: `@` to `_`, space to `?`; lower case becomes upper case; padded with `@`.
+    /// Writes a text in characters of six bits: `@` to `_`, space to `?`; lower case becomes upper case, and `@` fills
+    /// the end.
     fn text(&mut self, text: &str, letters: usize) {
         let mut all = text.chars().map(|c| match c.to_ascii_uppercase() {
             c @ '@'..='_' => c as u32 - 64,
@@ -81,7 +82,7 @@ impl Bits {
         }
     }
 
-    /// The bits as characters of a sentence, and the number of bits that fill up the last character.
+    /// The bits of a message as characters of a sentence, and the number of bits that fill up the last character.
     fn armoured(&self) -> (String, usize) {
         let letter = |bits: &[bool]| {
             let value =
@@ -93,10 +94,11 @@ impl Bits {
     }
 }
 
-/// Payload characters per sentence: the limit of 82 characters leaves 62.
+/// Characters of a message that a sentence holds: a sentence has at most 82 characters, of which 62 are left for the
+/// message.
 const LETTERS: usize = 60;
 
-/// The sentences of a message: `AIVDM` for other ships, `AIVDO` for the own ship.
+/// The sentences of an AIS message: `AIVDM` for other ships, `AIVDO` for the own ship.
 fn sentences(bits: &Bits, own: bool, channel: char, sequence: u8) -> Vec<String> {
     let (text, fill) = bits.armoured();
     let talker = if own { "AIVDO" } else { "AIVDM" };
@@ -119,13 +121,13 @@ fn turn(turn_radps: f64) -> i32 {
     (size as i32) * if deg_per_min < 0.0 { -1 } else { 1 }
 }
 
-/// An angle in [0, 360°), in units of 1/`per_deg` degree.
+/// An angle in [0, 360°), as a whole number of units of 1/`per_deg` degree.
 fn bearing(angle_rad: f64, per_deg: f64) -> u32 {
     let turned = libm::fmod(libm::fmod(angle_rad, TAU) + TAU, TAU).to_degrees();
     libm::fmod(libm::round(turned * per_deg), 360.0 * per_deg) as u32
 }
 
-/// The sentences of a position report; `own` marks the report as the own ship's.
+/// The sentences of a position report; `own` says that the report is the own ship's.
 #[must_use]
 pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     let mut bits = Bits::default();
@@ -148,7 +150,8 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     sentences(&bits, own, 'B', 0)
 }
 
-/// The two sentences of static and voyage data. `sequence` links the two sentences and changes from message to message.
+/// The two sentences of a ship's static and voyage data. `sequence` links the two sentences and changes from message to
+/// message.
 #[must_use]
 pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     let mut bits = Bits::default();

@@ -1,13 +1,13 @@
-//! Geographic positions from positions in metres.
+//! Finds geographic positions from positions in metres.
 
 use core::fmt;
 
-/// A position on WGS 84.
+/// A geographic position in the reference system WGS 84.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeoPoint {
     /// North positive (°).
     pub latitude_deg: f64,
-    /// East positive, from −180 up to 180 (°).
+    /// Longitude, east positive, from −180 up to 180 (°).
     pub longitude_deg: f64,
 }
 
@@ -15,11 +15,11 @@ pub struct GeoPoint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartOrigin {
     at: GeoPoint,
-    /// Length of a degree of latitude and of longitude at the origin (m).
+    /// Length of a degree of latitude and of longitude at the scenario's origin (m).
     metres_per_deg: [f64; 2],
 }
 
-/// A position that cannot be a chart's origin.
+/// A geographic position that cannot be a chart's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfChart(pub GeoPoint);
 
@@ -41,7 +41,7 @@ impl fmt::Display for OutOfChart {
 
 impl std::error::Error for OutOfChart {}
 
-/// Semi-major axis (m) and flattening of WGS 84.
+/// Semi-major axis (m) and flattening of the ellipsoid of WGS 84.
 const AXIS_M: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
 
@@ -53,10 +53,10 @@ impl Default for ChartOrigin {
 }
 
 impl ChartOrigin {
-    /// Puts a scenario's origin at a position.
+    /// Puts the origin of a scenario at the geographic position `at`.
     ///
     /// # Errors
-    /// A latitude beyond 85°, where a plane chart is of little use, a longitude beyond 180°, or NaN.
+    /// Fails for a latitude beyond 85°, where a plane chart is of little use, for a longitude beyond 180°, and for NaN.
     pub fn new(at: GeoPoint) -> Result<ChartOrigin, OutOfChart> {
         let good = at.latitude_deg.abs() <= 85.0 && at.longitude_deg.abs() <= 180.0;
         if !good {
@@ -65,7 +65,7 @@ impl ChartOrigin {
         Ok(ChartOrigin::at(at))
     }
 
-    /// Puts the origin at a position without a check.
+    /// Puts the origin at a geographic position without a check.
     fn at(at: GeoPoint) -> ChartOrigin {
         let latitude = at.latitude_deg.to_radians();
         let (sin, cos) = (libm::sin(latitude), libm::cos(latitude));
@@ -79,7 +79,7 @@ impl ChartOrigin {
     }
 
     /// The geographic position of a point north and east of the origin, on the plane that touches the ellipsoid at the
-    /// origin. At middle latitudes the error is below 1 m at 5 km.
+    /// origin. At middle latitudes, the position of a point 5 km away has an error below 1 m.
     #[must_use]
     pub fn place(&self, north_m: f64, east_m: f64) -> GeoPoint {
         let latitude_deg = self.at.latitude_deg + north_m / self.metres_per_deg[0];

@@ -1,5 +1,5 @@
-//! Data of a ship's instruments, as pure functions: NMEA 0183 sentences of the own ship, AIS messages of all ships, and
-//! geographic positions from positions in metres. No sockets, no clock.
+//! Writes the data of a ship's instruments, as pure functions: NMEA 0183 sentences of the own ship, AIS messages of all
+//! ships, and geographic positions from positions in metres. No sockets, no clock.
 //!
 //! The sentence formats are those of public descriptions (gpsd's of NMEA and of AIVDM/AIVDO); the standards
 //! (IEC 61162-1, ITU-R M.1371) were not read, and no conformity to them is claimed.

@@ -1,4 +1,4 @@
-//! NMEA 0183 sentences of the own ship's instruments.
+//! Writes NMEA 0183 sentences of the own ship's instruments.
 
 use core::f64::consts::TAU;
 
@@ -20,7 +20,8 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// From seconds since the start of 1970, in the Gregorian calendar (Hinnant's days-to-civil algorithm).
+    /// Date and time from seconds since the start of 1970, in the Gregorian calendar (Hinnant's days-to-civil
+    /// algorithm).
     #[must_use]
     pub fn from_unix(seconds: f64) -> Moment {
         let days = libm::floor(seconds / 86_400.0);
@@ -44,7 +45,7 @@ impl Moment {
 /// A propeller's shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaft {
-    /// Number of the shaft; 0 for a ship with one shaft.
+    /// Number of the propeller shaft; 0 for a ship with one shaft.
     pub number: u32,
     /// Revolutions, negative astern (1/s).
     pub rps: f64,
@@ -55,11 +56,11 @@ pub struct Shaft {
 pub struct Instruments {
     /// Time of the measurements.
     pub at: Moment,
-    /// Position of the ship's antenna.
+    /// Position of the ship's antenna on the earth.
     pub place: GeoPoint,
     /// Heading from true north (rad).
     pub heading_rad: f64,
-    /// Course over ground from true north (rad). Used only while the ship moves.
+    /// Course over ground from true north (rad). The course over ground is used only while the ship moves.
     pub course_rad: f64,
     /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
@@ -69,13 +70,13 @@ pub struct Instruments {
     pub water_mps: [f64; 2],
     /// Transverse velocity at the stern, to starboard, through the water and over ground (m/s).
     pub stern_mps: [f64; 2],
-    /// Relative wind: direction it comes from, clockwise from the bow (rad), and speed (m/s).
+    /// Relative wind: direction from which it comes, clockwise from the bow (rad), and speed (m/s).
     pub wind_over_deck: (f64, f64),
-    /// True wind: direction it comes from, clockwise from the bow (rad), and speed (m/s).
+    /// True wind: direction from which it comes, clockwise from the bow (rad), and speed (m/s).
     pub true_wind: (f64, f64),
     /// Depth of water below the transducer, and depth of the keel below the transducer (m); `None` in deep water.
     pub depth_m: Option<(f64, f64)>,
-    /// Rudder, positive to starboard (rad); `None` without a rudder.
+    /// Rudder angle, positive to starboard (rad); `None` without a rudder.
     pub rudder_rad: Option<f64>,
     /// Shafts.
     pub shafts: Vec<Shaft>,
@@ -85,8 +86,8 @@ const KNOT_MPS: f64 = NAUTICAL_MILE_M / 3600.0;
 
 /// The sentences HDT, ROT, RMC, VTG, VBW, MWV (relative and true), DPT, RSA and RPM, with line ends.
 ///
-/// Talkers: `HE` gyro compass, `TI` rate-of-turn indicator, `GP` satellite receiver, `VW` log, `WI` weather instruments,
-/// `SD` depth sounder, `AG` rudder, `ER` engine room.
+/// Each sentence begins with its talker: `HE` gyro compass, `TI` rate-of-turn indicator, `GP` satellite receiver, `VW`
+/// log, `WI` weather instruments, `SD` depth sounder, `AG` rudder, `ER` engine room.
 #[must_use]
 pub fn instruments(of: &Instruments) -> Vec<String> {
     let [ahead_mps, across_mps] = of.ground_mps;
@@ -121,14 +122,14 @@ pub fn instruments(of: &Instruments) -> Vec<String> {
     all
 }
 
-/// An angle in [0, 360), rounded so that 359.96 is not printed as 360.0.
+/// An angle in [0, 360) in degrees, rounded so that 359.96 is not printed as 360.0.
 fn degrees(angle_rad: f64, decimals: i32) -> f64 {
     let scale = libm::pow(10.0, f64::from(decimals));
     let turned = libm::fmod(libm::fmod(angle_rad, TAU) + TAU, TAU).to_degrees();
     libm::fmod(libm::round(turned * scale), 360.0 * scale) / scale
 }
 
-/// Degrees and minutes with the hemisphere: `4807.03800,N`.
+/// A latitude or longitude in degrees and minutes with the hemisphere: `4807.03800,N`.
 fn angle(value_deg: f64, width: usize, sides: [char; 2]) -> String {
     // In units of the last digit, so that minutes are never rounded to 60.
     let units = libm::round(value_deg.abs() * 60.0 * 1e5) as u64;

@@ -1,14 +1,14 @@
-//! The frame of a sentence.
+//! Puts start, checksum and line end around the fields of an NMEA or AIS sentence.
 
 use core::fmt::Write as _;
 
-/// A sentence with its start, checksum and line end. The checksum is the exclusive or of all characters between start
-/// and `*`.
+/// A sentence with its start, checksum and line end. The checksum of a sentence is the exclusive or of all characters
+/// between its start and `*`.
 pub(crate) fn sentence(start: char, body: &str) -> String {
     let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
     let mut text = format!("{start}{body}*");
     let written = write!(text, "{sum:02X}\r\n");
-    debug_assert!(written.is_ok(), "writing to a String does not fail");
+    debug_assert!(written.is_ok(), "writing to a `String` cannot fail");
     text
 }
 

@@ -1,7 +1,8 @@
-//! NumPy arrays that this package fills.
+//! Fills NumPy arrays, which Python and this package share.
 //!
-//! NumPy owns the memory, so no Python array can outlive its memory. A step reads its inputs from these arrays and
-//! writes its results into them. Results are given to Python as read-only views.
+//! NumPy owns the memory of the arrays, so that no Python array can outlive its memory. A step of a simulation or
+//! engine reads its inputs from these arrays and writes its results into them. Results are given to Python as read-only
+//! views.
 
 use fenderline_contact::{BodyState, Wrench, vec2};
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -9,9 +10,9 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
-/// Numbers of a state: north, east, heading, velocity north and east, rate of turn.
+/// Number of values of a body's state: north, east, heading, velocity north and east, rate of turn.
 pub(crate) const STATE: usize = 6;
-/// Numbers of a wrench: force north and east, moment.
+/// Number of values of a wrench: force north and east, moment.
 pub(crate) const WRENCH: usize = 3;
 
 /// An array of rows that both this package and Python may write.
@@ -28,13 +29,13 @@ impl Shared {
         self.0.clone_ref(py)
     }
 
-    /// Calls `read` with the current values.
+    /// Calls `read` with the present values of the array.
     pub(crate) fn read<T>(&self, py: Python<'_>, read: impl FnOnce(&[f64]) -> T) -> PyResult<T> {
         let array: PyReadonlyArray2<'_, f64> = self.0.bind(py).try_readonly()?;
         Ok(read(array.as_slice()?))
     }
 
-    /// Calls `write` with the memory.
+    /// Calls `write` with the memory of the array.
     pub(crate) fn write(&self, py: Python<'_>, write: impl FnOnce(&mut [f64])) -> PyResult<()> {
         let mut array = self.0.bind(py).try_readwrite()?;
         write(array.as_slice_mut()?);
@@ -49,7 +50,8 @@ pub(crate) struct ReadOnly {
 }
 
 impl ReadOnly {
-    /// An array of zeros. The view has a first axis of `rows` and then the axes `others`; the memory has two axes.
+    /// An array of zeros. Python's view has a first axis of `rows` and then the axes `others`; the memory below the
+    /// view has two axes.
     pub(crate) fn zeros(py: Python<'_>, rows: usize, others: &[usize]) -> PyResult<ReadOnly> {
         let own = Shared::zeros(py, rows, others.iter().product());
         let mut shape = vec![rows];
@@ -69,7 +71,7 @@ impl ReadOnly {
     }
 }
 
-/// Reads states, row by row.
+/// Reads states of bodies from an array, row by row.
 pub(crate) fn read_states(numbers: &[f64], into: &mut [BodyState]) -> PyResult<()> {
     check_length(numbers, into.len() * STATE)?;
     for (row, state) in numbers.chunks_exact(STATE).zip(into) {
@@ -83,7 +85,7 @@ pub(crate) fn read_states(numbers: &[f64], into: &mut [BodyState]) -> PyResult<(
     Ok(())
 }
 
-/// Writes states, row by row.
+/// Writes states of bodies into an array, row by row.
 pub(crate) fn write_states(states: &[BodyState], into: &mut [f64]) {
     for (state, row) in states.iter().zip(into.chunks_exact_mut(STATE)) {
         let (x, v) = (state.position_m, state.velocity_mps);
@@ -91,7 +93,7 @@ pub(crate) fn write_states(states: &[BodyState], into: &mut [f64]) {
     }
 }
 
-/// Reads wrenches, row by row.
+/// Reads wrenches from an array, row by row.
 pub(crate) fn read_wrenches(numbers: &[f64], into: &mut [Wrench]) -> PyResult<()> {
     check_length(numbers, into.len() * WRENCH)?;
     for (row, wrench) in numbers.chunks_exact(WRENCH).zip(into) {
@@ -100,18 +102,18 @@ pub(crate) fn read_wrenches(numbers: &[f64], into: &mut [Wrench]) -> PyResult<()
     Ok(())
 }
 
-/// Writes wrenches, row by row.
+/// Writes wrenches into an array, row by row.
 pub(crate) fn write_wrenches(wrenches: &[Wrench], into: &mut [f64]) {
     for (wrench, row) in wrenches.iter().zip(into.chunks_exact_mut(WRENCH)) {
         row.copy_from_slice(&[wrench.force_n.x, wrench.force_n.y, wrench.moment_nm]);
     }
 }
 
-/// Python can change an array's shape.
+/// Checks the length of the array, because Python can change an array's shape.
 fn check_length(numbers: &[f64], wanted: usize) -> PyResult<()> {
     if numbers.len() == wanted {
         return Ok(());
     }
     let found = numbers.len();
-    Err(errors::bad_argument(format!("the array has {found} numbers, not {wanted}")))
+    Err(errors::bad_argument(format!("the array has {found} numbers, but needs {wanted}")))
 }

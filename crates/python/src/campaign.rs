@@ -1,4 +1,4 @@
-//! Campaigns: `fenderline.campaign` uses this class.
+//! Campaigns for Python: `fenderline.campaign` uses the class of this module.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,7 +14,7 @@ use crate::errors;
 use crate::parallel;
 use crate::whole;
 
-/// A campaign's file, read: the draws of its runs, and the runs themselves. It is immutable.
+/// A campaign whose file was read: the draws of its runs, and the runs themselves. It is immutable.
 #[pyclass(frozen, module = "fenderline.campaign", name = "Campaign")]
 pub(crate) struct Campaign {
     path: PathBuf,
@@ -38,7 +38,7 @@ fn cell<'py>(py: Python<'py>, cell: &Cell) -> PyResult<Bound<'py, PyAny>> {
 
 #[pymethods]
 impl Campaign {
-    /// Reads a campaign's file, its scenario and the files that they name.
+    /// Reads the file of a campaign, the scenario of the campaign, and the files that both name.
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Campaign> {
         let read = fenderline_campaign::Campaign::load(&path).map_err(CampaignError::from);
@@ -85,7 +85,7 @@ impl Campaign {
         self.runs.draws().heads().iter().map(|head| head.name.clone()).collect()
     }
 
-    /// Columns of the table after `case`: name, unit, meaning.
+    /// Columns of the campaign's table after `case`, each with name, unit and meaning.
     #[getter]
     fn columns(&self) -> Vec<(String, String, String)> {
         let named = |head: &fenderline_campaign::Head| {
@@ -94,26 +94,26 @@ impl Campaign {
         self.runs.heads().iter().map(named).collect()
     }
 
-    /// A number in hexadecimal that differs if two campaigns may have different rows.
+    /// A number in hexadecimal that tells campaigns apart whose rows may differ.
     #[getter]
     fn fingerprint(&self) -> String {
         format!("{:016x}", self.runs.fingerprint())
     }
 
-    /// The values of the variables of a run, from 0.
+    /// The values of the variables of a run; the first run has the number 0.
     fn draw<'py>(&self, py: Python<'py>, run: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
         let run = self.number(run)?;
         self.values(py, &self.runs.draws().of_run(run))
     }
 
-    /// The changes of the scenario in a run, from 0, as texts KEY=VALUE.
+    /// The changes of the scenario in a run, as texts KEY=VALUE; the first run has the number 0.
     fn settings(&self, run: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
         let run = self.number(run)?;
         Ok(self.runs.settings(run))
     }
 
-    /// Makes the runs from `first` to before `last` on `threads` threads (by default all of the machine). Returns their rows as
-    /// bytes, which `write` takes: they are small, and pass between processes.
+    /// Makes the runs from number `first` to `last - 1` on `threads` threads (by default all threads of the machine).
+    /// Returns the rows of the runs as bytes, which `write` takes: bytes are small, and can pass between processes.
     #[pyo3(signature = (first, last, threads=None))]
     fn run<'py>(
         &self,
@@ -133,7 +133,8 @@ impl Campaign {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Writes the tables of a campaign into a folder, from the rows of all its runs as `run` returned them, in any order.
+    /// Writes the tables of the campaign into a folder, from the rows of all its runs in any order, as `run` returned
+    /// them.
     #[pyo3(signature = (folder, rows, replace=false))]
     fn write(
         &self,
@@ -149,7 +150,7 @@ impl Campaign {
         for message in &rows {
             for row in store::decode_all(message.as_bytes()).map_err(refused)? {
                 if row.run >= self.runs.count() || row.cells.len() != self.runs.heads().len() {
-                    let why = "the rows are of another campaign".to_owned();
+                    let why = "the rows belong to another campaign".to_owned();
                     return Err(errors::of_campaign(py, why));
                 }
                 store.add(&row).map_err(refused)?;
@@ -158,15 +159,17 @@ impl Campaign {
         let missing = store.missing();
         if let Some(first) = missing.get(0) {
             let count = missing.count();
-            let why = format!("{count} runs have no row; the first of them is {first}");
+            let why =
+                format!("{count} runs have no row; the first of these runs has the number {first}");
             return Err(errors::of_campaign(py, why));
         }
         store.finish(self.runs.count()).map_err(refused)
     }
 
-    /// Outputs at given probabilities of the variables: `probabilities` has a row for each run and a column for each
-    /// variable, each number between 0 and 1. Returns one array for each column of `outputs`; NaN if a run has no such
-    /// number or was not made. Methods for rare events and sensitivity call this function.
+    /// Makes a run for each row of `probabilities`, with the variables at these probabilities: a column for each
+    /// variable, each number between 0 and 1. Returns an array for each column of the table that `outputs` names; a
+    /// number is NaN if the run has no such number or was not made. Methods for rare events and sensitivity make their
+    /// runs by this function.
     #[pyo3(signature = (probabilities, outputs, threads=None))]
     fn evaluate<'py>(
         &self,
@@ -218,7 +221,7 @@ impl Campaign {
         Ok((0..outputs.len()).map(column).collect())
     }
 
-    /// The values of the variables at given probabilities, each between 0 and 1.
+    /// The values of the variables at the given probabilities, each between 0 and 1.
     fn at<'py>(
         &self,
         py: Python<'py>,
@@ -242,7 +245,7 @@ impl Campaign {
         Ok(dict)
     }
 
-    /// Makes runs without Python's lock; an interrupt by the user ends them.
+    /// Makes runs while other Python code may go on; an interrupt by the user ends the runs.
     fn make(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Contacts and events of a step.
+//! Gives Python the contacts and events of a step.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 
-/// The fields of a contact, each of eight bytes: `i` a whole number, `f` a float.
+/// The fields of a contact in NumPy, each of eight bytes: `i` a whole number, `f` a float.
 const FIELDS: [(&str, char); 33] = [
     ("body_1", 'i'),
     ("body_2", 'i'),
@@ -97,7 +97,7 @@ pub(crate) fn contact_type(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     Ok(made.bind(py))
 }
 
-/// Contacts as a new structured array.
+/// A new structured array of the given contacts.
 pub(crate) fn contacts_array<'py>(
     py: Python<'py>,
     contacts: &[Contact],
@@ -112,9 +112,9 @@ pub(crate) fn contacts_array<'py>(
 pub(crate) struct StepEvent {
     /// The kind of event, as in `summary.json`: `contact_began`, `fender_rating_exceeded`, ...
     kind: Cow<'static, str>,
-    /// Names of the bodies concerned, or of the vessel, tug or line.
+    /// Names of the bodies in the event, or of the vessel, tug or line.
     subjects: Vec<String>,
-    /// Name of the fender concerned.
+    /// Name of the fender in the event.
     fender: Option<String>,
 }
 
@@ -138,14 +138,14 @@ impl StepEvent {
 /// Kind, subjects and fender of an event.
 type Parts = (String, Vec<String>, Option<String>);
 
-/// Makes an event from its parts, for pickles.
+/// Makes an event from its parts; unpickling calls this function.
 #[pyfunction]
 #[pyo3(signature = (kind, subjects, fender))]
 pub(crate) fn step_event(kind: String, subjects: Vec<String>, fender: Option<String>) -> StepEvent {
     StepEvent { kind: kind.into(), subjects, fender }
 }
 
-/// A contact event, by names.
+/// Makes the event of a contact, with the names of bodies and fender.
 pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]) -> StepEvent {
     let fender = match event.kind {
         EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) => Some(id),
@@ -158,7 +158,7 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
     }
 }
 
-/// An event of a vessel, tug, line or anchor, by name.
+/// Makes the event of a vessel, tug, line or anchor, with its name.
 pub(crate) fn world_event(
     event: &WorldEvent,
     [vessels, tugs, lines, anchors]: [&[String]; 4],

@@ -1,35 +1,36 @@
-//! Controls: numbers that hold until they are set again. Their limits come from the table of orders in `fenderline_sim`.
+//! The controls of a simulation: numbers that hold until they are set again. The limits of controls come from the table
+//! of orders in `fenderline_sim`.
 
 use fenderline_sim::order::OrderName;
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Action, Order, Setup, VesselAction};
 
-/// What a control's value orders.
+/// Which order the value of a control gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Rudder,
     Engine,
-    /// A thruster, by its index.
+    /// The thrust of the thruster that has this index.
     Thruster(usize),
-    /// The power of an azimuth unit, by its index.
+    /// The power of the azimuth unit that has this index.
     AzimuthPower(usize),
-    /// The direction of an azimuth unit, by its index.
+    /// The direction of the azimuth unit that has this index.
     AzimuthDirection(usize),
     /// The force of a vector tug, square to the ship: a push if positive, a pull if negative.
     TugForce,
 }
 
-/// A control of a set-up.
+/// A control of a scenario's vessel or tug.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Control {
-    /// The user's name for the control: `ship.rudder_rad`.
+    /// The name by which users know the control, such as `ship.rudder_rad`.
     pub(crate) name: String,
-    /// Index of the vessel, or of the tug.
+    /// Index of the vessel or tug that the control belongs to.
     target: usize,
     kind: Kind,
 }
 
-/// All controls of a set-up: of vessels, then of tugs.
+/// All controls of a scenario: first those of vessels, then those of tugs.
 pub(crate) fn controls(setup: &Setup) -> Vec<Control> {
     let world = &setup.world;
     let mut all = Vec::new();
@@ -59,7 +60,7 @@ pub(crate) fn controls(setup: &Setup) -> Vec<Control> {
 }
 
 impl Control {
-    /// The smallest and the largest value.
+    /// The smallest and the largest value of the control.
     pub(crate) fn limits(&self) -> [f64; 2] {
         match self.kind {
             Kind::Rudder => OrderName::Rudder.limits("angle"),
@@ -74,7 +75,8 @@ impl Control {
         }
     }
 
-    /// The order that sets this control to a value at a time. The simulation checks this order like any other order.
+    /// The order that sets the control to a value at a time. The simulation checks the order of a control like any
+    /// other order.
     pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Order {
         let of_unit =
             |unit, power, direction_rad| VesselAction::Azimuth { unit, power, direction_rad };

@@ -25,7 +25,7 @@ use crate::whole;
 /// your `"loads"` include them. With `host="cosimulation"` you move the bodies with the wrenches by `integration`
 /// (`"semi_implicit"` or `"forward_euler"`); states may be `delay_steps` old, and loads need not be given.
 ///
-/// It can be copied and pickled: the copy goes on with the same bits.
+/// An engine can be copied and pickled: the copy goes on with the same bits.
 ///
 /// >>> import fenderline
 /// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
@@ -53,10 +53,11 @@ pub(crate) struct Engine {
     load_rows: Vec<Wrench>,
 }
 
-/// Contents of a pickle: version, arguments of `Engine(...)`, whether steps use loads, and what `save` gave.
+/// Contents of an engine's pickle: version, arguments of `Engine(...)`, whether steps use loads, and the bytes that
+/// `save` gave.
 type Parts<'py> = (&'static str, Bound<'py, PyDict>, bool, Bound<'py, PyBytes>);
 
-/// What an engine was made of: the arguments of `Engine(...)`.
+/// The arguments of `Engine(...)` with which an engine was made.
 struct Origin {
     scenario: Py<Scenario>,
     method: Option<String>,
@@ -129,9 +130,9 @@ impl Engine {
         Engine::around(py, engine, Arc::new(origin))
     }
 
-    /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads`: fills `wrenches`, and
-    /// `states_after` if the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and
-    /// changes nothing.
+    /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads` is true: fills `wrenches`, and
+    /// `states_after` if the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and changes
+    /// nothing.
     fn step(
         &mut self,
         py: Python<'_>,
@@ -150,8 +151,8 @@ impl Engine {
         self.show(py)
     }
 
-    /// Marks a body, by its name, as teleported: its next state is a new position, not the result of motion. The
-    /// body's contacts start anew, and if the body overlaps another body, it is pressed out slowly (event
+    /// Marks a body, by its name, as placed anew: its next state is a new position, not the result of motion. The
+    /// body's contacts start anew, and a body that is placed in another one is pressed out slowly (event
     /// `placed_in_overlap`).
     fn mark_teleported(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
         let Engine { engine, .. } = self;
@@ -166,14 +167,14 @@ impl Engine {
         self.states.array(py)
     }
 
-    /// Loads on each body other than contact, one row per body: force north and east (N), moment about the centre of
-    /// gravity (N·m). Write into it; used if `uses_loads` is true.
+    /// Loads on each body other than contact forces, one row per body: force north and east (N), moment about the
+    /// centre of gravity (N·m). Write into this array; a step uses it if `uses_loads` is true.
     #[getter]
     fn loads(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.loads.array(py)
     }
 
-    /// Whether each step uses `loads`.
+    /// Whether each step uses the array `loads`.
     #[getter]
     fn uses_loads(&self) -> bool {
         self.uses_loads
@@ -194,23 +195,23 @@ impl Engine {
     }
 
     /// The wrench to add to each body's forces for the step: force north and east (N), moment (N·m); means over the
-    /// step. Read-only; each step overwrites it.
+    /// step. The array is read-only; each step overwrites it.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.wrenches.view(py)
     }
 
-    /// The largest contact wrench on each body within the step, in rows as `wrenches`. Use this wrench to size
-    /// fenders; move the bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has
-    /// the peak of each contact. Read-only; each step overwrites it.
+    /// The largest contact wrench on each body within the step, in rows as in `wrenches`. Use this largest wrench to
+    /// size fenders; move the bodies by `wrenches`, which are means over the step. The peak force of each contact is in
+    /// `contacts["peak_normal_force_n"]`. The array is read-only; each step overwrites it.
     #[getter]
     fn peak_wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.peak_wrenches.view(py)
     }
 
-    /// The engine's states at the end of the step, in rows as `states`; for a direct host with the coupled method. As in
-    /// a leapfrog scheme, velocities are half a step older (half of the last sub-step, if contacts needed several):
-    /// pass them back unchanged. Read-only; each step overwrites it.
+    /// The engine's states at the end of the step, in rows as in `states`; only for a direct host with the coupled
+    /// method. As in a leapfrog scheme, velocities are half a step older than positions (half of the last sub-step, if
+    /// contacts needed several): pass them back unchanged. The array is read-only; each step overwrites it.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
@@ -218,7 +219,7 @@ impl Engine {
         {
             return Ok(self.states_after.view(py));
         }
-        let why = "there are no states after a step: the host moves the bodies itself";
+        let why = "the engine has no states after a step, because the host moves the bodies itself";
         Err(errors::of_engine(py, &EngineError::NotAvailable(why)))
     }
 
@@ -237,13 +238,13 @@ impl Engine {
         Ok(results.events.iter().map(named).collect())
     }
 
-    /// Names of the bodies, in the order of the rows.
+    /// Names of the bodies, in the order of the arrays' rows.
     #[getter]
     fn bodies(&self) -> Vec<String> {
         self.bodies.clone()
     }
 
-    /// Names of the fenders; `contacts["fender"]` is an index into them.
+    /// Names of the fenders; `contacts["fender"]` is an index into this list.
     #[getter]
     fn fenders(&self) -> Vec<String> {
         self.fenders.clone()
@@ -258,20 +259,20 @@ impl Engine {
         }
     }
 
-    /// The scenario's notices, and the parts of the scenario that are left to the host.
+    /// Notices about the scenario, and about the parts of the scenario that are left to the host.
     #[getter]
     fn notices(&self) -> Vec<String> {
         self.engine.notices().to_vec()
     }
 
-    /// Which bodies are fixed, in the order of the rows.
+    /// Whether each body is fixed, in the order of the arrays' rows.
     #[getter]
     fn fixed(&self) -> Vec<bool> {
         let bodies = self.engine.model().bodies().iter();
         bodies.map(|body| body.mobility == Mobility::Fixed).collect()
     }
 
-    /// Returns to the start: forgets contacts and loads; states are the scenario's again.
+    /// Returns the engine to the start: forgets contacts and loads, and takes the scenario's states again.
     fn reset(&mut self, py: Python<'_>) -> PyResult<()> {
         self.engine.reset();
         self.states.write(py, |rows| write_states(self.engine.initial_states(), rows))?;
@@ -280,7 +281,7 @@ impl Engine {
         self.states_after.write(py, |rows| write_states(self.engine.initial_states(), rows))
     }
 
-    /// The whole mutable state of the engine, as bytes.
+    /// Returns the whole state of the engine that can change, as bytes.
     fn save<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         // Values written into the arrays since the last step are saved too.
         let Engine { engine, state_rows, load_rows, .. } = self;
@@ -294,14 +295,15 @@ impl Engine {
         Ok(PyBytes::new(py, &engine.save()))
     }
 
-    /// Restores what `save` saved from an engine of the same scenario and settings. Any bytes may be given.
+    /// Restores the state that `save` returned from an engine of the same scenario and settings. Bytes that `save` has
+    /// not returned are refused.
     fn restore(&mut self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {
         self.engine.restore(saved).map_err(|error| errors::of_engine(py, &error))?;
         self.uses_loads = self.engine.loads().is_some();
         self.show_all(py)
     }
 
-    /// A copy that continues independently.
+    /// A copy of the engine that continues independently.
     fn copy(&mut self, py: Python<'_>) -> PyResult<Engine> {
         let saved = self.save(py)?;
         let mut engine = self.engine.clone();
@@ -366,7 +368,7 @@ impl Engine {
         Ok(made)
     }
 
-    /// Copies the results of the last step into the arrays.
+    /// Copies the results of the engine's last step into Python's arrays.
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         let Ok(results) = self.engine.results() else {
             self.peak_wrenches.write(py, |rows| rows.fill(0.0))?;
@@ -377,7 +379,7 @@ impl Engine {
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }
 
-    /// Copies states, loads and results of the engine into the arrays.
+    /// Copies states, loads and results of the engine into Python's arrays.
     fn show_all(&self, py: Python<'_>) -> PyResult<()> {
         self.states.write(py, |rows| write_states(self.engine.states(), rows))?;
         self.loads.write(py, |rows| match self.engine.loads() {
@@ -392,7 +394,7 @@ fn unknown_choice(what: &str, given: &str, known: &str) -> PyErr {
     errors::bad_argument(format!("{what} is {given:?}, but must be one of: {known}"))
 }
 
-/// Time that `count` steps of a copy of an engine take without Python (s): for the bench.
+/// Time (s) that `count` steps of a copy of an engine take without Python; for the bench.
 #[pyfunction]
 pub(crate) fn seconds_of_steps(
     engine: &Engine,

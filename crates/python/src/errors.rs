@@ -1,17 +1,17 @@
-//! Errors as Python exceptions: the classes of `fenderline._errors`.
+//! Turns errors into Python exceptions of the classes in `fenderline._errors`.
 
 use fenderline_embed::EngineError;
 use fenderline_scenario::{LoadError, Place, ScenarioError};
 use fenderline_sim::{SetupError, SimError};
 use pyo3::prelude::*;
 
-/// An exception of a class of `fenderline._errors` with this message.
+/// Makes an exception with a message, of a class in `fenderline._errors`.
 fn exception(py: Python<'_>, class: &str, message: String) -> PyErr {
     let made = py.import("fenderline._errors").and_then(|m| m.getattr(class)?.call1((message,)));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// `fenderline.ScenarioError`, with file, line, column, key, message and help.
+/// Makes a `fenderline.ScenarioError` with file, line, column, key, message and help.
 pub(crate) fn of_scenario(py: Python<'_>, error: &ScenarioError) -> PyErr {
     let exception = exception(py, "ScenarioError", error.to_string());
     let value = exception.value(py);
@@ -30,7 +30,7 @@ pub(crate) fn of_scenario(py: Python<'_>, error: &ScenarioError) -> PyErr {
     filled.map_or_else(|error: PyErr| error, |()| exception)
 }
 
-/// The exception for a file that cannot be read, or for an error in a file.
+/// Makes the exception for a file that cannot be read, or for an error in a file.
 pub(crate) fn of_load(py: Python<'_>, error: &LoadError) -> PyErr {
     match error {
         LoadError::Refused(error) => of_scenario(py, error),
@@ -38,22 +38,22 @@ pub(crate) fn of_load(py: Python<'_>, error: &LoadError) -> PyErr {
     }
 }
 
-/// A set-up that cannot be simulated.
+/// Makes the exception for a set-up that cannot be simulated.
 pub(crate) fn of_setup(py: Python<'_>, error: &SetupError) -> PyErr {
     exception(py, "ScenarioError", error.to_string())
 }
 
-/// A call that the engine refuses.
+/// Makes the exception for a call that the engine refuses.
 pub(crate) fn of_engine(py: Python<'_>, error: &EngineError) -> PyErr {
     exception(py, "EngineError", error.to_string())
 }
 
-/// `fenderline.ArgumentError`: an argument that is out of its range.
+/// Makes a `fenderline.ArgumentError`: an argument is out of its range.
 pub(crate) fn argument(py: Python<'_>, message: String) -> PyErr {
     exception(py, "ArgumentError", message)
 }
 
-/// As [`argument`], for code without a token of Python.
+/// Makes the same exception as [`argument`], for code that does not hold Python's lock.
 pub(crate) fn bad_argument(message: impl Into<String>) -> PyErr {
     Python::attach(|py| argument(py, message.into()))
 }
@@ -64,12 +64,12 @@ pub(crate) fn of_campaign(py: Python<'_>, message: String) -> PyErr {
     exception(py, "CampaignError", message)
 }
 
-/// A failed step of a simulation.
+/// Makes the exception for a step of a simulation that failed.
 pub(crate) fn of_simulation(py: Python<'_>, error: &SimError) -> PyErr {
     exception(py, "SimulationError", error.to_string())
 }
 
-/// A call that a simulation refuses.
+/// Makes the exception for a call that a simulation refuses.
 pub(crate) fn refused(py: Python<'_>, message: String) -> PyErr {
     exception(py, "SimulationError", message)
 }

@@ -1,4 +1,4 @@
-//! Many simulations, advanced in lockstep.
+//! Many simulations that take their steps together.
 
 use fenderline_scenario::Override;
 use numpy::PyArray2;
@@ -13,8 +13,8 @@ use crate::scenario::Scenario;
 use crate::variants::{self, Common, NoRun};
 use crate::whole;
 
-/// Variants of one scenario, advanced in lockstep on `threads` threads. All variants have the bodies, fenders and
-/// controls of the scenario. Results equal those of single simulations, bit for bit.
+/// Variants of one scenario that take their steps together, on `threads` threads. All variants have the same bodies,
+/// fenders and controls as the scenario. Results equal those of simulations that run alone, bit for bit.
 ///
 /// >>> import fenderline
 /// >>> speeds = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0)]
@@ -68,7 +68,7 @@ impl Fleet {
         Ok(fleet)
     }
 
-    /// Takes `steps` steps in every simulation with the current controls.
+    /// Takes `steps` steps in every simulation with the controls as they are set.
     #[pyo3(signature = (steps=1))]
     fn step(
         &mut self,
@@ -101,7 +101,8 @@ impl Fleet {
         }
     }
 
-    /// Restarts some of the simulations, each as a variant of the scenario; their controls are NaN again.
+    /// Restarts some of the simulations, each as a variant of the scenario; the controls of these simulations are NaN
+    /// again.
     fn reset(
         &mut self,
         py: Python<'_>,
@@ -111,7 +112,7 @@ impl Fleet {
         let sets = variants::read(variants)?;
         let indices = whole::indices(indices, "simulation", self.runs.len() as u64)?;
         if sets.len() != indices.len() {
-            return Err(errors::bad_argument("the numbers of variants and indices differ"));
+            return Err(errors::bad_argument("there must be as many variants as indices"));
         }
         let Fleet { common, runs, threads, .. } = self;
         let made = py
@@ -131,45 +132,48 @@ impl Fleet {
         self.show(py)
     }
 
-    /// Values of the controls, (simulations, controls); NaN leaves a control to the scenario's orders and pilots.
-    /// Write into this array.
+    /// Values of the controls, an array (simulations, controls); NaN leaves a control to the scenario's orders and
+    /// pilots. Write into this array.
     #[getter]
     fn controls(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.controls.array(py)
     }
 
-    /// Current states, (simulations, bodies, 6), as `Simulation.states`. Read-only; each step overwrites it.
+    /// Present states of the bodies, an array (simulations, bodies, 6) with rows as in `Simulation.states`. The array
+    /// is read-only; each step overwrites it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Time of each simulation (s). Read-only; each step overwrites it.
+    /// Time of each simulation (s). The array is read-only; each step overwrites it.
     #[getter]
     fn times_s(&self, py: Python<'_>) -> Py<PyAny> {
         self.times.view(py)
     }
 
-    /// Largest energy that each fender has stored so far over its rated energy, (simulations, fenders); NaN without a
-    /// rating. Read-only; each step overwrites it.
+    /// Largest energy that each fender has stored so far over its rated energy, an array (simulations, fenders); NaN
+    /// without a rating. The array is read-only; each step overwrites it.
     #[getter]
     fn fender_energy_shares(&self, py: Python<'_>) -> Py<PyAny> {
         self.energy_shares.view(py)
     }
 
-    /// Reaction of each fender in the last step (N), (simulations, fenders). Read-only; each step overwrites it.
+    /// Reaction of each fender in the last step (N), an array (simulations, fenders). The array is read-only; each step
+    /// overwrites it.
     #[getter]
     fn fender_reactions_n(&self, py: Python<'_>) -> Py<PyAny> {
         self.reactions.view(py)
     }
 
-    /// 1 if a fender was deflected beyond its travel, (simulations, fenders). Read-only; each step overwrites it.
+    /// Whether each fender was deflected beyond its travel, an array (simulations, fenders): 1 if so, else 0. The array
+    /// is read-only; each step overwrites it.
     #[getter]
     fn fenders_failed(&self, py: Python<'_>) -> Py<PyAny> {
         self.failed.view(py)
     }
 
-    /// Names of the controls, in the order of the columns.
+    /// Names of the controls, in the order of the columns of `controls`.
     #[getter]
     fn control_names(&self) -> Vec<String> {
         self.common.controls.iter().map(|control| control.name.clone()).collect()
@@ -187,13 +191,13 @@ impl Fleet {
         self.common.base.setup.fenders.iter().map(|fender| fender.name.clone()).collect()
     }
 
-    /// Δt (s) of the scenario.
+    /// Length of the scenario's time step (s).
     #[getter]
     fn step_s(&self) -> f64 {
         self.common.base.setup.step_s
     }
 
-    /// A fleet cannot be sent to other processes: it replaces them.
+    /// A fleet cannot be sent to other processes, because a fleet is used in place of other processes.
     fn __reduce__(&self) -> PyResult<()> {
         Err(PyTypeError::new_err(
             "a Fleet can be neither pickled nor copied: send the scenario and the variants, and \
@@ -210,7 +214,7 @@ impl Fleet {
     }
 }
 
-/// Starts a run of each variant.
+/// Starts a run of each variant of the scenario.
 fn new_runs(
     py: Python<'_>,
     common: &Common,
@@ -222,7 +226,7 @@ fn new_runs(
     all_made(py, made)
 }
 
-/// What was made of each variant, or the first error.
+/// The results for all variants, or the exception for the first variant that failed.
 fn all_made<T>(py: Python<'_>, made: Vec<Result<T, NoRun>>) -> PyResult<Vec<T>> {
     let each = made.into_iter().enumerate();
     each.map(|(index, made)| made.map_err(|error| variants::exception(py, index, &error))).collect()

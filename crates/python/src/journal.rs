@@ -1,23 +1,23 @@
-//! The inputs of a simulation, in their order. The simulation and its inputs give the same bits again; a simulation is
-//! pickled in this way.
+//! The inputs that a simulation has got, in their order. A new simulation with the same inputs gives the same bits; so
+//! a simulation is pickled as its inputs.
 
 use fenderline_contact::Wrench;
 
-/// An input, before a step.
+/// An input that a simulation gets before a step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Input {
-    /// A control by number, and its new value.
+    /// A control, by its number, and its new value.
     Control(usize, f64),
-    /// A body by number, and the new external wrench on it.
+    /// The number of a body, and the new external wrench on this body.
     External(usize, Wrench),
-    /// An order, as text of the scenario's keys.
+    /// An order, as text with the keys of a scenario.
     Order(String),
 }
 
-/// All inputs since the start.
+/// All inputs since the simulation's start.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Journal {
-    /// Number of steps before the input, and the input.
+    /// Number of steps before each input, and the input itself.
     pub(crate) inputs: Vec<(u64, Input)>,
     /// The external wrenches now.
     pub(crate) external: Vec<Wrench>,
@@ -32,12 +32,12 @@ impl Journal {
         self.inputs.push((step, input));
     }
 
-    /// Whether these external wrenches differ from the present wrenches.
+    /// Whether the given external wrenches differ from the present ones.
     pub(crate) fn differs(&self, wrenches: &[Wrench]) -> bool {
         self.external.iter().zip(wrenches).any(|(old, new)| bits(old) != bits(new))
     }
 
-    /// Adds the external wrenches that have changed.
+    /// Adds the external wrenches that have changed to the inputs.
     pub(crate) fn add_external(&mut self, step: u64, wrenches: &[Wrench]) {
         for (body, (old, new)) in self.external.iter_mut().zip(wrenches).enumerate() {
             if bits(old) != bits(new) {

@@ -1,10 +1,13 @@
-//! The engine and the simulator for Python: the module `fenderline._native`. The package around it is in
-//! `python/fenderline`, with types in `_native.pyi`.
+//! The engine and the simulator for Python: the module `fenderline._native`. The Python package around this module is
+//! in `python/fenderline`, with types in `_native.pyi`.
 //!
-//! Mistakes of users are exceptions of `fenderline._errors`; bugs panic, which PyO3 turns into exceptions too. NumPy
-//! owns all memory that Python sees (`arrays`), so no array outlives its memory and no `unsafe` is needed.
+//! Mistakes of users raise exceptions of `fenderline._errors`; bugs panic, which PyO3 turns into exceptions too. NumPy
+//! owns all memory that Python sees (`arrays`), so that no array outlives its memory and no `unsafe` is needed.
 #![forbid(unsafe_code)]
-#![allow(missing_docs, reason = "private items; the classes have the documentation for Python")]
+#![allow(
+    missing_docs,
+    reason = "the items are private; the classes have the documentation for Python"
+)]
 
 mod arrays;
 mod campaign;

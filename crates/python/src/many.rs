@@ -19,20 +19,20 @@ use crate::tables::{self, joined};
 use crate::variants::{self, Common, NoRun, Sets};
 use crate::whole;
 
-/// The states of the bodies at the end of a run, and its summary.
+/// The states of the bodies at the end of a run, and the summary of the run.
 type Done = (Vec<BodyState>, Summary);
 
 enum Failed {
     NoRun(NoRun),
     Step(SimError),
-    /// The user stopped the runs; this error is never shown.
+    /// The user has stopped the runs, so that the user does not see this error.
     Stopped,
 }
 
 /// Runs every variant of a scenario to its end, on `threads` threads (by default all threads of the machine). The
-/// variants are a sequence of dictionaries, or a dictionary of columns. Returns the final states (runs, bodies, 6) and
-/// the tables of the summaries. The bits do not depend on the number of threads. `progress` is called now and then with
-/// the number of runs that are done.
+/// variants are a sequence of dictionaries, or a dictionary of columns. Returns the final states, an array (runs,
+/// bodies, 6), and the tables of the summaries. The results have the same bits for any number of threads. The function
+/// `progress` is called now and then with the number of runs that are done.
 #[pyfunction]
 #[pyo3(signature = (scenario, variants, threads=None, progress=None))]
 pub(crate) fn run_variants<'py>(
@@ -94,7 +94,7 @@ pub(crate) fn run_variants<'py>(
             return Err(variants::numbered(py, index, errors::of_simulation(py, &error)));
         }
         Err(Ended::Failed(_, Failed::Stopped) | Ended::Stopped) => {
-            return Err(raised.expect("the runs were stopped by an exception"));
+            return Err(raised.expect("the runs stop only because of an exception"));
         }
     };
     if let Some(progress) = &progress {
@@ -107,7 +107,8 @@ pub(crate) fn run_variants<'py>(
     Ok((states, tables::results(py, &common.base.title, kept)?))
 }
 
-/// The final states of runs, one after the other, and the tables of their summaries. Each thread has some of the runs.
+/// The final states of the runs, one run after the other, and the tables of the runs' summaries. Each thread works on
+/// some of the runs.
 fn results_of(setup: &Setup, done: Vec<Done>, threads: usize) -> (Vec<f64>, Vec<KeptTable>) {
     // A few pieces per thread, as others may be at work on the machine.
     let count = done.len().clamp(1, threads.saturating_mul(4));
@@ -117,7 +118,9 @@ fn results_of(setup: &Setup, done: Vec<Done>, threads: usize) -> (Vec<f64>, Vec<
         (0..count).map(|_| Mutex::new(done.by_ref().take(size).collect())).collect();
     let made = parallel::each_elsewhere(count, threads, |piece| {
         // What is taken is also freed here.
-        let own = std::mem::take(&mut *pieces[piece].lock().expect("each piece is locked once"));
+        let own = std::mem::take(
+            &mut *pieces[piece].lock().expect("each piece of work is locked only once"),
+        );
         let (last, summaries): (Vec<Vec<BodyState>>, Vec<Summary>) = own.into_iter().unzip();
         let mut states = vec![0.0; last.len() * setup.bodies.len() * STATE];
         write_states(&last.concat(), &mut states);

@@ -1,4 +1,4 @@
-//! Work in parallel, with results in the order of the items, whichever thread computed them.
+//! Does work in parallel, and returns results in the order of the items, whichever thread computed them.
 
 use std::num::NonZero;
 use std::sync::Mutex;
@@ -7,19 +7,20 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-/// The given number of threads, else the number of the machine; at least one.
+/// The given number of threads, or else the number of threads of the machine; at least one.
 pub(crate) fn threads(given: Option<usize>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     given.unwrap_or_else(all).max(1)
 }
 
-/// What a thread did: results with their indices.
+/// The results that one thread computed, each with the index of its item.
 type Share<T> = Vec<(usize, T)>;
 
-/// Takes the indices below `count` in order, one at a time as runs differ in length, on `others` other threads, until `goes_on` says
-/// no. Each thread has something of its own for `work`, which `own` makes. Meanwhile this one runs `here`, with a channel that closes when
-/// all others have ended, and with the worker, for a share of its own. The results are in the order of the indices: each that was taken
-/// is done.
+/// Gives the indices below `count` in order to `others` other threads, one at a time because runs differ in length,
+/// until `goes_on` returns false. Each thread has its own data for `work`, which `own` makes. Meanwhile the calling
+/// thread runs `here`; with the channel that it gets, `here` learns that all other threads have ended, and with the
+/// worker it can take indices too. The results are in the order of the indices, and every index that a thread took is
+/// done.
 fn spread<T: Send, W>(
     (count, others): (usize, usize),
     own: impl Fn() -> W + Sync,
@@ -63,7 +64,8 @@ fn spread<T: Send, W>(
     done.into_iter().map(|(_, result)| result).collect()
 }
 
-/// Runs `work` for each index below `count`, on this thread too: short work is begun before another thread has started.
+/// Runs `work` for each index below `count`, also on the calling thread: short work is begun before another thread has
+/// started.
 pub(crate) fn each<T: Send>(
     count: usize,
     threads: usize,
@@ -75,7 +77,7 @@ pub(crate) fn each<T: Send>(
     spread((count, threads - 1), || (), || true, |(), index| work(index), |_, worker| worker())
 }
 
-/// As [`each`], but always on other threads.
+/// Runs `work` for each index as [`each`] does, but only on other threads.
 pub(crate) fn each_elsewhere<T: Send>(
     count: usize,
     threads: usize,
@@ -84,9 +86,9 @@ pub(crate) fn each_elsewhere<T: Send>(
     spread((count, threads), || (), || true, |(), index| work(index), |_, _| Vec::new())
 }
 
-/// The reason why not all of the work was done.
+/// Why some of the work was not done.
 pub(crate) enum Ended<E> {
-    /// The lowest index that failed: all lower indices were done.
+    /// The lowest index whose work failed, with its error: the work of all lower indices was done.
     Failed(usize, E),
     /// `watch` said no.
     Stopped,
@@ -95,9 +97,10 @@ pub(crate) enum Ended<E> {
 /// Time between two calls of `watch`.
 const WATCH: Duration = Duration::from_millis(20);
 
-/// As [`each`], but always on other threads: meanwhile this one calls `watch` with the number of those done. Where it says no, or where
-/// work fails, no further index is begun; `work` is told to stop early by its last argument. Each thread has something of its own for
-/// it, which `own` makes.
+/// Runs `work` for each index as [`each`] does, but only on other threads; meanwhile the calling thread calls `watch`
+/// with the number of indices that are done. If `watch` returns false or work fails, no further index is begun; the
+/// last argument of `work` tells running work to stop early. Each thread has its own data for `work`, which `own`
+/// makes.
 pub(crate) fn each_watched<T: Send, E: Send, W>(
     count: usize,
     threads: usize,
@@ -130,7 +133,7 @@ pub(crate) fn each_watched<T: Send, E: Send, W>(
     numbered.map(|(index, result)| result.map_err(|error| Ended::Failed(index, error))).collect()
 }
 
-/// Runs `work` for each item in place.
+/// Runs `work` for each item, which `work` may change in place.
 pub(crate) fn each_mut<I: Send, T: Send>(
     items: &mut [I],
     threads: usize,
@@ -143,7 +146,7 @@ pub(crate) fn each_mut<I: Send, T: Send>(
     let size = items.len().div_ceil(4 * threads);
     let pieces: Vec<Mutex<&mut [I]>> = items.chunks_mut(size).map(Mutex::new).collect();
     let done = each(pieces.len(), threads, |piece| {
-        let mut own = pieces[piece].lock().expect("each piece is locked once");
+        let mut own = pieces[piece].lock().expect("each piece of work is locked only once");
         let numbers = piece * size..;
         own.iter_mut().zip(numbers).map(|(item, index)| work(index, item)).collect::<Vec<T>>()
     });

@@ -1,4 +1,4 @@
-//! What the pickle of a simulation holds, as a dictionary.
+//! The contents of a simulation's pickle, which is a dictionary.
 
 use fenderline_contact::{Wrench, vec2};
 use pyo3::prelude::*;
@@ -8,26 +8,26 @@ use crate::errors;
 use crate::journal::Input;
 use crate::scenario::Scenario;
 
-/// A scenario, all inputs since the start, and how far the run has come.
+/// The contents of a simulation's pickle: a scenario, all inputs since the start, and how far the run has come.
 pub(crate) struct Pickled {
     pub(crate) scenario: Py<Scenario>,
     pub(crate) is_recorded: bool,
     pub(crate) inputs: Vec<(u64, Input)>,
     pub(crate) steps: u64,
     pub(crate) events_from: u64,
-    /// Values in the arrays, which the next step reads.
+    /// Values in Python's arrays of controls and external wrenches, which the next step reads.
     pub(crate) controls: Vec<f64>,
     pub(crate) external: Vec<Wrench>,
 }
 
-/// An input: number of steps before it, kind, index of the control or body, numbers, text of an order.
+/// An input in a pickle: number of steps before it, kind, index of the control or body, numbers, text of an order.
 type Row = (u64, String, usize, Vec<f64>, String);
 
 impl Pickled {
     /// Of a pickle's dictionary.
     pub(crate) fn of_parts(parts: &Bound<'_, PyDict>) -> PyResult<Pickled> {
         let item = |name: &str| {
-            let missing = || errors::bad_argument(format!("the pickle has no {name}"));
+            let missing = || errors::bad_argument(format!("the pickle has no item `{name}`"));
             parts.get_item(name)?.ok_or_else(missing)
         };
         let inputs: Vec<Row> = item("inputs")?.extract()?;
@@ -71,7 +71,9 @@ fn numbers(wrench: &Wrench) -> Vec<f64> {
 fn wrench(numbers: &[f64]) -> PyResult<Wrench> {
     match *numbers {
         [north, east, moment_nm] => Ok(Wrench { force_n: vec2(north, east), moment_nm }),
-        _ => Err(errors::bad_argument("the pickle has a wrench that is not three numbers")),
+        _ => {
+            Err(errors::bad_argument("the pickle has an external wrench that is not three numbers"))
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! A simulation with its controls, without Python.
+//! A simulation with its controls, as code without Python uses it.
 
 use std::sync::Arc;
 
@@ -7,18 +7,19 @@ use fenderline_sim::{SetupError, SimError, Simulation, Start, StepRecord};
 
 use crate::controls::Control;
 
-/// A simulation and the last values of its controls.
+/// A simulation, and the last values of its controls.
 #[derive(Clone)]
 pub(crate) struct Run {
     pub(crate) simulation: Simulation,
     pub(crate) controls: Arc<Vec<Control>>,
-    /// NaN for a control that was never set: it stays with an order of the scenario or a pilot.
+    /// The last value of each control; NaN for a control that was never set, which stays with an order of the scenario
+    /// or a pilot.
     set: Vec<f64>,
-    /// The set-up is that of the scenario but for its start.
+    /// Whether the set-up equals that of the scenario in all but its start.
     pub(crate) is_of_scenario: bool,
 }
 
-/// The reason why a run cannot start.
+/// Why a run cannot start.
 pub(crate) enum CannotRun {
     Setup(SetupError),
     /// The scenario has providers: programs that compute forces.
@@ -30,7 +31,7 @@ impl std::fmt::Display for CannotRun {
         match self {
             CannotRun::Setup(error) => error.fmt(f),
             CannotRun::Providers => f.write_str(
-                "the scenario has a [[provider]], which only the program `fenderline` starts: take it \
+                "the scenario has a [[provider]], which only the program `fenderline` starts: take the provider \
                  out and set `external_wrenches` before each step",
             ),
         }
@@ -47,26 +48,30 @@ impl Run {
         Ok(Run { simulation, controls, set, is_of_scenario: true })
     }
 
-    /// Starts again; the controls are not set then. The set-up is one that restarts in place.
+    /// Starts the run again, with no control set. The caller has checked that the set-up can be restarted in place.
     pub(crate) fn restart(&mut self, start: &Start) {
         self.simulation.restart(start).expect("a restart in place");
         self.set.fill(f64::NAN);
     }
 
-    /// The first control whose value is out of its limits, in words. NaN is not: it leaves a control alone.
+    /// The first control whose value is out of the control's limits, in words. NaN is within the limits, because NaN
+    /// leaves a control alone.
     pub(crate) fn refused(controls: &[Control], values: &[f64]) -> Option<String> {
         let each = controls.iter().cycle().zip(values);
         each.filter(|(_, value)| !value.is_nan()).find_map(|(control, value)| {
             let [low, high] = control.limits();
             let is_within = *value >= low && *value <= high;
             (!is_within).then(|| {
-                format!("control {} must be between {low} and {high}, but is {value}", control.name)
+                format!(
+                    "the control {} must be between {low} and {high}, but is {value}",
+                    control.name
+                )
             })
         })
     }
 
-    /// Orders the controls whose values have changed, and calls `ordered` with the number and value of each; NaN leaves a
-    /// control alone. The values are within their limits.
+    /// Orders the controls whose values have changed, and calls `ordered` with the number and value of each; NaN leaves
+    /// a control alone. The caller has checked that the values are within the limits of their controls.
     pub(crate) fn order(&mut self, values: &[f64], mut ordered: impl FnMut(usize, f64)) {
         for (index, &value) in values.iter().enumerate() {
             if !value.is_nan() && value.to_bits() != self.set[index].to_bits() {
@@ -82,7 +87,7 @@ impl Run {
         let at_s = self.simulation.time_s();
         let order = self.controls[index].order(value, at_s, self.simulation.setup());
         let given = self.simulation.order(order);
-        given.expect("the controls belong to the set-up and are within their limits");
+        given.expect("the controls belong to the set-up, and their values are within the limits");
     }
 
     /// One step.

@@ -14,12 +14,13 @@ use pyo3::types::{PyDict, PyString};
 
 use crate::errors;
 
-/// A checked scenario. It is immutable: `with_set` returns another one. Two are equal if their texts, replaced keys and files
-/// are. It can be pickled; its pickle holds the texts of the files that it names.
+/// A checked scenario. A scenario cannot be changed: `with_set` returns another scenario. Two scenarios are equal if
+/// their texts, replaced keys and files are equal. A scenario can be pickled; the pickle holds the texts of the files
+/// that the scenario names.
 ///
-/// `Scenario(source)` takes a path, a text of TOML (it has a line break), a tree of dictionaries or a scenario. `Scenario.load`,
-/// `Scenario.parse` and `Scenario.from_tree` take one of these each. `set` replaces keys as the program's `--set` does: a
-/// dictionary from dotted paths to values, or texts `KEY=VALUE`.
+/// `Scenario(source)` takes a path, a text of TOML (recognised by its line break), a tree of dictionaries or a
+/// scenario. `Scenario.load` takes a path, `Scenario.parse` takes a text and `Scenario.from_tree` takes a tree. `set`
+/// replaces keys as the program's `--set` does: a dictionary from dotted paths to values, or texts `KEY=VALUE`.
 ///
 /// >>> import fenderline
 /// >>> scenario = fenderline.example("tug_4kn").with_set({"time.step": "0.05 s"})
@@ -34,21 +35,21 @@ pub(crate) struct Scenario {
     pub(crate) checked: Arc<scenario::Scenario>,
 }
 
-/// The source of a scenario.
+/// What a scenario was read from.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Source {
     text: Arc<str>,
     name: String,
-    /// Folder of the files that it names.
+    /// Folder of the files that the scenario names.
     folder: Option<PathBuf>,
     replaced: Vec<Replacement>,
-    /// Texts of the files that it names, by their names in the scenario: as they were when it was read.
+    /// Texts of the files that the scenario names, by those names, as they were when the scenario was read.
     files: Files,
 }
 
 type Files = BTreeMap<String, Arc<str>>;
 
-/// A key that is replaced, as it was given and as it was read.
+/// A replaced key of a scenario, as the user gave it and as it was read.
 #[derive(Clone, Debug)]
 pub(crate) struct Replacement {
     /// How errors name it.
@@ -84,12 +85,12 @@ impl Replacement {
 }
 
 impl Source {
-    /// Reads the scenario with more overrides.
+    /// Reads the scenario with further keys replaced.
     pub(crate) fn check(&self, more: &[Override]) -> Result<scenario::Scenario, ScenarioError> {
         self.check_with_files(more).map(|(checked, _)| checked)
     }
 
-    /// As `check`; with the texts of the files that were read.
+    /// Reads the scenario as `check` does, and also returns the texts of the files that were read.
     fn check_with_files(
         &self,
         more: &[Override],
@@ -103,7 +104,7 @@ impl Source {
                 (None, Some(folder)) => read_text(&folder.join(file))?.into(),
                 (None, None) => {
                     return Err(format!(
-                        "{file}: the scenario's text has no folder, so no other file can be read"
+                        "{file}: the scenario was given as a text without a folder, so that no other file can be read"
                     ));
                 }
             };
@@ -161,7 +162,7 @@ impl Scenario {
         Scenario::of(py, text, name, Some(folder), set)
     }
 
-    /// Checks the text of a scenario; `folder` has the files that it names.
+    /// Checks the text of a scenario; `folder` is the folder of the files that the scenario names.
     #[staticmethod]
     #[pyo3(signature = (text, name="scenario.toml", folder=None, set=None))]
     fn parse(
@@ -174,7 +175,7 @@ impl Scenario {
         Scenario::of(py, text, name.to_owned(), folder, set)
     }
 
-    /// Checks a scenario given as a tree of dictionaries, as `tree` returns it.
+    /// Checks a scenario that is a tree of dictionaries, as `tree` returns one.
     #[staticmethod]
     #[pyo3(signature = (tree, name="tree", folder=None, set=None))]
     fn from_tree(
@@ -188,14 +189,15 @@ impl Scenario {
         Scenario::of(py, text, name.to_owned(), folder, set)
     }
 
-    /// This scenario with more keys replaced. Files that it names are not read again.
+    /// A scenario like this one with further keys replaced. The files that the scenario names are not read again.
     fn with_set(&self, py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Scenario> {
         let mut source = Source::clone(&self.source);
         source.replaced.extend(replacements(py, set)?);
         Scenario::checked(py, source)
     }
 
-    /// The scenario as a tree of dictionaries, with replaced keys; edit it, and make another scenario with `from_tree`.
+    /// The scenario as a tree of dictionaries, with replaced keys; you can edit the tree and make another scenario of
+    /// it with `from_tree`.
     fn tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let Source { text, name, replaced, .. } = &*self.source;
         let overrides: Vec<Override> = replaced.iter().map(|one| one.read.clone()).collect();
@@ -205,13 +207,13 @@ impl Scenario {
         module.getattr("tree")?.call1((&*self.source.text, set))
     }
 
-    /// The text of the file, without replaced keys.
+    /// The text of the scenario's file, without replaced keys.
     #[getter]
     fn text(&self) -> &str {
         &self.source.text
     }
 
-    /// The name of the file.
+    /// The name of the scenario's file.
     #[getter]
     fn name(&self) -> &str {
         &self.source.name
@@ -235,19 +237,19 @@ impl Scenario {
         self.checked.setup.step_s
     }
 
-    /// Duration of the run (s).
+    /// Duration of the scenario's run (s).
     #[getter]
     fn duration_s(&self) -> f64 {
         self.checked.setup.duration_s
     }
 
-    /// Names of the bodies, in the order of all arrays with one row per body.
+    /// Names of the bodies, in the order of the rows of all arrays that have one row per body.
     #[getter]
     pub(crate) fn bodies(&self) -> Vec<String> {
         self.checked.setup.bodies.iter().map(|body| body.name.clone()).collect()
     }
 
-    /// Names of the fenders, in the order of all arrays with one entry per fender.
+    /// Names of the fenders, in the order of all arrays that have one entry per fender.
     #[getter]
     pub(crate) fn fenders(&self) -> Vec<String> {
         self.checked.setup.fenders.iter().map(|fender| fender.name.clone()).collect()
@@ -293,11 +295,12 @@ impl Scenario {
     }
 }
 
-/// A scenario in parts: text, name, folder, replaced keys (option, key, value), texts of files by name.
+/// The parts of which a scenario is pickled: text, name, folder, replaced keys (option, key, value), texts of files by
+/// name.
 type Parts =
     (String, String, Option<String>, Vec<(String, String, String)>, BTreeMap<String, String>);
 
-/// Makes a scenario again from its parts. `fenderline._pickling` calls this function.
+/// Makes a scenario again from the parts in its pickle. `fenderline._pickling` calls this function.
 #[pyfunction]
 pub(crate) fn scenario_of_parts(
     py: Python<'_>,
@@ -337,7 +340,7 @@ impl Scenario {
     }
 }
 
-/// Keys and values that replace those of a scenario: a dictionary from dotted paths, or texts `KEY=VALUE`.
+/// Reads the keys that replace those of a scenario: a dictionary from dotted paths to values, or texts `KEY=VALUE`.
 pub(crate) fn replacements(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Vec<Replacement>> {
     let refused = |error: ScenarioError| errors::of_scenario(py, &error);
     let Ok(dict) = set.cast::<PyDict>() else {
@@ -353,12 +356,12 @@ pub(crate) fn replacements(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<V
         .collect()
 }
 
-/// How errors name a key with its value.
+/// The name that errors give to a replaced key with its value.
 pub(crate) fn option(key: &str, value: &str) -> String {
     format!("set {key} = {value}")
 }
 
-/// A number for the scenario reader.
+/// A number as text for the scenario reader.
 pub(crate) fn number_text(number: f64) -> String {
     match number {
         _ if number.is_nan() => "nan".to_owned(),
@@ -366,7 +369,7 @@ pub(crate) fn number_text(number: f64) -> String {
     }
 }
 
-/// A value for the scenario reader: texts unchanged, everything else as TOML.
+/// A Python value as text for the scenario reader: texts unchanged, everything else as TOML.
 pub(crate) fn value_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_instance_of::<PyString>() {
         return value.extract();
@@ -378,7 +381,7 @@ pub(crate) fn value_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     module.getattr("inline")?.call1((value,))?.extract()
 }
 
-/// A tree of dictionaries as TOML.
+/// Writes a tree of dictionaries as TOML.
 pub(crate) fn toml_of(tree: &Bound<'_, PyAny>) -> PyResult<String> {
     tree.py().import("fenderline._tree")?.getattr("dumps")?.call1((tree,))?.extract()
 }

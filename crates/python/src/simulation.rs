@@ -22,13 +22,14 @@ use crate::tables;
 use crate::totals::Totals;
 use crate::whole;
 
-/// Steps between two checks for an interrupt by the user.
+/// Steps that are taken between two checks for an interrupt by the user.
 const STEPS_AT_A_TIME: u64 = 2000;
 
-/// A simulation of a whole scenario, step by step. With `record=True` it records the tables of `fenderline run`.
+/// A simulation of a whole scenario, step by step. With `record=True` the simulation records the tables of
+/// `fenderline run`.
 ///
-/// It can be copied and pickled. A pickle holds the scenario and all inputs since the start: loading it computes the steps again,
-/// with the same bits.
+/// A simulation can be copied and pickled. A pickle of a simulation holds the scenario and all inputs since the start:
+/// loading the pickle computes the steps again, with the same bits.
 ///
 /// >>> import fenderline
 /// >>> simulation = fenderline.Simulation(fenderline.example("docking"))
@@ -47,7 +48,7 @@ pub(crate) struct Simulation {
     tables: Option<Tables<InMemory>>,
     totals: Totals,
     notices: Arc<Vec<String>>,
-    /// Those since the step with the number `events_from`.
+    /// Events since the step that has the number `events_from`.
     events: Vec<StepEvent>,
     events_from: u64,
     controls: Py<PyArray1<f64>>,
@@ -57,7 +58,7 @@ pub(crate) struct Simulation {
     wrenches: ReadOnly,
 }
 
-/// A saved state of a simulation: see `Simulation.save`. It can be pickled, as a simulation can.
+/// A saved state of a simulation: see `Simulation.save`. A saved state can be pickled as a simulation can.
 #[pyclass(frozen, module = "fenderline")]
 pub(crate) struct SimulationState {
     scenario: Py<Scenario>,
@@ -117,7 +118,7 @@ impl Simulation {
         Simulation::around(py, scenario, Arc::new(names), (run, totals), Arc::new(notices), tables)
     }
 
-    /// Takes `steps` steps with the current controls and external wrenches.
+    /// Takes `steps` steps with the controls and external wrenches as they are set.
     #[pyo3(signature = (steps=1))]
     fn step(
         &mut self,
@@ -129,7 +130,7 @@ impl Simulation {
         self.advance(py, steps)
     }
 
-    /// Runs to the end of the scenario's duration, or to a time.
+    /// Runs the simulation to the end of the scenario's duration, or to a given time.
     #[pyo3(signature = (until_s=None))]
     fn run(
         &mut self,
@@ -156,8 +157,8 @@ impl Simulation {
         self.step(py, left)
     }
 
-    /// Gives an order, with the keys of a scenario's `[[order]]`: `order(vessel="ship", rudder="10 deg")`. Without
-    /// `at` it is executed in the next step.
+    /// Gives an order, with the keys of a scenario's `[[order]]`: `order(vessel="ship", rudder="10 deg")`. Without `at`
+    /// the order is carried out in the next step.
     #[pyo3(signature = (**keys))]
     fn order(&mut self, py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         let text = keys.map(|keys| toml_of(keys.as_any())).transpose()?.unwrap_or_default();
@@ -187,7 +188,7 @@ impl Simulation {
         self.run.simulation.setup().step_s
     }
 
-    /// Number of steps of the scenario's duration.
+    /// Number of steps in the scenario's duration.
     #[getter]
     fn steps_total(&self) -> u64 {
         self.run.simulation.steps_total()
@@ -205,7 +206,7 @@ impl Simulation {
         &self.scenario.get().checked.title
     }
 
-    /// Names of the bodies, in the order of the rows.
+    /// Names of the bodies, in the order of the arrays' rows.
     #[getter]
     fn bodies(&self) -> Vec<String> {
         self.names.bodies.clone()
@@ -217,36 +218,37 @@ impl Simulation {
         self.names.fenders.clone()
     }
 
-    /// Names of the controls, in their order.
+    /// Names of the controls, in the order of `controls`.
     #[getter]
     fn control_names(&self) -> Vec<String> {
         self.run.controls.iter().map(|control| control.name.clone()).collect()
     }
 
-    /// Values of the controls. NaN leaves a control to the scenario's orders and pilots; a number takes it over from them
-    /// in the next step. Write into it.
+    /// Values of the controls. NaN leaves a control to the scenario's orders and pilots; a number takes the control
+    /// over from them in the next step. Write into it.
     #[getter]
     fn controls(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
         self.controls.clone_ref(py)
     }
 
-    /// Further forces on each body, one row per body: force north and east (N), moment about the centre of gravity (N·m).
-    /// Write into it; they act until they are changed.
+    /// Further forces on each body, one row per body: force north and east (N), moment about the centre of gravity
+    /// (N·m). Write into this array; the forces act until they are changed.
     #[getter]
     fn external_wrenches(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.external_wrenches.array(py)
     }
 
-    /// Current states, one row per body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
-    /// (rad/s). With the coupled method and the integrator `semi_implicit`, velocities are half a step older (half of the
-    /// last sub-step, where contacts needed several). Read-only; each step overwrites it.
+    /// Present states of the bodies, one row per body: north and east (m), heading (rad), velocity north and east
+    /// (m/s), rate of turn (rad/s). With the coupled method and the integrator `semi_implicit`, velocities are half a
+    /// step older than positions (half of the last sub-step, where contacts needed several). The array is read-only;
+    /// each step overwrites it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Contact wrenches of the last step, one row per body: force north and east (N), moment (N·m). Read-only; each step
-    /// overwrites it.
+    /// Contact wrenches of the last step, one row per body: force north and east (N), moment (N·m). The array is
+    /// read-only; each step overwrites it.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.wrenches.view(py)
@@ -258,13 +260,13 @@ impl Simulation {
         contacts_array(py, self.run.simulation.contacts())
     }
 
-    /// Events in the last call of `step` or `run`.
+    /// Events of the steps in the last call of `step` or `run`.
     #[getter]
     fn events(&self) -> Vec<StepEvent> {
         self.events.clone()
     }
 
-    /// The current energy ledger (J).
+    /// The energy ledger of the run up to now (J).
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let e = self.run.simulation.energy();
@@ -311,15 +313,16 @@ impl Simulation {
         tables::results(py, self.title(), all_tables(setup, 0, &summary))
     }
 
-    /// The summary of the run so far as a tree of dictionaries and lists: that of `summary.json`, with verdict and findings, fenders,
-    /// berthing energy, energy ledger, vessels, tugs, lines, anchors and events. Quantities that are not known have no key.
+    /// The summary of the run so far as a tree of dictionaries and lists, with the contents of `summary.json`: verdict
+    /// and findings, fenders, berthing energy, energy ledger, vessels, tugs, lines, anchors and events. Quantities that
+    /// are not known have no key in the tree.
     fn summary_tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.totals.tree(py, self.title(), &self.notices, &self.run.simulation)
     }
 
     /// The berthing energy by the formula and in the run, as a dictionary: `energy_j`, `added_mass`, `eccentricity`,
-    /// `fender_energy_j` of the first hit, `later_energy_j` of the largest later one and others, or `error`. `None` if the scenario has no
-    /// `[berthing]`, or before the first touch.
+    /// `fender_energy_j` of the first hit, `later_energy_j` of the largest later hit and others, or `error`. The result
+    /// is `None` if the scenario has no `[berthing]`, or before the first touch.
     #[getter]
     fn berthing<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         if self.run.simulation.berthing().is_none() {
@@ -328,17 +331,18 @@ impl Simulation {
         Ok(Some(self.summary_tree(py)?.get_item("berthing")?))
     }
 
-    /// Ends the recording and returns its tables: those of `fenderline run`, with the same numbers.
+    /// Ends the recording and returns its tables: those that `fenderline run` writes, with the same numbers.
     fn results<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let Some(recorded) = self.tables.take() else {
-            let message = "there is no recording: create the simulation with record=True, and call results() once".to_owned();
+            let message = "the simulation has no recording: create the simulation with record=True, and call \
+                           results() once".to_owned();
             return Err(errors::refused(py, message));
         };
         let kept = recorded.finish().map_err(|error| errors::refused(py, error.to_string()))?;
         tables::results(py, self.title(), kept)
     }
 
-    /// Saves the current state, for `restore`.
+    /// Saves the present state of the simulation, for `restore`.
     fn save(&self, py: Python<'_>) -> PyResult<SimulationState> {
         self.refuse_recording(py, "saved")?;
         let mut external = self.external_rows.clone();
@@ -357,18 +361,19 @@ impl Simulation {
         })
     }
 
-    /// Restores a state from `save` of this simulation, or of another one of an equal scenario.
+    /// Restores a state that `save` returned, of this simulation or of another simulation of an equal scenario.
     fn restore(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
         self.refuse_recording(py, "restored")?;
         let (own, other) = (&self.scenario.get().source, &state.scenario.get().source);
         if !Arc::ptr_eq(own, other) && own != other {
-            let message = "the state belongs to another scenario".to_owned();
+            let message = "the saved state belongs to another scenario".to_owned();
             return Err(errors::refused(py, message));
         }
         self.take_over(py, state)
     }
 
-    /// A copy that continues independently. One that is recorded computes its steps again.
+    /// A copy of the simulation that continues independently. The copy of a simulation that is recorded computes its
+    /// steps again.
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
         if self.tables.is_some() {
             return Simulation::of_pickled(py, &self.pickled(py)?);
@@ -427,7 +432,7 @@ impl SimulationState {
 }
 
 impl SimulationState {
-    /// A simulation that goes on from here.
+    /// A simulation that goes on from the saved state.
     fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
         let run = (self.run.clone(), self.totals.clone());
         let (names, notices) = (Arc::clone(&self.names), Arc::clone(&self.notices));
@@ -438,7 +443,7 @@ impl SimulationState {
     }
 }
 
-/// The reason why steps failed.
+/// Why steps of a simulation failed.
 enum Stopped {
     Step(fenderline_sim::SimError),
     NotFinite(fenderline_results::NotFinite),
@@ -484,7 +489,7 @@ impl Simulation {
         Ok(made)
     }
 
-    /// Reads controls and external wrenches from their arrays.
+    /// Reads controls and external wrenches from Python's arrays.
     fn read_inputs(&mut self, py: Python<'_>) -> PyResult<()> {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
@@ -501,7 +506,7 @@ impl Simulation {
             let body = &self.names.bodies[body];
             return Err(errors::refused(
                 py,
-                format!("the external wrench of {body} is not finite"),
+                format!("the external wrench on {body} is not finite"),
             ));
         }
         let step = self.run.simulation.steps_taken();
@@ -522,7 +527,7 @@ impl Simulation {
         self.events_from = self.run.simulation.steps_taken();
     }
 
-    /// Takes steps, and notices an interrupt by the user.
+    /// Takes steps of the simulation, and stops for an interrupt by the user.
     fn advance(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
         let mut left = steps;
         while left > 0 {
@@ -561,14 +566,14 @@ impl Simulation {
         })
     }
 
-    /// A simulation that has taken all the steps of a pickled one.
+    /// A simulation that has taken all the steps of the pickled simulation.
     pub(crate) fn of_pickled(py: Python<'_>, pickled: &Pickled) -> PyResult<Simulation> {
         let mut made = Simulation::new(py, pickled.scenario.clone_ref(py), pickled.is_recorded)?;
         made.replay(py, pickled)?;
         Ok(made)
     }
 
-    /// Repeats the inputs and steps of a pickled simulation, from the start.
+    /// Repeats the inputs and steps of a pickled simulation from its start.
     fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
         let mut external = vec![Wrench::default(); self.external_rows.len()];
         for (step, input) in &pickled.inputs {
@@ -576,13 +581,20 @@ impl Simulation {
             match input {
                 Input::Control(index, value) => {
                     if *index >= self.run.controls.len() {
-                        return Err(errors::bad_argument("the pickle has a control too many"));
+                        return Err(errors::bad_argument(
+                            "the pickle sets a control that the scenario does not have",
+                        ));
                     }
                     self.run.order_one(*index, *value);
                 }
                 Input::External(body, wrench) => {
                     let row = external.get_mut(*body);
-                    let refused = || errors::bad_argument("the pickle has a body too many");
+                    let refused = || {
+                        errors::bad_argument(
+                            "the pickle sets a wrench on a body that the scenario \
+                                                           does not have",
+                        )
+                    };
                     *row.ok_or_else(refused)? = *wrench;
                     self.run.simulation.set_external(&external);
                 }
@@ -667,7 +679,7 @@ impl Simulation {
     }
 }
 
-/// The reason why a run cannot start, as an exception.
+/// Makes the exception for a run that cannot start.
 pub(crate) fn cannot_run(py: Python<'_>, error: &CannotRun) -> PyErr {
     match error {
         CannotRun::Setup(error) => errors::of_setup(py, error),

@@ -32,7 +32,7 @@ impl Summary {
     }
 }
 
-/// The summaries of runs that follow each other, and the number of the first.
+/// The summaries of runs that follow each other, and the number of the first run.
 #[derive(Clone, Copy)]
 struct Runs<'s> {
     first: usize,
@@ -40,12 +40,12 @@ struct Runs<'s> {
 }
 
 impl<'s> Runs<'s> {
-    /// Each summary with its run's number.
+    /// Each summary with the number of its run.
     fn each(self) -> impl Iterator<Item = (usize, &'s Summary)> {
         (self.first..).zip(self.summaries)
     }
 
-    /// The rows of all runs, each with its run's number.
+    /// The rows of all runs, each row with the number of its run.
     fn rows<S>(self, of: impl Fn(&'s Summary) -> &'s Vec<S>) -> Vec<(usize, &'s S)> {
         let mut rows = Vec::new();
         for (run, summary) in self.each() {
@@ -87,10 +87,15 @@ fn flags<S>(
 
 fn runs<S>(rows: &[(usize, &S)]) -> KeptColumn {
     let values = KeptValues::Counts(rows.iter().map(|(run, _)| *run as u32).collect());
-    KeptColumn { name: "run", unit: "1", meaning: "number of the run, from 0", values }
+    KeptColumn {
+        name: "run",
+        unit: "1",
+        meaning: "number of the run; the first run has the number 0",
+        values,
+    }
 }
 
-/// A column of texts, each word stored once.
+/// Makes a column of texts, in which each different text is stored once.
 fn texts(
     name: &'static str,
     meaning: &'static str,
@@ -102,7 +107,8 @@ fn texts(
     KeptColumn { name, unit: "-", meaning, values }
 }
 
-/// A column for each quantity of the catalogue, truth values last. A missing number is NaN, a missing word is empty.
+/// Makes a column for each quantity of the catalogue, with truth values last. A missing number becomes NaN, and a
+/// missing word becomes an empty text.
 fn quantities<'s, S: 's, T>(
     rows: &[(usize, &T)],
     catalogue: &Catalogue<S, T>,
@@ -132,7 +138,7 @@ fn quantities<'s, S: 's, T>(
     columns
 }
 
-/// All summary tables of runs that follow each other; `first` is the number of the first.
+/// All summary tables of runs that follow each other; `first` is the number of the first run.
 pub(crate) fn all_tables(setup: &Setup, first: usize, summaries: &[Summary]) -> Vec<KeptTable> {
     let runs = Runs { first, summaries };
     vec![
@@ -151,41 +157,48 @@ fn dolphins_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let bodies = setup.bodies.iter().map(|body| body.name.clone()).collect();
     let mut columns = vec![
         runs(&rows),
-        names(&rows, "dolphin", "name of the dolphin's body", bodies, |d| d.body),
+        names(&rows, "dolphin", "name of the body that is the dolphin", bodies, |d| d.body),
     ];
     columns.extend(quantities(&rows, &DOLPHINS, |d| &setup.bodies[d.body]));
     KeptTable { name: "dolphins", columns }
 }
 
-/// The berthing energy of each run whose ship touched a fender, if the scenario has a `[berthing]`.
+/// The table of the berthing energy in each run whose ship touched a fender, if the scenario has a `[berthing]`.
 fn berthings_table(all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.berthings);
     let columns = vec![
         runs(&rows),
-        column(&rows, ("first_touch_s", "s", "start of the step of the first touch"), |b| {
-            b.first_touch_s
-        }),
-        column(&rows, ("speed_mps", "m/s", "speed square to the face at the first touch"), |b| {
-            b.speed_mps
-        }),
+        column(
+            &rows,
+            ("first_touch_s", "s", "start of the step in which the ship first touches a fender"),
+            |b| b.first_touch_s,
+        ),
+        column(
+            &rows,
+            ("speed_mps", "m/s", "speed of the ship square to the quay face at the first touch"),
+            |b| b.speed_mps,
+        ),
         column(
             &rows,
             (
                 "formula_speed_mps",
                 "m/s",
-                "speed in the formula: the speed of the approach; without an approach, the speed \
-                 at the touch",
+                "speed in the formula: that of the approach if the scenario gives one, else that at the touch",
             ),
             |b| b.formula_speed_mps(),
         ),
         column(
             &rows,
-            ("angle_rad", "rad", "berthing angle, positive with the bow towards the berth"),
+            (
+                "angle_rad",
+                "rad",
+                "angle of the ship to the berth, positive with the bow towards the berth",
+            ),
             |b| b.angle_rad,
         ),
         column(
             &rows,
-            ("along_m", "m", "point of contact from the centre of gravity, positive forward"),
+            ("along_m", "m", "place of the contact, positive forward of the centre of gravity"),
             |b| b.along_m,
         ),
         column(&rows, ("fenders", "1", "number of fenders that the hull meets at once"), |b| {
@@ -193,27 +206,39 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
         }),
         column(&rows, ("added_mass", "1", "the chosen Cm"), |b| b.chosen_added_mass),
         column(&rows, ("eccentricity", "1", "Ce by the formula"), |b| b.eccentricity),
-        column(&rows, ("energy_j", "J", "energy by the formula, with the chosen Cm"), |b| {
-            b.energy_j
-        }),
+        column(
+            &rows,
+            ("energy_j", "J", "berthing energy by the formula, with the chosen Cm"),
+            |b| b.energy_j,
+        ),
         column(
             &rows,
             (
                 "energy_at_touch_j",
                 "J",
-                "energy by the formula with the speed at the \
-            touch",
+                "berthing energy by the formula, with the speed at the touch",
             ),
             |b| b.energy_at_touch_j,
         ),
         column(
             &rows,
-            ("abnormal_energy_j", "J", "energy of the abnormal berthing; NaN without a factor"),
+            (
+                "abnormal_energy_j",
+                "J",
+                "energy of the abnormal berthing; NaN if the scenario has no factor for it",
+            ),
             |b| b.abnormal_energy_j.unwrap_or(f64::NAN),
         ),
-        column(&rows, ("kinetic_j", "J", "kinetic energy square to the face in the run"), |b| {
-            b.kinetic_j
-        }),
+        column(
+            &rows,
+            (
+                "kinetic_j",
+                "J",
+                "kinetic energy of the ship's motion square to the quay face in the \
+                                          run",
+            ),
+            |b| b.kinetic_j,
+        ),
         column(
             &rows,
             ("fender_energy_j", "J", "energy that the fenders took in the first hit"),
@@ -229,8 +254,7 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             (
                 "eccentricity_measured",
                 "1",
-                "energy in fenders and piles over the kinetic \
-            energy",
+                "energy that fenders and piles took, over the kinetic energy",
             ),
             |b| b.eccentricity_measured,
         ),
@@ -239,23 +263,29 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             (
                 "later_energy_j",
                 "J",
-                "energy that the fenders took in the largest later hit; 0: none",
+                "energy that the fenders took in the largest later hit; 0 if there is none",
             ),
             |b| b.later.map_or(0.0, |later| later.energy_j),
         ),
-        column(&rows, ("later_at_s", "s", "start of the step of this energy; NaN: none"), |b| {
-            b.later.map_or(f64::NAN, |later| later.at_s)
-        }),
         column(
             &rows,
-            ("later_hit", "1", "number of this later hit, 2 for the second; 0: none"),
+            ("later_at_s", "s", "start of the step of the largest later hit; NaN if there is none"),
+            |b| b.later.map_or(f64::NAN, |later| later.at_s),
+        ),
+        column(
+            &rows,
+            (
+                "later_hit",
+                "1",
+                "number of the largest later hit, 2 for the second hit; 0 if there is none",
+            ),
             |b| b.later.map_or(0.0, |later| f64::from(later.number)),
         ),
     ];
     KeptTable { name: "berthings", columns }
 }
 
-/// The verdict on each run.
+/// The table of the verdict on each run.
 fn verdicts_table(all: Runs<'_>) -> KeptTable {
     let rows: Vec<(usize, Verdict)> =
         all.each().map(|(run, summary)| (run, Verdict::of(&summary.findings))).collect();
@@ -264,22 +294,30 @@ fn verdicts_table(all: Runs<'_>) -> KeptTable {
     let columns = vec![
         runs(&shown),
         texts("verdict", "the worst finding of the run", of(|v| v.key())),
-        texts("gravity", "ok, note, attention or failed", of(|v| v.gravity().key())),
+        texts(
+            "gravity",
+            "gravity of the verdict: ok, note, attention or failed",
+            of(|v| v.gravity().key()),
+        ),
     ];
     KeptTable { name: "verdicts", columns }
 }
 
-/// What was found in each run, the worst first.
+/// The table of what was found in each run, the worst first.
 fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.findings);
     let of = |text: fn(&Finding) -> &'static str| rows.iter().map(move |(_, f)| text(f).to_owned());
     let columns = vec![
         runs(&rows),
         texts("finding", "what was found", of(|f| f.verdict().key())),
-        texts("gravity", "ok, note, attention or failed", of(|f| f.verdict().gravity().key())),
+        texts(
+            "gravity",
+            "gravity of the finding: ok, note, attention or failed",
+            of(|f| f.verdict().gravity().key()),
+        ),
         texts(
             "subjects",
-            "names of the bodies, fenders, lines or vessels, separated by commas",
+            "names of the bodies, fenders, lines or vessels that the finding is about, separated by commas",
             rows.iter().map(|(_, f)| f.names(setup).join(", ")),
         ),
         texts("text", "the finding in one sentence", rows.iter().map(|(_, f)| f.sentence(setup))),
@@ -322,7 +360,7 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     KeptTable { name: "findings", columns }
 }
 
-/// Pairs that touched, by run.
+/// The table of the pairs of bodies that touched, by run.
 fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.pairs);
     let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
@@ -335,7 +373,7 @@ fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     KeptTable { name: "pairs", columns }
 }
 
-/// Fenders that were touched, by run.
+/// The table of the fenders that were touched, by run.
 fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
     let rows = all.rows(|summary| &summary.fenders);
     let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();

@@ -1,4 +1,4 @@
-//! Result tables for Python: NumPy columns, which `fenderline._results` wraps.
+//! Gives result tables to Python as NumPy columns, which `fenderline._results` wraps.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
-/// A `fenderline.Table`; NumPy takes over the columns' memory.
+/// Makes a `fenderline.Table`; NumPy takes over the memory of the columns.
 pub(crate) fn table(py: Python<'_>, table: KeptTable) -> PyResult<Bound<'_, PyAny>> {
     let columns = PyList::empty(py);
     for column in table.columns {
@@ -24,7 +24,7 @@ pub(crate) fn table(py: Python<'_>, table: KeptTable) -> PyResult<Bound<'_, PyAn
     py.import("fenderline._results")?.getattr("Table")?.call1((table.name, columns))
 }
 
-/// `fenderline.Results` of the tables of a run.
+/// Makes a `fenderline.Results` of the tables of a run.
 pub(crate) fn results<'py>(
     py: Python<'py>,
     title: &str,
@@ -37,7 +37,7 @@ pub(crate) fn results<'py>(
     py.import("fenderline._results")?.getattr("Results")?.call1((title, list))
 }
 
-/// Different texts in the order of their first use, each once, with their numbers.
+/// Different texts, each once with its number, in the order of their first use.
 #[derive(Default)]
 pub(crate) struct Words {
     pub(crate) list: Vec<String>,
@@ -45,7 +45,7 @@ pub(crate) struct Words {
 }
 
 impl Words {
-    /// The number of a text.
+    /// The number of a text; a new text gets the next number.
     pub(crate) fn code(&mut self, text: String) -> i32 {
         *self.numbers.entry(text).or_insert_with_key(|text| {
             self.list.push(text.clone());
@@ -54,7 +54,8 @@ impl Words {
     }
 }
 
-/// The tables whose rows are those of all pieces, one after the other. Each piece has the same tables and columns.
+/// Joins pieces of tables: the rows of all pieces, one piece after the other. Each piece must have the same tables and
+/// columns.
 pub(crate) fn joined(pieces: Vec<Vec<KeptTable>>) -> Vec<KeptTable> {
     let mut pieces = pieces.into_iter();
     let mut all = pieces.next().unwrap_or_default();
@@ -70,7 +71,7 @@ pub(crate) fn joined(pieces: Vec<Vec<KeptTable>>) -> Vec<KeptTable> {
     all
 }
 
-/// Adds the rows of other columns of the same kind.
+/// Adds the rows of other columns, which hold values of the same kind.
 fn add_rows(own: &mut KeptValues, others: impl Iterator<Item = KeptValues>) {
     let mut all_words = Words::default();
     if let KeptValues::Texts { words, .. } = own {
@@ -87,7 +88,7 @@ fn add_rows(own: &mut KeptValues, others: impl Iterator<Item = KeptValues>) {
                 let of: Vec<i32> = words.into_iter().map(|word| all_words.code(word)).collect();
                 codes.extend(other.into_iter().map(|code| of[code as usize]));
             }
-            _ => unreachable!("a column is of one kind in all pieces"),
+            _ => unreachable!("a column has values of one kind in all pieces"),
         }
     }
     if let KeptValues::Texts { words, .. } = own {

@@ -1,4 +1,4 @@
-//! What a simulation counts beside its steps, for its summary as a tree.
+//! Counts what happens in a simulation beside its steps, for the summary as a tree.
 
 use fenderline_results::{Events, Interrupted, Outcome, ProviderNotices, WorldTotals, summary};
 use fenderline_scenario::Scenario;
@@ -8,14 +8,14 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
-/// Events, and totals of vessels, tugs and lines.
+/// Counted events, and totals of vessels, tugs and lines.
 #[derive(Clone)]
 pub(crate) struct Totals {
     events: Events,
     world: WorldTotals,
-    /// The exercise, if the scenario has one.
+    /// The exercise of the scenario, if there is one.
     exercise: Option<Assessment>,
-    /// The lines of the report's title page.
+    /// The lines of the title page of the run's report.
     report: Vec<(&'static str, String)>,
 }
 
@@ -36,14 +36,14 @@ impl Totals {
         self.world.add(step);
     }
 
-    /// Looks at the state after a step.
+    /// Marks the exercise by the state after a step.
     pub(crate) fn mark(&mut self, simulation: &Simulation) {
         if let Some(exercise) = &mut self.exercise {
             exercise.update(simulation);
         }
     }
 
-    /// The tree of `summary.json` of a run up to now, without its files.
+    /// The tree of `summary.json` of a run up to now, without the list of files.
     pub(crate) fn tree<'py>(
         &self,
         py: Python<'py>,

@@ -1,4 +1,4 @@
-//! A simulation of its pickle.
+//! Makes a simulation from its pickle.
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use crate::pickled::Pickled;
 use crate::simulation::Simulation;
 
-/// The simulation of a pickle's dictionary, for `fenderline._pickling`.
+/// The simulation that a pickle's dictionary describes; `fenderline._pickling` calls this function.
 #[pyfunction]
 pub(crate) fn simulation_of_parts(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Variants of a scenario: the same bodies, fenders and controls with other numbers.
+//! Variants of a scenario, which have the same bodies, fenders and controls with other numbers.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -22,11 +22,11 @@ pub(crate) struct Common {
     pub(crate) controls: Arc<Vec<Control>>,
 }
 
-/// The reason why a variant cannot be run.
+/// Why a variant of the scenario cannot be run.
 pub(crate) enum NoRun {
     Scenario(ScenarioError),
     Cannot(CannotRun),
-    /// Its bodies, fenders or controls differ from the scenario's.
+    /// The bodies, fenders or controls of the variant differ from the scenario's; the text says which.
     Other(&'static str),
 }
 
@@ -37,8 +37,8 @@ impl Common {
         Common { source: Arc::clone(&scenario.source), base, controls }
     }
 
-    /// What the variant with these overrides starts from. Where only its start differs from the scenario's, no simulation is
-    /// made.
+    /// What a run of the variant with the overrides `set` begins with. If only the variant's start differs from the
+    /// scenario's, no simulation is made.
     pub(crate) fn variant(&self, set: &[Override]) -> Result<Variant, NoRun> {
         let setup = &self.base.setup;
         if setup.world.providers.is_empty() && setup.restarts_in_place() {
@@ -50,7 +50,7 @@ impl Common {
         self.run(set).map(|run| Variant::Run(Box::new(run)))
     }
 
-    /// A run of the variant with these overrides, made anew.
+    /// Makes a run of the variant with the overrides `set` anew.
     pub(crate) fn run(&self, set: &[Override]) -> Result<Run, NoRun> {
         let varied;
         let scenario = match set {
@@ -80,11 +80,11 @@ impl Common {
     }
 }
 
-/// What a variant starts from.
+/// What a run of a variant begins with.
 pub(crate) enum Variant {
-    /// The scenario with another start.
+    /// The scenario's run, with another start.
     Start(Box<Start>),
-    /// A run of its own.
+    /// A run that was made for the variant alone.
     Run(Box<Run>),
 }
 
@@ -101,7 +101,8 @@ impl Variant {
         }
     }
 
-    /// Begins it in the memory of another run of the scenario's variants. The result is that of a new run.
+    /// Begins the variant in the memory of another run of the scenario's variants. The results are the same as those of
+    /// a new run.
     pub(crate) fn begin_in(self, common: &Common, run: &mut Run) -> Result<(), NoRun> {
         match self {
             Variant::Start(start) if run.is_of_scenario => run.restart(&start),
@@ -111,7 +112,7 @@ impl Variant {
     }
 }
 
-/// The overrides of each variant.
+/// Reads the overrides of each variant.
 pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<Override>>> {
     let read = |set| -> PyResult<Vec<Override>> {
         let replaced = replacements(variants.py(), &set)?;
@@ -122,21 +123,22 @@ pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<Override>>> 
         .collect()
 }
 
-/// The overrides of many variants. Those of columns are made where they are needed: by the threads that run.
+/// The overrides of many variants. Overrides that are given as columns are made where they are needed: by the threads
+/// that run the variants.
 pub(crate) enum Sets {
     Each(Vec<Vec<Override>>),
     Columns { keys: Vec<(String, Column)>, rows: usize },
 }
 
-/// The values of a key, one for each variant.
+/// The values of an overridden key, one value for each variant.
 pub(crate) enum Column {
     Numbers(Vec<f64>),
-    /// Of any kind, as texts for the scenario reader.
+    /// Values of any kind, as texts for the scenario reader.
     Texts(Vec<String>),
 }
 
 impl Sets {
-    /// A sequence of dictionaries, or a dictionary of columns of the same length.
+    /// Reads a sequence of dictionaries, or a dictionary of columns of the same length.
     pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Sets> {
         let Ok(columns) = variants.cast::<PyDict>() else { return read(variants).map(Sets::Each) };
         let keys = columns.iter().map(|(key, values)| Ok((key.extract()?, Column::read(&values)?)));
@@ -191,7 +193,7 @@ impl Column {
         }
     }
 
-    /// A value for the scenario reader.
+    /// A value of the column, as text for the scenario reader.
     fn text(&self, index: usize) -> Cow<'_, str> {
         match self {
             Column::Numbers(numbers) => Cow::Owned(number_text(numbers[index])),
@@ -200,7 +202,7 @@ impl Column {
     }
 }
 
-/// The exception for a variant, with its number.
+/// The exception for a variant that cannot run, with the variant's number.
 pub(crate) fn exception(py: Python<'_>, number: usize, error: &NoRun) -> PyErr {
     let exception = match error {
         NoRun::Scenario(error) => errors::of_scenario(py, error),
@@ -212,7 +214,7 @@ pub(crate) fn exception(py: Python<'_>, number: usize, error: &NoRun) -> PyErr {
     numbered(py, number, exception)
 }
 
-/// Puts the number of the run before the exception's message, and into its attribute `run`.
+/// Puts the number of a run before the message of its exception, and into the exception's attribute `run`.
 pub(crate) fn numbered(py: Python<'_>, number: usize, error: PyErr) -> PyErr {
     let value = error.value(py);
     let set = (|| {

@@ -1,4 +1,4 @@
-//! Whole numbers that a caller gives: Python's have no bounds, ours have, and say so.
+//! Reads whole numbers that a Python caller gives: a Python number has no bounds, ours have, and errors say so.
 
 use std::ops::Range;
 
@@ -8,27 +8,27 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
-/// Most steps of one call: those of the longest run of a scenario.
+/// Most steps of one call: as many as the longest run of a scenario has.
 pub(crate) const MOST_STEPS: i64 = 1_000_000_000;
-/// Most simulations that go in lockstep: their memory is taken at once.
+/// Most simulations that take their steps together: memory for all of them is taken at once.
 const MOST_AT_ONCE: i64 = 1_000_000;
 
-/// The number of steps of a call.
+/// Reads the number of steps of a call.
 pub(crate) fn steps(given: &Bound<'_, PyAny>) -> PyResult<u64> {
     within(given, "steps", [0, MOST_STEPS]).map(|number| number as u64)
 }
 
-/// The number of steps that a host is late.
+/// Reads the number of steps by which a host is late.
 pub(crate) fn delay_steps(given: &Bound<'_, PyAny>) -> PyResult<u32> {
     within(given, "delay_steps", [0, i64::from(u32::MAX)]).map(|number| number as u32)
 }
 
-/// The number of repeated steps of the bench.
+/// Reads the number of steps that the bench repeats.
 pub(crate) fn count(given: &Bound<'_, PyAny>) -> PyResult<u64> {
     within(given, "count", [0, MOST_STEPS]).map(|number| number as u64)
 }
 
-/// The number of episodes in lockstep.
+/// Reads the number of episodes that take their steps together.
 pub(crate) fn episodes(given: &Bound<'_, PyAny>) -> PyResult<usize> {
     within(given, "count", [1, MOST_AT_ONCE]).map(|number| number as usize)
 }
@@ -39,17 +39,17 @@ pub(crate) fn threads(given: &Bound<'_, PyAny>) -> PyResult<usize> {
     within(given, "threads", [1, most]).map(|number| number as usize)
 }
 
-/// The number of threads, or `None`.
+/// Reads the number of threads, or `None`.
 pub(crate) fn some_threads(given: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
     if given.is_none() { Ok(None) } else { threads(given).map(Some) }
 }
 
-/// The length of a step (s).
+/// Reads the length of a step (s).
 pub(crate) fn step_s(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     real(given, "step_s")
 }
 
-/// A time, or `None` (s).
+/// Reads a time (s), or `None`.
 pub(crate) fn until_s(given: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
     if given.is_none() { Ok(None) } else { real(given, "until_s").map(Some) }
 }
@@ -59,7 +59,7 @@ pub(crate) fn berthed_within_m(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     real(given, "berthed_within_m")
 }
 
-/// Controls with their full values.
+/// Reads names of controls, each with its full value.
 pub(crate) fn levers(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
     named(given, "levers", "names with numbers")
 }
@@ -69,15 +69,16 @@ pub(crate) fn probabilities(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     named(given, "probabilities", "numbers in a sequence")
 }
 
-/// A number; its range is for the call to check.
+/// Reads a number, whose range the call has to check.
 ///
 /// # Errors
-/// TypeError for what is no number, `fenderline.ArgumentError` for an integer beyond any number of ours.
+/// Raises TypeError for a value that is no number, and `fenderline.ArgumentError` for a whole number that is too large
+/// for us.
 fn real(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     named(given, name, "a number")
 }
 
-/// What is given as a value of this kind, with errors that name the argument.
+/// Reads a value of a kind, with errors that name the argument.
 fn named<'py, T: FromPyObjectOwned<'py>>(
     given: &Bound<'py, PyAny>,
     name: &str,
@@ -93,10 +94,10 @@ fn named<'py, T: FromPyObjectOwned<'py>>(
     })
 }
 
-/// The number of one of `count` things, from 0.
+/// Reads the number of one of `count` things; the first has the number 0.
 ///
 /// # Errors
-/// TypeError for what is no whole number, IndexError for one that is out of range.
+/// Raises TypeError for a value that is no whole number, and IndexError for a number that is out of range.
 pub(crate) fn index(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyResult<u64> {
     let number = number(given, what)?;
     let found = number.extract::<u64>().ok().filter(|number| *number < count);
@@ -108,10 +109,10 @@ pub(crate) fn index(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyResul
     })
 }
 
-/// The numbers from `first` to before `last` of `count` runs.
+/// Reads the numbers of the runs from `first` to `last - 1`, among `count` runs.
 ///
 /// # Errors
-/// TypeError for what is no whole number, IndexError for a range that is not within that of the runs.
+/// Raises TypeError for a value that is no whole number, and IndexError for runs that do not exist.
 pub(crate) fn range(
     first: &Bound<'_, PyAny>,
     last: &Bound<'_, PyAny>,
@@ -125,10 +126,12 @@ pub(crate) fn range(
         return Ok(first..last);
     }
     let [first, last] = [shown(&first), shown(&last)];
-    Err(PyIndexError::new_err(format!("runs {first} to {last}: there are {count}")))
+    Err(PyIndexError::new_err(format!(
+        "runs {first} to {last} were asked for, but there are {count} runs"
+    )))
 }
 
-/// Numbers of some of `count` things, from 0.
+/// Reads the numbers of some of `count` things; the first has the number 0.
 pub(crate) fn indices(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyResult<Vec<usize>> {
     let refused = |_| {
         let words = shown(given);
@@ -138,10 +141,11 @@ pub(crate) fn indices(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyRes
     all.map(|one| index(&one?, what, count).map(|number| number as usize)).collect()
 }
 
-/// A whole number within bounds, both included.
+/// Reads a whole number that lies within bounds, both included.
 ///
 /// # Errors
-/// TypeError for what is no whole number, `fenderline.ArgumentError` for one that is out of range.
+/// Raises TypeError for a value that is no whole number, and `fenderline.ArgumentError` for a number that is out of
+/// range.
 pub(crate) fn within(given: &Bound<'_, PyAny>, name: &str, bounds: [i64; 2]) -> PyResult<i64> {
     let number = number(given, name)?;
     let [low, high] = bounds;
@@ -152,7 +156,7 @@ pub(crate) fn within(given: &Bound<'_, PyAny>, name: &str, bounds: [i64; 2]) -> 
     })
 }
 
-/// What is given as an integer of Python.
+/// Reads a value as an integer of Python.
 fn number<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     let index = given.py().import("operator")?.getattr("index")?;
     index.call1((given,)).map_err(|_| {
@@ -160,7 +164,7 @@ fn number<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyA
     })
 }
 
-/// An object in a few words.
+/// A value in a few words, for an error message.
 fn shown(object: &Bound<'_, PyAny>) -> String {
     const MOST: usize = 60;
     // Python refuses to write integers of thousands of digits.

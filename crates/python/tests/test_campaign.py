@@ -143,7 +143,7 @@ def test_mistakes(speeds: campaign.Campaign, tmp_path: Path) -> None:
         campaign.evaluate(speeds, [[0.5, 0.5]], ["reaction"])
     with pytest.raises(fenderline.CampaignError, match="not between 0 and 1"):
         campaign.evaluate(speeds, [[1.0]], ["reaction"])
-    with pytest.raises(fenderline.CampaignError, match="40 runs have no row; the first of them is 20"):
+    with pytest.raises(fenderline.CampaignError, match="40 runs have no row; the first of these runs has the number 20"):
         speeds.write(tmp_path / "other", [speeds.run(0, 20)])
     with pytest.raises(fenderline.CampaignError, match="damaged"):
         speeds.write(tmp_path / "damaged", [speeds.run(0, 60)[:-1]])

@@ -248,5 +248,5 @@ def test_a_fleet_equals_its_simulations() -> None:
         assert np.isnan(fleet.controls[1]).all()
         with pytest.raises(IndexError):
             fleet.reset([3], [{}])
-        with pytest.raises(ValueError, match="the numbers of variants and indices differ"):
+        with pytest.raises(ValueError, match="there must be as many variants as indices"):
             fleet.reset([0, 1], [{}])

@@ -110,7 +110,7 @@ def test_invalid_controls_and_wrenches_are_refused(scenarios: Path) -> None:
         simulation.step()
     simulation.controls[1] = 0.0
     simulation.external_wrenches[0, 0] = np.nan
-    with pytest.raises(SimulationError, match="external wrench of ship"):
+    with pytest.raises(SimulationError, match="external wrench on ship"):
         simulation.step()
     assert simulation.time_s == 0.0
 
@@ -154,7 +154,7 @@ def test_a_recorded_simulation_gives_its_tables_once(scenarios: Path) -> None:
     simulation.run(until_s=5.0)
     results = simulation.results()
     assert results["bodies"].rows == 2 * 50
-    with pytest.raises(SimulationError, match="there is no recording"):
+    with pytest.raises(SimulationError, match="the simulation has no recording"):
         simulation.results()
 
 

@@ -1,4 +1,4 @@
-//! Pages for people, from the records of a run: pure functions that return text.
+//! Makes pages for people from the records of a run, by pure functions that return text.
 //!
 //! [`run_page::render`] makes `report.html` from a run's [`Outcome`](fenderline_results::Outcome) and the
 //! [`run_page::Recorder`] that followed its steps. [`plot`] draws charts and plan views as SVG and puts them on a page;

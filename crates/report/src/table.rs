@@ -1,20 +1,20 @@
-//! The head of a table.
+//! Writes the heads of tables.
 
 use maud::{Markup, html};
 
-/// The head of one column. A unit stands small below the label; an empty one is left out. In a label, what follows an
-/// underscore is a subscript, as in `k_s`.
+/// The head of one column of a table. The unit stands small below the label; an empty unit is left out. In a label the
+/// part after an underscore becomes a subscript, as in `k_s`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Head<'a> {
-    /// A column of names, wide and to the left.
+    /// A column of names, which is wide and aligned to the left.
     Name(&'a str),
-    /// A column of texts: label and unit.
+    /// A column of texts, with its label and unit.
     Text(&'a str, &'a str),
-    /// A column of numbers: label and unit.
+    /// A column of numbers, with its label and unit.
     Number(&'a str, &'a str),
 }
 
-/// The head row of a table.
+/// Writes the head row of a table.
 pub fn table_head(columns: &[Head<'_>]) -> Markup {
     html! {
         thead { tr {
@@ -29,7 +29,7 @@ pub fn table_head(columns: &[Head<'_>]) -> Markup {
     }
 }
 
-/// A name, which may be broken after its underscores.
+/// Writes a name so that a line may break after the name's underscores.
 pub(crate) fn breakable(name: &str) -> Markup {
     html! {
         @for (index, part) in name.split_inclusive('_').enumerate() {

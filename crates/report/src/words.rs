@@ -1,4 +1,4 @@
-//! Events of a run in words.
+//! Writes the events of a run in words.
 
 use fenderline_contact::EventKind;
 use fenderline_results::Interrupted;
@@ -8,17 +8,18 @@ use maud::{Markup, html};
 
 use crate::plot::plain;
 
-/// Where a run was interrupted.
+/// Words that say where a run was interrupted.
 pub fn interrupted_text(interrupted: &Interrupted) -> String {
     let Interrupted { steps, of_steps, at_s, of_s } = interrupted;
     // Without thousands separators, because the terminal prints it too.
     let [at_s, of_s] = [*at_s, *of_s].map(|s| plain(s, 9).replace('\u{202f}', ""));
     format!(
-        "stopped by the user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results cover that time"
+        "stopped by the user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results cover \
+         the time up to the stop"
     )
 }
 
-/// A kind of contact event, for readers of the report.
+/// Words for a kind of contact event, for readers of the report.
 pub fn event_text(kind: EventKind) -> &'static str {
     match kind {
         EventKind::ContactBegan => "a contact began",
@@ -47,7 +48,7 @@ pub fn event_text(kind: EventKind) -> &'static str {
     }
 }
 
-/// A kind of event of vessels, tugs, lines and anchors, for readers of the report.
+/// Words for a kind of event of vessels, tugs, lines and anchors, for readers of the report.
 pub fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
         WorldEventKind::OrderClamped => "an order was beyond its limit and was set to the limit",
@@ -56,20 +57,23 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
             "water depth below 1.1 draughts, where no formula is valid: shallow-water effects keep \
              their value for 1.1"
         }
-        WorldEventKind::TugLimited => "cannot give the ordered force at this speed and angle",
+        WorldEventKind::TugLimited => {
+            "the tug cannot give the ordered force at this speed and angle"
+        }
         WorldEventKind::TugOrderRefused => "an order was refused: force or direction not possible",
         WorldEventKind::LineNotMadeFast => {
-            "could not be made fast: too short, the pretension is not possible, or the bollard is taken or out of reach"
+            "the line could not be made fast: it is too short, the pretension is not possible, or the \
+             bollard is taken or out of reach"
         }
-        WorldEventKind::LineMadeFast => "fast at the bollard to which it was sent",
+        WorldEventKind::LineMadeFast => "the line is fast at the bollard to which it was sent",
         WorldEventKind::LineParted => "PARTED",
-        WorldEventKind::LineNotParted => "was planned to part, but was not fast",
+        WorldEventKind::LineNotParted => "the line was planned to part, but was not fast",
         WorldEventKind::LineRenders => "the brake of the winch rendered",
         WorldEventKind::Anchor(event) => event.text(),
     }
 }
 
-/// A text in which names of keys and commands stand between backticks, with those as code.
+/// Marks up a text: names of keys and commands that stand between backticks become code.
 pub fn with_code(text: &str) -> Markup {
     let parts: Vec<&str> = text.split('`').collect();
     // An odd number of backticks: the last one is a backtick.

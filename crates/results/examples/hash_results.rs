@@ -1,5 +1,5 @@
-//! Runs scenarios and prints a hash of each one's results: every bit of every number in every table. Equal hashes on two
-//! systems show equal results. `cargo xtask same-bits-everywhere` runs it on five.
+//! Runs scenarios and prints a hash of each one's results: every bit of every number in every table. Equal hashes on
+//! two systems show that their results are equal. `cargo xtask same-bits-everywhere` runs this example on five systems.
 //!
 //! Each argument is a scenario file, with keys to replace after semicolons:
 //! `hash_results "scenarios/oblique_hit.toml;time.duration=5 s"`.

@@ -5,7 +5,7 @@ use fenderline_sim::hydro::vessels::{Origin, Source};
 
 use crate::json::{Json, object};
 
-/// The errors of an estimation method in one measure: computed value over reference, minus 1.
+/// The errors of an estimation method in one measured quantity: computed value divided by reference value, minus 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimateError {
     /// Key of the measure.
@@ -23,15 +23,16 @@ pub struct EstimateError {
 }
 
 impl EstimateError {
-    /// The error of largest magnitude, with its sign.
+    /// The error with the largest magnitude, with its sign.
     pub fn largest(&self) -> f64 {
         let [(_, low), (_, high)] = &self.ends;
         if low.abs() > high.abs() { *low } else { *high }
     }
 }
 
-/// The accuracy of a vessel's estimated data, one line each: ratios outside the range of the formulas, and the errors of
-/// the formulas on ships with references. Empty for a vessel with given data of hull, propeller and rudder.
+/// The accuracy of a vessel's estimated data, one line each: ratios outside the range of the formulas, and the errors
+/// of the formulas on ships with references. The list is empty for a vessel with given data of hull, propeller and
+/// rudder.
 pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
     let Some(route) = origin.estimate_method else { return Vec::new() };
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
@@ -66,7 +67,7 @@ fn signed_percent(share: f64) -> String {
     if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
 }
 
-/// [`accuracy`] as JSON; null if nothing of hull, propeller and rudder is estimated.
+/// The content of [`accuracy`] as JSON; null if nothing of hull, propeller and rudder is estimated.
 pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Json {
     let Some(route) = origin.estimate_method else { return Json::Null };
     let outside: Vec<Json> = origin

@@ -1,9 +1,9 @@
-//! Names of events in results.
+//! Names of the events in result files.
 
 use fenderline_contact::EventKind;
 use fenderline_sim::WorldEventKind;
 
-/// The name of a contact event.
+/// The name of a contact event in result files.
 #[must_use]
 pub fn event_key(kind: EventKind) -> &'static str {
     match kind {
@@ -22,7 +22,7 @@ pub fn event_key(kind: EventKind) -> &'static str {
     }
 }
 
-/// The name of an event of a vessel, tug, line or anchor.
+/// The name of an event of a vessel, tug, line or anchor in result files.
 #[must_use]
 pub fn world_event_key(kind: WorldEventKind) -> &'static str {
     match kind {

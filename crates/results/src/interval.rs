@@ -1,4 +1,4 @@
-//! Rows that stand for several steps.
+//! Makes rows of tables that stand for several time steps.
 
 use std::collections::BTreeMap;
 
@@ -23,12 +23,12 @@ pub(crate) struct Interval {
 }
 
 impl Interval {
-    /// Before the first step.
+    /// Makes an interval before the first time step.
     pub(crate) fn new(steps_per_row: u64) -> Interval {
         Interval { steps_per_row, steps: 0, start_s: 0.0 }
     }
 
-    /// Goes on to a step that begins at `t_s`.
+    /// Continues the interval with a time step that begins at `t_s`.
     pub(crate) fn advance(&mut self, t_s: f64) {
         if self.steps == 0 {
             self.start_s = t_s;
@@ -46,7 +46,7 @@ impl Interval {
         self.steps > 0
     }
 
-    /// The next step begins a new interval.
+    /// Ends the interval, so that the next time step begins a new interval.
     pub(crate) fn end(&mut self) {
         self.steps = 0;
     }
@@ -65,7 +65,7 @@ impl<M: Medium, R: Row> Rows<M, R> {
         Ok(Rows { table: Counted::start(medium, names, layout)?, open: BTreeMap::new() })
     }
 
-    /// Adds the row of one step of the interval.
+    /// Adds the row of one time step of the interval.
     pub(crate) fn push(&mut self, interval: &Interval, mut row: R) -> Result<(), M::Error> {
         if interval.steps_per_row == 1 {
             // In the order in which they come.
@@ -86,7 +86,7 @@ impl<M: Medium, R: Row> Rows<M, R> {
         Ok(())
     }
 
-    /// Writes the rows of an interval that is over.
+    /// Writes the rows of an output interval that is over.
     pub(crate) fn close(&mut self, interval: &Interval) -> Result<(), M::Error> {
         for (_, (mut row, own)) in core::mem::take(&mut self.open) {
             row.close(f64::from(own), interval.steps as f64);

@@ -1,7 +1,7 @@
 //! JSON whose numbers are checked before they are written.
 //!
-//! JSON has no NaN and no infinity. `serde_json` writes null for both, and null also means that there is no value: in a
-//! `serde_json` value the two cases cannot be distinguished. So [`Json`] keeps each number as a number, and
+//! JSON has no NaN and no infinity. `serde_json` writes null for both, but null also means that there is no value;
+//! these two meanings cannot be distinguished in a `serde_json` value. So [`Json`] keeps each number as a number, and
 //! [`Json::checked`] checks all numbers on the way to a [`serde_json::Value`].
 
 use core::fmt;
@@ -32,7 +32,7 @@ pub enum Json {
 /// A number that is NaN or infinite, with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NumberNotFinite {
-    /// Its key, with dots between the levels and indices of lists in brackets.
+    /// Key of the number, with dots between the levels and indices of lists in brackets.
     pub key: String,
 }
 
@@ -45,15 +45,15 @@ impl fmt::Display for NumberNotFinite {
 impl core::error::Error for NumberNotFinite {}
 
 impl Json {
-    /// The document as `serde_json` has it.
+    /// Checks all numbers and gives the document as a value of `serde_json`.
     ///
     /// # Errors
-    /// A number that is NaN or infinite.
+    /// Fails if a number is NaN or infinite.
     pub fn checked(self) -> Result<Value, NumberNotFinite> {
         self.at(&mut String::new())
     }
 
-    /// `path` is the path of this value, and is unchanged afterwards.
+    /// Checks a value; `path` is the path of this value in the document, and is unchanged afterwards.
     fn at(self, path: &mut String) -> Result<Value, NumberNotFinite> {
         Ok(match self {
             Json::Null => Value::Null,
@@ -95,7 +95,7 @@ impl Json {
         }
     }
 
-    /// The items of a list; empty for anything else.
+    /// The items of a JSON list; empty for any other value.
     pub fn items_mut(&mut self) -> &mut [Json] {
         match self {
             Json::List(items) => items,
@@ -115,7 +115,7 @@ fn below(path: &mut String, part: &str, value: Json) -> Result<Value, NumberNotF
 impl Index<&str> for Json {
     type Output = Json;
 
-    /// The value of a key of an object; null if there is none.
+    /// The value of a key of an object; null if the object lacks the key.
     fn index(&self, key: &str) -> &Json {
         let Json::Object(entries) = self else { return &Json::Null };
         entries.iter().find(|(own, _)| own == key).map_or(&Json::Null, |(_, value)| value)
@@ -125,7 +125,9 @@ impl Index<&str> for Json {
 impl IndexMut<&str> for Json {
     /// The value of a key of an object; a new key comes last, with null.
     fn index_mut(&mut self, key: &str) -> &mut Json {
-        let Json::Object(entries) = self else { panic!("`{key}` is asked of what is no object") };
+        let Json::Object(entries) = self else {
+            panic!("the key `{key}` is asked of a value that is no object")
+        };
         let place = entries.iter().position(|(own, _)| own == key).unwrap_or_else(|| {
             entries.push((key.to_owned(), Json::Null));
             entries.len() - 1
@@ -134,7 +136,7 @@ impl IndexMut<&str> for Json {
     }
 }
 
-/// What [`Json`] can be made of.
+/// A value from which [`Json`] can be made.
 pub trait ToJson {
     /// The value as JSON.
     fn to_json(&self) -> Json;
@@ -238,7 +240,8 @@ impl<T: ToJson> FromIterator<(String, T)> for Json {
     }
 }
 
-/// An object, written as JSON is: `object!({ "key": value })`. Values are anything with [`ToJson`]; a key is a text in quotes or in a variable.
+/// Makes a JSON object from a notation like JSON: `object!({ "key": value })`. Values are anything with [`ToJson`]; a
+/// key is a text in quotes or in a variable.
 macro_rules! object {
     ({ $($key:tt : $value:expr),* $(,)? }) => {
         $crate::json::Json::Object(vec![

@@ -1,8 +1,8 @@
-//! The results of a run: tables, events, totals, verdicts and `summary.json`. Nothing here reads or writes files.
+//! The results of a run: tables, events, totals, verdicts and `summary.json`. This crate reads and writes no files.
 //!
-//! [`Tables`] makes the rows of every step, or of every interval of several steps. A [`Medium`] decides how a table is kept: the program writes files,
-//! [`InMemory`] keeps columns in memory. [`reference()`] lists every column with its unit and meaning. [`Outcome`] is a
-//! run at its end; [`summary()`] and the report are made from the outcome.
+//! [`Tables`] makes the rows of every step, or of every interval of several steps. A [`Medium`] decides how a table is
+//! kept: the program writes files, [`InMemory`] keeps columns in memory. [`reference()`] lists every column with its
+//! unit and meaning. [`Outcome`] is a run at its end; [`summary()`] and the report are made from the outcome.
 //!
 //! ```
 //! # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/paper/experiment_2_4kn.toml");

@@ -1,14 +1,14 @@
-//! How tables are kept: as files or in memory.
+//! The media in which result tables are kept: files or memory.
 
 use crate::columns::{Column, Layout, Names};
 
-/// A way to keep tables.
+/// A medium in which result tables are kept.
 pub trait Medium {
     /// Error of the medium.
     type Error;
-    /// A table when it is done.
+    /// The type of a table that is complete.
     type Done;
-    /// A table that is being filled.
+    /// The type of a table that is being filled with rows.
     type Table<R>: Table<R, Error = Self::Error, Done = Self::Done>;
 
     /// Starts a table.
@@ -27,13 +27,13 @@ pub trait Medium {
 pub trait Table<R> {
     /// What can go wrong.
     type Error;
-    /// The table when it is done.
+    /// The type of the table when it is complete.
     type Done;
 
     /// Adds a row.
     ///
     /// # Errors
-    /// The medium's own, or a value that is not finite.
+    /// Fails with an error of the medium, or if a value is not finite.
     fn push(&mut self, row: &R) -> Result<(), Self::Error>;
 
     /// Ends the table.
@@ -43,7 +43,7 @@ pub trait Table<R> {
     fn finish(self) -> Result<Self::Done, Self::Error>;
 }
 
-/// A table with its name and the number of its rows.
+/// A table that is being filled, with its name and the number of its rows.
 pub(crate) struct Counted<M: Medium, R> {
     name: &'static str,
     table: M::Table<R>,

@@ -1,4 +1,4 @@
-//! Tables in memory, column by column.
+//! Keeps tables in memory, column by column.
 
 use std::fmt;
 
@@ -23,12 +23,12 @@ struct Filled<R> {
     values: Filling<R>,
 }
 
-/// The source of a column's values, and the values so far.
+/// The function that takes a column's values from rows, and the values so far.
 enum Filling<R> {
     Float(fn(&R) -> f64, Vec<f64>),
     Nth(usize, fn(&R, usize) -> f64, Vec<f64>),
     Known(fn(&R) -> Option<f64>, Vec<f64>),
-    /// `absent` is the code of a row without a name.
+    /// Names, as codes of the different names; `absent` is the code of a row without a name.
     Name {
         index: fn(&R) -> Option<usize>,
         absent: usize,
@@ -58,7 +58,7 @@ pub struct KeptTable {
 pub struct KeptColumn {
     /// Name of the column; it ends with the unit, if it has one.
     pub name: &'static str,
-    /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
+    /// Unit of the column as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
     /// Meaning of the column.
     pub meaning: &'static str,
@@ -84,7 +84,7 @@ pub enum KeptValues {
     Counts(Vec<u32>),
 }
 
-/// A value that is not finite: the run failed.
+/// An error: a value is not finite, so that the run failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotFinite {
     /// The column.
@@ -156,10 +156,10 @@ impl<R> Filling<R> {
         }
     }
 
-    /// Adds the value of a row.
+    /// Adds the column's value of a row.
     ///
     /// # Errors
-    /// The number, if it is not finite.
+    /// Gives the number back if it is not finite.
     fn push(&mut self, row: &R) -> Result<(), f64> {
         match self {
             Filling::Float(number, values) => values.push(finite(number(row))?),

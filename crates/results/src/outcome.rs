@@ -1,4 +1,4 @@
-//! A run at its end, for summary, report and terminal.
+//! The outcome of a run, from which summary, report and terminal text are made.
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
@@ -14,12 +14,12 @@ use crate::recorded_session::RecordedSession;
 use crate::run_events::Events;
 use crate::world_totals::WorldTotals;
 
-/// Where a run was interrupted.
+/// The place at which a run was interrupted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interrupted {
     /// Steps taken.
     pub steps: u64,
-    /// Steps of the whole run.
+    /// Number of time steps of the whole run.
     pub of_steps: u64,
     /// Time reached (s).
     pub at_s: f64,
@@ -28,7 +28,7 @@ pub struct Interrupted {
 }
 
 impl Interrupted {
-    /// The state of a simulation that is stopped.
+    /// Notes where a simulation is stopped.
     pub fn of(simulation: &Simulation) -> Interrupted {
         Interrupted {
             steps: simulation.steps_taken(),
@@ -39,7 +39,7 @@ impl Interrupted {
     }
 }
 
-/// A run at its end.
+/// The outcome of a run at its end.
 #[derive(Clone, Debug)]
 pub struct Outcome<'a> {
     /// The scenario's title.
@@ -48,7 +48,7 @@ pub struct Outcome<'a> {
     pub report: &'a [(&'static str, String)],
     /// Name of the scenario file, without its folder.
     pub scenario_file: &'a str,
-    /// The session that the run repeats; `None` for a run that nobody steered.
+    /// The recorded session that the run repeats; `None` for a run that nobody steered.
     pub session: Option<&'a RecordedSession>,
     /// The exercise at the end of the run; `None` if the scenario has none.
     pub exercise: Option<&'a Assessment>,
@@ -56,7 +56,7 @@ pub struct Outcome<'a> {
     pub setup: &'a Setup,
     /// Notices of the scenario.
     pub notices: &'a [String],
-    /// Where the run was interrupted, if it was.
+    /// The place at which the run was interrupted, if it was.
     pub interrupted: Option<Interrupted>,
     /// Number of steps taken.
     pub steps: u64,
@@ -68,7 +68,7 @@ pub struct Outcome<'a> {
     pub energy: Energy,
     /// Contact events.
     pub events: &'a Events,
-    /// What was found in the run, the worst first.
+    /// The findings of the run, the worst first.
     pub findings: &'a [Finding],
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
@@ -84,8 +84,8 @@ pub struct Outcome<'a> {
     pub world: &'a WorldTotals,
     /// Events of force providers.
     pub providers: &'a ProviderNotices,
-    /// Errors of the formulas that estimated the vessels, on ships with references; empty if no vessel was estimated by
-    /// formulas with known errors.
+    /// Errors of the formulas that estimated vessel data, found on ships with known data; empty if no vessel was
+    /// estimated by formulas with known errors.
     pub estimate_errors: &'a [EstimateError],
 }
 
@@ -101,11 +101,11 @@ impl Outcome<'_> {
     }
 }
 
-/// A file of the run and its number of rows, for the summary.
+/// A result file of the run and its number of rows, for the summary.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WrittenFile {
     /// Name within the folder.
     pub name: String,
-    /// Rows without the header; `None` if the file is not a table.
+    /// Number of rows without the header; `None` if the file is not a table.
     pub rows: Option<u64>,
 }

@@ -2,25 +2,26 @@
 
 use fenderline_sim::external::ProviderEvent;
 
-/// Notices kept one by one at most.
+/// Largest number of notices that are kept one by one.
 const FIRST: usize = 20;
 
 /// An event of a force provider.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProviderNotice {
-    /// Start of the step (s).
+    /// Start of the time step in which the event occurred (s).
     pub t_s: f64,
-    /// Index into the set-up's providers.
+    /// Index of the provider among the set-up's providers.
     pub provider: usize,
     /// The event.
     pub event: ProviderEvent,
 }
 
-/// The first notices of a run, and the count of each kind. Its size does not grow with the run.
+/// The first events of the force providers in a run, and the count of each kind. The size of this list does not grow
+/// with the length of the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProviderNotices {
     first: Vec<ProviderNotice>,
-    /// In the order of first occurrence.
+    /// Count of each kind of event, in the order of first occurrence.
     counts: Vec<(&'static str, u64)>,
 }
 
@@ -42,13 +43,13 @@ impl ProviderNotices {
         &self.first
     }
 
-    /// The kinds that occurred, with their counts.
+    /// The kinds of events that occurred, with their counts.
     pub fn counts(&self) -> &[(&'static str, u64)] {
         &self.counts
     }
 }
 
-/// The word for an event in `summary.json`.
+/// The word for an event of a force provider in `summary.json`.
 pub fn provider_event_key(event: &ProviderEvent) -> &'static str {
     match event {
         ProviderEvent::Held => "provider_held",

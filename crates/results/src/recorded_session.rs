@@ -22,10 +22,10 @@ pub struct RecordedSession {
 /// A line of the log of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogLine {
-    /// When the entry was, or began (s).
+    /// Time of the entry, or of its beginning (s).
     pub t_s: f64,
-    /// When the entry ended (s); `None` for an entry without a length, and for an alarm whose cause
-    /// was active at the end.
+    /// Time at which the entry ended (s); `None` for an entry without a length, and for an alarm whose cause was active
+    /// at the end of the session.
     pub until_s: Option<f64>,
     /// Kind of the entry.
     pub kind: LogKind,
@@ -33,7 +33,8 @@ pub struct LogLine {
     pub who: String,
     /// What the entry was.
     pub text: String,
-    /// When an alarm was acknowledged (s), and by whom; `None` if nobody did, and for all else.
+    /// Time at which an alarm was acknowledged (s), and the person; `None` if nobody acknowledged it, and for entries
+    /// that are no alarms.
     pub acknowledged: Option<(f64, String)>,
     /// Equal for alarms of one kind about the same things; empty for other entries.
     pub key: String,
@@ -59,7 +60,7 @@ pub enum LogKind {
 }
 
 impl LogKind {
-    /// The word of results and reports.
+    /// The word for the kind of entry in results and reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

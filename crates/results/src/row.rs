@@ -1,20 +1,20 @@
-//! What a row of a table can do.
+//! The functions that a row of a table must have.
 
-/// A row of a table: its subject, and how the row takes up later steps of its interval.
+/// A row of a table: its subject, and how it combines the steps of its interval.
 pub(crate) trait Row: Sized {
     /// The subject of the row, such as the number of a fender. Rows of one interval are written in the order of this
     /// key.
     type Key: Ord;
 
-    /// What the row is about.
+    /// The subject of the row.
     fn key(&self) -> Self::Key;
 
     /// Called if the row begins in a later step of the interval than the first step.
     fn begin_late(&mut self) {}
 
-    /// Takes up a later step.
+    /// Combines the row with that of a later step of its interval.
     fn join(&mut self, later: Self);
 
-    /// Makes means of sums: the row has taken up `own` steps of the `all` of the interval.
+    /// Turns sums into means: the row has combined `own` steps, and the interval has `all` steps.
     fn close(&mut self, own: f64, all: f64);
 }

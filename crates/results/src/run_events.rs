@@ -8,16 +8,17 @@ use fenderline_sim::StepRecord;
 /// Largest number of events that are kept: of contacts that begin and end, and of all other events.
 const FIRST_EVENTS: usize = 20;
 
-/// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.
+/// Events of a run: the count of each kind, and the first few. The size of this list does not grow with the length of
+/// the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
-    /// In the order of first occurrence; the same event of different fenders is one kind.
+    /// Count of each kind of event, in the order of first occurrence; the same event of different fenders is one kind.
     counts: Vec<(EventKind, u64)>,
     first: Vec<(f64, Event)>,
 }
 
 impl Events {
-    /// Adds the events of one step.
+    /// Adds the events of one time step.
     pub fn count(&mut self, step: &StepRecord<'_>) {
         for event in step.events {
             let kind = discriminant(&event.kind);
@@ -33,18 +34,18 @@ impl Events {
         }
     }
 
-    /// The first of them, with the start of their step (s).
+    /// The first events, each with the start of its time step (s).
     pub fn first(&self) -> &[(f64, Event)] {
         &self.first
     }
 
-    /// The kinds that occurred, with their counts.
+    /// The kinds of events that occurred, with their counts.
     pub fn counts(&self) -> impl Iterator<Item = (EventKind, u64)> {
         self.counts.iter().copied()
     }
 }
 
-/// Whether the event is the begin or the end of a contact, which needs no attention.
+/// Whether the event is the beginning or the end of a contact, which needs no attention.
 pub fn is_plain(kind: EventKind) -> bool {
     matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded)
 }

@@ -1,4 +1,4 @@
-//! The tables of a run, filled step by step.
+//! Fills the tables of a run step by step.
 
 use fenderline_sim::{Energy, FenderSetup, OutputPlan, OutputTable, Setup, StepRecord};
 
@@ -24,17 +24,17 @@ pub struct Tables<M: Medium> {
     chains: Option<Rows<M, ChainRow>>,
     world: WorldTables<M>,
     interval: Interval,
-    /// The ledger at the end of the last step.
+    /// The energy ledger at the end of the last time step.
     last: EnergyRow,
     step_s: f64,
     fender_setups: Vec<FenderSetup>,
 }
 
 impl<M: Medium> Tables<M> {
-    /// Starts the tables of `plan`; the ledger's first row is the energy at the `start`.
+    /// Starts the tables of `plan`; the first row of the energy ledger is the energy at the `start`.
     ///
     /// # Errors
-    /// An error of the medium.
+    /// Fails with an error of the medium.
     pub fn start(
         medium: &M,
         setup: &Setup,
@@ -82,10 +82,10 @@ impl<M: Medium> Tables<M> {
         })
     }
 
-    /// Adds one step; if the step ends an interval, writes the rows of the interval.
+    /// Adds one time step; if the step ends an output interval, writes the rows of the interval.
     ///
     /// # Errors
-    /// The medium's own, or a value that is not finite.
+    /// Fails with an error of the medium, or if a value is not finite.
     pub fn write(&mut self, step: &StepRecord<'_>) -> Result<(), M::Error> {
         self.interval.advance(step.t_s);
         let (interval, t_s) = (&self.interval, self.interval.start_s);
@@ -133,7 +133,7 @@ impl<M: Medium> Tables<M> {
     /// Writes the rows of an interval that the run's end cut short. [`Tables::finish`] calls it.
     ///
     /// # Errors
-    /// An error of the medium.
+    /// Fails with an error of the medium.
     pub fn end_interval(&mut self) -> Result<(), M::Error> {
         if !self.interval.is_begun() {
             return Ok(());
@@ -150,7 +150,7 @@ impl<M: Medium> Tables<M> {
         self.energy.as_mut().map_or(Ok(()), |table| table.push(&self.last))
     }
 
-    /// Names of the tables, with their numbers of rows written so far.
+    /// Names of the tables, each with the number of rows written so far.
     #[must_use]
     pub fn rows(&self) -> Vec<(&'static str, u64)> {
         let mut rows = Vec::new();
@@ -168,7 +168,7 @@ impl<M: Medium> Tables<M> {
     /// Ends the tables and returns them, in the order of [`Tables::rows`].
     ///
     /// # Errors
-    /// An error of the medium.
+    /// Fails with an error of the medium.
     pub fn finish(mut self) -> Result<Vec<M::Done>, M::Error> {
         self.end_interval()?;
         let mut done = Vec::new();

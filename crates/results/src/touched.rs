@@ -1,4 +1,4 @@
-//! The state of touched fenders in one step.
+//! The state of touched fenders in one time step.
 
 use std::collections::BTreeMap;
 
@@ -16,9 +16,9 @@ pub struct TouchedFender {
     pub reaction_n: f64,
     /// Largest reaction along the fender's axis within the step (N).
     pub peak_reaction_n: f64,
-    /// Stored in spring and stop at the start of the step (J).
+    /// Energy stored in spring and stop at the start of the step (J).
     pub stored_j: f64,
-    /// Components of the mean normal force, along the mean normal force.
+    /// Components of the mean normal force (spring, stop, damper), taken along the direction of that force.
     pub parts: ForceParts,
 }
 
@@ -41,7 +41,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
     fenders
 }
 
-/// Adds the components of another force.
+/// Adds the components of the force of another contact.
 pub fn add_parts(sum: &mut ForceParts, parts: &ForceParts) {
     sum.spring_n += parts.spring_n;
     sum.stop_n += parts.stop_n;

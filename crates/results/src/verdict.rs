@@ -7,13 +7,13 @@ use fenderline_sim::{FenderSetup, FenderSummary, Finding, fender_finding};
 pub enum FenderVerdict {
     /// No rating given.
     NotRated,
-    /// Within the rating, and within the permissible hull pressure.
+    /// The fender stayed within its rating and within the permissible hull pressure.
     Ok,
-    /// Within the rating, but above the permissible hull pressure.
+    /// The fender stayed within its rating, but exceeded the permissible hull pressure.
     HullPressure,
-    /// Deflection, reaction or energy beyond the rating.
+    /// Deflection, reaction or energy of the fender was beyond the rating.
     OverRated,
-    /// Compressed to the stop, or by the whole projection.
+    /// The fender was compressed to its stop, or by its whole projection.
     Failed,
 }
 

@@ -11,7 +11,7 @@ use crate::interval::{Interval, Rows};
 use crate::medium::Medium;
 use crate::row::Row;
 
-/// These tables of a run.
+/// The tables of vessels, thrusters, azimuth units, tugs, lines and anchors of a run.
 pub(crate) struct WorldTables<M: Medium> {
     setup: WorldSetup,
     vessels: Option<Rows<M, VesselRow>>,
@@ -52,7 +52,7 @@ impl<M: Medium> WorldTables<M> {
         })
     }
 
-    /// Adds one step of an interval.
+    /// Adds one time step of an output interval.
     pub(crate) fn write(
         &mut self,
         step: &StepRecord<'_>,
@@ -117,7 +117,7 @@ impl<M: Medium> WorldTables<M> {
         Ok(())
     }
 
-    /// Writes the rows of an interval that is over.
+    /// Writes the rows of an output interval that is over.
     pub(crate) fn close(&mut self, interval: &Interval) -> Result<(), M::Error> {
         self.vessels.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.thrusters.as_mut().map_or(Ok(()), |table| table.close(interval))?;

@@ -1,5 +1,5 @@
-//! From checked tables to a simulation set-up: rules that hold between keys, which the key
-//! table cannot express.
+//! Turns checked tables into the set-up of a simulation, and checks the rules between keys that the declarations of the
+//! keys cannot express.
 
 mod anchor;
 mod approach;
@@ -75,16 +75,16 @@ use std::borrow::Cow;
 
 use self::orders::OrderNames;
 
-/// Most steps of a run.
+/// Greatest number of time steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
-/// The data that a scenario may name.
+/// The fender and vessel data that a scenario may use by name.
 pub(crate) struct Libraries {
     pub(crate) fenders: Cow<'static, FenderLibrary>,
     pub(crate) vessels: Cow<'static, VesselLibrary>,
 }
 
-/// Wind areas of a vessel from her table.
+/// Reads the wind areas of a vessel from her table.
 pub(crate) fn windage<T>(
     sources: &Sources<'_>,
     table: Of<'_, T>,
@@ -95,7 +95,7 @@ pub(crate) fn windage<T>(
     Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, key, ship)
 }
 
-/// The wind in a table of the environment that names no file; `None` if it is refused.
+/// Reads the wind from a table of the environment that names no file; `None` if the wind is refused.
 pub(crate) fn read_wind(
     sources: &Sources<'_>,
     environment: Of<'_, EnvironmentKey>,
@@ -105,7 +105,7 @@ pub(crate) fn read_wind(
     assembly.wind(environment, environment.item(EnvironmentKey::WIND)?).ok()
 }
 
-/// The current in a table of the environment that names no file; `None` if it is refused.
+/// Reads the current from a table of the environment that names no file; `None` if the current is refused.
 pub(crate) fn read_current(
     sources: &Sources<'_>,
     environment: Of<'_, EnvironmentKey>,
@@ -115,7 +115,7 @@ pub(crate) fn read_current(
     assembly.current(environment, environment.item(EnvironmentKey::CURRENT)?).ok()
 }
 
-/// Builds the set-up from the checked file, and adds notices in the order of the file.
+/// Builds the set-up of the simulation from the checked file, and adds warnings in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: Of<'_, ScenarioKey>,
@@ -235,7 +235,7 @@ pub(crate) fn setup(
     Ok((setup, output, exercise))
 }
 
-/// An order to a vessel, tug, line or anchor of a set-up.
+/// Reads an order to a vessel, tug, line or anchor of a set-up.
 pub(crate) fn order(
     sources: &Sources<'_>,
     table: Of<'_, OrderKey>,

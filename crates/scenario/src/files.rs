@@ -1,5 +1,5 @@
-//! The data files that a scenario names, besides fender and vessel files. They are read once, before anything is
-//! assembled.
+//! Reads the data files that a scenario names, except fender and vessel files. The program reads these data files once,
+//! before it builds the set-up.
 
 use std::collections::BTreeMap;
 
@@ -8,12 +8,12 @@ use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::spec::Kind;
 
-/// The text of each file, by its name in the scenario.
+/// The text of each data file, by the file's name in the scenario.
 #[derive(Debug, Default)]
 pub(crate) struct Files(BTreeMap<String, String>);
 
-/// Help for a file that cannot be read.
-pub(crate) const FILE_HELP: &str = "its path starts from the folder of the scenario";
+/// Help in the error for a file that cannot be read.
+pub(crate) const FILE_HELP: &str = "the path of the file starts from the folder of the scenario";
 
 impl Files {
     /// Reads every file that the scenario's tables name.
@@ -29,7 +29,9 @@ impl Files {
 
     /// The text of a file that a key of the kind [`Kind::FileName`] or [`Kind::FileNames`] names.
     pub(crate) fn text(&self, name: &str) -> &str {
-        self.0.get(name).unwrap_or_else(|| unreachable!("{name} was read with the scenario"))
+        self.0
+            .get(name)
+            .unwrap_or_else(|| unreachable!("the file {name} was read with the scenario"))
     }
 
     fn read_of(

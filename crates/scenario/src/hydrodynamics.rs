@@ -1,7 +1,7 @@
-//! Files of hydrodynamic data: several tables of numbers in one text, each below a line `= name`.
+//! Reads files of hydrodynamic data, which are several tables of numbers in one text, each below a line `= name`.
 //!
-//! The form is in docs/guides/hydrodynamics.md. Each table is read as a separate comma-separated file, in which all
-//! other lines are empty, so every error is at its line.
+//! docs/guides/hydrodynamics.md describes the form of these files. Each table of such a file is read as a separate
+//! comma-separated file in which all other lines are empty, so that every error names the right line.
 
 use core::f64::consts::PI;
 
@@ -16,13 +16,13 @@ use fenderline_keys::suggest::nearest;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// The first line.
+/// The first line of a file of hydrodynamic data.
 const FIRST: &str = "= fenderline hydrodynamic data 1";
-/// The tables, in the order of [`Part`]'s use below.
+/// The tables of a file, in the order in which the code below reads them.
 const TABLES: [&str; 5] = ["ship", "radiation", "infinite", "excitation", "drift"];
-/// Bounds of numbers that a later check tests.
+/// Wide bounds for numbers of the file that [`Hydrodynamics::new`] checks later.
 const ANY: [f64; 2] = [-1e18, 1e18];
-/// The columns of the table `ship` that it must have.
+/// The columns that the table `ship` must have.
 const SHIP: [&str; 7] = [
     "mass_kg",
     "gravity_above_water_m",
@@ -32,7 +32,7 @@ const SHIP: [&str; 7] = [
     "water_kgpm3",
     "c33",
 ];
-/// Further columns of the table `ship`, zero if they are missing.
+/// Further columns that the table `ship` may have; their numbers are zero if the columns are missing.
 const SHIP_ALSO: [&str; 9] = [
     "reference_forward_m",
     "reference_starboard_m",
@@ -45,19 +45,19 @@ const SHIP_ALSO: [&str; 9] = [
     "c55",
 ];
 
-/// What a file of hydrodynamic data has.
+/// The contents of a file of hydrodynamic data.
 #[derive(Clone, Debug)]
 pub(crate) struct HydrodynamicFile {
     pub(crate) data: Hydrodynamics,
     pub(crate) gravity_above_water_m: f64,
-    /// Notices about the data, at their lines.
+    /// Warnings about the data, each with its line in the file.
     pub(crate) notices: Vec<Notice>,
 }
 
-/// Reads a file. `key` is the scenario's key that names it.
+/// Reads a file of hydrodynamic data. `key` is the key of the scenario that names the file.
 ///
 /// # Errors
-/// The first mistake, at its line.
+/// Returns the first mistake in the file, with its line.
 pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> {
     let sources = Sources::new(name, text, &[]);
     let parts = split(&sources, key)?;
@@ -146,7 +146,7 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
             let grid = csv.grid(&[csv.column("omega_radps")?, csv.column("heading_deg")?])?;
             if grid.axes != waves.axes {
                 return Err(csv.header_error(
-                    "the frequencies and headings must be those of the table `= excitation`",
+                    "the frequencies and headings must be the same as in the table `= excitation`",
                 ));
             }
             let columns = [csv.column("surge")?, csv.column("sway")?, csv.column("yaw")?];
@@ -207,11 +207,11 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
     Ok(HydrodynamicFile { data, gravity_above_water_m, notices })
 }
 
-/// The text of each table, with empty lines in place of all other lines.
+/// Splits a file into the texts of its tables; each text has empty lines in place of all other lines of the file.
 fn split(sources: &Sources<'_>, key: &str) -> Read<[Option<String>; 5]> {
     let text = sources.text;
     if text.trim_start_matches('\u{feff}').lines().next().map(str::trim_end) != Some(FIRST) {
-        let message = format!("the first line must be `{FIRST}`");
+        let message = format!("the first line of the file must be `{FIRST}`");
         return Err(sources.error(&(0..0), key, message));
     }
     let mut parts: [Option<String>; 5] = Default::default();

@@ -1,15 +1,15 @@
-//! Scenario files: TOML with units to a checked simulation set-up.
+//! Reads scenario files: turns TOML with units into the checked set-up of a simulation.
 //!
-//! The only crate that knows what a scenario file looks like. A plain number is SI (angles in
-//! radians); a string carries its unit, as `"4 kn"`. Every mistake is one [`ScenarioError`] that
-//! points at file, line and key; corrections and unusual values are reported as [`Notice`]s.
+//! This crate is the only crate that knows what a scenario file looks like. In a scenario file a plain number is in SI
+//! units (angles in radians); a number with another unit is a string, as `"4 kn"`. Every mistake is one
+//! [`ScenarioError`] that points at file, line and key; corrections and unusual values are reported as [`Notice`]s.
 //!
-//! The path through the code: `syntax` parses the text to a TOML tree, `overrides` applies the keys of
-//! the command line, `reader` checks every key against the key table in `keys`, and `assemble`
-//! builds the set-up and checks what holds between keys. `schema` makes a JSON Schema of the same
-//! key table.
+//! A scenario takes this path through the code: `syntax` parses the text into a TOML tree, `overrides` applies the keys
+//! of the command line, `reader` checks every key against the declarations in `keys`, and `assemble` builds the set-up
+//! and checks the rules between keys. `schema` makes a JSON Schema from the same declarations of the keys.
 //!
-//! `library` reads fender files in the same way and looks up catalogue fenders; `vessels` does so for vessel files.
+//! `library` reads fender files in the same way and looks up catalogue fenders; `vessels` reads vessel files and looks
+//! up vessels.
 //!
 //! ```
 //! use fenderline_scenario::{Override, Scenario};

@@ -1,4 +1,4 @@
-//! Scenario files from the disk.
+//! Reads scenario files from the disk.
 
 use core::fmt;
 use std::io::Read;
@@ -9,13 +9,14 @@ use fenderline_keys::bounded_file::{read_stream_of, read_text_of};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::overrides::Override;
 
-/// Largest file that is read (bytes).
+/// Size of the largest file that the program reads (bytes).
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// A scenario that could not be loaded.
+/// The error for a scenario that could not be loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LoadError {
-    /// The file cannot be read, is not a regular file, is too large or is not UTF-8 text: its name and why.
+    /// The file cannot be read, is not a regular file, is too large or is not UTF-8 text; the text gives the file's
+    /// name and the reason.
     Unreadable(String),
     /// The file has a mistake.
     Refused(ScenarioError),
@@ -26,8 +27,9 @@ impl fmt::Display for LoadError {
         match self {
             LoadError::Unreadable(why) => write!(
                 f,
-                "error: cannot read {why}\n  = help: a scenario is a file of text in TOML; its path starts from the folder in which the \
-                 program was started, the path of a campaign's `scenario` from the campaign's folder"
+                "error: cannot read {why}\n  = help: a scenario is a TOML text file; its path \
+                 starts from the folder in which the program was started, but the path of a \
+                 campaign's `scenario` starts from the folder of the campaign"
             ),
             LoadError::Refused(error) => error.fmt(f),
         }
@@ -37,10 +39,11 @@ impl fmt::Display for LoadError {
 impl std::error::Error for LoadError {}
 
 impl Scenario {
-    /// Reads the scenario file at `path`, with some keys replaced; the files that it names lie beside it.
+    /// Reads the scenario file at `path`, with some keys replaced; the files that the scenario names lie beside the
+    /// scenario file.
     ///
     /// # Errors
-    /// [`LoadError`].
+    /// Returns a [`LoadError`] if the file cannot be read or has a mistake.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Scenario, LoadError> {
         let text = read_text(path).map_err(LoadError::Unreadable)?;
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -48,10 +51,10 @@ impl Scenario {
         Scenario::parse_beside(&text, &name, overrides, folder).map_err(LoadError::Refused)
     }
 
-    /// As [`Scenario::parse_with`]; the files that the scenario names lie in `folder`.
+    /// Reads a scenario as [`Scenario::parse_with`] does; the files that the scenario names lie in `folder`.
     ///
     /// # Errors
-    /// As [`Scenario::parse_among`].
+    /// Fails like [`Scenario::parse_among`].
     pub fn parse_beside(
         text: &str,
         file_name: &str,
@@ -63,18 +66,19 @@ impl Scenario {
     }
 }
 
-/// The text of a regular file of at most 16 MiB.
+/// Reads the text of a regular file of at most 16 MiB.
 ///
 /// # Errors
-/// The file's name and why it cannot be read, in words.
+/// Returns a text with the file's name and the reason why the file cannot be read.
 pub fn read_text(path: &Path) -> Result<String, String> {
     read_text_of(path, LARGEST_FILE).map_err(|error| error.to_string())
 }
 
-/// The text of a stream of at most 16 MiB, such as standard input; `name` is its name in errors. Waits for its end.
+/// Reads the text of a stream of at most 16 MiB, such as standard input, and waits for the end of the stream. Errors
+/// call the stream `name`.
 ///
 /// # Errors
-/// The stream's name and why it cannot be read, in words.
+/// Returns a text with the stream's name and the reason why the stream cannot be read.
 pub fn read_stream(stream: impl Read, name: &str) -> Result<String, String> {
     read_stream_of(stream, name, LARGEST_FILE).map_err(|error| error.to_string())
 }

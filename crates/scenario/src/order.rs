@@ -1,4 +1,4 @@
-//! A single order, for a simulation that is running.
+//! Reads a single order for a simulation that is running.
 
 use fenderline_sim::{Order, Setup};
 
@@ -8,7 +8,8 @@ use fenderline_keys::keys::order::ORDER;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::{reader, syntax};
 
-/// Reads the keys of one `[[order]]`, without that line, as an order within a set-up. `name` is for messages.
+/// Reads the keys of one `[[order]]`, written without the line `[[order]]`, as an order within a set-up. `name` is the
+/// name of the text in messages.
 ///
 /// ```
 /// # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");
@@ -23,7 +24,7 @@ use fenderline_keys::{reader, syntax};
 /// ```
 ///
 /// # Errors
-/// The first mistake found, as in a scenario.
+/// Returns the first mistake found in the text, as for a scenario.
 pub fn order(text: &str, name: &str, setup: &Setup) -> Result<Order, ScenarioError> {
     let sources = Sources::new(name, text, &[]);
     let document = syntax::parse(&sources)?;

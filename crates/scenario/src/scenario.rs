@@ -23,19 +23,19 @@ use fenderline_keys::{any_keys, reader, syntax};
 /// A scenario file after all checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Title of reports: from the file, or the file's name without its extension.
+    /// Title of reports, which the scenario file gives, or else the name of the file without its extension.
     pub title: String,
-    /// Key and text of the lines of the report's title page that are given, in the order of that page.
+    /// Keys and texts of the lines that the scenario gives for the title page of the report, in the order of the page.
     pub report: Vec<(&'static str, String)>,
-    /// The simulation, in SI units; bodies and materials in the order of the file.
+    /// The set-up of the simulation, in SI units, with bodies and materials in the order of the file.
     pub setup: Setup,
-    /// The exercise; `None` without one.
+    /// The exercise; `None` if the scenario has no exercise.
     pub exercise: Option<ExerciseSetup>,
     /// The result tables that a run writes.
     pub output: OutputPlan,
-    /// Whether the file gives `output.interval`, and `output.tables`.
+    /// Whether the file gives `output.interval`, and whether it gives `output.tables`.
     pub output_gives: [bool; 2],
-    /// Warnings: what was corrected or looks unintended, in the order of the file.
+    /// Warnings about what was corrected or looks unintended, in the order of the file.
     pub notices: Vec<Notice>,
 }
 
@@ -43,20 +43,21 @@ pub struct Scenario {
 const LARGEST_TOTAL: usize = 256 << 20;
 
 impl Scenario {
-    /// Reads the text of a scenario file; `file_name` is for messages and the default title.
+    /// Reads the text of a scenario file; `file_name` is the name of the file in messages and in the default title.
     ///
     /// # Errors
-    /// The first mistake found: TOML syntax, then unknown keys and bad values in the order of the file, then keys that
-    /// contradict each other.
+    /// Returns the first mistake found: first mistakes of TOML syntax, then unknown keys and bad values in the order of
+    /// the file, then keys that contradict each other.
     pub fn parse(text: &str, file_name: &str) -> Result<Scenario, ScenarioError> {
         Scenario::parse_with(text, file_name, &[])
     }
 
-    /// As [`Scenario::parse`], with some keys replaced before anything is checked. Of two overrides of one key the
-    /// later override counts.
+    /// Reads a scenario as [`Scenario::parse`] does, with some keys replaced before anything is checked. If two
+    /// overrides set the same key, the later override counts.
     ///
     /// # Errors
-    /// As [`Scenario::parse`]; mistakes in an override point at its option, not at the file.
+    /// Fails like [`Scenario::parse`]; an error about an override points to the option of the override, not to the
+    /// file.
     pub fn parse_with(
         text: &str,
         file_name: &str,
@@ -70,11 +71,12 @@ impl Scenario {
         })
     }
 
-    /// As [`Scenario::parse_with`]. `read` reads the files that the scenario names: it gets the name as written in the
-    /// scenario, and returns the text or why it cannot be read.
+    /// Reads a scenario as [`Scenario::parse_with`] does. `read` reads the files that the scenario names: it gets a
+    /// file's name as written in the scenario, and returns the text of the file or the reason why the file cannot be
+    /// read.
     ///
     /// # Errors
-    /// As [`Scenario::parse_with`]; mistakes in such a file point at that file.
+    /// Fails like [`Scenario::parse_with`]; an error about a file that the scenario names points to that file.
     pub fn parse_among(
         text: &str,
         file_name: &str,
@@ -114,8 +116,8 @@ impl Scenario {
         Ok(Scenario { title, report, setup, exercise, output, output_gives, notices })
     }
 
-    /// The result tables of a run of so many steps in place of the file's duration, as in a session that people
-    /// ended at any time: the defaults of the file depend on the number of steps.
+    /// The result tables for a run of `steps` steps, which may be another number than follows from the file's duration,
+    /// as in a session that people ended at any time. The defaults for the result tables depend on the number of steps.
     #[must_use]
     pub fn output_of_steps(&self, steps: u64) -> OutputPlan {
         let [gives_interval, gives_tables] = self.output_gives;
@@ -128,20 +130,20 @@ impl Scenario {
     }
 }
 
-/// The lines of the report's title page.
+/// The lines of the report's title page that the scenario gives.
 fn report(file: Of<'_, ScenarioKey>) -> Vec<(&'static str, String)> {
     let given = file.item(ScenarioKey::REPORT).map(|item| item.table());
     let line = |key: Key<_, _>| Some((key.name(), given?.item(key)?.text().to_owned()));
     keys::report::KEYS.into_iter().filter_map(line).collect()
 }
 
-/// Keeps one of equal notices: a notice on each fender of a row concerns the row.
+/// Keeps only one of several equal warnings, because equal warnings about each fender of a row concern the whole row.
 fn forget_repeated(notices: &mut Vec<Notice>) {
     let mut known = BTreeSet::new();
     notices.retain(|notice| known.insert(notice.to_string()));
 }
 
-/// The fender and vessel libraries: built-in data and the files that the scenario names.
+/// The fender and vessel libraries, with the built-in data and the files that the scenario names.
 fn libraries(
     sources: &Sources<'_>,
     file: Of<'_, ScenarioKey>,

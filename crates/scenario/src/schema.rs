@@ -1,4 +1,4 @@
-//! The JSON Schema of scenario, fender and vessel files, made from the same key tables as the reader.
+//! The JSON Schemas of scenario, fender and vessel files, made from the same declarations of keys that the reader uses.
 
 use fenderline_keys::keys::SCENARIO;
 use fenderline_keys::schema::whole_file;
@@ -9,7 +9,8 @@ use crate::vessels::VESSEL_FILE;
 
 /// The JSON Schema (draft 2020-12) of scenario files, for editors that check and complete TOML.
 ///
-/// It has every key with its kind, bounds and default. Only the reader checks that units fit and names exist.
+/// The schema has every key of a scenario with its kind, bounds and default. The schema cannot check that units fit and
+/// names exist; only the reader of scenario files checks this.
 ///
 /// ```
 /// let schema = fenderline_scenario::schema();

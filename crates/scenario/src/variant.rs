@@ -1,5 +1,5 @@
-//! Variants of a scenario that differ only in their start: a study runs thousands of them, and reading a scenario takes
-//! longer than many a run.
+//! Variants of a scenario that differ only in their start. A study may run thousands of variants, and reading a
+//! scenario takes longer than many a run.
 
 use fenderline_sim::{BodyStart, Start};
 use toml::Spanned;
@@ -20,12 +20,14 @@ use fenderline_keys::spec::{Kind, TableSpec};
 use fenderline_keys::typed_key::Key;
 
 impl Scenario {
-    /// Writes the start of this scenario with some keys replaced into `start`, if they change nothing else of its set-up: the
-    /// position, heading and velocity of a floating body, and whole tables of wind and current. The set-up that
-    /// [`Scenario::parse_with`] returns for these overrides is then this one with that start ([`fenderline_sim::Setup::set_start`]).
+    /// Writes into `start` the start of this scenario with some keys replaced, if these keys change nothing but the
+    /// start. The start is the position, heading and velocity of the floating bodies, and whole tables of wind and
+    /// current. The set-up that [`Scenario::parse_with`] returns for the overrides is then the set-up of this scenario
+    /// with the start `start` ([`fenderline_sim::Setup::set_start`]).
     ///
-    /// Returns false, and leaves `start` unspecified, where the overrides may change more than the start, and where one is
-    /// refused. `parse_with` then gives the set-up or says what is wrong.
+    /// Returns false, and leaves `start` unspecified, if the overrides may change more than the start, or if an
+    /// override is refused. If this function returns false, `parse_with` gives the set-up or says what is wrong with
+    /// the overrides.
     ///
     /// ```
     /// # use fenderline_scenario::{Override, Scenario};
@@ -83,7 +85,7 @@ impl Scenario {
     }
 }
 
-/// The value of an override.
+/// The value of an override, with its place.
 struct Given<'g, 's> {
     sources: &'g Sources<'s>,
     span: Span,
@@ -91,7 +93,7 @@ struct Given<'g, 's> {
 }
 
 impl Given<'_, '_> {
-    /// Sets a key of a body's start.
+    /// Sets the position, heading or velocity of a body at its start.
     fn set_body(&self, start: &mut BodyStart, path: &[&str]) -> Option<()> {
         match *path {
             [name] if name == BodyKey::POSITION.name() => {
@@ -130,7 +132,7 @@ impl Given<'_, '_> {
         Some(())
     }
 
-    /// The value, checked by the key table.
+    /// The value of the override, checked by the declaration of the key.
     fn item<T, V>(&self, spec: &'static TableSpec, key: Key<T, V>) -> Option<Item> {
         let key = spec.key(key.name())?;
         let value = read_value(self.sources, key, key.name, self.node).ok()?;
@@ -138,8 +140,8 @@ impl Given<'_, '_> {
         Some(Item { name: key.name, key_span, span, is_default: false, value })
     }
 
-    /// The value of a key of the environment that holds a table, as the environment with only this key. `None` if the
-    /// table names a file.
+    /// The table of wind or current that the override gives, within a table `[environment]` that has only this key. The
+    /// result is `None` if the table of wind or current names a file.
     fn table<R>(&self, key: Key<EnvironmentKey, TableOf<R>>, file: Key<R, Text>) -> Option<Table> {
         let outer = ScenarioKey::ENVIRONMENT.name();
         let Kind::Table(spec) = SCENARIO.key(outer)?.kind else { return None };

@@ -203,7 +203,7 @@ fn orders_that_cannot_be_carried_out_are_refused() {
     let text = now(&of, OrderName::Veer, Some(1.0)).expect_err("more is out").to_string();
     assert_eq!(
         text,
-        "anchor `port` has 55.0 m of chain out (2.0 shackles) already: ask for more than that"
+        "anchor `port` has 55.0 m of chain out (2.0 shackles): ask for more than this length"
     );
     let text = now(&of, OrderName::HeaveIn, Some(3.0)).expect_err("less is out").to_string();
     assert!(text.ends_with("ask for less than that"), "{text}");
@@ -216,7 +216,7 @@ fn orders_that_cannot_be_carried_out_are_refused() {
     run(&mut of, 1.0);
     let gone = OrderError::AnchorLost { anchor: "port".into(), by: LostBy::Slipped };
     assert_eq!(now(&of, OrderName::HeaveIn, Some(0.0)), Err(gone.clone()));
-    assert_eq!(gone.to_string(), "anchor `port` is gone: its chain was slipped");
+    assert_eq!(gone.to_string(), "anchor `port` is lost: its chain was slipped");
     assert!(of.findings().is_empty());
 }
 

@@ -114,11 +114,11 @@ const CASES: &[Case] = &[
     case("height = \"1 m\"", "height = \"1 m\"\nsize = \"1050 F1.1\"", "height = ", "fender.cone.height", "does not go together with `size`"),
     case("type = \"cone\"", "type = \"cone\"\nstiffness = \"1 MN/m\"", "stiffness = \"1 MN/m\"", "fender.cone.stiffness", "does not go together with `type`"),
     case("type = \"cone\"", "type = \"unit element\"", "temperature = ", "fender.cone.temperature", "put the maker's factors into the fender file: [family.\"unit element\".temperature]"),
-    case("type = \"cone\"\nheight = \"1 m\"\nrated_reaction", "type = \"unit element\"\nheight = \"1 m\"\n#", "height = \"1 m\"", "fender.cone.height", "give the rated reaction yourself"),
+    case("type = \"cone\"\nheight = \"1 m\"\nrated_reaction", "type = \"unit element\"\nheight = \"1 m\"\n#", "height = \"1 m\"", "fender.cone.height", "give the rated reaction of the fender yourself"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = 1.2", "returned_energy = 1.2", "fender.table.returned_energy", "must be at most 1, but is 1.2"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = -0.1", "returned_energy = -0.1", "fender.table.returned_energy", "must be at least 0.05, but is -0.1"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = 0.5\nunloading = [[0, 0], [1, 1]]", "unloading = ", "fender.table.unloading", "does not go together with `returned_energy`"),
-    case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.6 m\", \"501 kN\"]]", "unloading = ", "fender.table.unloading", "at a deflection of 0.6 its reaction must be between 0 and 500000, but is 501000"),
+    case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.6 m\", \"501 kN\"]]", "unloading = ", "fender.table.unloading", "at a deflection of 0.6 the reaction must be between 0 and 500000, but is 501000"),
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.2 m\", \"50 kN\"], [\"0.2 m\", \"60 kN\"]]", "unloading = ", "fender.table.unloading[2]", "the deflection must rise"),
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.2 m\", \"-50 kN\"]]", "unloading = ", "fender.table.unloading[1][1]", "must be"),
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, \"1 N\"], [\"0.2 m\", \"50 kN\"]]", "unloading = ", "fender.table.unloading", "must begin with [0, 0]"),
@@ -133,7 +133,7 @@ const CASES: &[Case] = &[
     case("projection = \"0.8 m\"\n", "", "[fender.table]", "fender.table.projection", "is missing"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nheight = \"1 m\"\nmaterial", "height = \"1 m\"\nmaterial", "fender.area.height", "is for fenders of a `type`"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nrated_deflection = 1\nmaterial", "rated_deflection = 1\n", "fender.area.rated_deflection", "is for fenders with a `stiffness` or a `curve`"),
-    case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nmaterial = \"facing\"", "material = \"facing\"\n\n[[pair]]", "fender.area.material", "the fender has no law, and its material"),
+    case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nmaterial = \"facing\"", "material = \"facing\"\n\n[[pair]]", "fender.area.material", "the fender has no law of reaction, and its material"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\ncount = 2\nmaterial", "count = 2\nmaterial", "fender.area.count", "is for fenders of a `type`"),
     case("width = \"2 m\"\ntype", "width = 0\ntype", "width = 0", "fender.cone.width", "must be"),
     case("width = \"2 m\"\ntype", "width = nan\ntype", "width = nan", "fender.cone.width", "not a finite number"),
@@ -217,7 +217,10 @@ fn an_unknown_hull_pressure_stays_unknown() {
     };
     let error = Scenario::parse_among(&text, "x.toml", &[], &mut read).unwrap_err();
     assert_eq!(error.line(), Some(9), "{error}");
-    assert!(error.to_string().contains("needs a `hull_pressure` above it"), "{error}");
+    assert!(
+        error.to_string().contains("needs a `hull_pressure` that is higher than this pressure"),
+        "{error}"
+    );
 }
 
 #[test]

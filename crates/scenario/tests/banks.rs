@@ -125,9 +125,9 @@ fn mistakes_are_refused_and_limits_noted() {
         assert!(notices.iter().any(|notice| notice.message.contains(says)), "{says}: {notices:?}");
     };
     noted(&[], "without waves and lift");
-    noted(&[("beam = 32", "beam = 60")], "none for \"ship\", shorter than 3.5 beams");
+    noted(&[("beam = 32", "beam = 60")], "no such force for \"ship\", shorter than 3.5 beams");
     let both = "bank = [{ from = [-2000, -70], to = [2000, -70], method = \"image\" }, ";
-    noted(&[("bank = [", both)], "images of images");
+    noted(&[("bank = [", both)], "images of the images");
     let own = with(&[(", method = \"image\"", "")]).unwrap();
     assert!(own.notices.iter().all(|notice| !notice.message.contains("without waves")));
     // A set-up by hand without the hulls.

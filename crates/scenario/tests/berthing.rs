@@ -147,7 +147,7 @@ fn a_particular_that_contradicts_vessel_or_water_is_noted_with_both_values() {
     assert_eq!(taken.beam_m, 30.0);
     assert_eq!(
         noted("berthing.under_keel_clearance=3").0.unwrap(),
-        "3 m is given, but `environment.depth` with the tide, 10 m, less the draught of 8 m is 2 m: 3 m is used"
+        "a clearance of 3 m is given, but `environment.depth` with the tide, 10 m, less the draught of 8 m is 2 m: 3 m is used"
     );
     assert!(noted("berthing.draught=9").0.is_some());
     assert!(noted("berthing.length_bp=150").0.is_some());

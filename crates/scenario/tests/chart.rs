@@ -166,12 +166,12 @@ fn an_outline_that_the_chart_cannot_give_is_refused() {
         ),
         (
             "fixed = true\nchart_outline = \"quay 3\"\noutline = [[0, 0], [1, 0], [0, 1]]",
-            ["`body.q.chart_outline` and `outline` both", "keep one"],
+            ["`body.q.chart_outline` and `outline` both", "keep only one"],
         ),
         (
             "fixed = true\nchart_outline = \"quay 3\"\noutlines = [{ height = 0, outline = [[0, 0], [1, 0], [0, 1]] }, \
              { height = 2, outline = [[0, 0], [1, 0], [0, 1]] }]",
-            ["does not go together with `outlines`", "keep one"],
+            ["does not go together with `outlines`", "keep only one"],
         ),
     ] {
         let error = read(&format!("{HEAD}{METRES}[body.q]\n{body}\n"), &file).expect_err(body);
@@ -221,7 +221,7 @@ fn each_mistake_of_a_feature_names_file_line_feature_and_reason() {
             "\"kind\": \"quay\", \"name\": \"q\"",
             "Polygon",
             "[[[0, 0], [9, 0], [9, 9], [0, 9]]]",
-            "(\"q\"): its ring is not closed",
+            "(\"q\"): the feature's ring is not closed",
         ),
         (
             "\"kind\": \"quay\"",
@@ -236,13 +236,18 @@ fn each_mistake_of_a_feature_names_file_line_feature_and_reason() {
         ("\"kind\": \"quay\"", "Polygon", "[[]]", "a list of positions"),
         ("\"kind\": \"quay\"", "LineString", "[[0, 0]]", "two points or more"),
         ("\"kind\": \"quay\"", "Point", "[0, 0]", "cannot be a point"),
-        ("\"kind\": \"quay\"", "GeometryCollection", "[]", "GeometryCollection is not read"),
+        ("\"kind\": \"quay\"", "GeometryCollection", "[]", "GeometryCollection cannot be read"),
         ("\"kind\": \"quay\"", "Circle", "[0, 0]", "\"Circle\", which is not a geometry"),
         ("\"kind\": \"quay\"", "Polygon", "[[[NaN, 0]]]", "not GeoJSON"),
         ("\"kind\": \"quay\"", "Polygon", "[[[1e999, 0]]]", "out of range"),
         ("\"kind\": \"quay\"", "Polygon", "[[[1, \"2\"]]]", "expected a list of coordinates"),
-        ("\"kind\": \"quay\"", "Polygon", "[[[1]]]", "a position is a list of two numbers"),
-        ("\"kind\": \"quay\"", "LineString", "[[1, 2], 3]", "a position is a list of two numbers"),
+        ("\"kind\": \"quay\"", "Polygon", "[[[1]]]", "a position must be a list of two numbers"),
+        (
+            "\"kind\": \"quay\"",
+            "LineString",
+            "[[1, 2], 3]",
+            "a position must be a list of two numbers",
+        ),
         (
             "\"kind\": \"quay\"",
             "LineString",
@@ -320,7 +325,7 @@ fn each_mistake_of_a_file_is_answered() {
     // Latitude before longitude.
     let swapped = collection(&feature("\"kind\": \"coast\"", "LineString", "[[54, 8], [54.1, 8]]"));
     let error = read(&toml, &swapped).unwrap_err().to_string();
-    assert!(error.contains("longitude before latitude"), "{error}");
+    assert!(error.contains("longitude stands before latitude"), "{error}");
     let beyond = collection(&feature("\"kind\": \"coast\"", "LineString", "[[8, 254], [8, 0]]"));
     let error = read(&toml, &beyond).unwrap_err().to_string();
     assert!(error.contains("[8, 254] is not a longitude and a latitude"), "{error}");
@@ -343,7 +348,10 @@ fn a_chart_that_is_too_large_is_refused_in_bounded_time() {
             collection(&feature("\"kind\": \"coast\"", "LineString", &line)),
             "more than 500000 points",
         ),
-        (collection(&vec![buoy.as_str(); 60_000].join(",\n")), "60000 features, but at most 50000"),
+        (
+            collection(&vec![buoy.as_str(); 60_000].join(",\n")),
+            "60000 features, but may have at most 50000",
+        ),
         (collection(&ring(9_000)), "crosses or touches itself"),
     ] {
         let begun = Instant::now();

@@ -391,7 +391,7 @@ fn a_rope_of_ones_own_needs_one_curve_that_rises() {
     for (text, fragments) in [
         (
             "extension_percent,load_percent\n0,0\n2,30\n4,25\n",
-            ["own_rope.csv:4:3", "falls or stays here, at 25"],
+            ["own_rope.csv:4:3", "falls or stays the same in this row, at 25"],
         ),
         (
             "extension_percent,load_percent\n0,0\n2,30\n2,35\n",
@@ -399,7 +399,7 @@ fn a_rope_of_ones_own_needs_one_curve_that_rises() {
         ),
         (
             "extension_percent,load_percent\n1,5\n2,30\n",
-            ["own_rope.csv:2:1", "first row must be 0, 0"],
+            ["own_rope.csv:2:1", "first row of the curve must be 0, 0"],
         ),
         ("extension_percent,load\n0,0\n", ["own_rope.csv:1:19", "\"load\" is not a column"]),
         (

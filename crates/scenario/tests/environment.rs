@@ -247,7 +247,11 @@ fn a_broken_file_of_currents_is_refused_at_its_line() {
     of("t_s,north_mps,east_mps\n0,0.1,0\n0,0.2,0\n", &["c.csv:3", "second row for t_s = 0"]);
     of(
         "north_m,east_m,north_mps,east_mps\n0,0,0.1,0\n0,9,0.1,0\n9,9,0.1,0\n",
-        &["c.csv:1", "no row for north_m = 9, east_m = 0", "a grid has no holes"],
+        &[
+            "c.csv:1",
+            "no row for north_m = 9, east_m = 0",
+            "the file needs one row for each combination",
+        ],
     );
     of("north_m,north_mps,east_mps\n0,0.1,0\n", &["c.csv:1", "`east_m` is missing"]);
     of("t_s,north_mps\n0,0.1\n", &["c.csv:1", "`east_mps` is missing"]);
@@ -456,7 +460,7 @@ fn a_ship_under_way_squats_by_the_chosen_formula() {
         &[("environment", "squat = \"barrass\"")],
         &[],
         "environment.squat",
-        &["needs a `depth` beside it"],
+        &["needs a `depth` in the same table"],
     );
     let far = good(&[("environment", "depth = 40\nsquat = \"barrass\"")], &[]);
     let [notice] = other_notices(&far)[..] else { panic!("{:?}", far.notices) };
@@ -490,7 +494,14 @@ fn squat_runs_a_fast_ship_aground() {
 fn water_too_shallow_for_the_corrections_gives_a_notice() {
     for (depth, expected) in [
         ("10.9", &[][..]),
-        ("10.4", &["in water of 1.16 draughts", "valid from 1.2 on", "extrapolated linearly"]),
+        (
+            "10.4",
+            &[
+                "in water of 1.16 draughts",
+                "valid from 1.2 draughts on",
+                "extrapolates them linearly",
+            ],
+        ),
         ("9.6", &["in water of 1.07 draughts", "less than 1.1", "keep their values at 1.1"]),
     ] {
         let water = format!("depth = {depth}");

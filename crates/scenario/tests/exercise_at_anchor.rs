@@ -154,7 +154,7 @@ fn a_goal_at_anchor_that_cannot_be_is_refused_with_its_key() {
         ("exercise.anchors=[\"prot\"]", "did you mean \"port\"?"),
         ("exercise.anchors=[\"port\", \"port\"]", "twice"),
         ("exercise.anchors=[]", "has no anchors"),
-        ("exercise.at_least=3", "whole number of up to 2 anchors"),
+        ("exercise.at_least=3", "whole number of at most 2 anchors"),
         (
             "exercise.chain_out=\"10 shackles\"",
             "`exercise.chain_out`: 0 of the anchors have a chain of 275 m",

@@ -200,7 +200,7 @@ fn scaling_is_by_height_squared_and_cubed_and_is_named_in_the_source() {
     assert!((half.rated_reaction_n - 127e3).abs() < 1e-6);
     let error = library.scaled("pneumatic", 2.0).unwrap_err();
     assert_eq!(error, LookUpError::NoReference { family: "pneumatic".into() });
-    assert_eq!(error.help(), "give the rated reaction yourself");
+    assert_eq!(error.help(), "give the rated reaction of the fender yourself");
 }
 
 #[test]
@@ -303,7 +303,7 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
     ("[[0, 0], [0.2, 0.8]", "[[0.01, 0], [0.2, 0.8]", "points = [[0.01", "family.cell.curve.points", "must start with [0, 0]"),
     ("[[0, 0], [0.2, 0.8], [0.3, 1], [0.4, 0.95], [0.525, 1], [0.55, 1.2]]", "[[0, 0]]", "points = [[0, 0]]", "family.cell.curve.points", "needs at least 2 rows [deflection, reaction], but has 1"),
     ("[[0, 0], [0.2, 0.8], [0.3, 1], [0.4, 0.95], [0.525, 1], [0.55, 1.2]]", "0.5", "points = 0.5", "family.cell.curve.points", "a list of rows [deflection, reaction]"),
-    ("rated_deflection = 0.525", "rated_deflection = 0.6", "rated_deflection", "family.cell.rated_deflection", "is 0.6, but the curve ends at 0.55"),
+    ("rated_deflection = 0.525", "rated_deflection = 0.6", "rated_deflection", "family.cell.rated_deflection", "is 0.6, but the curve already ends at 0.55"),
     ("rated_deflection = 0.525", "rated_deflection = 0.4", "rated_deflection", "family.cell.rated_deflection", "the curve's reaction is 0.95, but must be 1"),
     ("rated_deflection = 0.525\n", "", "[family.cell]", "family.cell.rated_deflection", "is missing"),
     ("source = \"a maker's catalogue\"\nstanding = \"found\"\n\n[family.cell.v", "standing = \"found\"\n\n[family.cell.v", "[family.cell.curve]", "family.cell.curve.source", "is missing"),

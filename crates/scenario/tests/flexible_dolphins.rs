@@ -189,7 +189,7 @@ fn the_papers_method_and_hosts_are_refused() {
     let setup = Scenario::parse(SCENE, "x.toml").unwrap().setup;
     let error = setup.contact_model().expect_err("a host does not move a dolphin");
     assert_eq!(error, SetupError::DolphinOfHost { body: "dolphin".to_owned() });
-    assert!(error.to_string().contains("make it a fixed body"));
+    assert!(error.to_string().contains("make the dolphin a fixed body"));
 }
 
 #[test]

@@ -404,7 +404,7 @@ fn outlines_by_height_that_are_no_hull_are_refused_at_their_place() {
         (
             with("{ height = 7, outline = [[-50, -18], [50, -18], [50, 18], [-50, 18]] },"),
             "body.ship.outlines",
-            "leave out the waterline at 8 m",
+            "so the waterline at 8 m is outside",
         ),
         // The same polygon, with another vertex first: on the way up the hull would turn inside out.
         (

@@ -309,7 +309,7 @@ fn mistakes_are_refused_at_their_keys() {
     let error = read(&deep, lines, &[]).expect_err("too short").to_string();
     assert!(error.contains("a wave of 30 s is 1130 m long in 200 m of water"), "{error}");
     let error = read(&COASTER.replace("depth = \"16 m\"", ""), lines, &[]).expect_err("no depth");
-    assert!(error.to_string().contains("needs a `depth` beside it"), "{error}");
+    assert!(error.to_string().contains("needs a `depth` in the same table"), "{error}");
     // Swell of 20 s has harmonics of up to 40 s.
     let both = "waves = { height = 1, period = 20, from = 0 }\nlong_waves = { height = 0.2, period = 70, towards = 0 }";
     refused(
@@ -365,6 +365,9 @@ fn notices_name_a_ship_too_long_for_the_waves_and_a_trough_without_water() {
     else {
         panic!("one notice")
     };
-    assert!(only.contains("1.20 m below the tide, there are 5.30 m of water"), "{only}");
+    assert!(
+        only.contains("1.20 m below the level of the tide, the water is 5.30 m deep"),
+        "{only}"
+    );
     assert!(notices("16 m", "long_waves = { height = 0.2, period = 100, towards = 0 }").is_empty());
 }

@@ -194,7 +194,7 @@ fn what_cannot_be_done_with_a_line_now_is_refused_with_the_reason() {
     assert!(matches!(why(of, &heave), OrderError::LineUnderWay { .. }));
     assert_eq!(
         why(of, &send(of, "spring", "far")).to_string(),
-        "bollard `far` takes 1 line and has as many"
+        "bollard `far` takes 1 line and already has as many"
     );
     run(of, 200.0);
     assert!(matches!(why(of, &action), OrderError::LineInUse { .. }));

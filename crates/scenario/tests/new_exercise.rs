@@ -169,5 +169,5 @@ fn an_exercise_takes_the_berth_of_another_scenario() {
         text: "[time]\nstep = 1\nduration = 9\n[body.a]\nmass = 1\ngyradius = 1\noutline = [[0, 0], [1, 0], [0, 1]]\n",
     };
     let refused = choices().text_at(at_sea, &mut |name| Err(name.to_owned())).unwrap_err();
-    assert!(refused.to_string().contains("there is no berth"), "{refused}");
+    assert!(refused.to_string().contains("has no berth"), "{refused}");
 }

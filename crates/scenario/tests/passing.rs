@@ -212,7 +212,7 @@ fn ways_that_no_ship_can_take_are_refused() {
 
 #[test]
 fn what_the_flow_leaves_out_is_noted() {
-    noted("", "", "recalled (Kriebel 2005, not read)");
+    noted("", "", "from memory (Kriebel 2005, which we could not read)");
     noted(
         "depth_factors = \"kriebel\"",
         "depth_factors = \"none\"",
@@ -221,7 +221,7 @@ fn what_the_flow_leaves_out_is_noted() {
     noted(
         "time = \"150 s\"",
         "time = \"150 s\"\nberth = \"quay\"",
-        "factors for a quay are an estimate",
+        "factors for a quay are estimated",
     );
     noted("depth = \"20 m\"", "", "the water is deep");
     noted("length = 185.4", "length = 90", "beams long");

@@ -303,14 +303,14 @@ fn mistakes_in_rows_name_row_key_and_line() {
         "on 170 m there is room for 9 at a spacing of 20 m",
     );
     bad("number = 8", "number = 10", ".number", "or for 10 at a spacing of 18.888 m");
-    bad("number = 8\n", "", ".number", "two of `spacing`, `number` and `last`");
+    bad("number = 8\n", "", ".number", "two of the keys `spacing`, `number` and `last`");
     bad("number = 8", "number = 8\nlast = [0, 0]", ".last", "two of");
     bad("number = 8", "last = [71, 0]", ".last", "not a multiple of the spacing");
     bad("number = 8", "last = [-70, 0]", ".last", "where the first fender is");
     bad("\"20 m\"", "\"2 m\"", ".width", "overlap at a spacing of 2 m");
     bad("[-70, 0]", "[-70, 4]", ".first", "not on the outline");
     bad("[-70, 0]", "[-100, 0]", ".first", "is a corner");
-    bad("first = [-70, 0]\n", "", ".first", "or a `wall` or `dolphins`");
+    bad("first = [-70, 0]\n", "", ".first", "or give a `wall` or `dolphins`");
     bad("on = \"quay\"\n", "", ".on", "name the body");
     bad("on = \"quay\"", "on = \"kway\"", ".on", "no body \"kway\"");
     bad("[-70, 0]", "[-70, 0]\nfacing = \"90 deg\"", ".facing", "faces into \"quay\"");

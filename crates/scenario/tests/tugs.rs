@@ -295,10 +295,10 @@ fn without_a_propeller_course_and_speed_go_to_the_azimuth_units() {
 #[rustfmt::skip]
 const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("at = [60, -29]", "at = [60, 0]", "order.0.push_ship.at", "29.0 m from the ship's outline"),
-    ("force = \"300 kN\"", "force = \"900 kN\"", "order.0.push_ship.force", "at most her bollard pull of 588.399 kN"),
+    ("force = \"300 kN\"", "force = \"900 kN\"", "order.0.push_ship.force", "at most the tug's bollard pull of 588.399 kN"),
     ("ship = \"ship\"", "ship = \"tug\"", "order.0.push_ship.ship", "is the tug herself"),
     ("ship = \"ship\"", "ship = \"shop\"", "order.0.push_ship.ship", "did you mean \"ship\"?"),
-    ("bodies = [\"tug\", \"ship\"]", "bodies = [\"tug\", \"other\"]", "order.0.push_ship.ship", "no pair in the scenario lets her touch"),
+    ("bodies = [\"tug\", \"ship\"]", "bodies = [\"tug\", \"other\"]", "order.0.push_ship.ship", "no pair in the scenario lets the tug touch"),
     ("vessel = \"asd\"", "vessel = \"tanker\"", "order.0.push_ship", "has no azimuth units"),
     ("push_ship = { ship = \"ship\", at = [60, -29],", "pull_ship = { line = \"tow\", direction = 0,", "order.0.pull_ship.line", "there is no line \"tow\""),
     ("push_ship = { ship = \"ship\", at = [60, -29], force = \"300 kN\" }", "azimuth = { name = \"prt\", power = 1 }", "order.0.azimuth.name", "did you mean \"port\"?"),

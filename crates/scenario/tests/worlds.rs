@@ -216,7 +216,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("gm = \"1.1 m\"", "gm = \"-1.1 m\"", "vessel.coaster.stability.gm", "must be"),
     ("waterplane_area = \"2150 m^2\"", "waterplane_area = \"9000 m^2\"", "vessel.coaster.stability", "waterplane"),
     ("type = \"cargo vessel, loaded\"", "type = \"cargo vesel, loaded\"", "vessel.coaster.windage.type", "did you mean"),
-    ("rudder = { area = \"18 m^2\", span = \"5 m\" }\n", "", "vessel.coaster.propeller", "needs `rudder` beside it"),
+    ("rudder = { area = \"18 m^2\", span = \"5 m\" }\n", "", "vessel.coaster.propeller", "needs `rudder` in the same table"),
     ("diameter = \"4.4 m\", ", "", "vessel.coaster.propeller.diameter", "is missing"),
     ("[vessel.coaster]", "[vessel.coaster]\nfrom = \"kcs\"", "vessel.coaster.length_bp", "does not go together with `from`"),
     ("vessel = \"coaster\"", "vessel = \"coster\"", "body.ship.vessel", "did you mean \"coaster\"?"),
@@ -233,10 +233,10 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"two\"\npush = \"5 kN\"", "order.0.tug", "there is no tug \"two\""),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"hed\"\nlet_go = true", "order.0.line", "did you mean \"head\"?"),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "rudder = \"5 deg\"", "order.0", "must be for one of"),
-    ("rudder = \"5 deg\"", "hands = false", "order.0.hands", "can only be true"),
+    ("rudder = \"5 deg\"", "hands = false", "order.0.hands", "must be true"),
     ("rudder = \"5 deg\"", "", "order.0", "orders nothing"),
-    ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"head\"\nlet_go = false", "order.0.let_go", "can only be true"),
-    ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"one\"\nstand_by = false", "order.0.stand_by", "can only be true"),
+    ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"head\"\nlet_go = false", "order.0.let_go", "must be true"),
+    ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"one\"\nstand_by = false", "order.0.stand_by", "must be true"),
 ];
 
 #[test]

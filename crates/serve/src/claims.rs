@@ -1,4 +1,4 @@
-//! Which client holds which control. A control has at most one holder.
+//! Knows which client holds which control of the session. A control has at most one holder at a time.
 
 use std::collections::BTreeMap;
 
@@ -7,20 +7,20 @@ use fenderline_live::{Control, Refusal};
 
 use crate::kept_seats::KeptHolder;
 
-/// Number of a client. No number is used twice.
+/// Number of a client. A client number is never used twice.
 pub(crate) type ClientId = u64;
 
 #[derive(Clone, Debug, PartialEq)]
 struct Holder {
     client: ClientId,
     label: String,
-    /// False if the holder has disconnected. Others may then take the control.
+    /// False if the holder has disconnected. Others may take the control of a holder who has disconnected.
     connected: bool,
-    /// The seat of the holder's page, if the page has disconnected.
+    /// The seat of the page that the holder has left, if the holder has disconnected.
     left: Option<Seat>,
 }
 
-/// A page with its role. The page keeps the secret `key` when it is reloaded.
+/// The seat of a page: its role and its secret. The page keeps the secret `key` when the page is reloaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Seat {
     pub(crate) role: Role,
@@ -33,7 +33,7 @@ impl Holder {
     }
 }
 
-/// A number that no client has. The number stands for a holder from a former run.
+/// A client number that no client has. The number stands for a holder from a former run of the server.
 const NOBODY: ClientId = 0;
 
 /// Controls and their holders.
@@ -46,8 +46,8 @@ impl Claims {
         self.0.clear();
     }
 
-    /// Restores the holders of a former run of this session. These holders count as disconnected until they give their
-    /// names again.
+    /// Restores the holders of controls from a former run of the session. The restored holders count as disconnected
+    /// until they give their names again.
     pub(crate) fn restore(&mut self, holders: &[KeptHolder]) {
         for KeptHolder { control, label } in holders {
             let holder =
@@ -56,7 +56,7 @@ impl Claims {
         }
     }
 
-    /// All holders, connected or not, for the file that keeps them.
+    /// All holders of controls, connected or not, for the file that keeps them.
     pub(crate) fn kept(&self) -> Vec<KeptHolder> {
         let holder = |(control, holder): (&Control, &Holder)| KeptHolder {
             control: control.clone(),
@@ -65,15 +65,15 @@ impl Claims {
         self.0.iter().map(holder).collect()
     }
 
-    /// Checks that a control is free, left by its holder, or held by this client.
+    /// Checks that a control is free, left by its holder, or held by the client `client`.
     ///
     /// # Errors
-    /// The reason, which names the holder.
+    /// The error is a text that names the holder of the control.
     pub(crate) fn may_use(&self, control: &Control, client: ClientId) -> Result<(), Refusal> {
         match self.0.get(control) {
             Some(holder) if holder.connected && holder.client != client => {
                 Err(Refusal::new(format_args!(
-                    "{} has it, and must release it first; the instructor can take it",
+                    "{} holds this control, and must release it first; the instructor can take it",
                     holder.label
                 )))
             }
@@ -90,11 +90,12 @@ impl Claims {
         self.0.get(control).is_some_and(|holder| holder.client == client)
     }
 
-    /// Gives a control to a client if the control is free or its holder has left. With `by_force` the client gets the
-    /// control in any case. Returns the former holder, if it was another client; `None` if nothing changed.
+    /// Gives a control to a client if the control is free or its holder has left. With `by_force`, the client gets the
+    /// control even if another client holds it. Returns the former holder of the control, if that was another client;
+    /// `None` if nothing changed.
     ///
     /// # Errors
-    /// The reason, which names the holder.
+    /// The error is a text that names the holder of the control.
     pub(crate) fn take(
         &mut self,
         control: Control,
@@ -109,8 +110,8 @@ impl Claims {
         Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
     }
 
-    /// Changes the label of a client at its controls, and gives the client the controls that a holder with this label
-    /// left. Returns true if anything changed.
+    /// Changes the label of a client at its controls, and gives the client the controls that a disconnected holder with
+    /// this label left. Returns true if the label or the holder of a control changed.
     pub(crate) fn name(&mut self, client: ClientId, label: &str) -> bool {
         let mut changed = false;
         for holder in self.0.values_mut() {
@@ -123,7 +124,7 @@ impl Claims {
         changed
     }
 
-    /// Releases a control. Returns true if this client held it.
+    /// Releases a control. Returns true if the client held the control.
     pub(crate) fn release(&mut self, control: &Control, client: ClientId) -> bool {
         let held = self.holds(control, client);
         if held {
@@ -132,14 +133,14 @@ impl Claims {
         held
     }
 
-    /// The label that the page of a seat had when it left its controls.
+    /// The label that a page had when it left its controls.
     pub(crate) fn label_of(&self, seat: &Seat) -> Option<&str> {
         let holder = self.0.values().find(|holder| holder.is_left_by(seat))?;
         Some(&holder.label)
     }
 
     /// Gives a client the controls that its page left, unless others have taken them since. Returns true if the client
-    /// got any.
+    /// got a control.
     pub(crate) fn back(&mut self, client: ClientId, label: &str, seat: &Seat) -> bool {
         let mut changed = false;
         for holder in self.0.values_mut().filter(|holder| holder.is_left_by(seat)) {
@@ -149,8 +150,8 @@ impl Claims {
         changed
     }
 
-    /// Marks the controls of a disconnected client as left, and returns them. Until somebody takes the controls, they
-    /// keep the client's name and the seat of its page.
+    /// Marks the controls of a disconnected client as left, and returns these controls. Until somebody takes these
+    /// controls, they keep the client's name and the seat of the client's page.
     pub(crate) fn gone(&mut self, client: ClientId, seat: Option<&Seat>) -> Vec<Control> {
         let mut left = Vec::new();
         for (control, holder) in self.0.iter_mut().filter(|(_, holder)| holder.client == client) {
@@ -161,7 +162,7 @@ impl Claims {
         left
     }
 
-    /// The list of holders for pages.
+    /// The list of controls and holders for pages.
     pub(crate) fn list(&self, controls: &[Control]) -> Vec<Claim> {
         let claim = |control: &Control| {
             let holder = self.0.get(control);
@@ -188,7 +189,7 @@ mod tests {
         let refused = claims.take(helm(), (2, "pilot 2"), false).expect_err("it is held");
         assert_eq!(
             refused.to_string(),
-            "pilot 1 has it, and must release it first; the instructor can take it"
+            "pilot 1 holds this control, and must release it first; the instructor can take it"
         );
         assert_eq!(
             (claims.holder(&helm()), claims.holder(&Control::Tug("aft".into()))),

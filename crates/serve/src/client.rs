@@ -1,4 +1,4 @@
-//! The task of one client with a token. The task serves the client's websocket.
+//! The task that serves one client with a valid link. The task serves the client's websocket.
 
 use std::future::pending;
 use std::sync::Arc;
@@ -14,14 +14,14 @@ use super::claims::ClientId;
 use super::hub::{Hub, Published, Text, ToEngine};
 use super::rate::Bucket;
 
-/// A client is disconnected if it does not read a message within this time.
+/// A client is disconnected if the client does not read a message within this time.
 const SEND_TIMEOUT: Duration = Duration::from_secs(10);
-/// Time between two pings. A client that is silent for longer than the second value is disconnected.
+/// Time between two pings. A client that is silent for longer than `MOST_SILENCE` is disconnected.
 const PING_INTERVAL: Duration = Duration::from_secs(5);
 const MOST_SILENCE: Duration = Duration::from_secs(16);
-/// Commands of a client per second, and commands in one burst.
+/// Commands that a client may send per second, and commands in one burst.
 const COMMANDS: (f64, f64) = (30.0, 60.0);
-/// A client is disconnected after this number of refused messages in a row.
+/// Number of refused messages in a row after which a client is disconnected.
 const MOST_REFUSED: u32 = 300;
 /// Largest number of answers and notices that wait to be sent to one client.
 const MOST_ANSWERS: usize = 128;
@@ -32,9 +32,9 @@ const POLICY: u16 = 1008;
 const NO_TOKEN: u16 = 4401;
 const FULL: u16 = 4429;
 
-/// Closes a websocket with an unknown token.
+/// Closes a websocket whose token the server does not know.
 pub(crate) async fn turn_away(socket: WebSocket) {
-    close(socket, NO_TOKEN, "this link is not valid here: ask for a new one").await;
+    close(socket, NO_TOKEN, "this link is not valid on this server: ask for a new link").await;
 }
 
 /// Closes a websocket for which no seat is free.
@@ -53,7 +53,7 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
     let _ = timeout(Duration::from_secs(2), closing).await;
 }
 
-/// Serves a client until it disconnects, is silent for too long or breaks a limit.
+/// Serves a client until the client disconnects, is silent for too long or breaks a limit.
 pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     let client = hub.new_client();
     let (hello, greeted) = watch::channel(None);
@@ -69,7 +69,8 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     }
 }
 
-/// Exchanges messages with a client until one side ends the connection. If the server ends it, returns the reason.
+/// Exchanges messages with a client until one side ends the connection. If the server ends the connection, returns the
+/// reason.
 async fn exchange(
     socket: &mut WebSocket,
     hub: &Arc<Hub>,
@@ -131,7 +132,7 @@ async fn exchange(
                 match timeout(SEND_TIMEOUT, socket.send(Message::Ping(Vec::new().into()))).await {
                     Ok(Ok(())) => None,
                     Ok(Err(_)) => return None,
-                    Err(_) => return Some("the client does not read"),
+                    Err(_) => return Some("the client does not read its messages"),
                 }
             }
         };
@@ -139,13 +140,13 @@ async fn exchange(
         match timeout(SEND_TIMEOUT, socket.send(Message::Text(text.into()))).await {
             Ok(Ok(())) => {}
             Ok(Err(_)) => return None,
-            Err(_) => return Some("the client does not read"),
+            Err(_) => return Some("the client does not read its messages"),
         }
     }
 }
 
-/// A frame with the events that this client has not received yet. For an instructor the frame includes the marks of the
-/// exercise.
+/// A frame with the events that this client has not received yet. For an instructor, the frame includes the marks of
+/// the exercise.
 fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);
     let new: Vec<_> = new.map(|(_, event)| event.clone()).collect();
@@ -154,14 +155,14 @@ fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String
     message::with_events(published.frame_for(role), &new, marks)
 }
 
-/// What to do after a message of the client.
+/// What the server does after a message of the client.
 enum Taken {
     Nothing,
     /// Send this answer.
     Answer(String),
-    /// Nothing: the client has disconnected.
+    /// The server does nothing, because the client has disconnected.
     Disconnected,
-    /// Disconnect the client for this reason.
+    /// The server disconnects the client for the reason in the text.
     Disconnect(&'static str),
 }
 
@@ -192,7 +193,9 @@ impl Listener {
             }
             Some(Ok(Message::Close(_))) => return Taken::Disconnected,
             Some(Ok(Message::Ping(_) | Message::Pong(_))) => return Taken::Nothing,
-            Some(Ok(Message::Binary(_))) => return self.refuse("commands are text, not binary"),
+            Some(Ok(Message::Binary(_))) => {
+                return self.refuse("a client's commands must be text, not binary");
+            }
             Some(Ok(Message::Text(text))) => text,
         };
         if !self.bucket.take(self.last_received) {
@@ -204,7 +207,9 @@ impl Listener {
         } else {
             self.refused += 1;
             if self.refused > MOST_REFUSED {
-                return Taken::Disconnect("too many messages that are not understood");
+                return Taken::Disconnect(
+                    "the client has sent too many messages that are not understood",
+                );
             }
         }
         if hub.send_to_engine(ToEngine::Command { client: self.client, id, request }) {
@@ -214,8 +219,8 @@ impl Listener {
         Taken::Answer(message::text(&Reply::Refused { id, reason }))
     }
 
-    /// Refuses a message without asking the simulation. Only the first, second, fourth, eighth… refusal is answered. A
-    /// flood of messages therefore does not cause a flood of answers.
+    /// Refuses a client's message without asking the simulation. Of many refusals, only the first, second, fourth,
+    /// eighth and so on are answered. A flood of messages therefore does not cause a flood of answers.
     fn refuse(&mut self, reason: &str) -> Taken {
         self.refused += 1;
         if self.refused > MOST_REFUSED {

@@ -1,6 +1,6 @@
-//! Limits the number of connections. A new connection always gets in. If there are too many, the address with the most
-//! connections loses its oldest connection. A crowd of slow connections therefore keeps nobody out, and loses its own
-//! places.
+//! Limits the number of connections to the server. A new connection always gets a place. If there are too many
+//! connections, the address that has the most loses its oldest connection. A crowd of slow connections therefore shuts
+//! nobody out, and loses its own places first.
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::Notify;
 
-/// A peer: all connections of a peer are counted together. A peer is an IPv4 address, or the /64 network of an IPv6
+/// A peer, whose connections are all counted together. A peer is one IPv4 address, or the /64 network of an IPv6
 /// address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Peer(u128);
@@ -23,7 +23,7 @@ impl Peer {
     }
 }
 
-/// A limited number of places for connections.
+/// The places for connections to the server, whose number is limited.
 #[derive(Debug)]
 pub(crate) struct Connections {
     most: usize,
@@ -33,11 +33,11 @@ pub(crate) struct Connections {
 #[derive(Debug, Default)]
 struct Inside {
     next: u64,
-    /// The connections in the order in which they came.
+    /// The connections that hold a place, in the order in which they came.
     all: Vec<(u64, Peer, Arc<Notify>)>,
 }
 
-/// A place for a connection. Dropping the [`Place`] frees it for another connection.
+/// The place of a connection. Dropping the [`Place`] frees the place for another connection.
 #[derive(Debug)]
 pub(crate) struct Place {
     connections: Arc<Connections>,
@@ -50,7 +50,7 @@ impl Connections {
         Arc::new(Connections { most, inside: Mutex::default() })
     }
 
-    /// Takes a place. If there is no room, asks another connection to leave.
+    /// Takes a place. If there is no free place, asks another connection to leave.
     pub(crate) fn enter(self: &Arc<Connections>, peer: Peer) -> Place {
         let asked_out = Arc::new(Notify::new());
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
@@ -73,7 +73,7 @@ impl Connections {
 }
 
 impl Place {
-    /// Waits until a new connection needs this place.
+    /// Waits until a new connection needs the place.
     pub(crate) async fn asked_out(&self) {
         self.asked_out.notified().await;
     }
@@ -85,7 +85,7 @@ impl Drop for Place {
     }
 }
 
-/// Index of the oldest connection of the address with the most connections.
+/// Index of the connection that leaves: the oldest of the address with the most connections.
 fn first_of_the_most(all: &[(u64, Peer, Arc<Notify>)]) -> usize {
     let mut counts = BTreeMap::<Peer, usize>::new();
     for (_, peer, _) in all {

@@ -1,6 +1,6 @@
-//! The simulation's thread. The thread steps the session at the pace of wall time, carries out the commands of clients
-//! and publishes the latest frame. The thread waits for nothing except the clock: a slow client misses frames, and a
-//! flood of commands is refused.
+//! The simulation's thread. The simulation's thread steps the session at the pace of wall time, carries out the
+//! commands of clients and publishes the latest frame. The simulation's thread waits for nothing except the clock: a
+//! slow client misses frames, and a flood of commands is refused.
 
 mod chart_output;
 mod client;
@@ -44,14 +44,14 @@ use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
 
-/// Least wall time between two frames, even if the simulation runs faster.
+/// Least wall time between two frames for the pages, even if the simulation runs faster.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(33);
-/// Wall time between two frames of a paused session. The frames show that the server still runs. While a file is being
-/// opened, frames come more often, to show the progress.
+/// Wall time between two frames of a paused session. Frames of a paused session show a page that the server still runs.
+/// While a file is being opened, frames come more often, to show the progress.
 const BETWEEN_PAUSED_FRAMES: Duration = Duration::from_secs(1);
 const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);
 
-/// The state of the simulation's thread.
+/// Everything that the simulation's thread holds.
 pub(crate) struct Engine {
     hub: Arc<Hub>,
     session: Session,
@@ -63,9 +63,9 @@ pub(crate) struct Engine {
     /// Files of the recordings of earlier sessions.
     ended: Vec<PathBuf>,
     recording_failed: bool,
-    /// Keeps the links and the holders of controls in a file beside the recording.
+    /// Keeps the links and the holders of controls in a file beside the session's recording.
     keeper: Keeper,
-    /// Work on another thread: opening a scenario or a session, saving a session, or making a report.
+    /// Work that runs on another thread: opening a scenario or a session, saving a session, or making a report.
     work: Option<Work>,
     pacer: Pacer,
     paused: bool,
@@ -80,18 +80,18 @@ pub(crate) struct Engine {
     predictor: Predictor,
     trials: Trials,
     history: KeptHistory,
-    /// The planned events in the last message to the instructors.
+    /// The planned events that the last message to the instructors had.
     planned: Vec<PlannedNow>,
-    /// `None` if no chart programs are served.
+    /// Output for chart programs; `None` if no chart programs are served.
     chart: Option<ChartOutput>,
 }
 
 impl Engine {
     /// Makes an engine that is ready to run, and begins the recording. `chart` is `None` if no chart programs are
-    /// served; otherwise it contains the origin that the user gave for them.
+    /// served; otherwise it contains the origin of positions that the user gave for them.
     ///
     /// # Errors
-    /// The recording's file cannot be written, or there are no random numbers.
+    /// Fails if the recording's file cannot be written, or if the system gives no random numbers.
     pub(crate) fn new(
         hub: Arc<Hub>,
         mut opened: Opened,
@@ -116,7 +116,7 @@ impl Engine {
             recorder,
             ended: Vec::new(),
             recording_failed: false,
-            keeper: keeper.map_err(|e| format!("no thread that keeps the links: {e}"))?,
+            keeper: keeper.map_err(|e| format!("there is no thread that keeps the links: {e}"))?,
             work: None,
             paused: true,
             starts_with_first_client: !paused,
@@ -134,17 +134,20 @@ impl Engine {
         if let Some(seats) = seats {
             engine.take_seats(&seats);
         }
-        engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
+        engine
+            .make_tokens()
+            .map_err(|e| format!("there are no random numbers for the links: {e}"))?;
         engine.keep_seats();
         Ok(engine)
     }
 
-    /// The file to which this session is recorded.
+    /// The file to which the present session is recorded.
     pub(crate) fn recording(&self) -> &Path {
         self.recorder.path()
     }
 
-    /// Runs until a message stops the thread. Returns the files of the recordings that it made, in their order.
+    /// Runs the session until a message stops the thread. Returns the files of the recordings that the thread has made,
+    /// in their order.
     pub(crate) fn run(mut self, messages: &Receiver<ToEngine>) -> Vec<PathBuf> {
         self.publish_frame();
         loop {
@@ -179,7 +182,7 @@ impl Engine {
         self.ended
     }
 
-    /// Time to wait for a message.
+    /// Longest time to wait for a message of clients.
     fn wait(&self) -> Duration {
         let now = Instant::now();
         let wait =
@@ -215,13 +218,13 @@ impl Engine {
             self.paused = true;
             let hint = match &e {
                 StepError::Simulation(_) => "Rewind it.",
-                StepError::Full(_) => "Save it, and open its scenario anew.",
+                StepError::Full(_) => "Save the session, and open its scenario anew.",
             };
             self.notify_all(&format!("The simulation cannot go on: {e}. {hint}"));
         }
         if was_rewound && !self.session.is_rewound() {
             self.paused = true;
-            self.notify_all("The recorded part has ended: resume to go on from here.");
+            self.notify_all("The recorded part has ended: resume to go on from its end.");
         }
         if was_open && !was_rewound && !self.exercise_is_open() {
             self.paused = true;
@@ -264,7 +267,7 @@ impl Engine {
         self.tell_planned();
     }
 
-    /// The frame of the present state for roles that see everything.
+    /// The frame of the present state for roles from which nothing is hidden.
     fn frame(&self) -> Frame {
         let (late_ticks, latest_ms) = self.pacer.late();
         let run = RunState {
@@ -279,12 +282,12 @@ impl Engine {
         self.session.frame(unix_ms(), run)
     }
 
-    /// The marks of the exercise.
+    /// The marks of the exercise, as JSON; `None` without an exercise.
     fn marks(&self) -> Option<Text> {
         self.session.exercise_marks().map(|marks| message::text(&marks).into())
     }
 
-    /// Sends the planned events to the instructors if they have changed. Nobody else may know them.
+    /// Sends the planned events to the instructors if they have changed. Only instructors may know the planned events.
     fn tell_planned(&mut self) {
         let events = self.session.planned();
         if events != self.planned {

@@ -1,6 +1,6 @@
-//! Renames, deletes and puts back recordings and exercises that were saved from the page. No file is overwritten, and
-//! no file outside of their folders is touched. A deleted file lies in the folder `deleted` beside the others until
-//! somebody removes it by hand.
+//! Renames, deletes and puts back recordings and exercises that were saved from the page. The changes overwrite no
+//! file, and touch no file outside the folders of recordings and exercises. A deleted file lies in the folder `deleted`
+//! beside the other files until somebody removes it by hand.
 
 use core::fmt;
 use std::fs::{self, OpenOptions};
@@ -14,30 +14,30 @@ use super::gallery::{self, Changed, DELETED, EXERCISE_ENDING, Gallery};
 use super::kept_seats;
 use super::saved::ENDING;
 
-/// Largest number of deleted files with one name.
+/// Largest number of deleted files that had the same name.
 const MOST_OF_A_NAME: usize = 1000;
 
 /// What an instructor wants to do with a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Wish {
-    /// Give the file another name. The text is the name without its ending.
+    /// Gives the file another name. The text is the new name without its ending.
     Rename(String),
-    /// Remove the file from the list.
+    /// Removes the file from the list of the gallery.
     Delete,
-    /// Put a deleted file back in the list.
+    /// Puts a deleted file back in the list of the gallery.
     PutBack,
 }
 
 /// The files that a running session needs unchanged.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InUse<'a> {
-    /// The file to which the session is recorded.
+    /// The file to which the running session is recorded.
     pub(crate) recording: &'a Path,
-    /// The name of the session's scenario file.
+    /// The name of the running session's scenario file.
     pub(crate) scenario: &'a str,
 }
 
-/// Why a file was not changed.
+/// Why a file of the gallery was not changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum ChangeError {
     /// The new name is not allowed.
@@ -56,7 +56,7 @@ pub(crate) enum ChangeError {
     Taken(String),
     /// The path is a link or a folder, or the file is gone.
     NoFile(String),
-    /// The file system's error, with the path.
+    /// The file system reports an error: path and message.
     Failed(PathBuf, String),
 }
 
@@ -69,19 +69,22 @@ impl fmt::Display for ChangeError {
                 write!(f, "there is no {file} among the deleted files")
             }
             ChangeError::IsRecorded(file) => {
-                write!(f, "this session is being recorded to {file}: it stays as it is")
+                write!(
+                    f,
+                    "this session is being recorded to {file}, which therefore stays as it is"
+                )
             }
             ChangeError::Runs(file) => {
-                write!(f, "this session is one of {file}: open another one first")
+                write!(f, "this session is one of {file}: open another session first")
             }
             ChangeError::NotOurs(file) => write!(
                 f,
                 "{file} was not saved from the page, or lies in another folder: rename and delete it by hand"
             ),
             ChangeError::Taken(file) => {
-                write!(f, "there is a file {file} already: both stay as they are")
+                write!(f, "there is a file {file} already: both files stay as they are")
             }
-            ChangeError::NoFile(file) => write!(f, "{file} is a link, no file, or gone"),
+            ChangeError::NoFile(file) => write!(f, "{file} is a link, is not a file, or is gone"),
             ChangeError::Failed(path, why) => write!(f, "{}: {why}", path.display()),
         }
     }
@@ -101,24 +104,26 @@ pub(crate) struct FileChange {
     from: PathBuf,
     to: To,
     entry: GalleryEntry,
-    /// True if the change puts a deleted file back.
+    /// True if the change puts a deleted file back into the gallery.
     is_put_back: bool,
 }
 
-/// Where a file is moved.
+/// Where a file of the gallery is moved.
 #[derive(Debug)]
 enum To {
-    /// The file is moved to a path that must be free.
+    /// The file is moved to a path at which no file may exist.
     Path(PathBuf),
-    /// To the folder of deleted files, under a name that is free there. The folder is made if it is missing.
+    /// The file is moved to the folder of deleted files, under a name that is free in this folder. The folder of
+    /// deleted files is made if it is missing.
     Deleted(PathBuf),
 }
 
 impl FileChange {
-    /// Plans a change of a file in the gallery, which is given by its name. Does not use the file system.
+    /// Plans a change of a file in the gallery, which the caller gives by its name. Planning a change does not use the
+    /// file system.
     ///
     /// # Errors
-    /// [`ChangeError`], except for errors that only the file system can find.
+    /// Returns a [`ChangeError`], except for the errors that only the file system can find.
     pub(crate) fn new(
         gallery: &Gallery,
         in_use: InUse<'_>,
@@ -157,7 +162,7 @@ impl FileChange {
     /// Makes the change.
     ///
     /// # Errors
-    /// [`ChangeError`]. Nothing is changed in this case.
+    /// [`ChangeError`]. A change that fails changes no file.
     pub(crate) fn make(self) -> Result<Changed, ChangeError> {
         let FileChange { from, to, entry, is_put_back } = self;
         let name = gallery::name_of(&from);
@@ -189,7 +194,7 @@ fn ending_of(file: &str) -> &'static str {
     if file.ends_with(ENDING) { ENDING } else { EXERCISE_ENDING }
 }
 
-/// Makes the folder for deleted files. A link in its place is refused.
+/// Makes the folder for deleted files. A link in place of this folder is refused.
 fn make_folder(folder: &Path) -> Result<(), ChangeError> {
     if gallery::is_folder(folder) {
         return Ok(());
@@ -200,7 +205,7 @@ fn make_folder(folder: &Path) -> Result<(), ChangeError> {
     fs::create_dir(folder).map_err(|error| failed(folder, &error))
 }
 
-/// Moves a file into a folder. If the file's name is taken there, a number is added.
+/// Moves a file into a folder. If the folder has a file of the same name, a number is added to the name.
 fn move_to(from: &Path, folder: &Path) -> Result<PathBuf, ChangeError> {
     let file = gallery::name_of(from);
     let ending = ending_of(&file);
@@ -218,7 +223,8 @@ fn move_to(from: &Path, folder: &Path) -> Result<PathBuf, ChangeError> {
     Err(ChangeError::Taken(file))
 }
 
-/// Moves a file to a name that must be free. A recording's file of links moves with it.
+/// Moves a file of the gallery to a name that must be free. The file of links that belongs to a recording moves with
+/// the recording.
 fn move_free(from: &Path, to: &Path) -> Result<(), ChangeError> {
     if !gallery::name_of(from).ends_with(ENDING) {
         return move_file(from, to);

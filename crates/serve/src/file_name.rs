@@ -1,15 +1,16 @@
-//! Names that people give to recordings and exercises. A name is valid on every operating system, and is never a path.
+//! Names that people give to recordings and exercises. A name that passes the check is valid on every operating system,
+//! and is never a path.
 
 use core::fmt;
 
-/// Longest name without its ending (bytes).
+/// Longest name of a file without its ending (bytes).
 pub(crate) const LONGEST: usize = 60;
-/// Names of devices on Windows (Microsoft: Naming Files, Paths, and Namespaces). These names are reserved with any
-/// ending. COM and LPT are followed by a digit.
+/// Names of devices on Windows (Microsoft: Naming Files, Paths, and Namespaces). The names of devices are reserved with
+/// any ending. After COM and LPT a digit follows in a device's name.
 const DEVICES: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
 const PORTS: [&str; 2] = ["COM", "LPT"];
 
-/// Why a file cannot have a name.
+/// Why a file cannot have the name that a person gave.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum NameError {
     /// The name is empty, too long, or has characters other than letters, digits, `-` and `_`.
@@ -25,7 +26,7 @@ impl fmt::Display for NameError {
                 write!(f, "a name has 1 to {LONGEST} letters, digits, - and _")
             }
             NameError::Reserved(name) => {
-                write!(f, "{name} is the name of a device on Windows: choose another one")
+                write!(f, "{name} is the name of a device on Windows: choose another name")
             }
         }
     }
@@ -33,7 +34,7 @@ impl fmt::Display for NameError {
 
 impl std::error::Error for NameError {}
 
-/// Checks a name, which has no ending.
+/// Checks a name that a person gave, without its ending.
 ///
 /// # Errors
 /// [`NameError`].

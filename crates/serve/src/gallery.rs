@@ -12,32 +12,32 @@ use fenderline_scenario::read_text;
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
 
-/// Largest number of entries in the gallery, and of files that are read from a folder for it.
+/// Largest number of entries in the gallery, and largest number of files that are read from a folder to fill it.
 const MOST: usize = 200;
 const MOST_READ: usize = 1000;
 /// The ending of an exercise's file name.
 pub(crate) const EXERCISE_ENDING: &str = ".toml";
-/// The folder for deleted files, inside the folder of the other files.
+/// The folder for deleted files, which lies in the folder of exercises or recordings.
 pub(crate) const DELETED: &str = "deleted";
-/// Texts in the first comment of an exercise that was saved from the page. Only people who wrote a file by hand may
-/// rename it.
+/// Texts by which the first comment of an exercise shows that the exercise was saved from the page. A file without one
+/// of these texts was written by hand, and the page cannot rename it.
 const FROM_THE_PAGE: [&str; 2] = ["Made from choices:", INTO_A_SESSION];
 /// Largest size of a scenario together with the files that it names (bytes).
 const LARGEST_SCENARIO: usize = 64 << 20;
 
-/// A change that was made to a file.
+/// A change that was made to a file of the gallery.
 #[derive(Debug)]
 pub(crate) struct Changed {
     pub(crate) from: PathBuf,
     pub(crate) to: PathBuf,
-    /// The entry of the file after the change.
+    /// The gallery's entry of the file after the change.
     pub(crate) entry: GalleryEntry,
     /// True if the file is among the deleted files now.
     pub(crate) is_deleted: bool,
 }
 
 /// The list of files that can be opened, by name. No other file can be opened, because a page gives the name of an
-/// entry and not a path.
+/// entry in the list and not a path.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
     files: Files,
@@ -72,8 +72,8 @@ impl Files {
         }
     }
 
-    /// Puts a file at the end of the list. The file replaces an earlier file with the same name. If there is no room,
-    /// it replaces the first file.
+    /// Puts a file at the end of the gallery's list. The new file replaces an earlier file of the same name. If the
+    /// list is full, the new file replaces the first file.
     fn put_last(&mut self, path: &Path, entry: GalleryEntry) {
         let is_full = self.paths.len() >= MOST;
         if let Some(place) = self.place(&entry.file).or(is_full.then_some(0)) {
@@ -87,7 +87,7 @@ impl Files {
         self.place(file).map(|place| (&self.entries[place], self.paths[place].as_path()))
     }
 
-    /// Removes the entry of a path and returns its index.
+    /// Removes the entry that has the given path and returns the entry's index.
     fn take(&mut self, path: &Path) -> Option<usize> {
         let place = self.paths.iter().position(|other| other == path)?;
         self.entries.remove(place);
@@ -102,8 +102,8 @@ impl Gallery {
         Gallery { folder: folder.to_owned(), sessions: sessions.to_owned(), ..Gallery::default() }
     }
 
-    /// Adds the scenarios with a vessel and the recordings in the gallery's folders, and the deleted files there. If
-    /// several files have one name, only the first is added.
+    /// Adds to the gallery the scenarios that have a vessel, the recordings, and the deleted files in its folders. If
+    /// several files have the same name, only the first is added.
     pub(crate) fn fill(&mut self) {
         for folder in [self.folder.clone(), self.sessions.clone()] {
             files_of(&folder).iter().for_each(|path| self.add(path));
@@ -122,7 +122,7 @@ impl Gallery {
         }
     }
 
-    /// Adds a file, if it can be opened.
+    /// Adds a file to the gallery, if the file can be opened.
     pub(crate) fn add(&mut self, path: &Path) {
         if self.files.has_room_for(&name_of(path))
             && let Some(entry) = entry(path)
@@ -131,7 +131,7 @@ impl Gallery {
         }
     }
 
-    /// Adds the entry of a file.
+    /// Adds a file's entry to the gallery.
     pub(crate) fn put(&mut self, path: &Path, entry: GalleryEntry) {
         let changeable = entry.changeable && self.is_in_its_folders(path);
         self.files.put(path, GalleryEntry { changeable, ..entry });
@@ -148,7 +148,7 @@ impl Gallery {
         &self.folder
     }
 
-    /// Adds an entry. The new entry replaces an entry of the same file.
+    /// Adds an entry. A new entry replaces the entry of the same file.
     pub(crate) fn renew(&mut self, path: &Path, entry: GalleryEntry) {
         match self.files.place(&entry.file) {
             Some(place) => self.files.entries[place] = entry,
@@ -182,7 +182,7 @@ impl Gallery {
         &self.deleted.entries
     }
 
-    /// An entry, and the path of its file.
+    /// An entry of the gallery, and the path of its file.
     pub(crate) fn get(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
         self.files.get(file)
     }
@@ -192,18 +192,18 @@ impl Gallery {
         self.deleted.get(file)
     }
 
-    /// The path of an entry's file.
+    /// The path of the file that belongs to an entry.
     pub(crate) fn path(&self, file: &str) -> Option<&Path> {
         self.files.get(file).map(|(_, path)| path)
     }
 }
 
-/// True if there is a folder with this name. A link to a folder does not count.
+/// True if the path is that of a folder. A link to a folder does not count as a folder.
 pub(crate) fn is_folder(path: &Path) -> bool {
     path.symlink_metadata().is_ok_and(|of| of.is_dir())
 }
 
-/// The first files of a folder, sorted by name.
+/// The first files of a folder, in the order of their names.
 fn files_of(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -212,7 +212,7 @@ fn files_of(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// True if two paths name the same folder as they are written. An empty path stands for the present folder.
+/// True if two paths, as they are written, name the same folder. An empty path stands for the present folder.
 fn is_same_folder(one: &Path, other: &Path) -> bool {
     let written = |path: &Path| match path.as_os_str().is_empty() {
         true => PathBuf::from("."),
@@ -225,12 +225,12 @@ pub(crate) fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The entry of a file; `None` if the file cannot be opened. Only the first line of a recording is read.
+/// The gallery's entry of a file; `None` if the file cannot be opened. Of a recording, only the first line is read.
 pub(crate) fn entry(path: &Path) -> Option<GalleryEntry> {
     entry_among(path, path.parent().unwrap_or(Path::new("")))
 }
 
-/// The entry of a file whose scenario names files in `folder`.
+/// The gallery's entry of a file whose scenario names files in `folder`.
 pub(crate) fn entry_among(path: &Path, folder: &Path) -> Option<GalleryEntry> {
     let name = name_of(path);
     if name.ends_with(ENDING) {
@@ -262,7 +262,7 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     let written_unix_s =
         written.and_then(|at| at.duration_since(UNIX_EPOCH).ok()).map(|at| at.as_secs());
     let name = file.strip_suffix(ENDING).unwrap_or(&file);
-    let text = format!("Saved as {name}. It continues where it ended.");
+    let text = format!("Saved as {name}. The session continues where it ended.");
     Some(GalleryEntry {
         title: format!("Session: {title}"),
         text,
@@ -273,12 +273,13 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     })
 }
 
-/// Makes a function that reads the files which a scenario names. The files lie beside the scenario.
+/// Makes a function that reads the files which a scenario beside them names. The named files lie in the same folder as
+/// the scenario.
 pub(crate) fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
     within(scenario.parent().unwrap_or(Path::new("")))
 }
 
-/// Makes a function that reads the files which a scenario names from a folder.
+/// Makes a function that reads the files which a scenario names, from the folder `folder`.
 fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
     let folder = folder.to_owned();
     let mut left = LARGEST_SCENARIO;
@@ -286,7 +287,7 @@ fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
         let text = read_text(&folder.join(name))?;
         left = left.checked_sub(text.len()).ok_or_else(|| {
             format!(
-                "{name}: the scenario and its files are larger than {} MiB",
+                "{name}: with this file, the scenario and its files are larger than {} MiB",
                 LARGEST_SCENARIO >> 20
             )
         })?;
@@ -294,28 +295,29 @@ fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
     }
 }
 
-/// A session that was opened from a file.
+/// A session that was opened from a scenario or from a recording.
 pub(crate) struct Opened {
     pub(crate) session: Session,
-    /// The recording that this session continues, with its outline; `None` for a new session.
+    /// The recording that the session continues, with the recording's outline; `None` for a new session.
     pub(crate) recorded: Option<(File, Outline)>,
-    /// The links and the holders of controls of the continued recording, if they were kept.
+    /// The links and the holders of controls that belong to the continued recording, if they were kept.
     pub(crate) seats: Option<KeptSeats>,
     /// Notices for the user.
     pub(crate) notices: Vec<String>,
 }
 
-/// Opens a scenario or a recording. A recording continues where it ended.
+/// Opens a scenario or a recording as a session. A recording continues where it ended.
 ///
 /// # Errors
-/// What is wrong with the file, as a text for the user. If `watch` stopped the opening, its reason.
+/// The error says what is wrong with the file, as a text for the user. If `watch` stopped the opening, the error is the
+/// reason that `watch` gave.
 pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Opened, String> {
     if let Some(file) = saved::open(path).map_err(|why| format!("cannot read {why}"))? {
         return open_recording(path, file, set, watch);
     }
     if name_of(path).ends_with(ENDING) {
         return Err(format!(
-            "{}: this is not a recorded session, although it is named as one",
+            "{}: this is not a recorded session, although the file's name says so",
             path.display()
         ));
     }
@@ -323,7 +325,10 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
     let (source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
         .map_err(|e| e.to_string())?;
     if scenario.setup.world.vessels.is_empty() {
-        return Err(format!("{}: there is no vessel in it that could be steered", path.display()));
+        return Err(format!(
+            "{}: the scenario has no vessel that could be steered",
+            path.display()
+        ));
     }
     let notices = scenario.notices.iter().map(ToString::to_string).collect();
     let session = Session::open(source).map_err(|e| e.to_string())?;
@@ -348,7 +353,7 @@ fn open_recording(
         .collect();
     if version != env!("CARGO_PKG_VERSION") {
         notices.push(format!(
-            "{name}: recorded by version {version}, which may compute different bits"
+            "{name} was recorded by version {version} of the program, which may compute different bits"
         ));
     }
     let seats = kept_seats::read(&kept_seats::beside(path)).unwrap_or_else(|why| {

@@ -1,4 +1,4 @@
-//! HTTP: serves the files of the page, and opens websockets.
+//! Serves the files of the page over HTTP, and opens websockets.
 
 use std::pin::Pin;
 use std::sync::{Arc, PoisonError};
@@ -27,20 +27,20 @@ use super::hub::Hub;
 use super::known_hosts::KnownHosts;
 use super::page::Page;
 
-/// Largest number of connections that are not websockets yet. If there are more, an old one is closed (see
-/// `connections`).
+/// Largest number of connections that are not websockets yet. If there are more connections that are not websockets, an
+/// old one is closed (see `connections`).
 const MOST_CONNECTIONS: usize = 256;
 /// Largest number of websockets that are open only to be told why they are closed.
 const MOST_TURNED_AWAY: usize = 64;
-/// Time limits: for the head of a request, and for a whole connection until it is answered or becomes a websocket.
+/// Time limits: one for the head of a request, one for a whole connection until it is answered or becomes a websocket.
 const HEAD_TIMEOUT: Duration = Duration::from_secs(5);
 const CONNECTION_TIMEOUT: Duration = Duration::from_secs(30);
-/// The largest message of a page (bytes).
+/// The largest message that a page may send (bytes).
 const LARGEST_MESSAGE: usize = 16 << 10;
 /// Largest number of bytes that wait to be written to one websocket.
 const MOST_WAITING: usize = 4 << 20;
 
-/// The data that every request needs.
+/// The data that the answer to every request needs.
 pub(crate) struct Site {
     pub(crate) hub: Arc<Hub>,
     pub(crate) page: Page,
@@ -68,7 +68,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
             Ok((stream, from)) => (stream, Peer::of(from.ip())),
             Err(e) => {
                 // Most likely no file descriptors are left. They become free as connections end.
-                site.hub.log.refused(&format!("cannot accept a connection: {e}"));
+                site.hub.log.refused(&format!("the server cannot accept a connection: {e}"));
                 tokio::time::sleep(Duration::from_millis(100)).await;
                 continue;
             }
@@ -79,7 +79,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
             tokio::select! {
                 _ = timeout(CONNECTION_TIMEOUT, connection(stream, app, peer)) => {}
                 () = place.asked_out() => {
-                    site.hub.log.refused("ended a connection: there are too many of them");
+                    site.hub.log.refused("a connection was ended: the server has too many of them");
                 }
             }
         });
@@ -105,7 +105,7 @@ fn refused(site: &Site, why: &'static str) -> Response {
     plain(StatusCode::FORBIDDEN, why)
 }
 
-/// An answer of one line of text. A header tells browsers to treat it as nothing but text.
+/// An answer that is one line of text. A header tells browsers to treat the answer as plain text.
 fn plain(status: StatusCode, text: &'static str) -> Response {
     (status, [(X_CONTENT_TYPE_OPTIONS, "nosniff"), (CONNECTION, "close")], text).into_response()
 }
@@ -128,11 +128,11 @@ async fn live(
         .write_buffer_size(0)
         .max_write_buffer_size(MOST_WAITING);
     let Some(role) = role(&site, &uri) else {
-        site.hub.log.refused("refused a websocket: unknown token");
+        site.hub.log.refused("a websocket was refused: its token is unknown");
         return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away));
     };
     let Some(seat) = site.hub.seat(&role, peer) else {
-        site.hub.log.refused("refused a client: all seats are taken");
+        site.hub.log.refused("a client was refused: all seats are taken");
         return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away_full));
     };
     let hub = Arc::clone(&site.hub);
@@ -142,21 +142,21 @@ async fn live(
     })
 }
 
-/// The role of the token in an address.
+/// The role that belongs to the token in an address.
 fn role(site: &Site, uri: &Uri) -> Option<Role> {
     let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
     let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
     tokens.role(token.unwrap_or(""))
 }
 
-/// Sends the report that the instructor asked for last. The command `report` makes it. Fetching a report therefore
-/// costs no more than sending its bytes.
+/// Sends the report that the instructor asked for last. The command `report` makes this report. Because the command
+/// made the report, fetching it costs no more than sending its bytes.
 async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     if let Err(why) = site.known_hosts.host(request.headers()) {
         return refused(&site, why);
     }
     if !matches!(*request.method(), Method::GET | Method::HEAD) {
-        return plain(StatusCode::METHOD_NOT_ALLOWED, "only GET and HEAD are allowed");
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "only the methods GET and HEAD are allowed");
     }
     if role(&site, request.uri()) != Some(Role::Instructor) {
         return refused(&site, "only the instructor's link opens the report");
@@ -165,7 +165,7 @@ async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     let Some(latest) = latest else {
         return plain(
             StatusCode::NOT_FOUND,
-            "no report was made yet: the instructor's page asks for it",
+            "no report was made yet: the instructor's page makes one",
         );
     };
     // The report carries its style and script, and loads nothing.
@@ -182,8 +182,8 @@ async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     (headers, Body::from(latest.as_bytes().to_vec())).into_response()
 }
 
-/// Closes a websocket with `close`, which tells the client the reason. If too many others are being closed, closes it
-/// at once.
+/// Closes a websocket by the function `close`, which tells the client the reason. If too many other websockets are
+/// being closed, closes the websocket without telling the reason.
 fn turn_away<F: Future<Output = ()> + Send + 'static>(
     site: &Site,
     peer: Peer,
@@ -207,10 +207,10 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         Err(why) => return refused(&site, why),
     };
     if !matches!(*request.method(), Method::GET | Method::HEAD) {
-        return plain(StatusCode::METHOD_NOT_ALLOWED, "only GET and HEAD are allowed");
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "only the methods GET and HEAD are allowed");
     }
     let Some(file) = site.page.file(request.uri().path()) else {
-        return plain(StatusCode::NOT_FOUND, "there is no such file");
+        return plain(StatusCode::NOT_FOUND, "the page has no such file");
     };
     // The page loads nothing from other sites: no script, no frame, no form. The policy contains the address of the
     // websocket because older browsers do not count it as `self`. It contains `unsafe-inline` because the page's

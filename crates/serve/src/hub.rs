@@ -1,4 +1,4 @@
-//! State shared by the simulation's thread and the clients' tasks: channels, tokens, counters.
+//! What the simulation's thread and the clients' tasks share: channels, tokens, counters.
 
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
@@ -17,8 +17,8 @@ use super::tokens::Tokens;
 
 /// Largest number of commands of all clients that may wait for the simulation's thread.
 const MOST_WAITING: usize = 256;
-/// Largest number of observers, and of clients with a control. Both groups are counted separately, so that observers
-/// cannot block a control.
+/// Largest number of observers, and of clients with a control. Observers and clients with a control are counted
+/// separately, so that observers cannot block a control.
 const MOST_WATCHING: usize = 48;
 const MOST_STEERING: usize = 32;
 
@@ -28,48 +28,49 @@ pub(crate) type Text = Arc<str>;
 /// The latest round of sentences for chart programs.
 pub(crate) type Sentences = Option<Arc<[String]>>;
 
-/// A frame, and the last events with their numbers. With the numbers, clients that missed frames still get every event.
+/// A published frame, and the last events with their numbers. By the numbers, clients that missed frames still get
+/// every event.
 #[derive(Clone, Debug)]
 pub(crate) struct Published {
-    /// The frame for roles that see everything.
+    /// The frame for roles from which nothing is hidden.
     pub(crate) frame: Text,
-    /// The roles that this frame is for: what fog hides was worked out for each of them.
+    /// The roles for which the frame was made: for each of them the server has worked out what fog hides.
     pub(crate) roles: Arc<[Role]>,
     /// Frames for the roles from which fog hides something.
     pub(crate) in_fog: Arc<[InFog]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
-    /// The marks of the exercise, for instructors.
+    /// The marks of the exercise as JSON, for instructors.
     pub(crate) marks: Option<Text>,
 }
 
-/// The frame for a role from which fog hides something.
+/// The frame for a role from which fog hides ships.
 #[derive(Clone, Debug)]
 pub(crate) struct InFog {
     pub(crate) role: Role,
     pub(crate) frame: Text,
-    /// Indices of the vessels that fog hides.
+    /// Indices of the vessels that fog hides from the role.
     pub(crate) hidden: Vec<usize>,
 }
 
 impl Published {
-    /// True if this frame is for a role. The first client of a role waits for the next frame, so that the client sees
-    /// nothing that fog hides.
+    /// True if the published frame was made for a role. The first client of a role waits for the next frame, so that
+    /// the client sees nothing that fog hides.
     pub(crate) fn is_for(&self, role: &Role) -> bool {
         self.roles.contains(role)
     }
 
-    /// The frame for a role.
+    /// The published frame as a role may see it.
     pub(crate) fn frame_for(&self, role: &Role) -> &Text {
         self.fog_of(role).map_or(&self.frame, |fog| &fog.frame)
     }
 
-    /// The frame in fog for a role; `None` if nothing is hidden from the role.
+    /// The frame in fog for a role; `None` if fog hides nothing from the role.
     pub(crate) fn fog_of(&self, role: &Role) -> Option<&InFog> {
         self.in_fog.iter().find(|fog| fog.role == *role)
     }
 }
 
-/// A prediction: its text for clients that see everything, and its paths.
+/// A prediction of paths: its text for clients from which nothing is hidden, and the paths.
 #[derive(Clone, Debug)]
 pub(crate) struct Predicted {
     text: Text,
@@ -81,7 +82,7 @@ impl Predicted {
         Predicted { text: message::text(&prediction).into(), prediction }
     }
 
-    /// The text for a client from which fog hides these vessels.
+    /// The text of the prediction for a client from which fog hides the vessels `hidden`.
     pub(crate) fn without(&self, hidden: &[usize]) -> String {
         match &self.prediction {
             Reply::Prediction { tick, paths } if !hidden.is_empty() => {
@@ -94,10 +95,10 @@ impl Predicted {
     }
 }
 
-/// A message to the simulation's thread.
+/// A message to the thread that runs the simulation.
 pub(crate) enum ToEngine {
-    /// A client has connected. `hello` always holds the latest greeting. `out` is the queue for messages that must not
-    /// be lost.
+    /// A client has connected. `hello` always holds the latest greeting for the client. `out` is the queue of answers
+    /// and notices for the client, which must not be lost.
     Join {
         client: ClientId,
         role: Role,
@@ -114,17 +115,17 @@ pub(crate) enum ToEngine {
     Stop,
 }
 
-/// The state that the simulation's thread and the clients' tasks share.
+/// Everything that the simulation's thread and the clients' tasks share.
 pub(crate) struct Hub {
     to_engine: Sender<ToEngine>,
     waiting: AtomicUsize,
     next_client: AtomicU64,
     pub(crate) frames: watch::Sender<Option<Published>>,
     pub(crate) predictions: watch::Sender<Option<Arc<Predicted>>>,
-    /// The latest sentences for chart programs.
+    /// The latest round of instrument sentences for chart programs.
     pub(crate) sentences: watch::Sender<Sentences>,
     pub(crate) tokens: RwLock<Tokens>,
-    /// The latest report, as HTML.
+    /// The latest report of the session, as HTML.
     pub(crate) report: RwLock<Option<Text>>,
     watching: Arc<Seats>,
     steering: Arc<Seats>,
@@ -148,8 +149,8 @@ impl Hub {
         }
     }
 
-    /// Takes a seat for a role. Dropping the seat frees it. `None` if all seats are taken, or all seats for this
-    /// address.
+    /// Takes a seat for a client with a role. Dropping the seat frees it for another client. The result is `None` if
+    /// all seats are taken, or all seats that one address may take.
     pub(crate) fn seat(&self, role: &Role, peer: Peer) -> Option<Seat> {
         let seats = if *role == Role::Observer { &self.watching } else { &self.steering };
         Seats::take(seats, peer)
@@ -160,8 +161,8 @@ impl Hub {
         self.next_client.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Sends a message to the simulation's thread. The number of waiting commands is limited. Returns false if there
-    /// was no room, or if the server is stopping.
+    /// Sends a message to the simulation's thread. The number of messages that may wait is limited. Returns false if
+    /// too many messages wait, or if the server is stopping.
     pub(crate) fn send_to_engine(&self, message: ToEngine) -> bool {
         if matches!(message, ToEngine::Command { .. }) {
             if self.waiting.fetch_add(1, Ordering::AcqRel) >= MOST_WAITING {

@@ -1,4 +1,4 @@
-//! The sentences of the ships' instruments for chart programs.
+//! Makes the sentences of the ships' instruments for chart programs.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 use fenderline_live::{Session, Shown};
@@ -8,23 +8,25 @@ use fenderline_nautical::{
 };
 use fenderline_sim::VesselSetup;
 
-/// MMSI of the first ship. No country has the digits 999 (recalled), so no real ship has these numbers.
+/// Maritime identity (MMSI) of the first ship. No country has the digits 999 (known from memory), so that no real ship
+/// has these numbers.
 const FIRST_MMSI: u32 = 999_000_001;
-/// Number of rounds between two reports of ship data. Real ships send the data every six minutes.
+/// Number of rounds of sentences between two reports of ship data. Real ships send their ship data every six minutes.
 const SHIP_DATA_EVERY: u64 = 10;
-/// A ship with a line made fast reports that she is moored if she is slower than this (m/s). The value is our choice.
+/// A ship with a line made fast reports that she is moored if her speed is below this (m/s). The speed below which a
+/// ship reports that she is moored is our choice.
 const MOORED_MPS: f64 = 0.2;
 
-/// A vessel as her instruments report her. The antenna is at midship.
+/// A vessel as her instruments report her. The antenna of the vessel is at midship.
 struct Vessel<'s> {
     index: usize,
     of: &'s VesselSetup,
     state: &'s BodyState,
-    /// Distance of the centre of gravity forward of midship (m).
+    /// Distance of the vessel's centre of gravity forward of midship (m).
     ahead_m: f64,
-    /// True velocity of midship over ground: ahead and to starboard (m/s).
+    /// True velocity of the vessel's midship over ground: ahead and to starboard (m/s).
     ground: Vec2,
-    /// The values that compass, log and satellite receiver show. They may be frozen.
+    /// The values that the vessel's compass, log and satellite receiver show. They may be frozen.
     shown: Shown,
 }
 
@@ -48,7 +50,8 @@ impl<'s> Vessel<'s> {
         FIRST_MMSI + self.index as u32
     }
 
-    /// The AIS report. AIS sends what the instruments show. The crew sets the status by hand from what they see.
+    /// The AIS report. The other data of AIS are what the instruments show. The crew sets the navigational status by
+    /// hand from what they see.
     fn position_report(
         &self,
         session: &Session,
@@ -136,12 +139,12 @@ fn from_and_speed(air: Vec2) -> (f64, f64) {
     (libm::atan2(-air.y, -air.x), air.length())
 }
 
-/// MMSI of a passing ship. The numbers of passing ships follow those of the vessels.
+/// Maritime identity (MMSI) of a passing ship. The MMSIs of passing ships follow those of the vessels.
 fn mmsi_of_traffic(session: &Session, index: usize) -> u32 {
     FIRST_MMSI + (session.simulation().vessels().len() + index) as u32
 }
 
-/// The report of a ship that passes on a track of her own.
+/// The AIS position report of a ship that passes on a track of her own.
 fn traffic_report(
     session: &Session,
     origin: &ChartOrigin,
@@ -165,7 +168,7 @@ fn traffic_report(
     }
 }
 
-/// Name and size of a ship that passes on a track of her own.
+/// The AIS name and size of a ship that passes on a track of her own.
 fn traffic_data(session: &Session, index: usize) -> ShipData {
     let ship = &session.simulation().setup().world.flow.passing[index];
     let extent = |of: fn(&Vec2) -> f64, sign: f64| {
@@ -192,7 +195,7 @@ fn traffic_data(session: &Session, index: usize) -> ShipData {
 }
 
 /// One round of sentences: the own ship's instruments and her AIS, then the AIS of all other ships. `round` is the
-/// number of the round.
+/// number of the round, counted from the first.
 pub(crate) fn sentences(
     session: &Session,
     origin: &ChartOrigin,

@@ -1,6 +1,6 @@
-//! The links of a session and the holders of controls, in a file beside the recording. A server that starts again with
-//! this recording reads both. Links and holders are not in the recording itself, because a person who gets a recording
-//! to read must not get its links.
+//! Keeps the links of a session and the holders of controls in a file beside the recording. A server that starts again
+//! with the recording reads links and holders from this file. Links and holders are not in the recording itself,
+//! because a person who may read a recording must not get the links of its session.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Read as _, Write as _};
@@ -16,32 +16,34 @@ use serde::{Deserialize, Serialize};
 use super::log::Notify;
 use super::saved::ENDING;
 
-/// Number of the format. A file with another number is refused.
+/// Number of the format. A file of links whose format has another number is refused.
 const FORMAT: u32 = 1;
-/// The ending of the file's name. This ending replaces the ending of the recording's name.
+/// The ending of the name of a file of links. The ending for links stands in place of the ending of the recording's
+/// name.
 const LINKS_ENDING: &str = ".links.json";
-/// Largest size of the file (bytes). A scenario has about ten roles of two hundred bytes each.
+/// Largest size of a file of links (bytes). A scenario has about ten roles, each of which takes two hundred bytes of
+/// the file.
 const LARGEST_BYTES: u64 = 1 << 20;
-/// Number of digits of a secret.
+/// Number of hexadecimal digits of a secret.
 pub(crate) const SECRET_DIGITS: usize = 32;
-/// Longest label (characters). A label is a name and a role.
+/// Longest label (characters). A label of a holder is a name and a role.
 const LONGEST_LABEL: usize = 200;
 
-/// The secret of a role.
+/// The secret that opens a role.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KeptLink {
     pub(crate) role: Role,
-    /// The secret: 128 bits in hexadecimal.
+    /// The secret of the role: 128 bits in hexadecimal.
     pub(crate) secret: String,
 }
 
-/// The holder of a control, connected or not.
+/// The holder of a control, whether connected or not.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KeptHolder {
     pub(crate) control: Control,
-    /// Name and role of the person.
+    /// Label of the holder: name and role of the person.
     pub(crate) label: String,
 }
 
@@ -59,11 +61,13 @@ impl KeptSeats {
         KeptSeats { fenderline_links: FORMAT, links, holders }
     }
 
-    /// What is wrong with the file, in words.
+    /// What is wrong with the file of links, in words; `None` if it is good.
     fn mistake(&self) -> Option<String> {
         if self.fenderline_links != FORMAT {
             let other = self.fenderline_links;
-            return Some(format!("it has format {other}, but this program reads {FORMAT}"));
+            return Some(format!(
+                "the file has format {other}, but this program reads format {FORMAT}"
+            ));
         }
         let digit = |c: char| c.is_ascii_digit() || ('a'..='f').contains(&c);
         let is_secret = |text: &str| text.len() == SECRET_DIGITS && text.chars().all(digit);
@@ -74,29 +78,31 @@ impl KeptSeats {
             self.links[..index].iter().any(|other| other.secret == link.secret)
         });
         if twice {
-            return Some("one secret opens two roles".to_owned());
+            return Some("one secret opens two roles, but must open only one".to_owned());
         }
         let is_label = |text: &str| {
             text.chars().count() <= LONGEST_LABEL && !text.chars().any(char::is_control)
         };
         if !self.holders.iter().all(|holder| is_label(&holder.label)) {
-            return Some(format!("a name has at most {LONGEST_LABEL} characters, in one line"));
+            return Some(format!(
+                "a holder's name has at most {LONGEST_LABEL} characters, in one line"
+            ));
         }
         None
     }
 }
 
-/// Path of the file beside a recording.
+/// Path of the file of links that lies beside a recording.
 pub(crate) fn beside(recording: &Path) -> PathBuf {
     let name = recording.file_name().unwrap_or_default().to_string_lossy();
     let stem = name.strip_suffix(ENDING).unwrap_or(&name);
     recording.with_file_name(format!("{stem}{LINKS_ENDING}"))
 }
 
-/// Reads the file; `None` if there is no file.
+/// Reads a file of links; `None` if the file does not exist.
 ///
 /// # Errors
-/// The file cannot be read or used. The error has its name and the reason.
+/// Fails if the file of links cannot be read or used. The error text has the name of the file and the reason.
 pub(crate) fn read(path: &Path) -> Result<Option<KeptSeats>, String> {
     if path.symlink_metadata().is_err() {
         return Ok(None);
@@ -106,14 +112,15 @@ pub(crate) fn read(path: &Path) -> Result<Option<KeptSeats>, String> {
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     file.take(LARGEST_BYTES).read_to_string(&mut text).map_err(|e| wrong(&e))?;
     let seats: KeptSeats = serde_json::from_str(&text)
-        .map_err(|e| wrong(&format_args!("these are no links of a session: {e}")))?;
+        .map_err(|e| wrong(&format_args!("the file holds no links of a session: {e}")))?;
     match seats.mistake() {
         None => Ok(Some(seats)),
         Some(mistake) => Err(wrong(&mistake)),
     }
 }
 
-/// Writes the file and replaces a former file. On systems with users, other users of the machine cannot read it.
+/// Writes a file of links in place of a former file. On systems with users, other users of the machine cannot read the
+/// file of links.
 fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
     let failed = |e: io::Error| format!("{}: {e}", path.display());
     let text = serde_json::to_string(seats).map_err(|e| failed(e.into()))?;
@@ -135,16 +142,16 @@ fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
 /// simulation's thread must not wait for a disk.
 #[derive(Debug)]
 pub(crate) struct Keeper {
-    /// `None` only while the keeper is dropped.
+    /// The channel to the keeper's thread; `None` only while the keeper is dropped.
     to: Option<Sender<(PathBuf, KeptSeats)>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Keeper {
-    /// Starts the thread. If a file cannot be written, `notify` gets one line about it.
+    /// Starts the thread. If a file of links cannot be written, `notify` gets one line about it.
     ///
     /// # Errors
-    /// The operating system refuses to start a thread.
+    /// Fails if the operating system gives no thread.
     pub(crate) fn start(notify: Notify) -> io::Result<Keeper> {
         let (to, seats) = mpsc::channel();
         let thread = std::thread::Builder::new().name("links".into());
@@ -152,7 +159,8 @@ impl Keeper {
         Ok(Keeper { to: Some(to), thread: Some(thread) })
     }
 
-    /// Soon writes these links and holders to a file. Earlier ones that still wait for the same file are dropped.
+    /// Lets the keeper's thread write links and holders to a file soon. Earlier links and holders that still wait for
+    /// the same file are dropped.
     pub(crate) fn keep(&self, path: PathBuf, seats: KeptSeats) {
         if let Some(to) = &self.to {
             let _ = to.send((path, seats));
@@ -169,7 +177,7 @@ impl Drop for Keeper {
     }
 }
 
-/// Writes, on the thread, the latest links and holders that wait, until the server ends.
+/// Writes, on the keeper's thread, the latest links and holders that wait, until the server ends.
 fn work(waiting: &Receiver<(PathBuf, KeptSeats)>, notify: Notify) {
     let mut written: Option<(PathBuf, KeptSeats)> = None;
     let mut has_failed = false;
@@ -188,7 +196,7 @@ fn work(waiting: &Receiver<(PathBuf, KeptSeats)>, notify: Notify) {
                 && !has_failed
             {
                 has_failed = true;
-                notify(&format!("the links cannot be kept for a server that starts again: {why}"));
+                notify(&format!("links cannot be kept for a server that starts again: {why}"));
             }
             written = Some((path, seats));
         }

@@ -5,26 +5,26 @@ use std::net::IpAddr;
 use axum::http::HeaderMap;
 use axum::http::header::{HOST, ORIGIN};
 
-/// The hosts for which this server answers.
+/// The hosts for which the server answers requests.
 #[derive(Clone, Debug)]
 pub(crate) struct KnownHosts {
-    /// True if any IP address is accepted as `Host`. Otherwise only loopback addresses are accepted.
+    /// True if any IP address is accepted as `Host`. If false, only loopback addresses are accepted.
     pub(crate) remote: bool,
-    /// Further names that are accepted, without ports.
+    /// Further host names that are accepted, without ports.
     pub(crate) names: Vec<String>,
 }
 
 impl KnownHosts {
-    /// Checks a request's `Host` and returns it. Accepted are `localhost`, the names that the user gave, loopback
-    /// addresses, and with `remote` all IP addresses. This refuses DNS rebinding, in which another site's name points
-    /// to this machine: such a request has the site's own name as `Host`.
+    /// Checks the header `Host` of a request and returns it. Accepted are `localhost`, the names that the user gave,
+    /// loopback addresses, and with `remote` all IP addresses. The check refuses DNS rebinding, in which another site's
+    /// name points to this machine: such a request has the site's own name as `Host`.
     ///
     /// # Errors
-    /// The reason for the refusal.
+    /// The error is the reason why the request is refused.
     pub(crate) fn host<'h>(&self, headers: &'h HeaderMap) -> Result<&'h str, &'static str> {
         let mut all = headers.get_all(HOST).iter();
         let (Some(host), None) = (all.next(), all.next()) else {
-            return Err("a request needs one Host");
+            return Err("a request needs exactly one header Host");
         };
         let host = host.to_str().map_err(|_| "malformed Host")?;
         let name = without_port(host).ok_or("malformed Host")?;
@@ -35,15 +35,15 @@ impl KnownHosts {
         if is_known || is_address {
             Ok(host)
         } else {
-            Err("this server does not answer to that Host")
+            Err("this server does not answer requests with that Host")
         }
     }
 
-    /// Checks that a page of this server or a program opens a websocket. Programs send no `Origin`; like pages, they
-    /// need a token.
+    /// Checks that a websocket is opened by a page of this server or by a program. Programs send no `Origin`, and need
+    /// a token as pages do.
     ///
     /// # Errors
-    /// The reason for the refusal.
+    /// The error is the reason why the websocket is refused.
     pub(crate) fn origin(&self, headers: &HeaderMap) -> Result<(), &'static str> {
         let host = self.host(headers)?;
         for origin in headers.get_all(ORIGIN) {
@@ -51,14 +51,14 @@ impl KnownHosts {
                 origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"))
             });
             if own != Some(host) {
-                return Err("pages of other origins may not open a websocket");
+                return Err("a page of another origin may not open a websocket");
             }
         }
         Ok(())
     }
 }
 
-/// The host without its port. An IPv6 address keeps its brackets.
+/// The host without its port. An IPv6 address keeps its brackets when its port is taken off.
 fn without_port(host: &str) -> Option<&str> {
     let name = match host.rfind(']') {
         Some(end) => &host[..=end],

@@ -1,29 +1,29 @@
 //! The live server: a session in real time that people steer from browsers over websockets.
 //!
-//! One thread simulates, and some threads serve the network. These threads share only `hub`: the latest frame for every
+//! One thread simulates, and some threads serve the network. The threads share only `hub`: the latest frame for every
 //! client, and a limited queue of commands.
 //!
 //! | of the simulation | |
 //! |---|---|
-//! | `engine` | its thread, the only one that touches the session |
+//! | `engine` | the thread of the simulation, the only one that touches the session |
 //! | `pacer` | its clock |
 //! | `claims`, `permit`, `role_words` | which client may use which control, and what each role may do |
-//! | `recorder`, `saved` | write a session to its file; read and replay one |
+//! | `recorder`, `saved` | write a session to its file; read and replay a recording |
 //! | `kept_seats` | links and holders of controls beside the recording, for a server that starts again |
-//! | `gallery`, `opening` | the files that can be opened; opening and saving on a thread of their own |
+//! | `gallery`, `opening` | the files that can be opened; opening and saving on another thread |
 //! | `file_change`, `file_name` | renaming, deleting and putting back files of the gallery; names of new files |
 //! | `instruments` | the sentences of ships' instruments |
 //!
 //! | of the network | |
 //! |---|---|
-//! | `http`, `page` | requests, and the files of the page |
-//! | `known_hosts`, `tokens` | which hosts and origins are answered, and the links |
-//! | `client` | the task of one websocket |
-//! | `wire` | sentences to chart programs, over TCP and UDP |
+//! | `http`, `page` | HTTP requests, and the files of the page |
+//! | `known_hosts`, `tokens` | which hosts and origins are answered, and the links to pages |
+//! | `client` | the task that serves one websocket |
+//! | `wire` | instrument sentences to chart programs, over TCP and UDP |
 //! | `connections`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
 //!
-//! The crate does not know the command line. The program gives [`Options`], shows [`Server::greeting`] and decides when
-//! the server stops.
+//! The crate knows nothing of the command line. The program gives [`Options`], shows [`Server::greeting`] and decides
+//! when the server stops.
 #![forbid(unsafe_code)]
 
 mod claims;
@@ -80,32 +80,33 @@ use self::saved::{Progress, ReplayFailure};
 /// What the server serves, and to whom.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Scenario file, or recorded session to continue.
+    /// Scenario file, or recorded session that the server continues.
     pub scenario: PathBuf,
     /// Keys of the scenario to override, each `KEY=VALUE`.
     pub set: Vec<String>,
     /// Address to listen on.
     pub bind: IpAddr,
-    /// Port to listen on. With 0 the operating system chooses a free port.
+    /// Port to listen on. With port 0 the operating system chooses a free port.
     pub port: u16,
-    /// True if other machines may connect.
+    /// True if other machines may connect to the server.
     pub allow_remote: bool,
     /// Names under which other machines know this machine.
     pub host_names: Vec<String>,
-    /// Folder with built pages. With `None` the server uses the pages in the program.
+    /// Folder with built pages. With `None` the server uses the pages that are built into the program.
     pub page: Option<PathBuf>,
-    /// Folder with scenarios that the page can open. With `None` the folder is the scenario's folder.
+    /// Folder with scenarios that the page can open. With `None` the pages can open the scenarios in the folder of the
+    /// served scenario.
     pub gallery: Option<PathBuf>,
     /// Folder in which sessions are recorded.
     pub sessions: PathBuf,
-    /// True to start paused. Otherwise the session starts when the first page connects.
+    /// True to start paused. If false, the session starts when the first page connects.
     pub is_paused: bool,
-    /// TCP port for chart programs.
+    /// TCP port on which the server listens for chart programs.
     pub nmea_tcp: Option<u16>,
-    /// UDP address of a chart program.
+    /// UDP address of a chart program to which sentences are sent.
     pub nmea_udp: Option<SocketAddr>,
-    /// The scenario's origin in the sentences to chart programs. With `None` the origin is that of the scenario's
-    /// chart, or 0° N 0° E without a chart.
+    /// Geographic position of the scenario's origin in the sentences to chart programs. With `None`, positions count
+    /// from the origin of the scenario's chart, or from 0° N 0° E without a chart.
     pub origin: Option<ChartOrigin>,
     /// Function that makes the report of a session for the page.
     pub report: MakeReport,
@@ -113,7 +114,7 @@ pub struct Options {
     pub notify: Notify,
 }
 
-/// Why the server or a replay ended.
+/// Why the server or the replay of a recording ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ServeError {
     /// The user's input cannot be used.
@@ -142,18 +143,18 @@ impl fmt::Display for ServeError {
 
 impl core::error::Error for ServeError {}
 
-/// Number of threads for the network. The simulation has its own thread.
+/// Number of threads for network traffic. The simulation has a thread of its own.
 const NETWORK_THREADS: usize = 2;
 /// Size of the operating system's send buffer for each client (bytes): a second or two of frames for a client that
 /// reads slowly.
 const SEND_BUFFER: u32 = 128 << 10;
-/// Addresses from which datagrams are sent.
+/// Addresses from which datagrams to chart programs are sent.
 const ANY_4: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);
 const ANY_6: IpAddr = IpAddr::V6(std::net::Ipv6Addr::UNSPECIFIED);
-/// Number of connections that may wait to be accepted.
+/// Number of connections that may wait until the server accepts them.
 const BACKLOG: u32 = 256;
 
-/// A server that listens. The simulation's thread is running.
+/// A server that listens. The simulation's thread of the server is running.
 pub struct Server {
     runtime: Runtime,
     listener: TcpListener,
@@ -166,11 +167,12 @@ pub struct Server {
 }
 
 impl Server {
-    /// Opens the scenario, begins the recording and listens. A recorded session is replayed first. `progress` gets the
-    /// number of replayed ticks and their total.
+    /// Opens the scenario, begins the recording and listens for clients. A recorded session is replayed first.
+    /// The function `progress` gets the number of replayed ticks and their total.
     ///
     /// # Errors
-    /// Bad input: a scenario, an address or a page that cannot be used. A port that another program uses.
+    /// Fails for bad input: a scenario, an address or a page that cannot be used. Fails too if another program uses a
+    /// port.
     pub fn start(
         options: &Options,
         mut progress: impl FnMut(u64, u64),
@@ -211,7 +213,9 @@ impl Server {
             .enable_all()
             .build()
             .map_err(|e| {
-                ServeError::failed(format_args!("error: no threads for the network: {e}"))
+                ServeError::failed(format_args!(
+                    "error: the system gives no threads for the network: {e}"
+                ))
             })?;
         let address = SocketAddr::new(options.bind, options.port);
         let listener = runtime.block_on(async { listen(address) }).map_err(|e| {
@@ -232,7 +236,9 @@ impl Server {
                 recordings
             })
             .map_err(|e| {
-                ServeError::failed(format_args!("error: no thread for the simulation: {e}"))
+                ServeError::failed(format_args!(
+                    "error: the system gives no thread for the simulation: {e}"
+                ))
             })?;
         let known_hosts =
             KnownHosts { remote: !options.bind.is_loopback(), names: options.host_names.clone() };
@@ -250,13 +256,14 @@ impl Server {
         })
     }
 
-    /// The text to print: the address, a link for each role, the ports for chart programs, and the recording's file.
+    /// The text that the program prints for the user: the address, a link for each role, the ports for chart programs,
+    /// and the recording's file.
     pub fn greeting(&self) -> &str {
         &self.greeting
     }
 
-    /// Serves until `stop` is sent or dropped, or the simulation's thread ends. Returns the files of the recordings,
-    /// one for each session, in their order.
+    /// Serves until `stop` is sent or dropped, or the simulation's thread ends. Returns the files of the recordings
+    /// that were made, one for each session, in their order.
     ///
     /// # Errors
     /// The simulation's thread panicked.
@@ -270,9 +277,11 @@ impl Server {
             }
         });
         hub.send_to_engine(ToEngine::Stop);
-        simulation
-            .join()
-            .map_err(|_| ServeError::failed("error: the simulation's thread panicked: see above"))
+        simulation.join().map_err(|_| {
+            ServeError::failed(
+                "error: the thread of the simulation panicked: see its message above",
+            )
+        })
     }
 }
 
@@ -283,19 +292,20 @@ fn check_addresses(options: &Options) -> Result<(), ServeError> {
     }
     if !options.bind.is_loopback() {
         return Err(ServeError::input(format_args!(
-            "error: {} is not loopback: other machines could reach the server. Give --allow-remote to allow it",
+            "error: {} is not a loopback address: other machines could reach the server. Give --allow-remote if \
+             you want that",
             options.bind
         )));
     }
     match options.nmea_udp {
         Some(to) if !to.ip().is_loopback() => Err(ServeError::input(format_args!(
-            "error: {to} is not loopback. Give --allow-remote to send sentences there"
+            "error: {to} is not a loopback address. Give --allow-remote to send sentences to another machine"
         ))),
         _ => Ok(()),
     }
 }
 
-/// Fills the gallery: the scenario, then the scenarios in its folder or the given folder, then recorded sessions.
+/// Fills the gallery: first the scenario, then the scenarios in its folder or the given folder, then recorded sessions.
 fn gallery(options: &Options) -> Gallery {
     let beside = options.scenario.parent().unwrap_or(Path::new(""));
     let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
@@ -306,7 +316,7 @@ fn gallery(options: &Options) -> Gallery {
     gallery
 }
 
-/// Starts the connections to chart programs. Returns a line for the user about each of them.
+/// Starts the connections to chart programs. Returns a line for the user about each connection to chart programs.
 fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, ServeError> {
     let mut lines = String::new();
     let cannot = |what: String| move |e| ServeError::failed(format_args!("error: {what}: {e}"));
@@ -314,7 +324,7 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
         let at = SocketAddr::new(options.bind, port);
         let listener = runtime
             .block_on(TcpListener::bind(at))
-            .map_err(cannot(format!("cannot listen for chart programs on {at}")))?;
+            .map_err(cannot(format!("the server cannot listen for chart programs on {at}")))?;
         let at = listener.local_addr().unwrap_or(at);
         lines += &format!("NMEA 0183 and AIS over TCP on {at}\n");
         runtime.spawn(wire::tcp(listener, Arc::clone(hub)));
@@ -330,8 +340,8 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
     Ok(lines)
 }
 
-/// Opens a listening socket. The socket's connections have small send buffers, so that a slow client does not read old
-/// frames.
+/// Opens a listening socket. The connections of the listening socket have small send buffers, so that a slow client
+/// does not read old frames.
 fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
     // The port of a server that has just ended can be used again. On Windows the option has another meaning.
@@ -342,7 +352,7 @@ fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     socket.listen(BACKLOG)
 }
 
-/// The text that is printed when the server has started.
+/// The text that is printed for the user when the server has started.
 fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) -> String {
     // The unspecified address stands for all addresses of this machine. A browser cannot open it.
     let shown = match address.ip() {
@@ -352,41 +362,44 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) 
     };
     let width = links.iter().map(|link| role_words(&link.role).len()).max().unwrap_or(0);
     let mut text = format!(
-        "fenderline is on http://{shown}. Ctrl-C ends it; a second Ctrl-C ends it at once. Open one of these:\n"
+        "fenderline is on http://{shown}. Ctrl-C ends the server; a second Ctrl-C ends it at once. Open one of these:\n"
     );
     for Link { role, path } in links {
         text += &format!("  {:width$}  http://{shown}{path}\n", role_words(role));
     }
     text + wires
-        + &format!("Whoever has a link has its role. Recorded to {}\n", recording.display())
+        + &format!(
+            "Whoever has a link has the role of that link. Recorded to {}\n",
+            recording.display()
+        )
 }
 
 /// A recorded session that was replayed to its end.
 #[derive(Debug)]
 pub struct Replayed {
-    /// The session at its end. It is not recorded.
+    /// The session at the end of its recording. It is not recorded.
     pub session: Session,
-    /// Number of branches of the session.
+    /// Number of branches of the replayed session.
     pub branches: usize,
-    /// Number of ticks of all branches.
+    /// Number of ticks of all branches together.
     pub ticks: u64,
-    /// Number of recorded states. The replay reached every one of them with the same bits.
+    /// Number of recorded states. Number of recorded states, every one of which the replay reached with the same bits.
     pub equal_states: u64,
-    /// What is missing at the recording's end. `None` for a complete recording.
+    /// Says what is missing at the recording's end. The text is `None` for a complete recording.
     pub incomplete: Option<String>,
 }
 
-/// True if a file begins as a recorded session does. False for a file that cannot be opened.
+/// True if a file begins as a recorded session does. The result is false for a file that cannot be opened.
 #[must_use]
 pub fn is_recording(path: &Path) -> bool {
     matches!(saved::open(path), Ok(Some(_)))
 }
 
-/// Replays a recorded session and compares every recorded state. `progress` gets the number of replayed ticks and their
-/// total.
+/// Replays a recorded session and compares every recorded state. The function `progress` gets the number of replayed
+/// ticks and their total.
 ///
 /// # Errors
-/// A file that is not a recording or is damaged; a session whose replay differs in any bit.
+/// Fails for a file that is not a recording or is damaged, and for a session whose replay differs in any bit.
 pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Replayed, ServeError> {
     let name = session.display();
     let file = saved::open(session)
@@ -406,11 +419,11 @@ pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Repl
     })
 }
 
-/// Replays a recording in memory, as [`replay`] does for a file. `stop` is called from time to time; if it returns
-/// true, the replay stops.
+/// Replays a recording in memory, as [`replay`] does for a file. The function `stop` is called from time to time; if it
+/// returns true, the replay stops.
 ///
 /// # Errors
-/// The errors of [`replay`], without the file's name. The replay was stopped.
+/// Fails as [`replay`] does, but without the file's name in the error. The replay was stopped.
 pub fn replay_bytes(
     recording: &[u8],
     mut stop: impl FnMut() -> bool,

@@ -1,17 +1,17 @@
-//! The server's lines on the terminal. Lines about refused clients are limited to a rate that a person can read.
+//! Writes the server's lines on the terminal. Lines about refused clients are limited to a rate that a person can read.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::rate::Bucket;
 
-/// Lines per second, and lines in one burst.
+/// Lines about refused clients that are written per second, and in one burst.
 const LINES: (f64, f64) = (2.0, 20.0);
 
-/// Writes one line for the person who runs the server.
+/// A function that writes one line for the person who runs the server.
 pub type Notify = fn(&str);
 
-/// A log that leaves out lines when there are too many.
+/// A log of the server that leaves out lines when there are too many.
 #[derive(Debug)]
 pub(crate) struct Log {
     thinned: Mutex<Thinned>,
@@ -30,17 +30,18 @@ impl Log {
         Log { thinned: Mutex::new(Thinned { bucket, left_out: 0 }), notify }
     }
 
-    /// The function that writes a line, for use on another thread.
+    /// The function that writes a line of the log, for use on another thread.
     pub(crate) fn notify_function(&self) -> Notify {
         self.notify
     }
 
-    /// Writes a line that nobody must miss.
+    /// Writes a line that the person who runs the server must not miss.
     pub(crate) fn notify(&self, line: &str) {
         (self.notify)(line);
     }
 
-    /// Writes a line about a refusal. Beyond the rate, lines are only counted.
+    /// Writes a line about a client that was refused. If there are too many lines about refused clients, they are only
+    /// counted.
     pub(crate) fn refused(&self, line: &str) {
         let mut thinned = self.thinned.lock().unwrap_or_else(PoisonError::into_inner);
         if !thinned.bucket.take(Instant::now()) {

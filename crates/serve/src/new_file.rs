@@ -1,5 +1,5 @@
-//! Writes a new exercise to the gallery's folder. The code never overwrites another file without permission, and never
-//! writes outside the folder.
+//! Writes a new exercise to the gallery's folder. An exercise is never written over another file without permission,
+//! and never outside the folder.
 
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
@@ -13,17 +13,19 @@ use fenderline_scenario::read_text;
 use super::file_name;
 use super::gallery::{self, EXERCISE_ENDING};
 
-/// The content of a new file.
+/// What is written to a new exercise file.
 #[derive(Debug)]
 pub(crate) enum Content {
-    /// Choices. If the exercise takes the berth of a scenario, the path of that scenario too.
+    /// Choices. Choices of the instructor; if the exercise takes the berth of a scenario, also the path of that
+    /// scenario.
     Choices(Box<NewExercise>, Option<PathBuf>),
-    /// A text, with the texts of the files that it names. The named files must lie in the folder with the same content.
+    /// The text of a scenario, with the texts of the files that the scenario names. The named files must lie in the
+    /// folder of exercises with the same content.
     Text(String, BTreeMap<String, String>),
 }
 
 impl Content {
-    /// The text of the file.
+    /// The text that is written to the exercise file.
     fn text(&self, folder: &Path) -> Result<String, String> {
         match self {
             Content::Choices(exercise, None) => exercise.text().map_err(|error| error.to_string()),
@@ -41,7 +43,8 @@ impl Content {
                     let there = read_text(&folder.join(name)).ok();
                     if there.as_ref() != Some(content) {
                         return Err(format!(
-                            "the scenario names {name}, which is not in the folder of exercises as the session has it: put it there first"
+                            "the scenario names the file {name}, but the folder of exercises does not have the \
+                             session's version of it: put that file there first"
                         ));
                     }
                 }
@@ -51,7 +54,7 @@ impl Content {
     }
 }
 
-/// An exercise that is about to be written.
+/// An exercise file that is about to be written.
 #[derive(Debug)]
 pub(crate) struct NewFile {
     to: PathBuf,
@@ -61,10 +64,10 @@ pub(crate) struct NewFile {
 }
 
 impl NewFile {
-    /// Prepares an exercise with a name, in a folder. Does not use the file system.
+    /// Prepares an exercise file of a given name, in a folder. Preparing the file does not use the file system.
     ///
     /// # Errors
-    /// A name that is not safe.
+    /// Refuses a name that is not safe as a file name.
     pub(crate) fn new(
         folder: &Path,
         name: &str,
@@ -76,26 +79,27 @@ impl NewFile {
         Ok(NewFile { to, name: name.to_owned(), content, may_replace })
     }
 
-    /// True if the new exercise replaces an old one.
+    /// True if the new exercise file replaces an old one.
     fn replaces(&self) -> Result<bool, String> {
         let name = &self.name;
         match self.to.symlink_metadata() {
             Err(_) => Ok(false),
             Ok(_) if !self.may_replace => {
-                Err(format!("there is an exercise named {name} already: it stays as it is"))
+                Err(format!("there is already an exercise named {name}, which stays as it is"))
             }
             Ok(what) if !what.is_file() => {
-                Err(format!("{name}.toml is a link or no file: it is not replaced"))
+                Err(format!("{name}.toml is a link or not a file, and is not replaced"))
             }
             Ok(_) => Ok(true),
         }
     }
 
-    /// Writes the file and makes its entry.
+    /// Writes the exercise file and makes its entry in the gallery.
     ///
     /// # Errors
-    /// The name is taken and must not be replaced. The path is a link or is not a file. The choices do not make an
-    /// exercise. The file system gave an error. Nothing is changed in these cases.
+    /// Fails if the name is taken and must not be replaced. Fails too if the path is a link or is not a file. Fails too
+    /// if the choices do not make an exercise. Fails too if the file system gives an error. A call that fails leaves no
+    /// change.
     pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
         let replaces = self.replaces()?;
         let folder = self.to.parent().unwrap_or(Path::new(""));
@@ -121,7 +125,7 @@ impl NewFile {
     }
 }
 
-/// Writes a new file. Fails if the file exists.
+/// Writes a new file. Writes a new file; fails if the file exists.
 fn create(path: &Path, text: &str) -> std::io::Result<()> {
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
     file.write_all(text.as_bytes())?;

@@ -1,6 +1,6 @@
-//! Work on another thread, so that the simulation goes on: opening, saving, renaming and deleting a scenario or a
-//! session, and making a report. One piece of work runs at a time. The simulation's thread sees the progress and can
-//! stop an opening.
+//! Work on another thread, so that the simulation goes on meanwhile: opening, saving, renaming and deleting a scenario
+//! or a session, and making a report. Only one piece of work runs at a time. The simulation's thread sees the progress
+//! of the work and can stop an opening.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,17 +19,18 @@ use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
 
-/// Makes the report of a recording as a page of HTML. The function's arguments are the name of the recording's file,
-/// its bytes, the number of the branch, and a flag that asks to stop. The program supplies this function, because this
-/// crate does not know reports. The function runs on another thread.
+/// A function that makes the report of a recording as a page of HTML. The arguments of the function are the name of the
+/// recording's file, the bytes of the file, the number of the branch, and a flag that asks to stop. The program that
+/// uses this crate supplies the function, because the crate does not know reports. The function that makes the report
+/// runs on another thread.
 ///
-/// The error is the reason, for the user.
+/// The error of the function is the reason why there is no report, for the user.
 pub type MakeReport = fn(&str, &[u8], usize, &Arc<AtomicBool>) -> Result<String, String>;
 
-/// Time limit for opening a file. `fenderline replay` has no such limit.
+/// Time limit for opening a file of the gallery. The command `fenderline replay` has no limit of time.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
 
-/// The client that asked for the work, and the number of its command.
+/// The client that asked for the work on another thread, and the number of its command.
 #[derive(Clone, Debug)]
 pub(crate) struct Requester {
     pub(crate) client: ClientId,
@@ -37,31 +38,32 @@ pub(crate) struct Requester {
     pub(crate) id: Option<i64>,
 }
 
-/// An opened session. The session is already recorded to a file of its own.
+/// An opened session. The opened session is already recorded to a file of its own.
 pub(crate) struct Ready {
     pub(crate) opened: Opened,
     pub(crate) recorder: Recorder,
-    /// The entry of the former session's recording, which can be opened again.
+    /// The gallery's entry of the former session's recording, which can be opened again.
     pub(crate) former: Option<GalleryEntry>,
 }
 
-/// The result of the work, for the simulation's thread.
+/// The outcome of work on another thread, for the simulation's thread.
 pub(crate) enum Outcome {
     /// The opened session, or the reason why it could not be opened.
     Opened(Box<Result<Ready, String>>),
-    /// The path of the copy and its entry in the gallery, or the reason why the session could not be saved.
+    /// The path of the saved copy and its entry in the gallery, or the reason why the session could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
-    /// The path of the new exercise and its entry in the gallery, or the reason why there is none.
+    /// The path of the new exercise and its entry in the gallery, or the reason why no exercise was made.
     Created(Result<(PathBuf, GalleryEntry), String>),
     /// The file of the gallery that was renamed, deleted or put back, or the reason why it was not changed.
     Changed(Result<Changed, String>),
-    /// The report of the session as HTML, or the reason why there is none.
+    /// The report of the session as HTML, or the reason why no report was made.
     Reported(Result<String, String>),
-    /// The thread panicked, which is a bug. The panic is on standard error. The present session goes on.
+    /// The thread of the work panicked, which is a bug. The message of the panic is on standard error. The present
+    /// session goes on.
     Panicked,
 }
 
-/// The progress is stored as an integer from 0 to this number.
+/// Progress of the work is stored as an integer from 0 to this number.
 const PARTS: u64 = 1000;
 
 /// Progress of the work. Both threads share it.
@@ -71,11 +73,11 @@ struct Progress {
     is_replaying: AtomicBool,
     /// The share of the work that is done, times [`PARTS`].
     parts: AtomicU64,
-    /// Set when the work has to stop.
+    /// A flag that is set when the work has to stop.
     stop: Arc<AtomicBool>,
 }
 
-/// The kind of work on the other thread.
+/// The kind of work that runs on the other thread.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Task {
     /// Opening a file.
@@ -99,11 +101,11 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// Begins to open an entry of the gallery. A new recording in the folder of sessions begins with it. `former` is
-    /// the recording of the present session.
+    /// Begins to open an entry of the gallery. Opening a session begins a new recording in the folder of sessions.
+    /// `former` is the recording of the session that is open before.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// Fails if the system gives no thread.
     pub(crate) fn open(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
@@ -127,7 +129,9 @@ impl Work {
                 }
                 if Instant::now() > until {
                     let minutes = TIME_LIMIT.as_secs() / 60;
-                    return Err(format!("stopped: it takes more than {minutes} min"));
+                    return Err(format!(
+                        "the opening was stopped, because it takes more than {minutes} min"
+                    ));
                 }
                 Ok(())
             };
@@ -143,7 +147,7 @@ impl Work {
     /// Begins to save a copy of a recording.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// Fails if the system gives no thread.
     pub(crate) fn save(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
@@ -162,7 +166,7 @@ impl Work {
     /// Begins to write a new exercise.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// Fails if the system gives no thread.
     pub(crate) fn create(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
@@ -175,7 +179,7 @@ impl Work {
     /// Begins to rename, delete or put back a file of the gallery.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// Fails if the system gives no thread.
     pub(crate) fn change(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
@@ -188,7 +192,7 @@ impl Work {
     /// Begins to make the report of a branch of a recording.
     ///
     /// # Errors
-    /// The system gives no thread.
+    /// Fails if the system gives no thread.
     pub(crate) fn report(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
@@ -218,7 +222,7 @@ impl Work {
         Ok(Work { requester, task, progress, thread })
     }
 
-    /// The progress, if a file is being opened.
+    /// The progress of the opening, if a file is being opened.
     pub(crate) fn now(&self) -> Option<OpeningNow> {
         let file = self.file()?.to_owned();
         let at = if self.progress.is_replaying.load(Ordering::Relaxed) { "plays" } else { "reads" };
@@ -227,7 +231,7 @@ impl Work {
         Some(OpeningNow { file, at, share })
     }
 
-    /// The file that is being opened, if there is one.
+    /// The name of the file that is being opened, if one is.
     pub(crate) fn file(&self) -> Option<&str> {
         match &self.task {
             Task::Open(file) => Some(file),
@@ -235,7 +239,7 @@ impl Work {
         }
     }
 
-    /// Asks an opening to stop. Returns false if nothing is being opened.
+    /// Asks the work to stop if it opens a file. Returns false if nothing is being opened.
     pub(crate) fn stop(&self) -> bool {
         let is_opening = self.file().is_some();
         if is_opening {
@@ -248,8 +252,8 @@ impl Work {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits until a session or an exercise is saved, or a file is moved, so that no partial file is left. Does not
-    /// wait for other work.
+    /// Waits until the work has saved a session or an exercise or moved a file, so that no partial file is left. Other
+    /// work is not waited for.
     pub(crate) fn finish(self) {
         if matches!(self.task, Task::Save | Task::Create | Task::Change) {
             let _ = self.thread.join();

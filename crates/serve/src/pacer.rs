@@ -1,11 +1,12 @@
-//! When the next tick is due, and how late the last ticks were. A pure state machine: the caller gives the time.
+//! Tells when the next tick of the session is due, and how late the last ticks were. The pacer is a pure state machine:
+//! the caller gives the time.
 
 use std::time::{Duration, Instant};
 
-/// If a tick is later than this, the missed ticks are dropped: the machine slept, or the program was stopped.
+/// If a tick is later than this, the missed ticks are dropped, because the machine slept or the program was stopped.
 const FORGIVEN: Duration = Duration::from_secs(1);
 
-/// Ticks at equal intervals of wall time.
+/// Keeps ticks of the session at equal intervals of wall time.
 #[derive(Clone, Debug)]
 pub(crate) struct Pacer {
     step_s: f64,
@@ -22,7 +23,7 @@ impl Pacer {
         Pacer { step_s, pace, anchor: now, ticks: 0, late_ticks: 0, latest: Duration::ZERO }
     }
 
-    /// Wall time for one step.
+    /// Wall time that one step takes at the present pace.
     fn wall_step(&self) -> Duration {
         Duration::from_secs_f64(self.step_s / self.pace)
     }
@@ -31,12 +32,12 @@ impl Pacer {
         self.anchor + Duration::from_secs_f64(self.ticks as f64 * self.step_s / self.pace)
     }
 
-    /// Restarts the clock. The next tick is due one step from now.
+    /// Restarts the clock. After the restart, the next tick is due one step from now.
     pub(crate) fn restart(&mut self, now: Instant) {
         (self.anchor, self.ticks) = (now, 1);
     }
 
-    /// Simulated time over wall time.
+    /// Pace of the session: simulated time over wall time.
     pub(crate) fn pace(&self) -> f64 {
         self.pace
     }
@@ -46,7 +47,7 @@ impl Pacer {
         self.restart(now);
     }
 
-    /// Time until the next tick; zero if it is due.
+    /// Time until the next tick of the session; zero if the tick is due.
     pub(crate) fn wait(&self, now: Instant) -> Duration {
         self.due_at().saturating_duration_since(now)
     }
@@ -55,7 +56,7 @@ impl Pacer {
         self.due_at() <= now
     }
 
-    /// Notes that a due tick begins now. The tick counts as late if it is delayed by more than half a step.
+    /// Notes that a tick which is due begins now. The tick counts as late if it is delayed by more than half a step.
     pub(crate) fn begin(&mut self, now: Instant) {
         let late = now.saturating_duration_since(self.due_at());
         self.ticks += 1;
@@ -70,7 +71,7 @@ impl Pacer {
         }
     }
 
-    /// Number of late ticks, and the largest delay (ms).
+    /// Number of late ticks, and the largest delay of a tick (ms).
     pub(crate) fn late(&self) -> (u64, f64) {
         (self.late_ticks, 1e3 * self.latest.as_secs_f64())
     }

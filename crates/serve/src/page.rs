@@ -1,4 +1,5 @@
-//! The files of the live server's pages, in memory. The files come from the program itself or from a folder.
+//! Holds the files of the live server's pages in memory. The files of the pages come from the program itself or from a
+//! folder.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,11 +12,11 @@ use super::log::Notify;
 
 include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 
-/// What to do about missing pages.
-const GET_PAGES: &str = "Programs of a release have them. To build one: install Node 20.19 or later with npm, run `npm ci` \
-                         and `npm run build` in the folder `web` of the sources, and build the program again. Or serve a \
-                         folder of built pages with `--page FOLDER`.";
-/// Largest size of all files of a page together (bytes).
+/// Tells the user how to get pages that are missing.
+const GET_PAGES: &str = "Programs of a release have the pages. To build a program with pages: install Node \
+                         20.19 or later with npm, run `npm ci` and `npm run build` in the folder `web` of the \
+                         sources, and build the program again. Or serve a folder of built pages with the option `--page FOLDER`.";
+/// Largest size of all files of the pages together (bytes).
 const LARGEST: u64 = 64 << 20;
 
 /// True if this program contains the pages.
@@ -30,16 +31,16 @@ pub(crate) struct PageFile {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// All files of the page by their paths, with `/index.html`. Only these files are sent. No path leads to any other
-/// file.
+/// All files of the pages by their paths, with `/index.html`. The server sends no other file. No path of a request
+/// leads to any other file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Page(BTreeMap<String, PageFile>);
 
 impl Page {
-    /// Reads a built page from its folder.
+    /// Reads built pages from a folder.
     ///
     /// # Errors
-    /// The folder has no `index.html`, or cannot be read.
+    /// Fails if the folder has no `index.html`, or cannot be read.
     pub(crate) fn read(folder: &Path) -> Result<Page, String> {
         let mut files = BTreeMap::new();
         let mut left = LARGEST;
@@ -50,11 +51,12 @@ impl Page {
         Ok(Page(files))
     }
 
-    /// The pages in this program. If the program was built without pages, a page that says how to get them.
+    /// The pages that are built into this program. If the program was built without pages, this is a page that says how
+    /// to get them.
     pub(crate) fn embedded(notify: Notify) -> Page {
         if let Some(why) = NO_PAGES {
             notify(&format!("notice: this program was built without pages: {why}"));
-            notify(&format!("The server works without them. {GET_PAGES}"));
+            notify(&format!("The server works without its pages. {GET_PAGES}"));
             return Page::missing(why);
         }
         let file = |(path, bytes): &(&str, &[u8])| {
@@ -72,7 +74,7 @@ impl Page {
                 head { meta charset="utf-8"; title { "fenderline: no pages" } }
                 body {
                     h1 { "This program was built without pages" }
-                    p { "The simulation runs and its websocket is open. The pages are missing: " (why) "." }
+                    p { "The simulation runs, and its websocket is open. The pages are missing: " (why) "." }
                     p { (GET_PAGES) }
                 }
             }
@@ -84,7 +86,7 @@ impl Page {
         Page(BTreeMap::from([("/index.html".to_owned(), file)]))
     }
 
-    /// The file for the path of a request.
+    /// The file that answers a request for a path.
     pub(crate) fn file(&self, path: &str) -> Option<&PageFile> {
         self.0.get(if path == "/" { "/index.html" } else { path })
     }

@@ -1,23 +1,23 @@
-//! What each role may do.
+//! Decides which commands each role may give.
 
 use fenderline_live::message::Role;
 use fenderline_live::{Action, Cast, Conduct, Control, Helm, Refusal};
 
-/// What a command needs besides its role.
+/// What a command needs besides a role that may give it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Needs {
-    /// The client must hold this control. A free control is taken with the command.
+    /// The client must hold the control. If nobody holds the control, the client takes it with the command.
     Helm(Control),
-    /// Nobody else may hold this control. The command does not take it.
+    /// No other client may hold the control. The client does not take the control with the command.
     NobodyAt(Control),
     /// Nothing.
     Nothing,
 }
 
-/// Checks whether a role may give this command, and returns what else the command needs.
+/// Checks whether a role may give a command, and returns what else the command needs.
 ///
 /// # Errors
-/// The reason for the refusal.
+/// The error is the reason why the command is refused.
 pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Needs, Refusal> {
     let helm = cast.helm(action);
     match (role, helm) {
@@ -28,7 +28,7 @@ pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Ne
         (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board | Helm::Notes) => {
             Ok(Needs::Nothing)
         }
-        (_, Helm::Notes) => Err(Refusal::new("only the instructor drops notes")),
+        (_, Helm::Notes) => Err(Refusal::new("only the instructor writes notes")),
         (_, Helm::World) => Err(Refusal::new("only the instructor sets weather and faults")),
         (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
         // A name that does not exist is refused when the command is carried out.
@@ -51,7 +51,7 @@ pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Ne
     }
 }
 
-/// True if a role may hold this control.
+/// True if a client with the role may hold the control.
 pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     match (role, control) {
         (_, Control::Session(_)) | (Role::Observer, _) => false,
@@ -64,7 +64,7 @@ pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// True if a role may give orders to this control while nobody holds it.
+/// True if a role may give orders to a control while nobody holds that control.
 pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     match role {
         Role::Instructor => true,
@@ -77,13 +77,13 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// True if a tug serves the ship of a pilot.
+/// True if the tug serves the ship of the pilot.
 fn serves(pilot: &Option<String>, tug: &str, cast: &Cast) -> bool {
     cast.served_by(tug).is_some_and(|ship| cast.ship_of(pilot) == Some(ship))
 }
 
-/// True if a pilot may work a line with these vessels at its ends. One end must be on the pilot's ship. The pilot of
-/// the own ship may also work lines that end on no other ship.
+/// True if a pilot may work a line that has the given vessels at its ends. One end of the line must be on the pilot's
+/// ship. The pilot of the own ship may also work lines that lead to no other ship.
 fn works_line(pilot: &Option<String>, ends: &[String], cast: &Cast) -> bool {
     let own = cast.ship_of(pilot);
     let is_own = ends.iter().any(|end| own == Some(end));
@@ -98,11 +98,11 @@ fn not_hers(pilot: &Option<String>, cast: &Cast) -> Refusal {
     ))
 }
 
-/// Checks that a role may give this command about the session. Whether a control may be claimed is checked when it is
-/// taken.
+/// Checks that a role may give a command about the session. Whether the client may claim a control is checked when the
+/// client takes it.
 ///
 /// # Errors
-/// The reason of the refusal.
+/// The error is the reason why the command is refused.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
     // The orders in a trial are checked one by one.
     let own = matches!(
@@ -118,7 +118,7 @@ pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal>
     if own || *role == Role::Instructor {
         return Ok(());
     }
-    Err(Refusal::new("only the instructor may do that"))
+    Err(Refusal::new("only the instructor may give this command"))
 }
 
 #[cfg(test)]

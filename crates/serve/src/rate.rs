@@ -14,12 +14,12 @@ pub(crate) struct Bucket {
 }
 
 impl Bucket {
-    /// A full bucket, from its refill rate (per second) and its size.
+    /// A limit that starts with its whole burst, from the rate (per second) and the size of a burst.
     pub(crate) fn new(per_s: f64, most: f64, now: Instant) -> Bucket {
         Bucket { per_s, most, left: most, at: now }
     }
 
-    /// Takes a token; false if there is none.
+    /// Takes one use of what the limit counts; false if no use is left at present.
     pub(crate) fn take(&mut self, now: Instant) -> bool {
         let seconds = now.saturating_duration_since(self.at).as_secs_f64();
         self.at = now;

@@ -1,4 +1,4 @@
-//! Writes the recording while the session runs.
+//! Writes the recording of the running session.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write as _};
@@ -11,23 +11,24 @@ use super::file_name;
 use super::gallery::Opened;
 use super::saved::ENDING;
 
-/// An open recording. Every line goes to the operating system at once. If the program is killed, no line is lost.
+/// An open recording. Every line of the recording goes to the operating system at once. If the program is killed, no
+/// line of the recording is lost.
 #[derive(Debug)]
 pub(crate) struct Recorder {
     folder: PathBuf,
     path: PathBuf,
     file: File,
-    /// Number of bytes written so far.
+    /// Number of bytes that the recording has so far.
     bytes: u64,
 }
 
 impl Recorder {
-    /// Creates a file and writes the start of the session. The file is named after the scenario, with the next free
-    /// number. The folder is created if needed.
+    /// Creates the recording's file and writes the start of the session. The recording's file is named after the
+    /// scenario, with the next free number. The folder of recordings is created if it is missing.
     ///
     /// # Errors
-    /// An error of the file system, with the path. A recording that was changed after its replay. No file is left in
-    /// these cases.
+    /// Fails with an error of the file system, which names the path. Fails too for a recording that was changed after
+    /// its replay. If the call fails, no file is left.
     pub(crate) fn begin(
         folder: &Path,
         scenario: &str,
@@ -57,7 +58,7 @@ impl Recorder {
         self.add(&opened.session.take_lines())
     }
 
-    /// Removes the file of a session that was not started.
+    /// Removes the recording of a session that was not started.
     pub(crate) fn discard(self) {
         let _ = fs::remove_file(&self.path);
     }
@@ -70,7 +71,7 @@ impl Recorder {
     /// Adds lines.
     ///
     /// # Errors
-    /// An error of the file system, with the path.
+    /// Fails with an error of the file system, which names the path.
     pub(crate) fn add(&mut self, lines: &str) -> Result<(), String> {
         self.file.write_all(lines.as_bytes()).map_err(|e| with_path(&self.path, &e))?;
         self.bytes += lines.len() as u64;
@@ -82,11 +83,11 @@ impl Recorder {
         SoFar { from: self.path.clone(), bytes: self.bytes, end_line }
     }
 
-    /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`. `end_line` becomes its
-    /// last line. Does not use the file system.
+    /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`. `end_line` becomes the
+    /// last line of the copy. Preparing the copy does not use the file system.
     ///
     /// # Errors
-    /// A name that is not allowed.
+    /// Refuses a name that is not allowed for a file.
     pub(crate) fn copy(&self, name: &str, end_line: String) -> Result<Copy, String> {
         file_name::check(name).map_err(|error| error.to_string())?;
         let to = self.folder.join(format!("{name}{ENDING}"));
@@ -104,10 +105,10 @@ pub(crate) struct SoFar {
 }
 
 impl SoFar {
-    /// The name of the recording's file, and its bytes with the last line.
+    /// The name of the recording's file, and the file's bytes followed by the last line.
     ///
     /// # Errors
-    /// An error of the file system. A file that is shorter than the recording.
+    /// Fails with an error of the file system. Fails too if the file is shorter than the recording was.
     pub(crate) fn read(self) -> Result<(String, Vec<u8>), String> {
         let name = self.from.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
@@ -115,7 +116,9 @@ impl SoFar {
         let read = from.take(self.bytes).read_to_end(&mut bytes);
         read.map_err(|e| with_path(&self.from, &e))?;
         if (bytes.len() as u64) < self.bytes {
-            return Err(format!("{name}: the recording is shorter than what was written to it"));
+            return Err(format!(
+                "{name}: the file is shorter than the recording that was written to it"
+            ));
         }
         bytes.extend_from_slice(self.end_line.as_bytes());
         Ok((name, bytes))
@@ -133,10 +136,10 @@ pub(crate) struct Copy {
 }
 
 impl Copy {
-    /// Writes the copy; returns its path.
+    /// Writes the copy of the recording and returns the copy's path.
     ///
     /// # Errors
-    /// A name that is taken. An error of the file system. No copy is left in these cases.
+    /// Fails if the name is taken. Fails too with an error of the file system. No copy is left if the call fails.
     pub(crate) fn make(self) -> Result<PathBuf, String> {
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
         let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
@@ -147,7 +150,8 @@ impl Copy {
             _ => with_path(&self.to, &e),
         })?;
         let written = io::copy(&mut from.take(self.bytes), &mut to).and_then(|bytes| {
-            let lacks = io::Error::other("the recording is shorter than what was written to it");
+            let lacks =
+                io::Error::other("the file is shorter than the recording that was written to it");
             if bytes < self.bytes { Err(lacks) } else { to.write_all(self.end_line.as_bytes()) }
         });
         if let Err(e) = written {
@@ -162,7 +166,7 @@ fn with_path(path: &Path, e: &io::Error) -> String {
     format!("{}: {e}", path.display())
 }
 
-/// Creates a file with the next free number in its name.
+/// Creates a file with the next free number after its name.
 fn next_free(folder: &Path, scenario: &str) -> Result<(PathBuf, File), String> {
     let stem = scenario.strip_suffix(ENDING).unwrap_or(scenario);
     let stem = Path::new(stem).file_stem().unwrap_or_default().to_string_lossy().into_owned();

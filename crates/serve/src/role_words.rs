@@ -2,7 +2,7 @@
 
 use fenderline_live::message::Role;
 
-/// The words for a role, for the list of links and for people's labels.
+/// The words for a role in the list of links and in people's labels.
 pub(crate) fn role_words(role: &Role) -> String {
     match role {
         Role::Instructor => "instructor".to_owned(),

@@ -1,4 +1,4 @@
-//! Recordings as files. A recording is checked, then replayed.
+//! Recordings as files. A saved recording is checked, then replayed.
 
 use std::fmt;
 use std::fs::File;
@@ -16,19 +16,20 @@ pub(crate) const ENDING: &str = ".session.jsonl";
 
 /// Number of steps that are replayed between two reports of progress.
 const SLICE: u64 = 200;
-/// Size of the read buffer (bytes).
+/// Size of the buffer for reading a recording (bytes).
 const BLOCK: usize = 256 << 10;
 
 /// Progress of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Progress {
-    /// Number of bytes that are read and checked, and their total.
+    /// Number of bytes of the recording that are read and checked, and their total.
     Reading(u64, u64),
-    /// Number of ticks that are replayed, and their total.
+    /// Number of ticks of the recording that are replayed, and their total.
     Replaying(u64, u64),
 }
 
-/// Receives the progress. If the function returns an error, the replay stops with that reason.
+/// Receives the progress. If the function that receives the progress returns an error, the replay stops with that
+/// reason.
 pub(crate) type Watch<'w> = &'w mut dyn FnMut(Progress) -> Result<(), String>;
 
 /// A recording that was replayed to its end.
@@ -39,18 +40,19 @@ pub(crate) struct Replayed<R> {
     pub(crate) outline: Outline,
     /// Version of the program that recorded the session.
     pub(crate) version: String,
-    /// The file that was read. The file's position is not at the start.
+    /// The file of the recording that was replayed. The position in the file is not at its start.
     pub(crate) file: R,
 }
 
-/// Why a recording was not replayed to its end. The text does not contain the recording's name.
+/// Why a recording was not replayed to its end. The text of the error does not contain the recording's name.
 #[derive(Debug)]
 pub(crate) enum ReplayFailure {
-    /// The file is not a recording, or is damaged. This was found before the replay.
+    /// The file is not a recording, or is damaged. A file that is no good recording is found before the replay.
     Bad(RecordingError),
     /// The lines are intact, but the replay differs from the recorded states.
     Differs(ReplayError),
-    /// The caller stopped the replay, or the file cannot be read. The text is the reason.
+    /// The caller stopped the replay, or the file cannot be read. The text is the reason of the caller or of the
+    /// system.
     Stopped(String),
 }
 
@@ -64,10 +66,10 @@ impl fmt::Display for ReplayFailure {
     }
 }
 
-/// Opens a file if it begins as a recording does. `None` for any other regular file.
+/// Opens a file if it begins as a recording does. The result is `None` for any other regular file.
 ///
 /// # Errors
-/// A file that cannot be read, with its name.
+/// Fails for a file that cannot be read, whose name is in the error.
 pub(crate) fn open(path: &Path) -> Result<Option<File>, String> {
     let mut file = open_regular(path, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
     let mut start = Vec::new();
@@ -76,7 +78,7 @@ pub(crate) fn open(path: &Path) -> Result<Option<File>, String> {
     Ok(begins_recording(&start).then_some(file))
 }
 
-/// The title of a recording's scenario. `None` if the first line of the recording is missing or damaged.
+/// The title of a recording's scenario. The title is `None` if the first line of the recording is missing or damaged.
 pub(crate) fn title(file: &File) -> Option<String> {
     let reader = RecordingReader::open(BufReader::new(file)).ok()?;
     Some(reader.source().scenario().ok()?.title)
@@ -120,7 +122,7 @@ pub(crate) fn replay<R: Read + Seek>(
     Ok(Replayed { session, equal_states, outline, version, file })
 }
 
-/// What is missing at the end of a recording. `None` for a complete recording.
+/// Says what is missing at the end of a recording. The text is `None` for a complete recording.
 pub(crate) fn missing_at_end(ending: Ending) -> Option<String> {
     match ending {
         Ending::Whole => None,
@@ -129,7 +131,7 @@ pub(crate) fn missing_at_end(ending: Ending) -> Option<String> {
                 .to_owned(),
         ),
         Ending::Torn { bytes } => Some(format!(
-            "its last line is incomplete: its {bytes} bytes are dropped"
+            "its last line is incomplete, and the {bytes} bytes of that line are dropped"
         )),
     }
 }

@@ -1,21 +1,22 @@
-//! Seats for clients with a link. One address cannot take all seats, even if a link is passed on.
+//! Seats for the clients that open a link. One address cannot take all seats, even if its user passes a link on to
+//! others.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::connections::Peer;
 
-/// The share of the seats that one address may take: three of four.
+/// The share of the seats that one address may take: three of every four.
 const OF_ONE: (usize, usize) = (3, 4);
 
-/// A limited number of seats.
+/// The seats for clients, whose number is limited.
 #[derive(Debug)]
 pub(crate) struct Seats {
     most: usize,
     taken: Mutex<BTreeMap<Peer, usize>>,
 }
 
-/// A seat. Dropping the [`Seat`] frees it for another client.
+/// A seat. Dropping the [`Seat`] frees the seat for another client.
 #[derive(Debug)]
 pub(crate) struct Seat {
     seats: Arc<Seats>,
@@ -27,7 +28,7 @@ impl Seats {
         Arc::new(Seats { most, taken: Mutex::default() })
     }
 
-    /// Takes a seat. `None` if all seats are taken, or all seats for this address.
+    /// Takes a seat. The result is `None` if all seats are taken, or all seats that one address may take.
     pub(crate) fn take(self: &Arc<Seats>, peer: Peer) -> Option<Seat> {
         let mut taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
         let (all, own): (usize, usize) =

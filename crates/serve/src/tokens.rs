@@ -5,7 +5,7 @@ use subtle::ConstantTimeEq as _;
 
 use crate::kept_seats::KeptLink;
 
-/// A role's secret: 128 bits from the operating system, in hexadecimal.
+/// A token: a role and its secret of 128 bits from the operating system, in hexadecimal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Token {
     role: Role,
@@ -17,11 +17,11 @@ struct Token {
 pub(crate) struct Tokens(Vec<Token>);
 
 impl Tokens {
-    /// Makes tokens for the roles that have none yet. Roles that are not in the present scenario keep their tokens, for
-    /// the next scenario with the same role.
+    /// Makes tokens for the roles that have no token yet. A role that is not in the present scenario keeps its token,
+    /// for the next scenario that has the role.
     ///
     /// # Errors
-    /// The operating system has no random numbers.
+    /// Fails if the operating system gives no random numbers.
     pub(crate) fn add(&mut self, roles: &[Role]) -> Result<(), getrandom::Error> {
         for role in roles {
             if self.0.iter().any(|token| token.role == *role) {
@@ -35,7 +35,7 @@ impl Tokens {
         Ok(())
     }
 
-    /// Restores the secrets of a former run of this session, for the roles that have none yet.
+    /// Restores the secrets of a former run of the session, for the roles that have no token yet.
     pub(crate) fn restore(&mut self, links: &[KeptLink]) {
         for KeptLink { role, secret } in links {
             if self.0.iter().all(|token| token.role != *role) {
@@ -44,15 +44,15 @@ impl Tokens {
         }
     }
 
-    /// All secrets with their roles, for the file that keeps them.
+    /// All secrets with their roles, for the file that keeps the links.
     pub(crate) fn kept(&self) -> Vec<KeptLink> {
         let link =
             |token: &Token| KeptLink { role: token.role.clone(), secret: token.secret.clone() };
         self.0.iter().map(link).collect()
     }
 
-    /// The role that a token opens. The comparison takes constant time, so that an attacker cannot find a token
-    /// digit by digit by measuring how long the answer takes.
+    /// The role that a token opens. Comparing tokens takes the same time for all texts, so that an attacker cannot find
+    /// a token digit by digit by measuring how long the answer takes.
     pub(crate) fn role(&self, text: &str) -> Option<Role> {
         let mut found = None;
         for token in &self.0 {
@@ -63,7 +63,7 @@ impl Tokens {
         found.cloned()
     }
 
-    /// Links for these roles, as paths.
+    /// Links to the pages for the given roles, as paths with a token.
     pub(crate) fn links(&self, roles: &[Role]) -> Vec<Link> {
         let wanted = self.0.iter().filter(|token| roles.contains(&token.role));
         let link = |token: &Token| Link {

@@ -1,4 +1,5 @@
-//! Sends sentences to chart programs over TCP and UDP. The server reads nothing that chart programs send.
+//! Sends the sentences of the ships' instruments to chart programs over TCP and UDP. The server reads nothing that
+//! chart programs send.
 
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -12,12 +13,13 @@ use tokio::time::timeout;
 use super::connections::{Connections, Peer};
 use super::hub::{Hub, Sentences};
 
-/// Largest number of chart programs over TCP. If there are more, an old one is disconnected (see `connections`).
+/// Largest number of chart programs that may be connected over TCP. If more connect, an old chart program is
+/// disconnected (see `connections`).
 const MOST: usize = 32;
 /// A chart program is disconnected if it does not read one round of sentences within this time.
 const SEND_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Serves every chart program that connects.
+/// Serves every chart program that connects over TCP.
 pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
     let connections = Connections::of(MOST);
     loop {
@@ -30,7 +32,8 @@ pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
         tokio::spawn(async move {
             tokio::select! {
                 () = send_all(stream, hub.sentences.subscribe()) => {}
-                () = place.asked_out() => hub.log.refused("ended a chart program: there are too many of them"),
+                () = place.asked_out() => hub.log.refused("a chart program was disconnected: there are too many \
+                                                           of them"),
             }
         });
     }
@@ -46,7 +49,7 @@ async fn send_all(mut stream: TcpStream, mut sentences: watch::Receiver<Sentence
     }
 }
 
-/// Sends every sentence as a separate datagram.
+/// Sends every instrument sentence as a separate datagram.
 pub(crate) async fn udp(socket: UdpSocket, to: SocketAddr, hub: Arc<Hub>) {
     let mut sentences = hub.sentences.subscribe();
     while sentences.changed().await.is_ok() {

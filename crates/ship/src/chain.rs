@@ -1,12 +1,13 @@
 //! Break load and stiffness of a chain, from the diameter of its bar.
 //!
-//! Anchor chain, grades 1 to 3: the break load is c d² (44 − 0.08 d) kN with d in mm (IACS UR W18; the factors were
-//! compared with a maker's table, see the test). Short-link chain, grades 30 to 80: the grade is a tenth of the stress
-//! at the break load in N/mm², over both bars of a link (National Association of Chain Manufacturers, Welded Steel
-//! Chain Specifications, 2010, annex A).
+//! For anchor chain of grades 1 to 3, the break load is c d² (44 − 0.08 d) kN with the bar's diameter d in mm (IACS UR
+//! W18; the factors c were compared with a maker's table, see the test). For short-link chain of grades 30 to 80, the
+//! grade is a tenth of the stress at the break load in N/mm², over both bars of a link (National Association of Chain
+//! Manufacturers, Welded Steel Chain Specifications, 2010, annex A).
 //!
-//! Stiffness: EA = 0.854e8 d² kN without studs and 1.01e8 d² kN with studs, d in m (Orcina, OrcaFlex help, "Chain:
-//! Axial and bending stiffness", from catalogue data). A short-link chain is somewhat stiffer than this.
+//! Stiffness of a chain: EA = 0.854e8 d² kN without studs and 1.01e8 d² kN with studs, with d in m (Orcina, OrcaFlex
+//! help, "Chain: Axial and bending stiffness", from catalogue data). A short-link chain is somewhat stiffer than this
+//! formula says.
 
 use core::f64::consts::PI;
 
@@ -39,7 +40,7 @@ pub enum ChainLink {
 /// Size, grade and links of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSize {
-    /// Diameter of the bar of a link (m).
+    /// Diameter of the bar of the chain's links (m).
     pub diameter_m: f64,
     /// Grade.
     pub grade: ChainGrade,
@@ -47,11 +48,11 @@ pub struct ChainSize {
     pub link: ChainLink,
 }
 
-/// The number from which the break load of a grade follows.
+/// The number of a grade of chain from which its break load follows.
 enum Strength {
-    /// c of anchor chain (kN/mm²).
+    /// Factor c in the break load of anchor chain (kN/mm²).
     Anchor(f64),
-    /// Stress over both bars (N/m²).
+    /// Stress at the break load of a short-link chain, over both bars of a link (N/m²).
     Stress(f64),
 }
 
@@ -67,7 +68,7 @@ impl ChainGrade {
         }
     }
 
-    /// Whether this is a grade of short-link chain, which has no studs.
+    /// Whether this grade is one of short-link chain, which has no studs.
     #[must_use]
     pub fn is_short_link(self) -> bool {
         matches!(self.strength(), Strength::Stress(_))
@@ -75,7 +76,7 @@ impl ChainGrade {
 }
 
 impl ChainSize {
-    /// Tension at which the chain parts (N).
+    /// Break load of the chain: tension at which it parts (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         match self.grade.strength() {
@@ -89,7 +90,7 @@ impl ChainSize {
         }
     }
 
-    /// Tension over stretch of a chain of this length (N/m).
+    /// Stiffness of a chain of the given length: tension divided by elongation (N/m).
     #[must_use]
     pub fn stiffness_npm(&self, length_m: f64) -> f64 {
         let per_square_npm2 = match self.link {

@@ -3,14 +3,14 @@
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{bounded, lesser};
 
-/// Distance from a point to the nearest point of a segment (m). The segment is longer than 0.
+/// Distance from a point to the nearest point of a segment (m). The segment must be longer than 0.
 fn to_segment_m(point: Vec2, [from, to]: [Vec2; 2]) -> f64 {
     let along = to - from;
     let share = bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0);
     (point - from - along * share).length()
 }
 
-/// The point of a segment nearest to a point. The segment is longer than 0.
+/// The point of a segment that is nearest to a given point. The segment must be longer than 0.
 fn on_segment(point: Vec2, [from, to]: [Vec2; 2]) -> Vec2 {
     let along = to - from;
     from + along * bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0)
@@ -25,7 +25,7 @@ pub fn of_segments_m(one: [Vec2; 2], other: [Vec2; 2]) -> f64 {
     ends.into_iter().fold(f64::INFINITY, |least, (end, of)| lesser(least, to_segment_m(end, of)))
 }
 
-/// Distance from a point to the nearest edge of an outline (m), also from a point inside.
+/// Distance from a point, which may be inside, to the nearest edge of an outline (m).
 #[must_use]
 pub fn to_edge_m(point: Vec2, outline: &[Vec2]) -> f64 {
     edges(outline).fold(f64::INFINITY, |least, edge| lesser(least, to_segment_m(point, edge)))
@@ -34,7 +34,7 @@ pub fn to_edge_m(point: Vec2, outline: &[Vec2]) -> f64 {
 /// The shortest distance between two simple outlines (m); 0 if they overlap.
 ///
 /// # Panics
-/// If one of the outlines has no corners.
+/// Panics if one of the outlines has no corners.
 #[must_use]
 pub fn of_outlines_m(one: &[Vec2], other: &[Vec2]) -> f64 {
     if contains(one, other[0]) || contains(other, one[0]) {
@@ -55,7 +55,8 @@ pub fn of_outlines_m(one: &[Vec2], other: &[Vec2]) -> f64 {
     least_m
 }
 
-/// The nearest points of two simple outlines that lie clear of each other, on the first and on the second.
+/// The nearest points of two simple outlines that lie clear of each other: first the point on the first outline, then
+/// the point on the second.
 #[must_use]
 pub fn nearest_points(one: &[Vec2], other: &[Vec2]) -> [Vec2; 2] {
     let (mut least_m, mut nearest) = (f64::INFINITY, [Vec2::ZERO; 2]);
@@ -79,15 +80,15 @@ fn edges(of: &[Vec2]) -> impl Iterator<Item = [Vec2; 2]> {
     (0..of.len()).map(|from| [of[from], of[(from + 1) % of.len()]])
 }
 
-/// True if two segments cross. If an end of one segment lies on the other, the distance of this end is 0 and covers
-/// that case.
+/// True if two segments cross. If an end of one segment lies on the other segment, the distance of this end is 0, so
+/// that this case need not count as a crossing.
 fn cross(one: [Vec2; 2], other: [Vec2; 2]) -> bool {
     let side = |ends: [Vec2; 2], point: Vec2| (ends[1] - ends[0]).cross(point - ends[0]);
     let splits = |ends: [Vec2; 2], of: [Vec2; 2]| side(ends, of[0]) * side(ends, of[1]) < 0.0;
     splits(one, other) && splits(other, one)
 }
 
-/// True if a point is inside an outline: a ray from it crosses an odd number of edges.
+/// True if a point is inside an outline, because a ray from the point then crosses an odd number of edges.
 #[must_use]
 pub fn contains(outline: &[Vec2], point: Vec2) -> bool {
     let crosses = |[from, to]: [Vec2; 2]| {

@@ -1,21 +1,22 @@
 //! The physics of a ship afloat: from her state, her settings and the weather to forces and moments.
 //!
-//! Each part is a set of pure functions and small states. No part knows of a run, of other bodies' contacts or of a file. The crate
-//! `fenderline-sim` puts the parts together to a world that moves. Units are SI. Forces in a ship's axes are positive forward and to
-//! starboard, moments and angles positive clockwise, seen from above.
+//! Each part of the physics is a set of pure functions and small states. No part of this crate knows of a run, of
+//! contacts between bodies or of a file. The crate `fenderline-sim` puts the parts of this crate together to a world
+//! that moves. Units are SI. Forces in a ship's axes are positive forward and to starboard, moments and angles positive
+//! clockwise, seen from above.
 //!
 //! | subject | module |
 //! |---|---|
-//! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
+//! | forces of hull, propeller, rudder and thruster; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
-//! | six degrees of freedom by hydrodynamic data: exciting forces, memory, drift | [`seakeeping`] |
+//! | motion in six degrees of freedom from hydrodynamic data: exciting forces, memory, drift | [`seakeeping`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | mooring lines and winches | [`mooring`] |
 //! | anchors, windlass and holding ground | [`anchor`] |
 //! | break load and stiffness of chain | [`chain`] |
 //! | tugs as force vectors | [`tug`] |
 //! | ships that pass, and the flow between ships and along walls | [`passing`] |
-//! | where a ship is that follows waypoints at given speeds | [`track`] |
+//! | position of a ship that follows waypoints at given speeds | [`track`] |
 //! | controllers for heading, position and thrust | [`control`] |
 #![forbid(unsafe_code)]
 

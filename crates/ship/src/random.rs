@@ -1,14 +1,14 @@
-//! Seeded random numbers, the same bits on every machine.
+//! Random numbers from a seed, which have the same bits on every machine.
 
-/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. The generator is for random
-/// phases and not cryptographically secure.
+/// The generator is SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. The generator
+/// is meant for random phases, and is not cryptographically secure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SplitMix64 {
     state: u64,
 }
 
 impl SplitMix64 {
-    /// The numbers of a seed.
+    /// Makes the generator of the random numbers of a seed.
     #[must_use]
     pub fn new(seed: u64) -> SplitMix64 {
         SplitMix64 { state: seed }
@@ -23,7 +23,7 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
-    /// A number uniform in [0, 1), from the upper 53 bits.
+    /// Draws a random number that is uniform in [0, 1), from the upper 53 bits.
     pub fn unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
     }

@@ -4,10 +4,10 @@ use std::fmt;
 
 use fenderline_contact::DisplayNumber;
 
-/// A quantity outside its range, or not a number.
+/// Error of a quantity that is outside its range, or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfRange {
-    /// The quantity, with its unit.
+    /// Name of the quantity that is out of range, with its unit.
     pub quantity: &'static str,
     /// Value of the quantity.
     pub value: f64,
@@ -27,8 +27,8 @@ impl fmt::Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// Returns the value if it is within the range, both ends included; NaN is not. Ranges are wider than any real value and
-/// narrow enough that no result computed from them overflows.
+/// Returns a value if it is within its range, where both ends belong to the range; NaN never is. The allowed ranges are
+/// wider than any real value and narrow enough that no result computed from them overflows.
 pub fn within(quantity: &'static str, value: f64, low: f64, high: f64) -> Result<f64, OutOfRange> {
     if value >= low && value <= high {
         return Ok(value);

@@ -1,12 +1,12 @@
-//! The berth: a line through the fenders of a quay or of another ship. Also distances and speeds of a ship relative to
-//! this line.
+//! The berth: a line through the fenders of a quay or of another ship. The module also computes distances and speeds of
+//! a ship relative to this line.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 
 use fenderline_world::setup::Setup;
 
-/// Fenders of one berth face the same direction, within this angle (rad).
+/// The fenders of one berth face the same direction, within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;
 /// The flat of a ship's side is the part where her half breadth is at least this share of the greatest half breadth.
 const FLAT: f64 = 0.98;
@@ -16,39 +16,40 @@ const FLAT: f64 = 0.98;
 pub struct Berth {
     /// Index of the body that carries the fenders.
     pub body: usize,
-    /// One end of the line (m).
+    /// One end of the line of the berth (m).
     pub from_m: Vec2,
     /// The other end (m).
     pub to_m: Vec2,
-    /// Unit normal towards the water.
+    /// Unit normal of the line of the berth, towards the water.
     pub facing: Vec2,
     /// Mean distance between neighbouring fenders (m); `None` for a single fender.
     pub apart_m: Option<f64>,
 }
 
-/// Position and speed of a ship relative to a berth. In pairs, the first value is for the bow and the second for the
-/// stern. Bow and stern stand for the two ends of the flat of her side towards the berth.
+/// Position and speed of a ship relative to a berth. In pairs of values, the first value is for the bow and the second
+/// for the stern. Bow and stern stand for the two ends of the flat of the ship's side towards the berth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lie {
-    /// Positions of the ends (m).
+    /// Positions of the two ends of the flat of the ship's side (m).
     pub at_m: [Vec2; 2],
-    /// Distance of each end from the line, positive on the water side of the fenders (m).
+    /// Distance of each end of the flat from the line of the berth, positive on the water side of the fenders (m).
     pub off_m: [f64; 2],
-    /// Speed of each end towards the berth (m/s).
+    /// Speed of each end of the flat towards the berth (m/s).
     pub closing_mps: [f64; 2],
-    /// Speed of each end relative to the berth, in any direction (m/s).
+    /// Speed of each end of the flat relative to the berth, in any direction (m/s).
     pub speed_mps: [f64; 2],
-    /// Distance of each end along the berth from [`Berth::from_m`] (m).
+    /// Distance of each end of the flat along the berth from [`Berth::from_m`] (m).
     pub along_m: [f64; 2],
     /// The ship's speed relative to the berth, positive ahead (m/s).
     pub ahead_mps: f64,
-    /// Angle between ship and berth, positive with the bow nearer to the berth (rad).
+    /// Angle between ship and berth, positive if the bow is nearer to the berth (rad).
     pub angle_rad: f64,
 }
 
 impl Berth {
-    /// The berth with the most fenders, among the bodies that `serves` selects. Of several such berths, the berth
-    /// nearest to `ship` at the start. `ship` is an index into [`Setup::bodies`]. `None` if no such body has fenders.
+    /// Finds the berth with the most fenders, among the bodies that `serves` selects. Of several berths with equally
+    /// many fenders, the berth nearest to `ship` at the start is taken. `ship` is the index of the ship in
+    /// [`Setup::bodies`]. Returns `None` if none of the selected bodies has fenders.
     #[must_use]
     pub fn of(setup: &Setup, ship: usize, serves: impl Fn(usize) -> bool) -> Option<Berth> {
         let faces: Vec<Face> = setup
@@ -80,7 +81,7 @@ impl Berth {
         best.map(|(.., berth)| berth)
     }
 
-    /// The line along a row of fenders, from the first fender to the last, through the face that stands out farthest.
+    /// The line along a row of fenders, from the first to the last fender, through the face that stands out farthest.
     fn through(body: usize, faces: &[Vec2], facing: Vec2) -> Berth {
         let along = facing.quarter_turn();
         let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, greater);
@@ -93,14 +94,14 @@ impl Berth {
         Berth { body, from_m: at(least), to_m: at(most), facing, apart_m }
     }
 
-    /// Length of the line (m).
+    /// Length of the line of the berth (m).
     #[must_use]
     pub fn length_m(&self) -> f64 {
         (self.to_m - self.from_m).dot(self.facing.quarter_turn())
     }
 
-    /// Position and speed, relative to the berth, of a ship with this outline and state. `on` is the state of the body
-    /// that carries the berth.
+    /// Position and speed, relative to the berth, of a ship with this outline and this state. `on` is the state of the
+    /// body that carries the berth.
     #[must_use]
     pub fn lie(&self, on: &BodyState, outline: &Outline, state: &BodyState) -> Lie {
         let attitude = Rotation::from_angle(state.heading_rad);
@@ -136,10 +137,10 @@ impl Berth {
         }
     }
 
-    /// True if an end of the ship (0 for the bow) is past the last fender by more than the distance between fenders:
-    /// the line through the fenders has no fender there. At dolphins a ship's ends are usually past the last dolphin,
-    /// but by less. With a single fender both ends are past it; the result is then true if the fender is not abreast of
-    /// the ship's side.
+    /// Returns true if an end of the ship (0 for the bow) is past the last fender by more than the distance between
+    /// fenders: the line through the fenders has no fender there. At dolphins a ship's ends are usually past the last
+    /// dolphin, but by less. With a single fender both ends of a ship are past the fender; the result is then true if
+    /// the fender is not abreast of the ship's side.
     #[must_use]
     pub fn is_past_the_end(&self, lie: &Lie, end: usize) -> bool {
         let [bow_m, stern_m] = lie.along_m;
@@ -152,8 +153,8 @@ impl Berth {
         }
     }
 
-    /// True if some part of the ship is abreast of the berth and her origin is within this distance of the berth's
-    /// line.
+    /// Returns true if some part of the ship is abreast of the berth and the ship's origin is within this distance of
+    /// the berth's line.
     #[must_use]
     pub fn is_near(
         &self,
@@ -181,7 +182,7 @@ struct Face {
 }
 
 impl Face {
-    /// True if both faces belong to one berth: they are on the same body and face the same direction.
+    /// Returns true if the two faces belong to one berth: they are on the same body and face the same direction.
     fn is_beside(&self, other: &Face) -> bool {
         let between_rad =
             libm::remainder(self.facing_rad - other.facing_rad, core::f64::consts::TAU);
@@ -193,8 +194,8 @@ fn towards(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The fore and after end of the flat of a side, in the body's frame. For a hull without a flat side they are a third
-/// of the length from either end.
+/// The fore and the after end of the flat of a ship's side, in the frame of the ship. For a hull without a flat side
+/// these two ends are a third of the hull's length from bow and stern.
 fn flat_of_side(outline: &Outline, starboard: bool) -> [Vec2; 2] {
     let sign = if starboard { 1.0 } else { -1.0 };
     let (least, most) = outline.bounds();

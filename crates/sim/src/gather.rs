@@ -1,4 +1,4 @@
-//! Sums of loads and contact wrenches, one per body, in a fixed order.
+//! Sums the loads and contact wrenches on each body, in a fixed order.
 
 use fenderline_contact::Wrench;
 use fenderline_contact::number::{greater, lesser};
@@ -6,8 +6,8 @@ use fenderline_contact::number::{greater, lesser};
 use fenderline_world::setup::Load;
 
 /// Mean wrench of a load over the step `[t, t + step]`. A load that begins or ends within the step counts with the
-/// share of the step in which it acts. So the impulse of a load does not depend on the time step. A load that acts
-/// throughout is returned unchanged, bit for bit.
+/// share of the step in which it acts. Because of this share of the step, the impulse of a load does not depend on the
+/// time step. A load that acts in the whole step is returned unchanged, bit for bit.
 pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     if load.from_s <= t_s && load.until_s >= t_s + step_s {
         return Wrench { force_n: load.force_n, moment_nm: load.moment_nm };
@@ -17,7 +17,7 @@ pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }
 }
 
-/// Sum of the loads on each body in the step, in the given order.
+/// Computes the sum of the loads on each body in the step, in the given order of the loads.
 pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wrench]) {
     into.fill(Wrench::default());
     for load in loads {
@@ -35,7 +35,7 @@ pub(crate) fn add_external(external: &[Wrench], into: &mut [Wrench]) {
     }
 }
 
-/// Sum of load and contact wrench, body by body.
+/// Computes the sum of load and contact wrench for each body.
 pub(crate) fn gather(loads: &[Wrench], contact: &[Wrench], into: &mut [Wrench]) {
     for ((sum, load), contact) in into.iter_mut().zip(loads).zip(contact) {
         sum.force_n = load.force_n + contact.force_n;

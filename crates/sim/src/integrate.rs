@@ -1,4 +1,4 @@
-//! Time integrators: from a state and its rate to the next state.
+//! Time integrators compute the next state of a body from a state and its rate of change.
 
 use fenderline_contact::{BodyState, Vec2, Wrench};
 
@@ -14,12 +14,12 @@ pub(crate) struct Rate {
 }
 
 impl Rate {
-    /// Linear and angular velocity (m/s, rad/s).
+    /// Linear and angular velocity of the body (m/s, rad/s).
     pub(crate) fn motion(&self) -> (Vec2, f64) {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
-    /// The rate of change of a state under a wrench.
+    /// The rate of change of a body's state under a wrench.
     pub(crate) fn of(inertia: &Inertia, state: &BodyState, wrench: &Wrench) -> Rate {
         let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(state, wrench);
         Rate {
@@ -30,7 +30,7 @@ impl Rate {
         }
     }
 
-    /// `(self + 2 (two + three) + four) / 6`, the mean rate of classical Runge–Kutta.
+    /// The mean rate of the classical Runge–Kutta method, `(self + 2 (two + three) + four) / 6`.
     pub(crate) fn runge_kutta(self, two: Rate, three: Rate, four: Rate) -> Rate {
         let mean = |one: f64, two: f64, three: f64, four: f64| {
             (one + 2.0 * (two + three) + four) * (1.0 / 6.0)
@@ -67,7 +67,7 @@ impl Rate {
     }
 }
 
-/// Forward Euler: positions with the old velocities, as the paper's simulator does.
+/// A step of forward Euler: moves positions with the old velocities, as the paper's simulator does.
 pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     BodyState {
         position_m: state.position_m + rate.velocity_mps * step_s,
@@ -77,7 +77,7 @@ pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     }
 }
 
-/// Semi-implicit Euler: velocities first, then positions with the new velocities.
+/// A step of semi-implicit Euler: updates velocities first, then moves positions with the new velocities.
 pub(crate) fn semi_implicit(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     let velocity_mps = state.velocity_mps + rate.acceleration_mps2 * step_s;
     let yaw_rate_radps = state.yaw_rate_radps + rate.yaw_acceleration_radps2 * step_s;

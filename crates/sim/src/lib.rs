@@ -5,13 +5,13 @@
 //! follow orders, and the contact forces between all bodies. The simulator uses no files, clock or threads, and gives
 //! the same bits for the same input on every machine.
 //!
-//! [`Setup`] holds everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step
-//! with [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI.
-//! North is x, east is y; headings and moments are positive clockwise, seen from above.
+//! [`Setup`] holds everything that is constant in a run. [`Simulation`] holds the state of a run, advances it by one
+//! time step with [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units
+//! are SI. The axis x points north and y east; headings and moments are positive clockwise, seen from above.
 //!
 //! # Example
 //!
-//! Wind presses a ship onto a fender on a quay, for a minute.
+//! In this example wind presses a ship onto a fender on a quay for a minute.
 //!
 //! ```
 //! use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, vec2};
@@ -136,7 +136,7 @@
 //!
 //! | subject | module or file |
 //! |---|---|
-//! | the time step, from top to bottom | `simulation.rs`, [`Simulation::step`] |
+//! | the computation of a time step, from start to end | `simulation.rs`, [`Simulation::step`] |
 //! | vessels, tugs and lines in a simulation, pilots and orders | [`WorldSetup`], the crate `fenderline-world` |
 //! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
@@ -155,18 +155,20 @@
 //! | forces from other programs | [`external`] |
 //! | energies of a step and of a run | [`StepRecord`], [`ContactEnergy`], [`Energy`] |
 //!
-//! The crate re-exports what its users need of `fenderline-ship` (physics of a ship), `fenderline-world` (set-up, state and
-//! records) and `fenderline-assess` (verdict, statistics).
+//! The crate re-exports what its users need of three crates: `fenderline-ship` (physics of a ship), `fenderline-world`
+//! (set-up, state and records) and `fenderline-assess` (verdict, statistics).
 //!
-//! One step of [`Simulation::step`]; files of `fenderline-world` are marked W:
+//! One step of [`Simulation::step`] has these parts; files of `fenderline-world` are marked W:
 //!
-//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (W `world/state.rs`).
-//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (W `turning.rs`).
-//! 3. `advance_bodies`: contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's method)
-//!    and the new states (`integrate.rs`).
-//! 4. `update_world`: heel and trim of the vessels under all forces.
-//! 5. `account_energy`: work of each contact and load, and the energy ledger (W `contact_totals.rs`, W `ledger.rs`).
-//! 6. `record`: summaries and the [`StepRecord`].
+//! 1. `gather_loads`: sums the loads of the set-up and of the host, then of vessels, tugs, lines and environment (W
+//!    `world/state.rs`).
+//! 2. `turn_momentum`: computes Coriolis and centripetal terms over the step (W `turning.rs`).
+//! 3. `advance_bodies`: computes the contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's
+//!    method) and the new states (`integrate.rs`).
+//! 4. `update_world`: computes heel and trim of the vessels under all forces.
+//! 5. `account_energy`: computes the work of each contact and load, and the energy ledger (W `contact_totals.rs`, W
+//!    `ledger.rs`).
+//! 6. `record`: updates the summaries and makes the [`StepRecord`].
 #![forbid(unsafe_code)]
 
 pub mod berth;
@@ -178,7 +180,7 @@ mod load_work;
 mod output_plan;
 mod simulation;
 
-/// Berthing energy by PIANC's formulas, and a simulated berthing beside them.
+/// Berthing energy by PIANC's formulas, and the comparison of a simulated berthing with these formulas.
 pub mod berthing {
     pub use fenderline_assess::berthing::{
         AddedSway, BerthingOutcome, LaterHit, OtherShip, ShallowFactor,

@@ -1,4 +1,4 @@
-//! Work of the loads on the bodies in a step, by kind of load.
+//! Computes the work of the loads on the bodies in a step, by kind of load.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
@@ -12,10 +12,10 @@ use fenderline_world::world::{
     AnchorAtWork, Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup,
 };
 
-/// Forces and motion of one step.
+/// The forces and the motion of the bodies in one step.
 pub(crate) struct LoadedStep<'a> {
     pub(crate) inertias: &'a [Inertia],
-    /// States at the start and at the end of the step.
+    /// States of the bodies at the start and at the end of the step.
     pub(crate) before: &'a [BodyState],
     pub(crate) after: &'a [BodyState],
     pub(crate) mean: &'a [MeanVelocity],
@@ -30,7 +30,8 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) step_s: f64,
 }
 
-/// Work of the loads of set-up and host in a step (J). `order` is the order of the bodies.
+/// Work that the loads of the set-up and of the host do in a step (J). `order` is the order in which the bodies are
+/// summed.
 pub(crate) fn plain_work_j(
     order: &[usize],
     inertias: &[Inertia],
@@ -42,7 +43,8 @@ pub(crate) fn plain_work_j(
 }
 
 impl LoadedStep<'_> {
-    /// Work of each kind of load except the loads of set-up and host: force times displacement over the ground.
+    /// Work of each kind of load, except the loads of the set-up and of the host: force times displacement over the
+    /// ground.
     pub(crate) fn works(&self) -> LoadWork {
         let mut works = LoadWork::default();
         for &vessel in &self.order.vessels {
@@ -68,7 +70,7 @@ impl LoadedStep<'_> {
         works
     }
 
-    /// Adds the work of a vessel's own forces and the work of the current.
+    /// Adds the work of a vessel's own forces, and the work of the current on the vessel.
     fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
         let (forces, water_inertia) = (&self.forces[index], &self.water_inertia[index]);
         let attitude = self.attitude(index);
@@ -103,7 +105,7 @@ impl LoadedStep<'_> {
         Rotation::from_angle(self.before[self.world.vessels[vessel].body].heading_rad)
     }
 
-    /// Work of a force on a vessel. The force is given about midship.
+    /// Work of a force on a vessel in the step. The force on the vessel is given about midship.
     fn of_force(&self, vessel: usize, attitude: Rotation, force: Force) -> f64 {
         let vessel = &self.world.vessels[vessel];
         let forward_m = vessel.ship.particulars.centre_of_gravity_m;
@@ -114,7 +116,7 @@ impl LoadedStep<'_> {
         self.mean[vessel.body].power_w(&wrench) * self.step_s
     }
 
-    /// Work of the force of a line or a chain on the body at one of its ends.
+    /// Work of the force of a mooring line or an anchor chain on the body at one of its ends.
     fn of_line_end(&self, body: usize, at_m: Vec2, [north_n, east_n, _]: [f64; 3]) -> f64 {
         if self.inertias[body].fixed {
             return 0.0;

@@ -37,7 +37,7 @@ pub enum OutputTable {
 }
 
 impl OutputTable {
-    /// All tables, in the order of the reference.
+    /// All result tables, in the order of the reference document.
     pub const ALL: [OutputTable; 14] = [
         OutputTable::Bodies,
         OutputTable::Contacts,
@@ -55,7 +55,7 @@ impl OutputTable {
         OutputTable::Energy,
     ];
 
-    /// Name of the table: the name of its file without the extension.
+    /// Name of the result table, which is the name of its file without the extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -78,25 +78,25 @@ impl OutputTable {
 }
 
 /// The outputs that a run writes, as the table `[output]` of a scenario says. Summary, verdict and report use every
-/// step, whatever is written.
+/// step, whatever tables are written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPlan {
-    /// Number of steps that one row stands for, 1 or more: the output interval over Δt.
+    /// Number of steps that one row stands for, 1 or more: the output interval divided by Δt.
     pub steps_per_row: u64,
-    /// The tables to write. A table is written only if the set-up has its subject.
+    /// The tables to write. A table is written only if the set-up has what the table is about, for example fenders.
     pub tables: Vec<OutputTable>,
 }
 
 impl OutputPlan {
-    /// A plan with all tables, and a row for every step.
+    /// Makes a plan with all result tables, and a row for every step.
     #[must_use]
     pub fn every_step() -> OutputPlan {
         OutputPlan { steps_per_row: 1, tables: OutputTable::ALL.to_vec() }
     }
 
-    /// The plan for a run with this number of steps, if the scenario does not say. One row stands for 1, 2, 5, 10, 20,
-    /// 50, … steps: for the fewest with which each body has at most 10 000 rows. The tables are those of
-    /// [`OutputPlan::default_tables`].
+    /// Makes the plan for a run with this number of steps, if the scenario has no plan. One row stands for 1, 2, 5, 10,
+    /// 20, 50, … steps: for the smallest of these numbers with which each body has at most 10 000 rows. The tables of
+    /// the plan are those of [`OutputPlan::default_tables`].
     #[must_use]
     pub fn of_steps(steps: f64) -> OutputPlan {
         let mut steps_per_row = 1;
@@ -110,15 +110,15 @@ impl OutputPlan {
         OutputPlan { steps_per_row, tables: OutputPlan::default_tables(steps_per_row) }
     }
 
-    /// The tables written by default: all tables. If a row stands for several steps, the table of contact patches is
-    /// left out, because it is the largest.
+    /// The result tables that are written by default: all tables. If a row stands for several steps, the table of
+    /// contact patches is left out, because it is the largest table.
     #[must_use]
     pub fn default_tables(steps_per_row: u64) -> Vec<OutputTable> {
         let all = OutputTable::ALL.into_iter();
         all.filter(|&table| steps_per_row == 1 || table != OutputTable::Contacts).collect()
     }
 
-    /// Whether a table is written.
+    /// Returns true if the plan has this table.
     #[must_use]
     pub fn has(&self, table: OutputTable) -> bool {
         self.tables.contains(&table)

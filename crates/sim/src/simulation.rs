@@ -1,16 +1,16 @@
-//! One simulation run. [`Simulation::step`] is the whole time step, from start to end.
+//! One simulation run. [`Simulation::step`] computes a whole time step, from start to end.
 //!
 //! | file | content |
 //! |---|---|
 //! | `simulation.rs` | the state of a run, and the time step |
-//! | `simulation/access.rs` | reading a run, and changing it between steps |
+//! | `simulation/access.rs` | functions that read a run, and change it between steps |
 //! | `simulation/motion.rs` | integrators, and the Coriolis terms over a step |
-//! | `simulation/accounts.rs` | works and energies of a step |
+//! | `simulation/accounts.rs` | works and energies of each step |
 //! | `simulation/check.rs` | checks of a set-up |
 //! | `simulation/buffers.rs` | arrays that are reused from step to step |
-//! | `simulation/changes.rs` | changes of weather and faults |
-//! | `simulation/place.rs` | placing bodies before the first step |
-//! | `simulation/restart.rs` | starting again in the same memory |
+//! | `simulation/changes.rs` | changes of weather and faults during a run |
+//! | `simulation/place.rs` | places bodies before the first step |
+//! | `simulation/restart.rs` | starts a simulation again in the same memory |
 
 mod access;
 mod accounts;
@@ -53,17 +53,17 @@ use fenderline_world::rigid_body::Inertia;
 use fenderline_world::setup::{Integrator, Load, Method, Setup};
 use fenderline_world::world::{NoDepth, VesselSetup, VesselState, World, motions};
 
-/// A simulation run. A clone continues independently from the same state.
+/// A simulation run. A clone of a simulation continues independently from the same state.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     // Constant in a run.
     setup: Setup,
-    /// Clones share the model until hulls by height change it. So for a thousand simulations side by side, the
-    /// processor's cache needs the model only once.
+    /// Clones share the contact model until a hull with outlines by height changes it. Because clones share the contact
+    /// model, the processor's cache needs it only once for a thousand simulations side by side.
     model: Arc<Model>,
     inertias: Vec<Inertia>,
     steps_total: u64,
-    /// The loads of the set-up, in the order of summation.
+    /// The loads of the set-up, in the order in which they are summed.
     loads: Vec<Load>,
     // State.
     index: u64,
@@ -71,7 +71,7 @@ pub struct Simulation {
     memory: Memory,
     world: World,
     changes: Changes,
-    /// The outlines of hulls by height that fenders meet.
+    /// For hulls with outlines by height, the outlines that fenders meet.
     sides: Sides,
     // Results of the last step, and totals of the run.
     work: Workspace,
@@ -87,10 +87,10 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Checks the set-up and prepares the first step.
+    /// Checks the set-up and prepares the first step of the run.
     ///
     /// # Errors
-    /// [`SetupError`], which names the fault.
+    /// Returns a [`SetupError`], which names what is wrong in the set-up.
     pub fn new(setup: Setup) -> Result<Simulation, SetupError> {
         let steps_total = count_steps(&setup)?;
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
@@ -195,7 +195,7 @@ impl Simulation {
         }
     }
 
-    /// Restores the state before a step that failed.
+    /// Restores the state of the simulation before a step that failed.
     fn restore(&mut self) {
         if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.memory.copy_from(&self.buffers.backup);
@@ -208,7 +208,8 @@ impl Simulation {
         }
     }
 
-    /// Sums all loads on each body except contact: loads of the set-up and of the host, vessels, tugs, lines, anchors.
+    /// Sums all loads on each body except contact: the loads of the set-up and of the host, and the forces of vessels,
+    /// tugs, lines and anchors.
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
@@ -225,7 +226,7 @@ impl Simulation {
         before.clone_from(&self.states);
     }
 
-    /// Renews the outlines of hulls by height that fenders meet.
+    /// Renews, for hulls with outlines by height, the outlines that fenders meet.
     fn cut_hulls(&mut self, t_s: f64) {
         if self.sides.is_empty() {
             return;
@@ -235,8 +236,8 @@ impl Simulation {
         self.sides.renew(&self.setup, engine, &self.states, &heights);
     }
 
-    /// Contact forces and the new states. With the coupled method and the semi-implicit integrator the contact
-    /// engine moves the bodies itself, in its sub-steps.
+    /// Computes the contact forces of the step and the new states of the bodies. With the coupled method and the
+    /// semi-implicit integrator the contact engine moves the bodies itself, in its sub-steps.
     fn advance_bodies(&mut self) -> Result<(), contact::StepError> {
         self.contact_forces()?;
         match self.setup.integrator {
@@ -253,7 +254,7 @@ impl Simulation {
         }
     }
 
-    /// Contact forces of this step, by the method of the set-up.
+    /// Computes the contact forces of this step by the method of the set-up.
     fn contact_forces(&mut self) -> Result<(), contact::StepError> {
         let step_s = self.setup.step_s;
         let (model, memory, work) = (&self.model, &mut self.memory, &mut self.work);
@@ -280,8 +281,8 @@ impl Simulation {
         self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
     }
 
-    /// Adds the step to the summaries of the run, and returns its record. The record is wrapped in `Ok` from the start:
-    /// it is large, and would otherwise be copied.
+    /// Adds the step to the summaries of the run, and returns the record of the step. The record is wrapped in `Ok`
+    /// from the start, because it is large and would otherwise be copied.
     #[inline(always)]
     fn record(&mut self, t_s: f64) -> Result<StepRecord<'_>, SimError> {
         self.dolphins.summarise(&self.setup, t_s);
@@ -334,8 +335,8 @@ impl Simulation {
     }
 }
 
-/// How fast the hull of a contact sinks at the contact, relative to the fender on body `host` (m/s). The vessels'
-/// heave, roll and pitch cause this.
+/// How fast the hull at a contact sinks relative to the fender on the body `host` (m/s). Heave, roll and pitch of the
+/// vessels cause this sinking.
 fn sinking_mps(
     vessels: &[VesselSetup],
     now: &[VesselState],

@@ -292,8 +292,8 @@ fn impossible_lines_are_refused_by_name() {
     };
     assert_eq!(
         refused(polyester(), InboardEnd::Bitts, InitialLength::Outboard(49.0)),
-        "line `aft spring` is 49 m long, but its ends are 50 m apart; make it longer or give a \
-         pretension instead"
+        "line `aft spring` is 49 m long, but its ends are 50 m apart; make the line longer or \
+         give a pretension instead"
     );
     let error = refused(polyester(), InboardEnd::Bitts, InitialLength::FromPretension(2e6));
     assert_eq!(error, "line `aft spring` cannot have a pretension of 2000000 N");

@@ -373,8 +373,9 @@ fn ship_to_ship_the_energy_is_that_of_the_reduced_mass() {
     assert_eq!(outcome.other, Some(OtherShip { displacement_kg: 87.8e6, added_mass: 1.5 }));
     assert_eq!(
         outcome.mass_of_run(),
-        "Cm 1.50 of the run: reduced mass of the two ships with their added masses, over that of their displacements; \
-         that of the other ship alone 1.50; hers alone 1.50, 1 + 0.50, her added mass in sway over her displacement"
+        "Cm 1.50 of the run: reduced mass of the two ships with added mass, divided by the reduced mass of their \
+         displacements; Cm of the other ship alone 1.50; Cm of this ship alone 1.50, 1 + 0.50, her added mass in \
+         sway over her displacement"
     );
     assert!((outcome.speed_mps - 0.1).abs() < 1e-9, "{}", outcome.speed_mps);
     let by_hand_j = 0.5 * 43.9e6 * 1.5 * 0.01;

@@ -1,5 +1,5 @@
-//! The errors of ships that are estimated from their main particulars, which are reported with every estimated ship. They
-//! come from the rows of `validation/estimated_ships.toml` that compare a ship with a reference.
+//! The errors of ships that are estimated from their main particulars, which are reported with every estimated ship.
+//! The errors come from the rows of `validation/estimated_ships.toml` that compare a ship with a reference.
 
 use std::sync::OnceLock;
 
@@ -15,7 +15,7 @@ use super::published::{Number, Origin, Source};
 const ESTIMATED_SHIPS: &str =
     include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/estimated_ships.toml"));
 
-/// Measures in words, in the order of [`MEASURES`].
+/// The measures of the manoeuvres in words, in the order of [`MEASURES`].
 const NAMES: [&str; 4] = [
     "advance at 35°",
     "tactical diameter at 35°",
@@ -34,7 +34,7 @@ pub fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
     }
 }
 
-/// The errors of a route, by measure. Computed once in a program.
+/// The errors of an estimation method (route), by measure. The errors of a route are computed once in a program.
 fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
     static ERRORS: [OnceLock<Vec<EstimateError>>; 2] = [OnceLock::new(), OnceLock::new()];
     let index = ROUTES.iter().position(|(_, known)| *known == route).expect("every route is there");
@@ -45,7 +45,7 @@ fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
     })
 }
 
-/// The errors of both routes, as values of `validate` (%).
+/// Puts the errors of both estimation methods among the values of `validate` (%).
 pub(super) fn put(values: &mut Values) {
     for (route, _) in ROUTES {
         for error in errors(values, route) {

@@ -1,4 +1,4 @@
-//! The paper's figures from our runs, and the outlines in these runs.
+//! Draws the paper's figures from our runs, and the outlines in these runs.
 
 use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 use fenderline_sim::BodySetup;
@@ -11,29 +11,29 @@ use fenderline_report::plot::{
     plain,
 };
 
-/// Experiment 1: the time step varies; names of the runs and of the lines.
+/// Runs of experiment 1, in which the time step varies: names of the runs and of their lines in the charts.
 const STEPS: [(&str, &str); 4] = [
     ("paper/experiment_1_step_0.1s", "Δt 0.1 s"),
     ("paper/experiment_1_step_0.5s", "Δt 0.5 s"),
     ("paper/experiment_1_step_1s", "Δt 1 s"),
     ("paper/experiment_1_step_2s", "Δt 2 s"),
 ];
-/// Experiment 2: the approach speed varies.
+/// Runs of experiment 2, in which the approach speed varies: names of the runs and of their lines in the charts.
 const SPEEDS: [(&str, &str); 4] = [
     ("paper/experiment_2_4kn", "4 kn"),
     ("paper/experiment_2_2kn", "2 kn"),
     ("paper/experiment_2_1kn", "1 kn"),
     ("paper/experiment_2_0.5kn", "0.5 kn"),
 ];
-/// The charts end when the last push has ended (s).
+/// Time at which the charts end, when the last push has ended (s).
 const END_OF_EXPERIMENT_1_S: f64 = 10.0;
 const END_OF_EXPERIMENT_2_S: f64 = 12.0;
-/// Runs with this time step or a longer one have few steps: each is marked (s).
+/// Time step from which on each step of a run is marked in the chart, because there are few (s).
 const MARKED_STEP_S: f64 = 0.5;
 
 const FORCE: (&str, &str, f64) = ("normal force", "MN", 1e-6);
 
-/// Fig. 9: normal force over time for the four time steps.
+/// Draws Fig. 9 of the paper: normal force over time for the four time steps.
 pub(super) fn figure_9(runs: &Runs) -> Markup {
     let (label, unit, factor) = FORCE;
     chart(
@@ -41,11 +41,12 @@ pub(super) fn figure_9(runs: &Runs) -> Markup {
         (label, unit),
         series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.normal_force_n * factor),
         Vec::new(),
-        "A mark is at the start of the step over which its force acts. At 2 s only two steps have a force.",
+        "Each mark is at the start of the time step over which its force acts. With a time step \
+         of 2 s only two steps have a force.",
     )
 }
 
-/// Fig. 10: relative speed for the four time steps, with the expected final speed.
+/// Draws Fig. 10 of the paper: relative speed for the four time steps, with the expected final speed.
 pub(super) fn figure_10(runs: &Runs) -> Markup {
     let run = &runs[STEPS[0].0];
     chart(
@@ -53,11 +54,11 @@ pub(super) fn figure_10(runs: &Runs) -> Markup {
         ("relative speed", "m/s"),
         series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.closing_mps),
         vec![Reference { label: "−γV⁰".to_owned(), value: expected_final_mps(run) }],
-        "Positive when closing. Dashed: the final speed expected by eq. 9.",
+        "Positive when closing. The dashed line is the final speed expected by eq. 9 of the paper.",
     )
 }
 
-/// Fig. 11: relative speed for the four approach speeds.
+/// Draws Fig. 11 of the paper: relative speed for the four approach speeds.
 pub(super) fn figure_11(runs: &Runs) -> Markup {
     let references = SPEEDS.iter().enumerate().map(|(index, (name, _))| Reference {
         // The lines of the slow runs are too close together for texts of their own.
@@ -69,26 +70,28 @@ pub(super) fn figure_11(runs: &Runs) -> Markup {
         ("relative speed", "m/s"),
         series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, _| s.closing_mps),
         references.collect(),
-        "Positive when closing. The bodies start 2 m apart, so that the slow ones touch late.",
+        "Positive when closing. The bodies start 2 m apart, so that tug and ship touch late in \
+         the slow runs.",
     )
 }
 
-/// Fig. 11 again, each speed as a share of its initial value.
+/// Draws Fig. 11 of the paper again, with each speed as a share of its initial value.
 pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
     let run = &runs[SPEEDS[0].0];
     let value = expected_final_mps(run) / run.pair.approach_speed_mps;
     chart(
-        "Fig. 11, each speed over its own initial speed",
+        "Fig. 11, each speed divided by its own initial speed",
         ("speed over initial speed", ""),
         series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, run| {
             s.closing_mps / run.pair.approach_speed_mps
         }),
         vec![Reference { label: "−γ".to_owned(), value }],
-        "Our own figure: the final speed is the same share of each initial speed.",
+        "This figure is our own and not in the paper: the final speed is the same share of each \
+         initial speed.",
     )
 }
 
-/// Fig. 12: normal force over time for the four approach speeds.
+/// Draws Fig. 12 of the paper: normal force over time for the four approach speeds.
 pub(super) fn figure_12(runs: &Runs) -> Markup {
     let (label, unit, factor) = FORCE;
     chart(
@@ -140,7 +143,7 @@ fn expected_final_mps(run: &Played) -> f64 {
     -run.restitution * run.pair.approach_speed_mps
 }
 
-/// Both outlines, each with its dimensions, and how the bodies lie at the start.
+/// Draws the outlines of tug and ship, each with its dimensions, and how the bodies lie at the start.
 pub(super) fn outlines(runs: &Runs) -> Markup {
     let run = &runs[STEPS[0].0];
     html! {
@@ -149,7 +152,7 @@ pub(super) fn outlines(runs: &Runs) -> Markup {
     }
 }
 
-/// One outline by itself, the bow to the right.
+/// Draws one outline by itself, the bow to the right.
 fn outline(body: &BodySetup, style: usize) -> Markup {
     // Heading east, so that a long ship lies along the page.
     let pose = BodyState { heading_rad: core::f64::consts::FRAC_PI_2, ..Default::default() }.pose();
@@ -169,12 +172,15 @@ fn outline(body: &BodySetup, style: usize) -> Markup {
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels: vec![Label { text, place: Place::At(vec![Vec2::ZERO]) }],
-        note: format!("Bow to the right; vertices, m forward and to starboard: {}.", corners(body)),
+        note: format!(
+            "The bow is to the right; the vertices, in m forward and to starboard, are: {}.",
+            corners(body)
+        ),
     }
     .render()
 }
 
-/// A body at the start of a run.
+/// A body at the start of a run, with its outline and label.
 struct Placed<'r> {
     body: &'r BodySetup,
     outlined: Outlined,
@@ -200,14 +206,15 @@ impl<'r> Placed<'r> {
     }
 }
 
-/// The smallest frame round the bounds of a body.
+/// The smallest frame of a drawing round the bounds of a body.
 fn frame_of(body: &BodySetup, pose: &Pose) -> Frame {
     let (low, high) = body.outline.bounds();
     let diagonal = |a: Vec2, b: Vec2| Frame::between(pose.apply(a), pose.apply(b));
     diagonal(low, high).with(diagonal(vec2(low.x, high.y), vec2(high.x, low.y)))
 }
 
-/// How both lie at the start of experiment 1, near where they will touch (Fig. 8): the tug west of the ship.
+/// Draws how tug and ship lie at the start of experiment 1, near where they will touch (Fig. 8): the tug west of the
+/// ship.
 fn start(run: &Played) -> Markup {
     let [one, other] = run.bodies.map(|body| Placed::of(&run.setup.bodies[body], body));
     let [tug_placed, ship_placed] =
@@ -234,7 +241,7 @@ fn start(run: &Played) -> Markup {
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels,
-        note: "The ship extends beyond the view, above and below.".to_owned(),
+        note: "The ship extends beyond the frame of the drawing, above and below.".to_owned(),
     }
     .render()
 }

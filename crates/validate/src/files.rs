@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::published::{Rule, Tolerance};
 use super::row::{Compared, Row, count};
 
-/// Names and contents of the three files.
+/// Names and contents of the files `validation.csv`, `validation.json` and `validation.html`.
 pub(super) fn files(page: String, rows: &[Row]) -> [(&'static str, String); 3] {
     [
         ("validation.csv", csv_text(rows)),
@@ -14,7 +14,7 @@ pub(super) fn files(page: String, rows: &[Row]) -> [(&'static str, String); 3] {
     ]
 }
 
-/// A number in full, in the shortest form that reads back to the same value.
+/// Writes a number in full, in the shortest form that reads back to the same value.
 fn full(value: f64) -> String {
     format!("{value:?}")
 }
@@ -98,8 +98,8 @@ fn csv_text(rows: &[Row]) -> String {
     let written = table.write_record(head);
     let written =
         records.fold(written, |so_far, record| so_far.and_then(|()| table.write_record(&record)));
-    written.expect("a table in memory takes every row");
-    let bytes = table.into_inner().expect("a table in memory ends");
+    written.expect("a table in memory accepts every row");
+    let bytes = table.into_inner().expect("a table in memory can be finished");
     String::from_utf8(bytes).expect("all cells are text")
 }
 

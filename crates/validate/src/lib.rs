@@ -1,9 +1,11 @@
-//! Validation: every published case that the project reproduces, our numbers beside the published ones.
+//! Validation of the simulator: every published case that the project reproduces, our numbers beside the published
+//! ones.
 //!
-//! `published` reads the published numbers (`validation/*.toml`), `play` runs the scenarios, `quantity` takes values from a
-//! run, `computed` has all other values, and `row` compares them. `estimate_errors` has the errors of ships that are estimated
-//! from main particulars. `sweeps` has every force over its whole domain. `printed`, `files`, `page` and `figures` write the results. All cases are compiled in, so that an
-//! installed program validates anywhere; nothing is read or written.
+//! The module `published` reads the published numbers (`validation/*.toml`), `play` runs the scenarios, `quantity`
+//! takes values from a run, `computed` has all other values, and `row` compares them. The module `estimate_errors` has
+//! the errors of ships that are estimated from main particulars. The module `sweeps` has every force over its whole
+//! domain. The modules `printed`, `files`, `page` and `figures` write the results of the validation. All cases of the
+//! validation are compiled in, so that an installed program validates anywhere; no file is read or written.
 #![forbid(unsafe_code)]
 
 mod computed;
@@ -26,14 +28,14 @@ use published::Source;
 use row::{Row, Runs, evaluate};
 pub use sweeps::{Resolution, Sweeps};
 
-/// A file under `validation/`: name and text.
+/// Name and text of a file under `validation/`.
 macro_rules! published {
     ($($name:literal),* $(,)?) => {
         [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/", $name)))),*]
     };
 }
 
-/// The published numbers, in the order of the table.
+/// The files of published numbers, in the order of the table.
 const PUBLISHED: [(&str, &str); 22] = published![
     "moreno2023.toml",
     "closed_form.toml",
@@ -75,7 +77,8 @@ pub struct Validation {
 }
 
 impl Validation {
-    /// The number of parts that [`Validation::run`] counts: runs, subjects of computed values, and the ships that are estimated.
+    /// The number of parts that [`Validation::run`] counts: the runs, the subjects of computed values, and the ships
+    /// that are estimated.
     pub const PARTS: usize = play::SCENARIOS.len() + SUBJECTS.len() + 1;
 
     /// Runs all cases. `progress` gets the number of parts that are done, after each of the [`Validation::PARTS`].
@@ -94,7 +97,7 @@ impl Validation {
         Ok(Validation { sources, runs, rows })
     }
 
-    /// The table for the terminal.
+    /// The table of all rows, for the terminal.
     pub fn table(&self) -> String {
         printed::tables(&self.rows)
     }
@@ -104,7 +107,8 @@ impl Validation {
         files::files(page::render(&self.sources, &self.rows, &self.runs), &self.rows)
     }
 
-    /// A complaint for each row that is out of tolerance, or within it although it is listed as a known mismatch.
+    /// A complaint for each row that is out of tolerance, or that is within tolerance although it is listed as a known
+    /// mismatch.
     pub fn complaints(&self) -> Vec<String> {
         complaints(&self.rows)
     }
@@ -114,7 +118,7 @@ fn complaints(rows: &[Row]) -> Vec<String> {
     rows.iter().filter_map(Row::complaint).collect()
 }
 
-/// All values that rows name by `computed`.
+/// All computed values that rows name by `computed`.
 fn values(mut part_done: impl FnMut()) -> Values {
     let mut values = Values::default();
     for subject in SUBJECTS.into_iter().chain([estimate_errors::put as fn(&mut Values)]) {

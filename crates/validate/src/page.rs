@@ -1,4 +1,4 @@
-//! `validation.html`: what is compared, the table, and the paper's figures from our runs.
+//! Writes `validation.html`: what is compared, the table, and the paper's figures from our runs.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -14,7 +14,7 @@ use fenderline_report::plot::{page, plain, significant};
 
 const TITLE: &str = "Validation of fenderline against published results";
 
-/// The page. No clock and no path: the same program gives the same bytes.
+/// The page. The page has no time and no path of a file, so that the same program gives the same bytes.
 pub(super) fn render(sources: &[Source], rows: &[Row], runs: &Runs) -> String {
     let body = html! {
         h1 { (TITLE) }
@@ -23,14 +23,15 @@ pub(super) fn render(sources: &[Source], rows: &[Row], runs: &Runs) -> String {
         (verdict(rows))
         h2 { "What is compared" }
         (introduction(sources))
-        h2 { "Numbers: ours and the published ones" }
+        h2 { "Numbers: our values and the published values" }
         (numbers(sources, rows))
         h2 { "Statements of the paper about its figures" }
         (statements(rows))
         h2 { "Outlines" }
         p {
-            "The paper gives lengths and beams, but no polygons. These are ours, the same in all of its "
-            "eight runs."
+            "The paper gives lengths and beams of the two bodies, but no polygons of their \
+             outlines. "
+            "The outlines here are our own, the same in all eight runs of the paper's experiments."
         }
         (figures::outlines(runs))
         h2 { "Experiment 1: time steps of 0.1, 0.5, 1 and 2 s" }
@@ -43,8 +44,8 @@ pub(super) fn render(sources: &[Source], rows: &[Row], runs: &Runs) -> String {
         h2 { "Runs" }
         (run_list(runs))
         footer {
-            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " validate. The same program gives this "
-            "page again, byte for byte."
+            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " validate. "
+            "The same program makes the same page again, byte for byte."
         }
     };
     page(TITLE, &body)
@@ -56,7 +57,7 @@ fn verdict(rows: &[Row]) -> Markup {
     html! {
         p {
             strong { (within) " of " (compared) " numbers within tolerance; "
-                (hold) " of " (said) " statements hold." }
+                (hold) " of " (said) " statements of the sources hold." }
         }
         @for row in rows.iter().filter(|row| !row.is_ok) {
             p {
@@ -78,38 +79,48 @@ fn introduction(sources: &[Source]) -> Markup {
             }
         }
         p {
-            "The standing of a reference number: published, and taken from the publication "
-            "or its authors' code; computed by another program from the same data, usually one under "
-            "validation/independent; recalled, if the formula or curve was not read, so that agreement "
-            "only shows that it is coded as recalled; or a closed form."
+            "The standing of a reference number says how certain the number is. "
+            "Published numbers are taken from a publication or from its authors' code. "
+            "Computed numbers are from another program with the same data, usually one under \
+             validation/independent. "
+            "A number is recalled if its formula or curve was not read, so that agreement only \
+             shows that the formula is coded as recalled. "
+            "A closed form is a formula of mechanics."
         }
         h3 { "The paper's contact experiments" }
         p {
-            "The paper lets a tug of 32 × 13 m run bow-on into the side of a container ship of "
-            "298 × 46 m, first at 4 kn with four time steps, then at four speeds with a step of "
-            "0.1 s. The runs here use its method (corrected in its signs), its Table 1, forward Euler "
-            "and the smaller of the two added masses, as it does."
+            "The paper lets a tug of 32 × 13 m run bow-on into the side of a container ship of \
+             298 × 46 m, first at 4 kn with four time steps, then at four speeds with a step of \
+             0.1 s. "
+            "Like the paper, our runs use the paper's method (with its signs corrected), its \
+             Table 1, forward Euler, and the smaller of the two added masses."
         }
-        p { "What the paper leaves open, and what is assumed here:" }
+        p { "The paper leaves some inputs of its experiments open, for which we assume:" }
         ul class="plain" {
             li {
-                "The hull polygons are not published. The width of the tug's bow sets the stiffness of "
-                "the contact, so depths and peak forces depend on it. Our bow, flat and 10 m wide with "
-                "short shoulders, was chosen once so that all four depths of Table 2 come within "
-                "their tolerance; nothing is tuned for a single speed."
+                "The polygons of the hulls in the paper are not published. "
+                "The width of the tug's bow sets the stiffness of the contact, so that depths and \
+                 peak forces depend on this width. "
+                "Our bow of the tug, flat and 10 m wide with short shoulders, was chosen once so \
+                 that all four depths of Table 2 come within their tolerance; nothing is tuned \
+                 for a single speed."
             }
             li {
-                "The gap at the start is 4 m in the text, 1.7 m in the caption of Fig. 8 and 2 m in "
-                "experiment 2. Experiment 1 is run with 4 m, experiment 2 with 2 m. The gap shifts "
-                "the moment of touch against the time steps, and with it the peak of a coarse step."
+                "The gap between tug and ship at the start is 4 m in the paper's text, 1.7 m in \
+                 the caption of Fig. 8 and 2 m in experiment 2. "
+                "We run experiment 1 with a gap of 4 m, and experiment 2 with a gap of 2 m. "
+                "The gap shifts the moment of touch against the time steps, and with it the peak \
+                 force of a run with coarse steps."
             }
             li {
-                "Added masses and radii of gyration are not given. The scenarios have the assumed values. "
-                "The moments of inertia have no effect in a symmetric hit."
+                "The paper gives no added masses and no radii of gyration. "
+                "Our scenarios of the paper's experiments hold the values that we assume. "
+                "The moments of inertia have no effect when the tug hits the ship symmetrically."
             }
             li {
-                "Figures are published as pictures without numbers. Only what can be read without measuring a "
-                "picture is compared: the dotted line, and the statements of the text."
+                "The paper's figures are published as pictures without numbers. "
+                "We compare only what can be read without measuring a picture: the dotted line, \
+                 and the statements of the text."
             }
         }
     }
@@ -143,7 +154,8 @@ fn numbers(sources: &[Source], rows: &[Row]) -> Markup {
         (reasons(rows))
         h3 { "Origin of the uncertainties" }
         p {
-            "The uncertainty is that of the reference. A tolerance must be below twice the uncertainty."
+            "The uncertainty is that of the reference number. "
+            "The tolerance of a row must be below twice the uncertainty of its reference."
         }
         (uncertainties(sources, rows))
     }
@@ -172,7 +184,7 @@ fn number_row(row: &Row) -> Markup {
     }
 }
 
-/// The origins of each source's uncertainties, each once.
+/// Lists the origins of each source's uncertainties, each once.
 fn uncertainties(sources: &[Source], rows: &[Row]) -> Markup {
     let of = |source: &Source| {
         let mut said: Vec<&str> = Vec::new();
@@ -194,7 +206,7 @@ fn uncertainties(sources: &[Source], rows: &[Row]) -> Markup {
     }
 }
 
-/// Reasons and notes of the numbers, except those that only refer to an earlier row.
+/// The reasons of tolerances and the notes of the numbers, except those that only refer to an earlier row.
 fn reasons(rows: &[Row]) -> Markup {
     html! {
         ul class="plain" {
@@ -269,7 +281,7 @@ fn run_list(runs: &Runs) -> Markup {
     }
 }
 
-/// `text` with no line break between a number and its unit, nor after "Fig." and the like.
+/// Returns `text` with no line break between a number and its unit, nor after "Fig." and the like.
 fn tied(text: &str) -> String {
     let mut tied = String::with_capacity(text.len());
     let mut before = ' ';

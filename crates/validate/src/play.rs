@@ -7,7 +7,7 @@ use fenderline_contact::{BodyState, Mobility, Model, Vec2};
 use fenderline_scenario::Scenario;
 use fenderline_sim::{PairSummary, Setup, Simulation, StepRecord};
 
-/// Name under `scenarios/` and text of a scenario.
+/// Name of a scenario under `scenarios/`, and its text.
 macro_rules! embedded {
     ($($name:literal),* $(,)?) => {
         [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/scenarios/", $name, ".toml")))),*]
@@ -32,48 +32,48 @@ pub(super) const SCENARIOS: [(&str, &str); 14] = embedded![
     "closed_form/rubber_head_on",
 ];
 
-/// The names of all scenarios, in the order of the sources.
+/// The names of all scenarios of the validation, in the order of the sources.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     SCENARIOS.iter().map(|(name, _)| *name)
 }
 
-/// The results of a run.
+/// The results of a scenario's run.
 #[derive(Clone, Debug)]
 pub(super) struct Played {
     pub(super) title: String,
     pub(super) setup: Setup,
-    /// The two bodies of the scenario's pair, as indices into its bodies.
+    /// Indices of the two bodies of the scenario's pair, into the scenario's bodies.
     pub(super) bodies: [usize; 2],
-    /// The pair's coefficient of restitution.
+    /// The coefficient of restitution of the pair of bodies.
     pub(super) restitution: f64,
     /// The pair's contact.
     pub(super) pair: PairSummary,
     /// One sample a step.
     pub(super) trace: Vec<Sample>,
     pub(super) momentum: MomentumWatch,
-    /// As a share of the kinetic energy at the start.
+    /// Energy that was lost in the run, as a share of the kinetic energy at the start.
     pub(super) energy_lost: f64,
 }
 
-/// The two bodies at the start of a step.
+/// Force and speed of the two bodies at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sample {
     pub(super) t_s: f64,
     /// Sum over the patches.
     pub(super) normal_force_n: f64,
-    /// Relative speed along the line between the two centres of gravity at the start of the run,
-    /// positive closing.
+    /// Relative speed of the two bodies along the line between their centres of gravity at the start of the run,
+    /// positive when closing.
     pub(super) closing_mps: f64,
 }
 
 impl Played {
-    /// From the first to the end of the last step in which the bodies overlap (s).
+    /// Duration of the contact, from the first step in which the bodies overlap to the end of the last (s).
     pub(super) fn contact_duration_s(&self) -> f64 {
         self.pair.last_touch_s - self.pair.first_touch_s + self.setup.step_s
     }
 
-    /// Length of the first unbroken series of steps with a normal force (s). A force that the limiter removed except for
-    /// rounding does not count.
+    /// Duration of the first push: the first unbroken series of steps with a normal force (s). A normal force that the
+    /// momentum limit removed except for rounding does not count as a push.
     pub(super) fn push_duration_s(&self) -> f64 {
         let least_n = 1e-9 * self.pair.peak_normal_force_n;
         let pushes = self.trace.iter().map(|sample| sample.normal_force_n > least_n);
@@ -82,13 +82,13 @@ impl Played {
     }
 }
 
-/// Runs all scenarios, and calls `part_done` after each.
+/// Runs all scenarios of the validation, and calls `part_done` after each.
 ///
 /// # Errors
 /// A run that failed.
 ///
 /// # Panics
-/// A built-in scenario that cannot be read: a bug.
+/// Panics if a built-in scenario cannot be read, which would be a bug.
 pub(super) fn play_all(
     mut part_done: impl FnMut(),
 ) -> Result<BTreeMap<&'static str, Played>, String> {
@@ -107,7 +107,9 @@ fn play(name: &str, text: &str) -> Result<Played, String> {
     let mut simulation =
         Simulation::new(scenario.setup).map_err(|e| format!("error: {file_name}: {e}"))?;
     let setup = simulation.setup();
-    let [named] = &setup.pairs[..] else { panic!("the built-in {file_name}: one pair is needed") };
+    let [named] = &setup.pairs[..] else {
+        panic!("the built-in {file_name} must have exactly one pair of bodies")
+    };
     let (bodies, material) = (named.bodies, named.material);
     let restitution = setup.materials[material].material.restitution;
     let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
@@ -134,7 +136,7 @@ fn play(name: &str, text: &str) -> Result<Played, String> {
     })
 }
 
-/// The direction from the first to the second body, of length 1.
+/// The unit vector from the first body to the second.
 fn line_of_centres([first, second]: [&BodyState; 2]) -> Vec2 {
     let line = second.position_m - first.position_m;
     line * (1.0 / line.length())
@@ -149,24 +151,24 @@ fn sample(step: &StepRecord<'_>, bodies: [usize; 2], along: Vec2) -> Sample {
     }
 }
 
-/// The largest change of the momentum of all bodies together.
+/// Watches the largest change of the momentum of all bodies together in a run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MomentumWatch {
-    /// Mass (kg) and yaw inertia (kg·m²); `None` for a fixed body.
+    /// Mass (kg) and yaw inertia (kg·m²) of each body; `None` for a fixed body.
     inertias: Vec<Option<(f64, f64)>>,
     start: Momentum,
     linear_change: f64,
     angular_change: f64,
 }
 
-/// Momentum of all bodies, angular about the chart's origin.
+/// Linear momentum of all bodies, and their angular momentum about the chart's origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Momentum {
     linear: Vec2,
     angular: f64,
-    /// Σ|mv|, the scale of a change.
+    /// Sum Σ|mv| over the bodies, with which a change of the linear momentum is compared.
     linear_scale: f64,
-    /// Σ|x × mv| + |Iω|.
+    /// Sum Σ|x × mv| + |Iω| over the bodies, with which a change of the angular momentum is compared.
     angular_scale: f64,
 }
 
@@ -178,7 +180,7 @@ impl MomentumWatch {
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
             // With a mass that differs with direction the momentum is not m v.
             Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
-                panic!("the bodies of a case need one mass for all directions")
+                panic!("the bodies of a case must have one mass for all directions")
             }
         });
         let inertias: Vec<_> = inertias.collect();
@@ -193,12 +195,12 @@ impl MomentumWatch {
             greater(self.angular_change, (now.angular - self.start.angular).abs());
     }
 
-    /// Largest change as a share of Σ|mv| at the start.
+    /// Largest change of the linear momentum, as a share of Σ|mv| at the start.
     pub(super) fn linear_drift(&self) -> f64 {
         self.linear_change / self.start.linear_scale
     }
 
-    /// Largest change as a share of Σ|x × mv| + |Iω| at the start.
+    /// Largest change of the angular momentum, as a share of Σ|x × mv| + |Iω| at the start.
     pub(super) fn angular_drift(&self) -> f64 {
         self.angular_change / self.start.angular_scale
     }

@@ -8,7 +8,7 @@ use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
 use fenderline_report::plot::{plain, significant};
 
-/// Numbers by subject, statements, mismatches, and the count.
+/// Writes all that `validate` prints: tables of numbers by subject, statements, mismatches, and the count.
 pub(super) fn tables(rows: &[Row]) -> String {
     let mut text = numbers(rows);
     text.push('\n');
@@ -20,7 +20,7 @@ pub(super) fn tables(rows: &[Row]) -> String {
         let _ = writeln!(text, "{}\n", wrapped(what.trim_end(), LINE).join("\n"));
     }
     let (hold, said) = count(rows, false);
-    let _ = writeln!(text, "{hold} of {said} statements hold");
+    let _ = writeln!(text, "{hold} of {said} statements of the sources hold");
     let known = rows.iter().filter(|row| is_number(row) && !row.is_ok && row.is_known_mismatch());
     let known = match known.count() {
         0 => String::new(),
@@ -30,14 +30,14 @@ pub(super) fn tables(rows: &[Row]) -> String {
     let widest = rows.iter().filter_map(width_in_uncertainties).fold(0.0, greater);
     let _ = writeln!(
         text,
-        "every tolerance is below twice its uncertainty: at most {} times",
+        "every tolerance is below twice the uncertainty of its reference: at most {} times",
         plain(widest, 3)
     );
     let _ = writeln!(text, "{within} of {compared} rows within tolerance{known}");
     text
 }
 
-/// A row's tolerance over its uncertainty.
+/// The tolerance of a row divided by its uncertainty.
 fn width_in_uncertainties(row: &Row) -> Option<f64> {
     match &row.compared {
         Compared::Number { tolerance, uncertainty, .. } => match tolerance {
@@ -56,18 +56,18 @@ fn is_number(row: &Row) -> bool {
 /// The name of the column of published values.
 const THEIRS: &str = "theirs";
 
-/// Longest lines of the columns of cases and of places (characters); longer texts are wrapped.
+/// Longest lines in the columns of cases and of places (characters); longer texts are wrapped.
 const CASE: usize = 31;
 const PLACE: usize = 16;
 
-/// A table for each subject.
+/// Writes a table of numbers for each subject.
 fn numbers(rows: &[Row]) -> String {
     let numbers: Vec<&Row> = rows.iter().filter(|row| is_number(row)).collect();
     let of_one = numbers.chunk_by(|a, b| a.subject == b.subject);
     of_one.map(table_of_subject).collect::<Vec<_>>().join("\n")
 }
 
-/// Its heading, and a line of column names for each source.
+/// Writes the heading of a subject's table, a line of column names for each source, and the rows.
 fn table_of_subject(rows: &[&Row]) -> String {
     let mut cells = Vec::new();
     let mut before: Option<&Row> = None;
@@ -105,7 +105,7 @@ fn table_of_subject(rows: &[&Row]) -> String {
     text
 }
 
-/// Adds a row, with further lines if its case or its place is long.
+/// Adds a row to a table, with further lines if the text of its case or its place is long.
 fn add_row(cells: &mut Vec<[String; 8]>, case: &str, [place, values @ ..]: [String; 7]) {
     let (mut case, mut place) =
         (wrapped(case, CASE).into_iter(), wrapped(&place, PLACE).into_iter());
@@ -132,7 +132,8 @@ fn statements(rows: &[Row]) -> String {
     aligned(&cells, &[2])
 }
 
-/// Columns of a common width, two blanks between; those in `right` end together.
+/// Aligns the columns of a table to common widths, two blanks between them; the columns in `right` are aligned to the
+/// right.
 fn aligned<const N: usize>(rows: &[[String; N]], right: &[usize]) -> String {
     let width_of = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
     let widths: [usize; N] = std::array::from_fn(|column| width_of(column).unwrap_or(0));
@@ -155,7 +156,7 @@ fn aligned<const N: usize>(rows: &[[String; N]], right: &[usize]) -> String {
 /// Longest line of running text (characters).
 const LINE: usize = 100;
 
-/// Wraps text into lines of a width, where its words allow it.
+/// Wraps text into lines of a width, between its words.
 fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -184,12 +185,12 @@ pub(super) fn with_unit(number: &str, unit: &str) -> String {
     }
 }
 
-/// Our value, rounded first, so that 0.99999999 has as many digits as 1.
+/// Writes a value with four digits; the value is rounded first, so that 0.99999999 has as many digits as 1.
 pub(super) fn four_digits(value: f64) -> String {
     significant(format!("{value:.3e}").parse().unwrap_or(value), 4)
 }
 
-/// Values with their unit at the end.
+/// Writes a list of values with their unit at the end.
 pub(super) fn list(values: &[f64], unit: &str) -> String {
     let values: Vec<String> = values.iter().map(|v| plain(*v, 3)).collect();
     with_unit(&values.join(", "), unit)
@@ -207,15 +208,15 @@ pub(super) fn error_text(error: f64, tolerance: Tolerance) -> String {
     }
 }
 
-/// The smallest bound that is shown without a power of ten.
+/// The smallest tolerance that is shown without a power of ten.
 const LEAST_FIXED: f64 = 1e-4;
 
-/// Decimals that show a tenth of `bound`.
+/// Number of decimals that show a tenth of `bound`.
 fn decimals_below(bound: f64) -> usize {
     (0..6).find(|decimals| bound * 10_f64.powi(*decimals) >= 10.0 - 1e-9).map_or(6, |d| d as usize)
 }
 
-/// With its sign, unless it rounds to zero.
+/// Writes a value with its sign, unless it rounds to zero.
 fn signed(value: f64, decimals: usize) -> String {
     let text = format!("{value:+.decimals$}");
     let is_zero = text.bytes().all(|b| b"+-0.".contains(&b));
@@ -233,7 +234,7 @@ pub(super) fn tolerance_text(tolerance: Tolerance, unit: &str) -> String {
     }
 }
 
-/// An uncertainty, in the terms of the row's tolerance.
+/// Writes an uncertainty in the terms of the row's tolerance: a share, or a number with the unit.
 pub(super) fn uncertainty_text(
     uncertainty: &Uncertainty,
     tolerance: Tolerance,

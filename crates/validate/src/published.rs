@@ -1,4 +1,4 @@
-//! Published numbers and statements, from the files in `validation/`.
+//! Reads published numbers and statements from the files in `validation/`.
 
 use toml::de::DeTable;
 
@@ -8,9 +8,9 @@ use super::table::Table;
 /// A publication, with the numbers and statements that are compared with it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Source {
-    /// Subject: the heading of its rows.
+    /// Subject of the publication: the heading of its rows.
     pub(super) subject: String,
-    /// How certain its numbers are.
+    /// How certain the publication's numbers are.
     pub(super) standing: Standing,
     /// Name in the table.
     pub(super) short: String,
@@ -23,14 +23,14 @@ pub(super) struct Source {
 /// How certain a reference number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Standing {
-    /// Published, and taken from the publication.
+    /// The number is published, and was taken from the publication.
     Published,
-    /// Calculated by another program, from the same data.
+    /// The number was calculated by another program, from the same data.
     Computed,
-    /// By a formula or from a curve that was recalled, not read. Agreement only shows that the formula is coded as
-    /// recalled.
+    /// The number is by a formula or from a curve that was recalled, not read. Agreement with a recalled number only
+    /// shows that the formula is coded as recalled.
     Recalled,
-    /// A closed form of mechanics.
+    /// The number is a closed form of mechanics.
     ClosedForm,
 }
 
@@ -38,7 +38,7 @@ impl Standing {
     pub(super) const ALL: [Standing; 4] =
         [Standing::Published, Standing::Computed, Standing::Recalled, Standing::ClosedForm];
 
-    /// Its name in the files.
+    /// The standing's name in the files of published numbers.
     pub(super) fn text(self) -> &'static str {
         match self {
             Standing::Published => "published",
@@ -49,18 +49,18 @@ impl Standing {
     }
 }
 
-/// Where our value comes from.
+/// Where our value comes from that is compared with a published one.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Origin {
-    /// The run of a scenario.
+    /// Our value comes from the run of a scenario.
     Run {
-        /// The scenario that reproduces it.
+        /// The scenario that reproduces the published case.
         run: String,
         quantity: Quantity,
-        /// The scenario whose value is the divisor.
+        /// The scenario by whose value ours is divided.
         relative_to: Option<String>,
     },
-    /// A computed value, by its name.
+    /// Our value is a computed value, given by its name.
     Computed(String),
 }
 
@@ -77,24 +77,24 @@ pub(super) struct Number {
     pub(super) tolerance: Tolerance,
     /// Why this tolerance.
     pub(super) reason: String,
-    /// How far the reference itself may be off.
+    /// How far the reference number itself may be off.
     pub(super) uncertainty: Uncertainty,
-    /// The number is out of the tolerance, and the note says why.
+    /// True if the number is out of the tolerance, and the note says why.
     pub(super) known_mismatch: bool,
     pub(super) note: String,
 }
 
-/// The permitted difference from the published value.
+/// The permitted difference of our value from the published value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Tolerance {
-    /// A share of the published value.
+    /// The tolerance is a share of the published value.
     Relative(f64),
-    /// In the unit of the value.
+    /// The tolerance is a number in the unit of the value.
     Absolute(f64),
 }
 
 impl Tolerance {
-    /// The same bound in the unit of a value of this size.
+    /// The same tolerance, in the unit of a published value of the given size.
     fn absolute(self, published: f64) -> f64 {
         match self {
             Tolerance::Relative(share) => share * published.abs(),
@@ -103,13 +103,14 @@ impl Tolerance {
     }
 }
 
-/// The uncertainty of a reference, and how it is known. A tolerance must be below twice the uncertainty: a wider one would
-/// pass differences that the reference resolves.
+/// The uncertainty of a reference number, and how it is known. A tolerance must be below twice the uncertainty of its
+/// reference: a wider tolerance would pass differences that the reference resolves.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Uncertainty {
-    /// In the terms of the row's tolerance: a share, or in its unit.
+    /// Size of the uncertainty in the terms of the row's tolerance: a share, or a number in the row's unit.
     pub(super) size: f64,
-    /// Where the uncertainty comes from: repeated trials, printed digits, steps of either program.
+    /// Where the uncertainty of the reference comes from: repeated trials, printed digits, or the steps of either
+    /// program.
     pub(super) from: String,
 }
 
@@ -121,18 +122,18 @@ struct SharedUncertainty {
     from: String,
 }
 
-/// A statement of a source without a number.
+/// A statement in words that a source makes, without a number.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Statement {
     pub(super) case: String,
     pub(super) place: String,
     /// The source's words.
     pub(super) says: String,
-    /// The scenarios, in the order of the rule.
+    /// The scenarios whose values the statement compares, in the order of the rule.
     pub(super) runs: Vec<String>,
     pub(super) quantity: Quantity,
     pub(super) rule: Rule,
-    /// The statement does not hold, and the note says why.
+    /// True if the statement does not hold, and the note says why.
     pub(super) known_mismatch: bool,
     pub(super) note: String,
 }
@@ -140,20 +141,20 @@ pub(super) struct Statement {
 /// The rule that a statement makes for a list of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Rule {
-    /// Each is larger than the one before.
+    /// Each value is larger than the value before it.
     Rises,
-    /// Each is smaller than the one before.
+    /// Each value is smaller than the value before it.
     Falls,
-    /// None is smaller than the one before, and the last is larger than the first.
+    /// No value is smaller than the value before it, and the last is larger than the first.
     DoesNotFall,
-    /// Each difference is smaller than the one before.
+    /// Each difference between neighbouring values is smaller than the difference before it.
     Converges,
-    /// All lie between the two, in the quantity's unit.
+    /// All values lie between `low` and `high`, in the quantity's unit.
     Within { low: f64, high: f64 },
 }
 
 impl Rule {
-    /// Whether `values` satisfy the rule.
+    /// Whether the given values satisfy the rule.
     pub(super) fn holds(self, values: &[f64]) -> bool {
         let all = |fits: fn(f64, f64) -> bool| values.windows(2).all(|two| fits(two[0], two[1]));
         match self {
@@ -172,7 +173,7 @@ impl Source {
     /// Reads the text of a file of published numbers: its sources with their numbers and statements.
     ///
     /// # Errors
-    /// The fault, with case and key.
+    /// Fails with the fault in the file, with case and key.
     pub(super) fn parse(text: &str) -> Result<Vec<Source>, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };
@@ -229,8 +230,8 @@ fn shared_uncertainty(table: &Table<'_, '_>) -> Result<SharedUncertainty, String
     Ok(SharedUncertainty { name: table.text("name")?, size, from: table.text("from")? })
 }
 
-/// The uncertainty of a row: one of the file's, by its name, or its own, a number in the terms of the tolerance with
-/// `uncertainty_from`. The tolerance must be below twice of it.
+/// Reads the uncertainty of a row: an uncertainty of the file, by its name, or the row's own, which is a number in the
+/// terms of the tolerance with `uncertainty_from`. The tolerance of the row must be below twice the uncertainty.
 fn uncertainty(
     table: &Table<'_, '_>,
     shared: &[SharedUncertainty],
@@ -241,7 +242,9 @@ fn uncertainty(
         Ok(name) => {
             let found = shared.iter().find(|one| one.name == name);
             let found = found.ok_or_else(|| {
-                table.error(&format!("uncertainty: \"{name}\" is none of this file"))
+                table.error(&format!(
+                    "uncertainty: the file has no uncertainty with the name \"{name}\""
+                ))
             })?;
             (found.size.absolute(published), found.from.clone())
         }
@@ -267,14 +270,16 @@ fn uncertainty(
     Ok(Uncertainty { size, from })
 }
 
-/// The source that a case names; without a name, the only one of the file.
+/// Finds the source that a case names; without a name, the only source of the file.
 fn cited<'s>(table: &Table<'_, '_>, sources: &'s mut [Source]) -> Result<&'s mut Source, String> {
     if sources.len() == 1 && !table.has("source") {
         return Ok(&mut sources[0]);
     }
     let short = table.text("source")?;
     let found = sources.iter_mut().find(|source| source.short == short);
-    found.ok_or_else(|| table.error(&format!("source: \"{short}\" is no reference of this file")))
+    found.ok_or_else(|| {
+        table.error(&format!("source: the file has no source with the name \"{short}\""))
+    })
 }
 
 fn number(table: &Table<'_, '_>, shared: &[SharedUncertainty]) -> Result<Number, String> {
@@ -303,7 +308,9 @@ fn number(table: &Table<'_, '_>, shared: &[SharedUncertainty]) -> Result<Number,
     } else if published != 0.0 {
         Tolerance::Relative(table.float("tolerance")?)
     } else {
-        return Err(table.error("tolerance: a share of zero is nothing; use tolerance_absolute"));
+        return Err(
+            table.error("tolerance: a share of zero allows no difference; use tolerance_absolute")
+        );
     };
     let (known_mismatch, note) = mismatch(table)?;
     Ok(Number {
@@ -320,14 +327,15 @@ fn number(table: &Table<'_, '_>, shared: &[SharedUncertainty]) -> Result<Number,
     })
 }
 
-/// The origin of our value, and its unit. The unit of a computed value is compared with the value's own when the rows are
-/// made.
+/// Reads where our value comes from, and its unit. The unit of a computed value is checked when the rows are made.
 fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
     let unit = table.text("unit")?;
     if table.has("computed") {
         for other in ["run", "quantity", "relative_to"] {
             if table.has(other) {
-                return Err(table.error(&format!("{other}: a computed value has none")));
+                return Err(table.error(&format!(
+                    "{other}: a row with a computed value may not have this key"
+                )));
             }
         }
         return Ok((Origin::Computed(table.text("computed")?), unit));
@@ -336,23 +344,28 @@ fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
     let relative_to = table.has("relative_to").then(|| table.text("relative_to")).transpose()?;
     let expected = if relative_to.is_some() { "" } else { quantity.unit() };
     if unit != expected {
-        return Err(table.error(&format!("unit: \"{unit}\" where \"{expected}\" is meant")));
+        return Err(table.error(&format!(
+            "unit: the row has \"{unit}\", but the quantity has the unit \"{expected}\""
+        )));
     }
     Ok((Origin::Run { run: table.text("run")?, quantity, relative_to }, unit))
 }
 
-/// The quantity that a row compares.
+/// Reads the quantity that a row compares.
 fn quantity(table: &Table<'_, '_>) -> Result<Quantity, String> {
     let name = table.text("quantity")?;
-    Quantity::named(&name).ok_or_else(|| table.error(&format!("no quantity is called {name}")))
+    Quantity::named(&name)
+        .ok_or_else(|| table.error(&format!("there is no quantity with the name {name}")))
 }
 
-/// Whether a mismatch is known, and the note, which must then give the reason.
+/// Reads whether a mismatch is known, and the note, which must then give the reason.
 fn mismatch(table: &Table<'_, '_>) -> Result<(bool, String), String> {
     let known_mismatch = table.has("known_mismatch") && table.flag("known_mismatch")?;
     let note = table.text_or_empty("note")?;
     if known_mismatch && note.is_empty() {
-        return Err(table.error("note: a known mismatch needs its reason"));
+        return Err(
+            table.error("note: a row with a known mismatch needs a note that gives the reason")
+        );
     }
     Ok((known_mismatch, note))
 }
@@ -377,7 +390,9 @@ fn statement(table: &Table<'_, '_>) -> Result<Statement, String> {
         "does_not_fall" => Rule::DoesNotFall,
         "converges" => Rule::Converges,
         "within" => Rule::Within { low: table.float("low")?, high: table.float("high")? },
-        other => return Err(table.error(&format!("holds: \"{other}\" is no rule"))),
+        other => {
+            return Err(table.error(&format!("holds: there is no rule with the name \"{other}\"")));
+        }
     };
     let (known_mismatch, note) = mismatch(table)?;
     Ok(Statement {
@@ -423,15 +438,23 @@ mod tests {
                     tolerance = 0.1\nreason = 'x'\nuncertainty = 0.06\nuncertainty_from = 'y'\n";
         assert!(Source::parse(good).is_ok());
         let table = [
-            ("unit = 'm'", "unit = 'kN'", "depth: unit: \"kN\" where \"m\" is meant"),
+            (
+                "unit = 'm'",
+                "unit = 'kN'",
+                "depth: unit: the row has \"kN\", but the quantity has the unit \"m\"",
+            ),
             ("reason", "raeson", "depth: unknown key raeson"),
             ("published = 1\n", "published = 'one'\n", "depth: published is no number"),
             ("published = 1\n", "published = 0\n", "depth: tolerance: a share of zero"),
             ("tolerance = 0.1\n", "", "depth: tolerance is missing"),
-            ("'peak_depth'", "'depth'", "depth: no quantity is called depth"),
+            ("'peak_depth'", "'depth'", "depth: there is no quantity with the name depth"),
             ("uncertainty = 0.06\n", "", "depth: uncertainty is missing"),
             ("uncertainty_from = 'y'\n", "", "depth: uncertainty_from is missing"),
-            ("0.06", "'trials'", "depth: uncertainty: \"trials\" is none of this file"),
+            (
+                "0.06",
+                "'trials'",
+                "depth: uncertainty: the file has no uncertainty with the name \"trials\"",
+            ),
             ("0.06", "0.05", "depth: tolerance: 0.1 is not below twice the uncertainty of 0.05"),
             ("0.06", "0", "depth: tolerance: 0.1 is not below twice the uncertainty of 0"),
             (
@@ -440,9 +463,21 @@ mod tests {
                 "uncertainty \"z\": no row names it",
             ),
             ("'published'", "'sure'", "reference: standing: \"sure\" is none"),
-            ("place = 'p'", "place = 'p'\nsource = 't'", "depth: source: \"t\" is no reference"),
-            ("place = 'p'", "place = 'p'\ncomputed = 't'", "depth: run: a computed value has none"),
-            ("place = 'p'", "place = 'p'\nknown_mismatch = true", "depth: note: a known mismatch"),
+            (
+                "place = 'p'",
+                "place = 'p'\nsource = 't'",
+                "depth: source: the file has no source with the name \"t\"",
+            ),
+            (
+                "place = 'p'",
+                "place = 'p'\ncomputed = 't'",
+                "depth: run: a row with a computed value may not have this key",
+            ),
+            (
+                "place = 'p'",
+                "place = 'p'\nknown_mismatch = true",
+                "depth: note: a row with a known mismatch",
+            ),
         ];
         for (from, to, message) in table {
             let got = Source::parse(&good.replacen(from, to, 1)).expect_err(message);

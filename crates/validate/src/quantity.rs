@@ -1,8 +1,8 @@
-//! What is taken from a run to be compared.
+//! The quantities that are taken from a run to be compared.
 
 use super::play::Played;
 
-/// A value of a run, in the unit of [`Quantity::unit`].
+/// A quantity of a run, which has the unit [`Quantity::unit`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Quantity {
     /// Largest depth of overlap.
@@ -11,17 +11,17 @@ pub(super) enum Quantity {
     PeakForce,
     /// Normal force over time.
     Impulse,
-    /// Kinetic energy that is lost in the run, as a share of that at its start.
+    /// Kinetic energy that is lost in the run, as a share of the kinetic energy at its start.
     EnergyLost,
-    /// Parting speed at the end of the contact.
+    /// Speed at which the bodies part at the end of the contact.
     FinalSpeed,
-    /// From the first to the last step in which the bodies overlap.
+    /// Duration of the contact, from the first to the last step in which the bodies overlap.
     ContactDuration,
-    /// The first unbroken run of steps with a normal force: the first peak.
+    /// Duration of the first push, which is the first unbroken run of steps with a normal force.
     PushDuration,
     /// Largest change of the linear momentum of all bodies, as a share of Σ|mv|.
     LinearMomentumDrift,
-    /// Largest change of the angular momentum of all bodies, as a share of its absolute parts.
+    /// Largest change of the angular momentum of all bodies, as a share of Σ|x × mv| + |Iω|.
     AngularMomentumDrift,
 }
 
@@ -38,12 +38,12 @@ impl Quantity {
         ("angular_momentum_drift", Quantity::AngularMomentumDrift),
     ];
 
-    /// The quantity that a file calls `name`.
+    /// The quantity that a file of published numbers calls `name`.
     pub(super) fn named(name: &str) -> Option<Quantity> {
         Quantity::ALL.iter().find(|(known, _)| *known == name).map(|(_, quantity)| *quantity)
     }
 
-    /// The unit in which values are compared and shown; empty for a plain number.
+    /// The unit in which the quantity is compared and shown; empty for a plain number.
     pub(super) fn unit(self) -> &'static str {
         match self {
             Quantity::PeakDepth => "m",
@@ -57,7 +57,7 @@ impl Quantity {
         }
     }
 
-    /// Its value in a run.
+    /// The value of the quantity in a run.
     pub(super) fn of(self, run: &Played) -> f64 {
         match self {
             Quantity::PeakDepth => run.pair.peak_depth_m,

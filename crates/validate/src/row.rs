@@ -1,4 +1,4 @@
-//! The rows of the table: our values beside the published ones.
+//! The rows of the validation table: our values beside the published ones.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(super) type Runs = BTreeMap<&'static str, Played>;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
     pub(super) case: String,
-    /// The heading of its section.
+    /// The heading of the table's section in which the row stands.
     pub(super) subject: String,
     /// Short name of the source.
     pub(super) source: String,
@@ -23,7 +23,7 @@ pub(super) struct Row {
     pub(super) place: String,
     pub(super) unit: String,
     pub(super) compared: Compared,
-    /// Within tolerance, or the statement holds.
+    /// True if our value is within tolerance, or if the statement holds.
     pub(super) is_ok: bool,
     pub(super) note: String,
 }
@@ -35,11 +35,11 @@ pub(super) enum Compared {
     Number {
         published: f64,
         ours: f64,
-        /// Our value minus the published one, in the terms of the tolerance.
+        /// Difference of our value from the published one, in the terms of the tolerance.
         error: f64,
         tolerance: Tolerance,
         reason: String,
-        /// Uncertainty of the reference, in the terms of the tolerance.
+        /// Uncertainty of the reference number, in the terms of the tolerance.
         uncertainty: Uncertainty,
         known_mismatch: bool,
     },
@@ -53,7 +53,7 @@ impl Row {
         format!("{}, {}", self.source, self.place)
     }
 
-    /// Whether it is listed as a known mismatch.
+    /// Whether the row is listed as a known mismatch.
     pub(super) fn is_known_mismatch(&self) -> bool {
         match self.compared {
             Compared::Number { known_mismatch, .. }
@@ -66,20 +66,20 @@ impl Row {
         let what = match (&self.compared, self.is_ok, self.is_known_mismatch()) {
             (Compared::Number { .. }, false, false) => "out of tolerance",
             (Compared::Number { .. }, true, true) => {
-                "within tolerance, but listed as a known mismatch"
+                "is within tolerance, but is listed as a known mismatch"
             }
             (Compared::Statement { .. }, false, false) => "does not hold",
-            (Compared::Statement { .. }, true, true) => "holds, but listed as a known mismatch",
+            (Compared::Statement { .. }, true, true) => "holds, but is listed as a known mismatch",
             _ => return None,
         };
         Some(format!("{} ({}): {what}", self.case, self.cited()))
     }
 }
 
-/// The rows of one source, numbers first.
+/// Makes the rows of one source, numbers first.
 ///
 /// # Panics
-/// A file names a run or a value that does not exist: a bug.
+/// Panics if a file names a run or a value that does not exist, which would be a bug.
 pub(super) fn evaluate(source: &Source, runs: &Runs, values: &Values) -> Vec<Row> {
     let numbers = source.numbers.iter().map(|number| number_row(source, number, runs, values));
     let statements =
@@ -88,10 +88,12 @@ pub(super) fn evaluate(source: &Source, runs: &Runs, values: &Values) -> Vec<Row
 }
 
 fn run<'r>(runs: &'r Runs, name: &str, case: &str) -> &'r Played {
-    runs.get(name).unwrap_or_else(|| panic!("{case}: no scenario {name} is built in"))
+    runs.get(name).unwrap_or_else(|| {
+        panic!("{case}: the program has no built-in scenario with the name {name}")
+    })
 }
 
-/// Our value, in the unit that the row states.
+/// Our value for a row, in the unit that the row states.
 fn ours(number: &Number, runs: &Runs, values: &Values) -> f64 {
     match &number.origin {
         Origin::Run { run: name, quantity, relative_to } => {
@@ -162,7 +164,8 @@ fn statement_row(source: &Source, statement: &Statement, runs: &Runs) -> Row {
     }
 }
 
-/// Counts the rows that compare numbers, or those that compare statements: how many are correct, and how many there are.
+/// Counts, among the rows that compare numbers or those that compare statements, how many are correct and how many
+/// there are.
 pub(super) fn count(rows: &[Row], of_numbers: bool) -> (usize, usize) {
     let chosen =
         rows.iter().filter(|row| matches!(row.compared, Compared::Number { .. }) == of_numbers);

@@ -1,9 +1,9 @@
-//! A table of a file under `validation/`: its values by their kinds, with errors that name table and key.
+//! Reads a table of a file under `validation/`: its values by their kinds, with errors that name table and key.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A table of the file, with a name for messages.
+/// A table of a file under `validation/`, with a name for messages.
 pub(crate) struct Table<'t, 'i> {
     pub(crate) name: String,
     pub(crate) table: &'t DeTable<'i>,
@@ -23,7 +23,7 @@ impl<'t, 'i> Table<'t, 'i> {
         self.find(key).is_some()
     }
 
-    /// Refuses keys that are not in `known`, so that no key is ignored.
+    /// Refuses keys of the table that are not in `known`, so that no key is ignored.
     pub(crate) fn allow(&self, known: &[&str]) -> Result<(), String> {
         let unknown = self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref()));
         unknown.map_or(Ok(()), |key| Err(self.error(&format!("unknown key {}", key.get_ref()))))
@@ -67,7 +67,7 @@ impl<'t, 'i> Table<'t, 'i> {
         })
     }
 
-    /// A list of pairs of numbers.
+    /// Reads a list of pairs of numbers.
     pub(crate) fn pairs(&self, key: &str) -> Result<Vec<[f64; 2]>, String> {
         self.get(key, "list of pairs of numbers", |value| {
             let pairs = value.as_array()?.iter().map(|item| {
@@ -78,7 +78,7 @@ impl<'t, 'i> Table<'t, 'i> {
         })
     }
 
-    /// A list of pairs of a number and a text.
+    /// Reads a list of pairs of a number and a text.
     pub(crate) fn named_places(&self, key: &str) -> Result<Vec<(f64, String)>, String> {
         self.get(key, "list of pairs of a number and a name", |value| {
             let pairs = value.as_array()?.iter().map(|item| {
@@ -89,7 +89,7 @@ impl<'t, 'i> Table<'t, 'i> {
         })
     }
 
-    /// The tables of an array of tables, each named by its case; none if the key is missing.
+    /// Reads the tables of an array of tables, each named by its case; none if the key is missing.
     pub(crate) fn tables(&self, key: &str) -> Result<Vec<Table<'t, 'i>>, String> {
         if !self.has(key) {
             return Ok(Vec::new());
@@ -107,7 +107,7 @@ impl<'t, 'i> Table<'t, 'i> {
     }
 }
 
-/// An integer or a float.
+/// Reads a number, which may be an integer or a float.
 fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Integer(integer) => integer.as_str().parse::<f64>().ok(),
@@ -116,7 +116,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// The values of a list of two.
+/// Returns the two values of a list that has exactly two.
 fn two<'v, 'i>(value: &'v DeValue<'i>) -> Option<[&'v DeValue<'i>; 2]> {
     let values: Vec<&DeValue<'i>> = value.as_array()?.iter().map(Spanned::get_ref).collect();
     values.try_into().ok()

@@ -1,7 +1,8 @@
-//! What the tests of the npm package compare with: the same runs, natively.
+//! Makes natively the runs with which the tests of the npm package compare the runs in WebAssembly.
 //!
-//! `native hash STEPS SCENARIO...` prints the fingerprint of each scenario's state after at most that many steps.
-//! `native time SCENARIO` prints the time of a step of the whole run (ns), the median of several runs.
+//! `native hash STEPS SCENARIO...` prints, for each scenario, the fingerprint of the state after at most STEPS steps.
+//! `native time SCENARIO` prints the time that a step of the scenario's whole run takes (ns), the median of several
+//! runs.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -62,7 +63,7 @@ fn start(scenario: &str) -> Result<Run, String> {
     Run::new(&source, Wanted::default()).map_err(|problem| problem.details().text.clone())
 }
 
-/// The tables in the scenario's folder, which it may name.
+/// The tables in the folder of the scenario, which the scenario may name.
 fn tables(scenario: &Path) -> std::io::Result<BTreeMap<String, String>> {
     let mut tables = BTreeMap::new();
     for entry in std::fs::read_dir(scenario.parent().unwrap_or(Path::new(".")))? {

@@ -8,7 +8,7 @@ use crate::numbers::{Rows, of_contact, of_state, of_wrench, state_of, wrench_of}
 use crate::problem::Problem;
 use crate::run::{Source, parse};
 
-/// An engine, its input and its last results.
+/// A contact engine with the arrays of its input and of its last results.
 pub struct HostedEngine {
     engine: Engine,
     states: Rows,
@@ -17,24 +17,24 @@ pub struct HostedEngine {
     peak_wrenches: Rows,
     states_after: Rows,
     contacts: Rows,
-    /// The input as the engine takes it; kept, so that a step allocates nothing.
+    /// The input in the form that the engine takes; the memory is kept, so that a step allocates nothing.
     input: (Vec<BodyState>, Vec<Wrench>),
 }
 
 impl HostedEngine {
-    /// An engine for the bodies, fenders and materials of a scenario.
+    /// Makes an engine for the bodies, fenders and materials of a scenario.
     ///
     /// # Errors
-    /// A mistake in the scenario or in the settings.
+    /// Fails for a mistake in the scenario or in the settings.
     pub fn from_scenario(source: &Source<'_>, settings: &str) -> Result<HostedEngine, Problem> {
         let settings = crate::model::settings(settings)?;
         Ok(HostedEngine::new(Engine::from_scenario(parse(source)?, &settings)?))
     }
 
-    /// An engine of a model in JSON.
+    /// Makes an engine of a model in JSON.
     ///
     /// # Errors
-    /// A mistake in the model or in the settings.
+    /// Fails for a mistake in the model or in the settings.
     pub fn from_model(model: &str, settings: &str) -> Result<HostedEngine, Problem> {
         Ok(HostedEngine::new(crate::model::engine(model, settings)?))
     }
@@ -55,7 +55,8 @@ impl HostedEngine {
         made
     }
 
-    /// The arrays before the first step. They stay where they are, as JavaScript's views need it.
+    /// Fills the arrays with the values before the first step. The arrays stay where they are, because JavaScript's
+    /// views need this.
     fn show_start(&mut self) {
         let initial = self.engine.initial_states();
         self.states.set(initial.iter().map(of_state));
@@ -67,10 +68,11 @@ impl HostedEngine {
         }
     }
 
-    /// One step of `step_s` seconds from the states in the array, with the loads in the array if `with_loads`.
+    /// Takes one step of `step_s` seconds from the states in the array, with the loads in the array if `with_loads` is
+    /// true.
     ///
     /// # Errors
-    /// A state, a load or a step that the engine refuses; nothing changes then.
+    /// Fails for a state, a load or a step that the engine refuses; nothing changes then.
     pub fn advance(&mut self, step_s: f64, with_loads: bool) -> Result<(), Problem> {
         let (states, loads) = &mut self.input;
         states.clear();
@@ -81,7 +83,7 @@ impl HostedEngine {
         self.show()
     }
 
-    /// Renews the arrays of results.
+    /// Fills the arrays of results anew.
     fn show(&mut self) -> Result<(), Problem> {
         let results = self.engine.results()?;
         self.wrenches.set(results.wrenches.iter().map(of_wrench));
@@ -91,10 +93,10 @@ impl HostedEngine {
         Ok(())
     }
 
-    /// Marks a body as teleported: see [`Engine::mark_teleported`].
+    /// Marks a body as placed anew: see [`Engine::mark_teleported`].
     ///
     /// # Errors
-    /// There is no such body.
+    /// Fails if no body has the given name.
     pub fn mark_teleported(&mut self, body: usize) -> Result<(), Problem> {
         Ok(self.engine.mark_teleported(body)?)
     }
@@ -114,14 +116,14 @@ impl HostedEngine {
     /// Restores what [`HostedEngine::save`] gave.
     ///
     /// # Errors
-    /// Bytes that are not a saved engine of this model and these settings; nothing changes then.
+    /// Fails for bytes that are not a saved engine of the same model and settings; nothing changes then.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Problem> {
         self.engine.restore(bytes)?;
         self.states.set(self.engine.states().iter().map(of_state));
         if self.engine.results().is_ok() { self.show() } else { Ok(()) }
     }
 
-    /// Names of bodies and fenders, and notices, as JSON.
+    /// Names of bodies and fenders, and the notices, as JSON.
     #[must_use]
     pub fn description(&self) -> String {
         let model = self.engine.model();
@@ -131,37 +133,37 @@ impl HostedEngine {
             .to_string()
     }
 
-    /// Input: states at the step's start, [`crate::numbers::STATE_FIELDS`] of each body.
+    /// Input array: the states at the step's start, [`crate::numbers::STATE_FIELDS`] of each body.
     #[must_use]
     pub fn states(&self) -> &[f64] {
         self.states.numbers()
     }
 
-    /// Input: loads, [`crate::numbers::WRENCH_FIELDS`] of each body.
+    /// Input array: the loads on the bodies, [`crate::numbers::WRENCH_FIELDS`] of each body.
     #[must_use]
     pub fn loads(&self) -> &[f64] {
         self.loads.numbers()
     }
 
-    /// Result: wrenches for the host, [`crate::numbers::WRENCH_FIELDS`] of each body.
+    /// Result array: the wrenches for the host, [`crate::numbers::WRENCH_FIELDS`] of each body.
     #[must_use]
     pub fn wrenches(&self) -> &[f64] {
         self.wrenches.numbers()
     }
 
-    /// Result: the largest wrenches within the step.
+    /// Result array: the largest wrench on each body within the step.
     #[must_use]
     pub fn peak_wrenches(&self) -> &[f64] {
         self.peak_wrenches.numbers()
     }
 
-    /// Result: the engine's states at the step's end; empty if the host moves the bodies.
+    /// Result array: the engine's states at the step's end; empty if the host moves the bodies.
     #[must_use]
     pub fn states_after(&self) -> &[f64] {
         self.states_after.numbers()
     }
 
-    /// Result: the contacts, [`crate::numbers::CONTACT_FIELDS`] of each.
+    /// Result array: the contacts, [`crate::numbers::CONTACT_FIELDS`] of each contact.
     #[must_use]
     pub fn contacts(&self) -> &[f64] {
         self.contacts.numbers()

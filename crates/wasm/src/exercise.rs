@@ -1,4 +1,5 @@
-//! A new exercise from choices, for pages: what can be chosen, and the scenario's text that is made of it.
+//! Makes a new exercise from a user's choices, for pages: what can be chosen, and the text of the scenario that is
+//! made.
 
 use fenderline_author::{BerthSource, NewExercise, berth_words};
 use fenderline_live::library_info;
@@ -6,25 +7,25 @@ use fenderline_live::library_info;
 use crate::problem::Problem;
 use crate::run::{Source, parse};
 
-/// The ships, tugs and fenders that can be chosen: the JSON of `LibraryInfo` in `web/src/protocol.ts`.
+/// The ships, tugs and fenders that a user can choose, as the JSON of `LibraryInfo` in `web/src/protocol.ts`.
 #[must_use]
 pub fn library() -> String {
     serde_json::to_string(library_info()).unwrap_or_else(|e| unreachable!("texts and numbers: {e}"))
 }
 
-/// The berth that a new exercise can take of a scenario, in words; `None` without one.
+/// The berth of a scenario that a new exercise can take, in words; `None` if the scenario has no berth.
 ///
 /// # Errors
-/// A mistake in the scenario.
+/// Fails for a mistake in the scenario.
 pub fn berth(source: &Source<'_>) -> Result<Option<String>, Problem> {
     parse(source).map(|scenario| berth_words(&scenario.setup))
 }
 
-/// The text of a scenario from choices: the JSON of `NewExercise` in `web/src/protocol.ts`. `berth`: the scenario whose berth is
-/// taken, if one is. Its overrides do not count.
+/// Makes the text of a scenario from a user's choices, which are the JSON of `NewExercise` in `web/src/protocol.ts`.
+/// `berth` is the scenario whose berth the exercise takes, if it takes one. Overrides of that scenario do not count.
 ///
 /// # Errors
-/// Choices that are not of that form, or make no exercise.
+/// Fails for choices that do not have the form of `NewExercise`, or that make no exercise.
 pub fn new_exercise(choices: &str, berth: Option<&Source<'_>>) -> Result<String, Problem> {
     let exercise: NewExercise = serde_json::from_str(choices)
         .map_err(|e| Problem::new("call", format_args!("`choices`: {e}")))?;
@@ -95,7 +96,7 @@ mod tests {
         let none = refused(&choices(0, None));
         assert_eq!(
             (none.details().kind, none.details().message.as_str()),
-            ("exercise", "a berth has at least one fender")
+            ("exercise", "a berth needs at least one fender")
         );
         let form = refused("{}");
         assert_eq!(form.details().kind, "call");

@@ -1,7 +1,8 @@
-//! What JavaScript calls. The package's TypeScript wraps all of it; nobody else calls it.
+//! What JavaScript calls. The functions that JavaScript calls: only the package's own TypeScript calls them, and wraps
+//! all of them.
 //!
-//! An array is handed over as its address in the module's memory and its length. An error is thrown as the JSON of a
-//! [`Problem`].
+//! An array is handed to JavaScript as its address in the module's memory and its length. An error is thrown as the
+//! JSON of a [`Problem`].
 
 use std::collections::BTreeMap;
 
@@ -19,7 +20,7 @@ use crate::run::{Run, Source, Wanted};
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub struct Span {
-    /// Bytes from the start of the memory.
+    /// Address of the array: bytes from the start of the module's memory.
     pub address: usize,
     /// Number of its elements.
     pub length: usize,
@@ -31,7 +32,8 @@ impl Span {
     }
 }
 
-/// A column of a table: what it holds (`f64`, `u32`, `i32` for codes of words, `u8` for truth values), and where.
+/// A column of a table: the kind of its values (`f64`, `u32`, `i32` for codes of words, `u8` for truth values), and
+/// where they are.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub struct ColumnSpan {
@@ -42,7 +44,7 @@ pub struct ColumnSpan {
 
 #[wasm_bindgen]
 impl ColumnSpan {
-    /// The kind of its values.
+    /// The kind of the column's values.
     #[wasm_bindgen(getter)]
     pub fn kind(&self) -> String {
         self.kind.to_owned()
@@ -53,7 +55,7 @@ fn thrown(problem: Problem) -> JsValue {
     JsValue::from_str(&problem.json())
 }
 
-/// The scenario of a call; `files` is a JSON object of texts by name.
+/// The scenario that a call gives; `files` is a JSON object of texts, each under the name of its file.
 fn source<'a>(
     text: &'a str,
     file: &'a str,
@@ -61,7 +63,7 @@ fn source<'a>(
     files: &str,
 ) -> Result<Source<'a>, Problem> {
     let files: BTreeMap<String, String> = serde_json::from_str(files)
-        .map_err(|e| Problem::new("call", format_args!("`files` is a map of texts: {e}")))?;
+        .map_err(|e| Problem::new("call", format_args!("`files` must be a map of texts: {e}")))?;
     Ok(Source { text, file, set, files })
 }
 
@@ -77,7 +79,7 @@ pub fn scenario_schema() -> String {
     schema().to_string()
 }
 
-/// Names of the numbers of states, wrenches, fenders and contacts, as JSON.
+/// Names of the numbers in the rows of states, wrenches, fenders and contacts, as JSON.
 #[wasm_bindgen]
 pub fn fields() -> String {
     serde_json::json!({
@@ -89,7 +91,7 @@ pub fn fields() -> String {
     .to_string()
 }
 
-/// Checks a scenario and returns title and notices as JSON.
+/// Checks a scenario and returns its title and notices as JSON.
 ///
 /// # Errors
 /// The first mistake.
@@ -115,19 +117,19 @@ pub fn berth(text: &str, file: &str, files: &str) -> Result<Option<String>, JsVa
     exercise::berth(&source).map_err(thrown)
 }
 
-/// See [`crate::exercise::new_exercise`]: the straight berth of the choices.
+/// Makes a new exercise at the straight berth of the choices: see [`crate::exercise::new_exercise`].
 ///
 /// # Errors
-/// Why the choices make no exercise.
+/// Throws the reason why the choices make no exercise.
 #[wasm_bindgen(js_name = newExercise)]
 pub fn new_exercise(choices: &str) -> Result<String, JsValue> {
     exercise::new_exercise(choices, None).map_err(thrown)
 }
 
-/// See [`crate::exercise::new_exercise`]: at the berth of a scenario.
+/// Makes a new exercise at the berth of a scenario: see [`crate::exercise::new_exercise`].
 ///
 /// # Errors
-/// Why the choices make no exercise.
+/// Throws the reason why the choices make no exercise.
 #[wasm_bindgen(js_name = newExerciseAt)]
 pub fn new_exercise_at(
     choices: &str,
@@ -139,7 +141,7 @@ pub fn new_exercise_at(
     exercise::new_exercise(choices, Some(&source)).map_err(thrown)
 }
 
-/// A run of a scenario: [`Run`].
+/// A run of a scenario for JavaScript: [`Run`].
 #[wasm_bindgen]
 pub struct RawRun(Run);
 
@@ -235,7 +237,7 @@ impl RawRun {
 
     /// See [`Run::column`].
     pub fn column(&self, table: usize, column: usize) -> Result<ColumnSpan, JsValue> {
-        let missing = || thrown(Problem::new("call", "there is no such column"));
+        let missing = || thrown(Problem::new("call", "the tables have no column of this number"));
         let (kind, span) = match self.0.column(table, column).ok_or_else(missing)? {
             KeptValues::Floats(values) => ("f64", Span::of(values)),
             KeptValues::Counts(values) => ("u32", Span::of(values)),

@@ -1,4 +1,4 @@
-//! The contact engine's model as JSON: materials, bodies, fenders and pairs by their names.
+//! Reads the contact engine's model from JSON: materials, bodies, fenders and pairs by their names.
 
 use fenderline_contact::{FenderLaw, HostIntegration, HostSettings, Material, Stop, Vec2};
 use fenderline_embed::{BodyDef, CoriolisTerms, Engine, EngineBuilder, FenderDef, Host, Settings};
@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::problem::Problem;
 
-/// A model, field by field as the package's TypeScript documents it.
+/// The JSON of a model, field by field as the package's TypeScript documents it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ModelJson {
@@ -71,7 +71,7 @@ struct FenderJson {
     facing_rad: f64,
     width_m: f64,
     projection_m: f64,
-    /// Points of deflection and reaction; absent: the area law.
+    /// Points of deflection and reaction of the fender; without them the fender has the area law.
     curve: Option<Vec<[f64; 2]>>,
     material: String,
     rated_deflection_m: Option<f64>,
@@ -143,10 +143,10 @@ impl Default for HostJson {
     }
 }
 
-/// Makes an engine of a model.
+/// Makes a contact engine of a model in JSON.
 ///
 /// # Errors
-/// Text that is not such a model, a name that no part has, or a number out of range.
+/// Fails for text that is not the JSON of a model, for a name that no part has, and for a number out of range.
 pub fn engine(model: &str, settings: &str) -> Result<Engine, Problem> {
     let model: ModelJson = read("model", model)?;
     let settings = self::settings(settings)?;
@@ -171,10 +171,10 @@ pub fn engine(model: &str, settings: &str) -> Result<Engine, Problem> {
     Ok(builder.build(&settings)?)
 }
 
-/// Reads the settings of an engine.
+/// Reads the settings of a contact engine.
 ///
 /// # Errors
-/// Text that is not JSON of an engine's settings.
+/// Fails for text that is not the JSON of an engine's settings.
 pub fn settings(text: &str) -> Result<Settings, Problem> {
     let SettingsJson { method, host } = read("settings", text)?;
     let method = method.map(|method| match method {
@@ -201,7 +201,7 @@ pub fn settings(text: &str) -> Result<Settings, Problem> {
 
 fn read<'a, T: Deserialize<'a>>(what: &str, text: &'a str) -> Result<T, Problem> {
     serde_json::from_str(text).map_err(|e| {
-        let message = format!("the {what} is not understood: {e}");
+        let message = format!("the JSON of the {what} is not understood: {e}");
         Problem::new("model", message).at(e.line(), e.column())
     })
 }
@@ -275,7 +275,9 @@ fn index<'n>(
     place: &str,
 ) -> Result<usize, Problem> {
     let found = names.position(|other| other == name);
-    found.ok_or_else(|| Problem::new("model", format_args!("{place}: no {what} is named `{name}`")))
+    found.ok_or_else(|| {
+        Problem::new("model", format_args!("{place}: in the model no {what} is named `{name}`"))
+    })
 }
 
 fn point([x, y]: [f64; 2]) -> Vec2 {

@@ -1,4 +1,4 @@
-//! Arrays of numbers that JavaScript sees in place.
+//! Arrays of numbers that JavaScript sees without a copy.
 
 use fenderline_contact::{BodyState, Contact, Friction, Vec2, Wrench};
 use fenderline_live::message::FenderNow;
@@ -36,12 +36,12 @@ pub const CONTACT_FIELDS: [&str; 12] = [
     "slips",
 ];
 
-/// Rows of numbers, one after the other.
+/// Rows of numbers that lie one after the other in memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows(Vec<f64>);
 
 impl Rows {
-    /// Replaces the rows. The memory is kept where it suffices.
+    /// Replaces the rows. The memory of the rows is kept if it is large enough.
     pub fn set<const N: usize>(&mut self, rows: impl Iterator<Item = [f64; N]>) {
         self.0.clear();
         rows.for_each(|row| self.0.extend_from_slice(&row));
@@ -60,14 +60,14 @@ impl Rows {
     }
 }
 
-/// A body's state as numbers.
+/// Turns a body's state into numbers.
 #[must_use]
 pub fn of_state(state: &BodyState) -> [f64; 6] {
     let BodyState { position_m, heading_rad, velocity_mps, yaw_rate_radps } = *state;
     [position_m.x, position_m.y, heading_rad, velocity_mps.x, velocity_mps.y, yaw_rate_radps]
 }
 
-/// A body's state from six numbers.
+/// Makes a body's state from six numbers.
 #[must_use]
 pub fn state_of(row: &[f64]) -> BodyState {
     BodyState {
@@ -84,7 +84,7 @@ pub fn of_wrench(wrench: &Wrench) -> [f64; 3] {
     [wrench.force_n.x, wrench.force_n.y, wrench.moment_nm]
 }
 
-/// A wrench from three numbers.
+/// Makes a wrench from three numbers.
 #[must_use]
 pub fn wrench_of(row: &[f64]) -> Wrench {
     Wrench { force_n: Vec2 { x: row[0], y: row[1] }, moment_nm: row[2] }
@@ -106,7 +106,7 @@ pub fn of_fender(now: &FenderNow) -> [f64; 9] {
     ]
 }
 
-/// A contact as numbers; `fender` is -1 where hull meets hull.
+/// Turns a contact into numbers; `fender` is -1 where hull meets hull.
 #[must_use]
 pub fn of_contact(contact: &Contact) -> [f64; 12] {
     [

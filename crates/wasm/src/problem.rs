@@ -1,32 +1,32 @@
-//! What goes wrong, as JavaScript gets it.
+//! Errors as JavaScript gets them.
 
 use fenderline_embed::EngineError;
 use fenderline_scenario::{Place, ScenarioError};
 use serde::Serialize;
 
-/// The largest text of a scenario that is read (bytes): that of the program.
+/// The largest text of a scenario that is read (bytes), which is also the program's limit.
 pub const LARGEST_TEXT_BYTES: usize = 16 << 20;
 
 /// An error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem(Box<Details>);
 
-/// What is wrong, and where. The fields that do not apply are `None`.
+/// What is wrong in an error, and where. Fields that do not apply to the error are `None`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Details {
-    /// `scenario`, `setup`, `step`, `model`, `engine`, `exercise` or `call`.
+    /// Kind of the error: `scenario`, `setup`, `step`, `model`, `engine`, `exercise` or `call`.
     pub kind: &'static str,
     /// What is wrong, in one line.
     pub message: String,
-    /// The same over several lines, with the line of the file, as the program prints it.
+    /// The error over several lines, with the line of the file that is wrong, as the program prints it.
     pub text: String,
     /// The file.
     pub file: Option<String>,
-    /// Line in the file, from 1.
+    /// Line of the mistake in the file, counted from 1.
     pub line: Option<usize>,
-    /// Column in characters, from 1.
+    /// Column of the mistake in characters, counted from 1.
     pub column: Option<usize>,
-    /// Dotted path of the key.
+    /// Dotted path of the key that is wrong.
     pub key: Option<String>,
     /// What to write instead.
     pub help: Option<String>,
@@ -35,21 +35,21 @@ pub struct Details {
 }
 
 impl Problem {
-    /// A problem without a place.
+    /// Makes an error that has no place in a text.
     pub fn new(kind: &'static str, message: impl ToString) -> Problem {
         let message = message.to_string();
         let text = format!("error: {message}");
         Problem::from(Details { kind, text, message, ..Details::default() })
     }
 
-    /// The same at a place in a text that has no file.
+    /// Gives the error a line and a column in a text that has no file.
     #[must_use]
     pub fn at(mut self, line: usize, column: usize) -> Problem {
         (self.0.line, self.0.column) = (Some(line), Some(column));
         self
     }
 
-    /// What is wrong, and where.
+    /// What is wrong in the error, and where.
     #[must_use]
     pub fn details(&self) -> &Details {
         &self.0
@@ -100,12 +100,12 @@ impl From<EngineError> for Problem {
 /// Refuses a text that is too large to be a scenario.
 ///
 /// # Errors
-/// It has more bytes than [`LARGEST_TEXT_BYTES`].
+/// Fails for a text of more than [`LARGEST_TEXT_BYTES`] bytes.
 pub fn check_size(file: &str, text: &str) -> Result<(), Problem> {
     if text.len() <= LARGEST_TEXT_BYTES {
         return Ok(());
     }
     let most = LARGEST_TEXT_BYTES >> 20;
-    let message = format!("{file}: it is larger than the {most} MiB that are read");
+    let message = format!("{file}: the text is larger than the {most} MiB that may be read");
     Err(Problem::new("scenario", message))
 }

@@ -1,4 +1,4 @@
-//! A scenario from its text to summary and report.
+//! Takes a scenario from its text to summary and report.
 
 use std::collections::BTreeMap;
 
@@ -16,16 +16,16 @@ use serde_json::{Value, json};
 use crate::numbers::{Rows, of_fender, of_state};
 use crate::problem::{Problem, check_size};
 
-/// A scenario as a caller gives it.
+/// A scenario as JavaScript gives it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Source<'a> {
     /// The scenario.
     pub text: &'a str,
-    /// Its file's name, for messages and the default title.
+    /// Name of the scenario's file, for messages and the default title.
     pub file: &'a str,
-    /// Keys that are replaced, as `KEY=VALUE`.
+    /// Keys of the scenario that are replaced, as `KEY=VALUE`.
     pub set: &'a [String],
-    /// Texts of the files that it names, by their names in it.
+    /// Texts of the files that the scenario names, by those names.
     pub files: BTreeMap<String, String>,
 }
 
@@ -40,10 +40,10 @@ impl Source<'_> {
     }
 }
 
-/// What a run is made for, beside its summary.
+/// What a run is to give beside its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// Frames for pages, with alarms and events.
+    /// Whether the run gives frames for pages, with alarms and events.
     pub frames: bool,
     /// Result tables.
     pub tables: bool,
@@ -70,7 +70,7 @@ pub struct Run {
 /// Reads and checks a scenario.
 ///
 /// # Errors
-/// The first mistake, or a text that is too large.
+/// Fails with the first mistake of the scenario, or for a text that is too large.
 pub fn parse(source: &Source<'_>) -> Result<Scenario, Problem> {
     check_size(source.file, source.text)?;
     let set: Result<Vec<Override>, _> =
@@ -80,10 +80,11 @@ pub fn parse(source: &Source<'_>) -> Result<Scenario, Problem> {
 }
 
 impl Run {
-    /// A run before its first step.
+    /// Makes a run before its first step.
     ///
     /// # Errors
-    /// A mistake in the scenario; one that needs another program to compute forces; a set-up that cannot be simulated.
+    /// Fails for a mistake in the scenario, for a scenario that needs another program to compute forces, and for a
+    /// set-up that cannot be simulated.
     pub fn new(source: &Source<'_>, wanted: Wanted) -> Result<Run, Problem> {
         let Scenario { title, report, setup, exercise, output, notices, .. } = parse(source)?;
         if !setup.world.providers.is_empty() {
@@ -118,10 +119,11 @@ impl Run {
         Ok(run)
     }
 
-    /// Takes up to `steps` steps, and fewer at the end of the run. Returns how many.
+    /// Takes up to `steps` steps of the run, and fewer at its end. Returns how many.
     ///
     /// # Errors
-    /// A step that the simulation cannot make; the run stays at the step before. A number that is not finite.
+    /// Fails for a step that the simulation cannot make; the run then stays at the step before. Fails too for a number
+    /// that is not finite.
     pub fn advance(&mut self, steps: u32) -> Result<u32, Problem> {
         let mut taken = 0;
         let mut result = Ok(());
@@ -158,32 +160,32 @@ impl Run {
         Ok(())
     }
 
-    /// Renews the arrays of states and fenders.
+    /// Fills the arrays of states and fenders anew.
     fn show(&mut self) {
         let simulation = self.watched.simulation();
         self.states.set(simulation.states().iter().map(of_state));
         self.fenders.set(self.watched.fenders().iter().map(of_fender));
     }
 
-    /// The simulation in its present state.
+    /// The simulation of the run in its present state.
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         self.watched.simulation()
     }
 
-    /// The states of the bodies: [`crate::numbers::STATE_FIELDS`] of each.
+    /// The states of the bodies as numbers: [`crate::numbers::STATE_FIELDS`] of each body.
     #[must_use]
     pub fn states(&self) -> &[f64] {
         self.states.numbers()
     }
 
-    /// The fenders: [`crate::numbers::FENDER_FIELDS`] of each.
+    /// The fenders as numbers: [`crate::numbers::FENDER_FIELDS`] of each fender.
     #[must_use]
     pub fn fenders(&self) -> &[f64] {
         self.fenders.numbers()
     }
 
-    /// Title, names, times and notices, as JSON.
+    /// Title, names, times and notices of the run, as JSON.
     #[must_use]
     pub fn description(&self) -> String {
         let setup = self.simulation().setup();
@@ -204,16 +206,16 @@ impl Run {
         .to_string()
     }
 
-    /// The message that a live page is built from.
+    /// The message `hello`, from which a live page is built.
     #[must_use]
     pub fn hello(&self) -> String {
         self.watched.hello()
     }
 
-    /// The present state as a live page shows it, with the events since the last frame.
+    /// The present state as the JSON of a frame for live pages, with the events since the last frame.
     ///
     /// # Errors
-    /// The run was not made for frames.
+    /// Fails if the run was made without frames.
     pub fn frame(&mut self) -> Result<String, Problem> {
         if !self.wanted.frames {
             return Err(Problem::new("call", "frames need a run with the option `frames`"));
@@ -221,16 +223,16 @@ impl Run {
         Ok(self.watched.frame())
     }
 
-    /// Fingerprint of the state, in hexadecimal.
+    /// Fingerprint of the run's state, in hexadecimal.
     #[must_use]
     pub fn state_hash(&self) -> String {
         self.watched.bits()
     }
 
-    /// The text of `summary.json`, with no files.
+    /// The text of `summary.json` for the run, with no list of files.
     ///
     /// # Errors
-    /// A number that is not finite.
+    /// Fails for a number that is not finite.
     pub fn summary(&self) -> Result<String, Problem> {
         self.at_end(|outcome, _| summary(outcome, &[])).map_err(|e| Problem::new("step", e))
     }
@@ -241,16 +243,17 @@ impl Run {
         self.at_end(run_page::render)
     }
 
-    /// The verdict with its findings, the worst first, as JSON.
+    /// The verdict on the run with its findings, the worst first, as JSON.
     #[must_use]
     pub fn verdict(&self) -> String {
         self.watched.verdict()
     }
 
-    /// Names of the result tables and of their columns, as JSON. It ends the tables: a later step is not in them.
+    /// Ends the result tables and returns the names of tables and columns, as JSON. Steps that are taken later are not
+    /// in the tables.
     ///
     /// # Errors
-    /// The run was not made for tables, or a number is not finite.
+    /// Fails if the run was made without tables, or if a number is not finite.
     pub fn tables(&mut self) -> Result<String, Problem> {
         if !self.wanted.tables {
             return Err(Problem::new("call", "tables need a run with the option `tables`"));
@@ -262,13 +265,13 @@ impl Run {
         Ok(Value::Array(tables).to_string())
     }
 
-    /// A column of numbers or of codes of words.
+    /// A column of a result table: numbers, or codes of words.
     #[must_use]
     pub fn column(&self, table: usize, column: usize) -> Option<&KeptValues> {
         Some(&self.kept.get(table)?.columns.get(column)?.values)
     }
 
-    /// Hands the run, as it is now, to `make`.
+    /// Calls `make` with the run's outcome up to now.
     fn at_end<T>(&self, make: impl FnOnce(&Outcome<'_>, &Recorder) -> T) -> T {
         let simulation = self.simulation();
         let setup = simulation.setup();
@@ -309,18 +312,18 @@ fn tables(simulation: &Simulation, plan: &OutputPlan) -> Result<Tables<InMemory>
         .map_err(|e| Problem::new("step", e))
 }
 
-/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
+/// The errors of the formulas by which vessels were estimated; empty if no vessel is estimated.
 fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])
 }
 
-/// The name of a file without folders.
+/// The name of a file without its folders.
 fn file_name(path: &str) -> String {
     path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned()
 }
 
-/// A notice for the results: without the file's path, as the program writes it.
+/// A notice about the scenario for the results: without the file's path, as the program writes it.
 fn recorded(notice: &Notice) -> String {
     let Notice { place, key, message } = notice;
     match place {
@@ -330,7 +333,7 @@ fn recorded(notice: &Notice) -> String {
     }
 }
 
-/// A notice with its place.
+/// A notice about the scenario with its place, as JSON.
 #[must_use]
 pub fn notice_json(notice: &Notice) -> Value {
     let Notice { place, key, message } = notice;

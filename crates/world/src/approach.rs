@@ -1,4 +1,5 @@
-//! The approach of a ship to a berth, as a scenario gives it. The set-up holds the state that follows from it.
+//! The approach of a ship to a berth, as a scenario gives it. The set-up of a simulation holds the ship's position,
+//! heading and velocity that follow from the approach.
 
 mod sentence;
 
@@ -22,37 +23,39 @@ impl fmt::Display for Side {
     }
 }
 
-/// How a ship comes to her berth. [`crate::setup::BodySetup`] holds the position, heading and velocity of the start.
+/// The approach of a ship to her berth. [`crate::setup::BodySetup`] holds the position, heading and velocity of the
+/// start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
     /// Index of the ship in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Index in [`crate::setup::Setup::fenders`] of the fender that she meets.
+    /// Index in [`crate::setup::Setup::fenders`] of the fender that the ship meets.
     pub fender: usize,
-    /// Her side that meets it.
+    /// Side of the ship that meets the fender.
     pub side: Side,
-    /// The point of her side that meets it, forward of midship (m).
+    /// Distance forward of midship of the point of the ship's side that meets the fender (m).
     pub contact_m: f64,
-    /// Speed towards the berth of the normal berthing (m/s).
+    /// Speed of the ship towards the berth in the normal berthing (m/s).
     pub normal_speed_mps: f64,
-    /// Speed along the berth, forward (m/s).
+    /// Speed of the ship along the berth, positive forward (m/s).
     pub along_mps: f64,
-    /// Angle between her centreline and the berth, positive with the bow towards it (rad).
+    /// Angle between the ship's centreline and the berth, positive with the bow towards the berth (rad).
     pub angle_rad: f64,
-    /// Distance of that point from the fender's face at the start (m).
+    /// Distance of the contact point from the fender's face at the start (m).
     pub distance_m: f64,
-    /// Energy of the run over that of the normal berthing: 1 for a normal berthing.
+    /// Berthing energy of the run divided by the energy of the normal berthing: 1 for a normal berthing.
     pub energy_factor: f64,
 }
 
 impl Approach {
-    /// Speed towards the berth in this run (m/s): energy goes with its square.
+    /// Speed of the ship towards the berth in the run (m/s), which is the normal speed times the square root of the
+    /// energy factor.
     #[must_use]
     pub fn speed_mps(&self) -> f64 {
         self.normal_speed_mps * self.energy_factor.sqrt()
     }
 
-    /// Whether the run is that of an abnormal berthing.
+    /// Whether the run is an abnormal berthing.
     #[must_use]
     pub fn is_abnormal(&self) -> bool {
         self.energy_factor > 1.0

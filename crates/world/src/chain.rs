@@ -6,19 +6,19 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, Friction, Material, PanelMotion, TensionChain};
 
-/// The motion or load that a chain holds.
+/// The kinds of chains of a fender, by the motion or load that a chain holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChainKind {
-    /// The panel's outward motion at the chain's place.
+    /// A tension chain holds the outward motion of the panel at the place of the chain.
     Tension,
-    /// The panel's motion along the berth, either way.
+    /// A shear chain holds the motion of the panel along the berth, in both directions.
     Shear,
-    /// The panel's weight, and the vertical friction of a hull that sinks along it.
+    /// A weight chain holds the weight of the panel, and the vertical friction of a hull that sinks along the panel.
     Weight,
 }
 
 impl ChainKind {
-    /// The name of this kind in reports.
+    /// The name of this kind of chain in reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -29,22 +29,23 @@ impl ChainKind {
     }
 }
 
-/// A chain of a fender. Slack, stiffness and break load are measured along the direction that the chain holds.
+/// A chain of a fender. Slack, stiffness and break load of the chain are measured along the direction in which the
+/// chain holds the panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSetup {
     /// The motion or load that the chain holds.
     pub kind: ChainKind,
-    /// Place along the panel from its middle (m); 0 for shear and weight chains.
+    /// Place of the chain along the panel, measured from the middle of the panel (m); 0 for shear and weight chains.
     pub at_m: f64,
-    /// Motion before the chain holds (m); 0 for a weight chain.
+    /// Motion of the panel before the chain holds (m); 0 for a weight chain.
     pub slack_m: f64,
-    /// Stiffness (N/m).
+    /// Stiffness of the chain (N/m).
     pub stiffness_npm: f64,
-    /// Break load (N).
+    /// Break load of the chain (N).
     pub break_load_n: f64,
 }
 
-/// The tension chains among these chains, in the form that the engine needs.
+/// The tension chains among the chains of a fender, in the form that the contact engine needs.
 pub fn tension_chains(chains: &[ChainSetup]) -> Vec<TensionChain> {
     let of_kind = chains.iter().filter(|chain| chain.kind == ChainKind::Tension);
     of_kind
@@ -62,15 +63,16 @@ pub fn tension_chains(chains: &[ChainSetup]) -> Vec<TensionChain> {
 pub struct ChainSummary {
     /// The motion or load that the chain holds.
     pub kind: ChainKind,
-    /// Largest tension (N). If the chain parted, this is the tension at which it parted.
+    /// Largest tension of the chain (N). If the chain parted, this is the tension at which the chain parted.
     pub peak_tension_n: f64,
-    /// Start of the step with the largest tension (s).
+    /// Start of the step in which the chain had its largest tension (s).
     pub peak_tension_at_s: f64,
-    /// The largest tension over the break load.
+    /// The largest tension of the chain divided by its break load.
     pub share_of_break_load: f64,
-    /// Start of the step in which the chain parted (s).
+    /// Start of the step in which the chain parted (s); `None` if the chain did not part.
     pub parted_at_s: Option<f64>,
-    /// Largest tension in the last step (N). 0 if the fender was not touched, or if the chain had parted before.
+    /// Largest tension of the chain within the last step (N). The tension is 0 if the fender was not touched in the
+    /// last step, or if the chain had parted before.
     pub last_tension_n: f64,
 }
 
@@ -83,17 +85,17 @@ pub struct ChainTension {
     pub chain: usize,
     /// The motion or load that the chain holds.
     pub kind: ChainKind,
-    /// Largest tension within the step (N). If the chain parted in this step, the tension at which it parted; if it had
-    /// parted before, 0.
+    /// Largest tension of the chain within the step (N). If the chain parted in this step, this is the tension at which
+    /// the chain parted; if the chain had parted before, it is 0.
     pub peak_tension_n: f64,
-    /// The largest tension over the break load.
+    /// The largest tension of the chain in the step divided by its break load.
     pub share_of_break_load: f64,
     /// Whether the chain has parted, in this step or before.
     pub has_parted: bool,
 }
 
 impl ChainTension {
-    /// The chain tensions of a touched fender in the step added last.
+    /// The chain tensions of a touched fender in the step that was added last.
     pub fn of<'a>(
         fender: usize,
         setups: &'a [ChainSetup],
@@ -111,7 +113,7 @@ impl ChainTension {
 }
 
 impl ChainSummary {
-    /// The summary of a chain that is loaded first at a time (s).
+    /// The summary of a chain that is first loaded at the time `t_s` (s).
     pub fn new(chain: &ChainSetup, t_s: f64) -> ChainSummary {
         ChainSummary {
             kind: chain.kind,
@@ -150,22 +152,22 @@ pub fn add_tension(
     }
 }
 
-/// The load of the shear and weight chains in a step.
+/// The load that shear and weight chains must carry in a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChainLoad {
-    /// Tangential force on the panel (N).
+    /// Tangential force on the panel of the fender (N).
     pub tangential_n: f64,
-    /// Vertical friction on the panel, positive down (N).
+    /// Vertical friction on the panel of the fender, positive down (N).
     pub vertical_n: f64,
 }
 
-/// Below this speed (m/s) the vertical friction of a hull that sinks past a panel is only partly developed: its
-/// direction changes smoothly through zero speed.
+/// Speed (m/s) below which the vertical friction of a hull that sinks past a panel is only partly developed, so that
+/// the friction changes its direction smoothly through zero speed.
 const SLOW_MPS: f64 = 0.01;
 
 impl ChainLoad {
-    /// The load from a hull that sinks at a speed (m/s) along a fender of this material. This load is computed with the
-    /// largest normal force of the step.
+    /// The load on the chains from a hull that sinks at the speed `sinking_mps` (m/s) along a fender of the material
+    /// `material`. The load on the chains is computed with the largest normal force of the step.
     pub fn of(contact: &Contact, material: &Material, sinking_mps: f64) -> ChainLoad {
         let (normal_n, along_mps) = (contact.peak_normal_force_n, contact.v_tangential_mps);
         let sliding_n = material.friction_dynamic * normal_n;
@@ -202,7 +204,8 @@ pub fn add_others(
     }
 }
 
-/// How far a tangential force moves the panel, against the shear stiffness of the fender and of its shear chains (m).
+/// How far a tangential force moves the panel against the shear stiffness of the fender and of the fender's shear
+/// chains (m).
 fn displacement_m(
     chains: &[ChainSummary],
     setups: &[ChainSetup],

@@ -6,7 +6,8 @@ use fenderline_contact::Vec2;
 /// A chart in the scenario's coordinates; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// The features of the chart, in the order of its files. A geometry of several parts gives several features.
+    /// The features of the chart, in the order of the chart's files. A geometry of several parts gives several features
+    /// of the chart.
     pub features: Vec<ChartFeature>,
     /// The place of the scenario's origin, if the chart was given in longitude and latitude.
     pub origin: Option<GeographicPlace>,
@@ -83,7 +84,7 @@ pub struct GeographicPlace {
 pub struct ChartFeature {
     /// Kind of the feature.
     pub kind: ChartKind,
-    /// Name of the feature; empty if it has none.
+    /// Name of the feature; empty if the feature has no name.
     pub name: String,
     /// Shape and position of the feature.
     pub shape: ChartShape,
@@ -200,7 +201,7 @@ impl ChartKind {
         ChartKind::Name,
     ];
 
-    /// The word for the kind in GeoJSON files and in messages to pages.
+    /// The word for this kind of feature in GeoJSON files and in messages to web pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -239,19 +240,20 @@ impl ChartKind {
     }
 }
 
-/// A shape, in the scenario's coordinates: north and east (m).
+/// The shape of a chart's feature, in the scenario's coordinates: north and east (m).
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChartShape {
     /// A point.
     Point(Vec2),
     /// A line through points.
     Line(Vec<Vec2>),
-    /// An area: the outer ring, then the rings of the holes. No ring repeats its first point at the end.
+    /// An area, given by its outer ring and then the rings of its holes. No ring of an area repeats its first point at
+    /// the end.
     Area(Vec<Vec<Vec2>>),
 }
 
 impl ChartShape {
-    /// All points of the shape (m).
+    /// All points of the shape, north and east (m).
     pub fn points_m(&self) -> impl Iterator<Item = Vec2> {
         let (point, lines): (Option<Vec2>, &[Vec<Vec2>]) = match self {
             ChartShape::Point(at_m) => (Some(*at_m), &[]),
@@ -267,22 +269,22 @@ impl ChartShape {
 pub struct ChartMark {
     /// Colour of the mark.
     pub colour: MarkColour,
-    /// The side of the fairway that the mark shows to a ship that enters; `None`: not a lateral mark.
+    /// The side of the fairway that the mark shows to an entering ship; `None` for a mark that is not a lateral mark.
     pub side: Option<MarkSide>,
 }
 
 /// Colours of buoys and beacons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkColour {
-    /// Red: lateral, port in IALA's region A, starboard in region B.
+    /// Red: a lateral mark, to port in IALA's region A, to starboard in region B.
     Red,
-    /// Green: lateral, starboard in IALA's region A, port in region B.
+    /// Green: a lateral mark, to starboard in IALA's region A, to port in region B.
     Green,
-    /// Yellow: special.
+    /// Yellow: a special mark.
     Yellow,
-    /// Black, with yellow or red: cardinal marks and isolated dangers.
+    /// Black with yellow or red: a cardinal mark, or the mark of an isolated danger.
     Black,
-    /// White: safe water (with red stripes), and other marks.
+    /// White: a mark of safe water (with red stripes), or another mark.
     White,
 }
 
@@ -296,7 +298,7 @@ impl MarkColour {
         MarkColour::White,
     ];
 
-    /// The word for the colour in GeoJSON files and in messages to pages.
+    /// The word for this colour in GeoJSON files and in messages to web pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -312,9 +314,9 @@ impl MarkColour {
 /// Sides of a fairway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkSide {
-    /// The mark is to port of a ship that enters. The mark has the shape of a can.
+    /// The mark lies to port of an entering ship. A mark to port has the shape of a can.
     Port,
-    /// The mark is to starboard of a ship that enters. The mark has the shape of a cone.
+    /// The mark lies to starboard of an entering ship. A mark to starboard has the shape of a cone.
     Starboard,
 }
 
@@ -322,7 +324,7 @@ impl MarkSide {
     /// Both sides.
     pub const ALL: [MarkSide; 2] = [MarkSide::Port, MarkSide::Starboard];
 
-    /// The word for the side in GeoJSON files and in messages to pages.
+    /// The word for this side in GeoJSON files and in messages to web pages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

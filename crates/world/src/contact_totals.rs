@@ -10,40 +10,41 @@ use crate::mean_velocity::MeanVelocity;
 /// How the work of a contact is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WorkSource {
-    /// The engine moved the bodies and reports impulse and work, summed over its sub-steps.
+    /// The contact engine moved the bodies, and reports impulse and work summed over its sub-steps.
     Engine,
-    /// The work is the contact's mean force times the bodies' mean velocities, times this time (s).
+    /// The work is the product of the contact's mean force, the bodies' mean velocities and this time (s).
     MeanVelocity(f64),
 }
 
 /// Work and energy of each contact in the current step.
 #[derive(Clone, Debug, Default)]
 pub struct ContactTotals {
-    /// One entry per contact, in the order of first contact. A contact that ended stays for one more step.
+    /// One entry for each contact, in the order in which the contacts began. A contact that has ended stays in the list
+    /// for one more step.
     pub all: Vec<ContactEnergy>,
-    /// For each entry, the contact at the start of the step.
+    /// For each entry of `all`, data of the contact at the start of the step.
     at_start: Vec<AtStart>,
-    /// Sum of the energy that contacts created which have ended (J).
+    /// Sum of the energy that ended contacts created (J).
     gained_j: f64,
     has_begun: bool,
-    /// Index of the entry found last.
+    /// Index of the entry of `all` that the last search found.
     last: usize,
-    /// For each entry, the entry that was found after it in the last search.
+    /// For each entry of `all`, the entry that the last search found after this entry.
     following: Vec<usize>,
 }
 
-/// A contact at the start of a step.
+/// Data of a contact at the start of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct AtStart {
     exists: bool,
     stored_j: f64,
     shear_stored_j: f64,
-    /// Hysteresis loss that belongs to the step before this one.
+    /// Hysteresis loss that belongs to the previous step.
     hysteresis_j: f64,
 }
 
 impl ContactTotals {
-    /// Forgets the run so far.
+    /// Forgets all contacts of the run so far.
     pub fn restart(&mut self) {
         let ContactTotals { all, at_start, gained_j, has_begun, last, following } = self;
         all.clear();
@@ -52,8 +53,8 @@ impl ContactTotals {
         (*gained_j, *has_begun, *last) = (0.0, false, 0);
     }
 
-    /// Begins a step. Removes contacts that ended in the step before the last, and clears the works. Compares the
-    /// stored energy accumulated so far with the potential of the springs.
+    /// Begins a step. The function removes contacts that ended in the step before the last, and clears the work of all
+    /// contacts. It also compares the stored energy that was accumulated so far with the potential of the springs.
     pub fn open(&mut self, contacts: &[Contact], works: &[HeightWork]) {
         let mut index = 0;
         let (gained_j, count) = (&mut self.gained_j, self.all.len());
@@ -111,7 +112,7 @@ impl ContactTotals {
         }
     }
 
-    /// Adds impulse, work and losses of `contacts`.
+    /// Adds impulse, work and losses of the contacts `contacts`.
     pub fn add(&mut self, contacts: &[Contact], mean: &[MeanVelocity], source: WorkSource) {
         for contact in contacts {
             let (work, impulse_ns) = match source {
@@ -133,7 +134,8 @@ impl ContactTotals {
         }
     }
 
-    /// Ends a step. The friction loss is the work of the tangential force, less what the shear spring stored.
+    /// Ends a step. The friction loss of a step is the work of the tangential force, less the energy that the shear
+    /// spring stored.
     pub fn close(&mut self) {
         for (energy, at_start) in self.all.iter_mut().zip(&self.at_start) {
             energy.since_began_j += energy.normal_j + energy.tangential_j - energy.height_j;
@@ -144,7 +146,7 @@ impl ContactTotals {
         self.has_begun = true;
     }
 
-    /// Energy that all contacts have created so far, present contacts included (J).
+    /// Energy that all contacts of the run have created so far, present contacts included (J).
     pub fn gained_j(&self) -> f64 {
         self.all
             .iter()
@@ -189,7 +191,7 @@ impl ContactTotals {
     }
 }
 
-/// Work of a contact's mean forces over the mean motion of its bodies.
+/// Work of a contact's mean forces over the mean motion of the two bodies.
 fn work_along(contact: &Contact, mean: &[MeanVelocity], seconds: f64) -> ContactWork {
     let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
     let [one, two] = bodies.map(|body| mean[body]);

@@ -6,33 +6,33 @@ use fenderline_contact::{Pile, Vec2};
 
 pub use self::run::{DolphinMotion, DolphinSummary, Dolphins};
 
-/// A flexible dolphin: its pile, and the mass on the pile.
+/// A flexible dolphin: a pile, and the mass on the pile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DolphinSetup {
-    /// Mass that moves with the head (kg): the head, and the share of the pile that moves in its first mode.
+    /// Mass that moves with the dolphin's head (kg): the head, and the share of the pile that moves in the first mode.
     pub mass_kg: f64,
-    /// Horizontal stiffness at the fender's height, equal in all directions (N/m).
+    /// Horizontal stiffness of the dolphin at the fender's height, equal in all directions (N/m).
     pub stiffness_npm: f64,
-    /// Damping over the critical damping.
+    /// Damping of the dolphin divided by its critical damping.
     pub damping_ratio: f64,
-    /// Load at the fender's height at which the pile yields (N).
+    /// Load at the fender's height at which the pile yields (N), if known.
     pub yield_load_n: Option<f64>,
 }
 
 impl DolphinSetup {
-    /// ω without damping (rad/s).
+    /// Natural angular frequency of the dolphin without damping and without a ship (rad/s).
     #[must_use]
     pub fn rate_radps(&self) -> f64 {
         libm::sqrt(self.stiffness_npm / self.mass_kg)
     }
 
-    /// The period without damping and without a ship: 2π √(m/K) (s).
+    /// Natural period of the dolphin without damping and without a ship: 2π √(m/K) (s).
     #[must_use]
     pub fn period_s(&self) -> f64 {
         core::f64::consts::TAU / self.rate_radps()
     }
 
-    /// The pile of a dolphin that stands at this place.
+    /// The pile of this dolphin at the place `place_m`, for the contact engine.
     pub fn pile(&self, place_m: Vec2) -> Pile {
         Pile {
             place_m,
@@ -44,7 +44,7 @@ impl DolphinSetup {
 }
 
 /// Tubular steel piles that stand upright and are fixed in the ground: beams of constant section, clamped at the point
-/// of fixity. All piles of a dolphin bend alike.
+/// of fixity. All piles of a dolphin bend equally.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteelPiles {
     /// Number of piles.
@@ -53,7 +53,7 @@ pub struct SteelPiles {
     pub diameter_m: f64,
     /// Wall thickness (m).
     pub wall_m: f64,
-    /// Length from the point of fixity to the height of the fender (m).
+    /// Length of the piles from the point of fixity to the height of the fender (m).
     pub length_m: f64,
     /// Young's modulus (N/m²).
     pub modulus_npm2: f64,
@@ -66,11 +66,11 @@ impl SteelPiles {
     const STEEL_KGPM3: f64 = 7850.0;
 
     /// Share of a clamped beam's mass μL that acts at its free end in the first mode. With ω₁ = β² √(EI/μ)/L², 1 + cos
-    /// β cosh β = 0, and K = 3EI/L³ it is K/(μ L ω₁²) = 3/β⁴. With a heavy head the share tends to 33/140 = 0.236, the
-    /// value for the static deflection.
+    /// β cosh β = 0, and K = 3EI/L³, this share is K/(μ L ω₁²) = 3/β⁴. With a heavy head the share of the beam's mass
+    /// tends to 33/140 = 0.236, the value for the static deflection.
     const FIRST_MODE: f64 = 0.242_672;
 
-    /// K = 3EI/L³ of all piles (N/m).
+    /// Stiffness K = 3EI/L³ of all piles together (N/m).
     #[must_use]
     pub fn stiffness_npm(&self) -> f64 {
         let bending_nm2 = self.modulus_npm2 * self.inertia_m4();
@@ -78,7 +78,8 @@ impl SteelPiles {
         f64::from(self.number) * 3.0 * bending_nm2 / cube_m3
     }
 
-    /// The part of the piles' steel that moves with the head (kg). Water in and around the piles is not included.
+    /// Mass of the part of the piles' steel that moves with the head (kg). The mass of the water in and around the
+    /// piles is not included.
     #[must_use]
     pub fn moving_mass_kg(&self) -> f64 {
         let [outer_m, inner_m] = self.diameters_m();

@@ -21,25 +21,25 @@ pub enum SetupError {
     Model(ModelError),
     /// A number of the set-up is out of range or not finite.
     OutOfRange {
-        /// The number.
+        /// Name of the number.
         field: &'static str,
         /// Value of the number.
         value: f64,
     },
     /// Two bodies or two fenders have the same name.
     DuplicateName {
-        /// `bodies` or `fenders`.
+        /// What has the same name: `bodies` or `fenders`.
         what: &'static str,
-        /// The name.
+        /// The name that occurs twice.
         name: String,
     },
     /// A particular of the berthing is out of range.
     Berthing(BerthingError),
     /// A number of a tug is out of range.
     Tug {
-        /// The tug.
+        /// Name of the tug.
         tug: String,
-        /// What is wrong.
+        /// What is wrong with the number.
         error: OutOfRange,
     },
     /// The environment is invalid.
@@ -50,36 +50,38 @@ pub enum SetupError {
     Anchor(AnchorError),
     /// A number of the handling of lines is out of range.
     LineHandling {
-        /// What is wrong.
+        /// What is wrong with the number.
         error: OutOfRange,
     },
-    /// A planned change that cannot be carried out.
+    /// A planned change cannot be carried out.
     Change(ChangeError),
-    /// An order that cannot be carried out.
+    /// An order cannot be carried out.
     Order(OrderError),
-    /// A vessel with the paper's contact method, which has one mass for all directions.
+    /// The set-up has a vessel and the paper's contact method, which has one mass for all directions.
     VesselByPaperMethod {
         /// Index of the vessel's body.
         body: usize,
     },
-    /// A body with outlines by height and the paper's contact method.
+    /// The set-up has a body with outlines at several heights and the paper's contact method.
     HullByPaperMethod {
-        /// The index of the body.
+        /// Index of the body.
         body: usize,
     },
-    /// A flexible dolphin with the paper's contact method, or with an integrator that is not semi-implicit.
+    /// The set-up has a flexible dolphin and the paper's contact method, or a flexible dolphin and an integrator that
+    /// is not semi-implicit.
     DolphinNeedsEngine {
-        /// The body.
+        /// Name of the dolphin's body.
         body: String,
     },
-    /// A vessel with hydrodynamic data, but the method or the integrator is not one with which the engine moves bodies.
+    /// The set-up has a vessel with hydrodynamic data, but another method or integrator than the coupled method and the
+    /// semi-implicit integrator, with which the engine moves bodies.
     SeakeepingNeedsEngine {
         /// Index of the vessel's body.
         body: usize,
     },
-    /// A flexible dolphin in a host that moves its bodies itself.
+    /// A host program that moves its bodies itself has a set-up with a flexible dolphin.
     DolphinOfHost {
-        /// The body.
+        /// Name of the dolphin's body.
         body: String,
     },
     /// A vessel starts where no depth is known.
@@ -88,7 +90,7 @@ pub enum SetupError {
     BadBody {
         /// The part of the set-up that refers to the body.
         owner: &'static str,
-        /// The index.
+        /// Index of the body.
         body: usize,
     },
 }
@@ -107,25 +109,27 @@ impl fmt::Display for SetupError {
             SetupError::Environment(error) => error.fmt(f),
             SetupError::Line(error) => error.fmt(f),
             SetupError::Anchor(error) => error.fmt(f),
-            SetupError::LineHandling { error } => write!(f, "the handling of lines: {error}"),
+            SetupError::LineHandling { error } => write!(f, "in the handling of lines, {error}"),
             SetupError::Change(error) => write!(f, "a planned change: {error}"),
             SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {
                 write!(
                     f,
-                    "body {body} is a vessel, but the paper's method has no mass matrix: use `method = \"coupled\"`"
+                    "body {body} is a vessel, but the paper's method has no mass matrix: use \
+                     `method = \"coupled\"`"
                 )
             }
             SetupError::HullByPaperMethod { body } => {
                 write!(
                     f,
-                    "body {body} has outlines by height, which need the coupled method: use `method = \"coupled\"`"
+                    "body {body} has outlines at several heights, which need the coupled method: \
+                     use `method = \"coupled\"`"
                 )
             }
             SetupError::DolphinNeedsEngine { body } => write!(
                 f,
-                "body `{body}` is a flexible dolphin, which needs the coupled method and the semi-implicit integrator: use \
-                 `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
+                "body `{body}` is a flexible dolphin, which needs the coupled method and the semi-implicit \
+                 integrator: use `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
             ),
             SetupError::SeakeepingNeedsEngine { body } => write!(
                 f,
@@ -134,8 +138,8 @@ impl fmt::Display for SetupError {
             ),
             SetupError::DolphinOfHost { body } => write!(
                 f,
-                "body `{body}` is a flexible dolphin, which only a simulation moves, not a host that moves its bodies itself: \
-                 make it a fixed body"
+                "body `{body}` is a flexible dolphin, which only a simulation can move, not a host that moves \
+                 its bodies itself: make the dolphin a fixed body"
             ),
             SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
             SetupError::NoDepth(error) => write!(f, "at the start: {error}"),
@@ -154,10 +158,10 @@ impl From<ModelError> for SetupError {
     }
 }
 
-/// A step that failed. The simulation is unchanged.
+/// The error for a step that failed; the failed step has not changed the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimError {
-    /// Start of the step (s).
+    /// Start of the step that failed (s).
     pub t_s: f64,
     /// The cause.
     pub cause: StepFault,

@@ -1,4 +1,4 @@
-//! Partial factors on the results of a run. The user gives the factors, with their source.
+//! Partial factors on the results of a run. The user gives the partial factors, with their source.
 //!
 //! fenderline contains no factors of any guideline. The program multiplies its results by the factors that the user
 //! gives, compares them with limits, and names the user's source in all outputs.
@@ -7,12 +7,13 @@ use crate::fender::FenderSummary;
 use fenderline_ship::mooring::LineKind;
 use fenderline_ship::range::{OutOfRange, within};
 
-/// The user's factors on energies, reactions and line loads.
+/// The user's partial factors on energies, reactions and line loads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartialFactors {
     /// The source of the factors, in the user's words.
     pub source: String,
-    /// Factor on the energy that a fender absorbs. The product is compared with the fender's rated energy.
+    /// Factor on the energy that a fender absorbs. The absorbed energy times this factor is compared with the fender's
+    /// rated energy.
     pub energy: Option<f64>,
     /// Factor on the reaction of a fender.
     pub reaction: Option<f64>,
@@ -20,7 +21,7 @@ pub struct PartialFactors {
     pub reaction_limit_n: Option<f64>,
     /// Factor on the tension of a line.
     pub line_load: Option<f64>,
-    /// The capacity with which a factored tension is compared.
+    /// The capacity of a line with which its factored tension is compared.
     pub line_capacity: LineCapacity,
 }
 
@@ -30,7 +31,7 @@ pub enum LineCapacity {
     /// The working load of the line.
     #[default]
     WorkingLoad,
-    /// The least break load of rope and tail.
+    /// The break load of the line: the smaller one of the break loads of rope and tail.
     BreakLoad,
 }
 
@@ -45,19 +46,19 @@ impl LineCapacity {
     }
 }
 
-/// A result times its factor.
+/// A result of the run multiplied by its partial factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factored {
-    /// Factor.
+    /// The partial factor.
     pub factor: f64,
-    /// Result times factor (J or N).
+    /// The result times the factor (J or N).
     pub value: f64,
-    /// Capacity with which the value is compared (J or N), if it is known.
+    /// Capacity with which the factored result is compared (J or N), if the capacity is known.
     pub capacity: Option<f64>,
 }
 
 impl Factored {
-    /// Factored result over capacity.
+    /// Factored result divided by the capacity; `None` if the capacity is not known.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
         self.capacity.map(|capacity| self.value / capacity)
@@ -65,16 +66,16 @@ impl Factored {
 }
 
 impl PartialFactors {
-    /// True if there is no factor.
+    /// True if the user gives no partial factor.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.energy.is_none() && self.reaction.is_none() && self.line_load.is_none()
     }
 
-    /// Checks every number.
+    /// Checks that every number is within its range.
     ///
     /// # Errors
-    /// The first number out of range.
+    /// Returns the first number that is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         for factor in [self.energy, self.reaction, self.line_load].into_iter().flatten() {
             within("partial factor", factor, 0.1, 10.0)?;
@@ -85,7 +86,8 @@ impl PartialFactors {
         Ok(())
     }
 
-    /// The factored energy of a fender, and its rated energy with the factors of the run; `None` without a factor.
+    /// The factored energy of a fender, and the fender's rated energy with the correction factors of the run; `None` if
+    /// there is no partial factor on energies.
     #[must_use]
     pub fn energy_of(&self, fender: &FenderSummary) -> Option<Factored> {
         let of = |factor: f64| {
@@ -100,7 +102,7 @@ impl PartialFactors {
         self.energy.map(of)
     }
 
-    /// The factored reaction of a fender; `None` without a factor.
+    /// The factored reaction of a fender; `None` if there is no partial factor on reactions.
     #[must_use]
     pub fn reaction_of(&self, fender: &FenderSummary) -> Option<Factored> {
         let of = |factor: f64| Factored {
@@ -111,7 +113,7 @@ impl PartialFactors {
         self.reaction.map(of)
     }
 
-    /// The factored tension of a line; `None` without a factor.
+    /// The factored tension of a line; `None` if there is no partial factor on line loads.
     #[must_use]
     pub fn line_load_of(&self, kind: &LineKind, peak_n: f64) -> Option<Factored> {
         let capacity = match self.line_capacity {

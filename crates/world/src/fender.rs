@@ -1,4 +1,4 @@
-//! Fenders: their set-up, and the summary of each one after a run.
+//! Fenders: their set-up, and the summary of each fender after a run.
 
 mod summaries;
 mod summary;
@@ -15,69 +15,74 @@ use crate::chain::ChainSetup;
 pub struct FenderSetup {
     /// Unique name.
     pub name: String,
-    /// Index of the body that carries it, in [`crate::setup::Setup::bodies`].
+    /// Index in [`crate::setup::Setup::bodies`] of the body that carries the fender.
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of the line where the fender is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction in which the fender faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of its face along the berth (m).
+    /// Width of the fender's face along the berth (m).
     pub width_m: f64,
-    /// Height of its face (m). Width times height is the area that presses on the hull.
+    /// Height of the fender's face (m). Width times height of the face is the area that presses on the hull.
     pub height_m: f64,
-    /// Height of the middle of its face above the still waterline (m), or above datum if its body is fixed. The lever
-    /// arm with which its force heels a vessel follows from it.
+    /// Height of the middle of the fender's face above the still waterline (m), or above datum if the fender's body is
+    /// fixed. The lever arm with which the fender's force heels a vessel follows from this height.
     pub above_water_m: f64,
-    /// It floats, as a pneumatic fender does: on a fixed body too `above_water_m` is above the water of the moment.
+    /// True if the fender floats, as a pneumatic fender does: `above_water_m` is then above the present water level,
+    /// even on a fixed body.
     pub floating: bool,
-    /// Distance from the mounting to the face, uncompressed (m).
+    /// Distance from the mounting to the face of the uncompressed fender (m).
     pub projection_m: f64,
     /// Reaction by deflection.
     pub law: FenderLaw,
-    /// Unloading law, used by the coupled method; `None`: unloading by the restitution of the material.
+    /// Unloading law of the fender in the coupled method; `None` if the reaction falls by the restitution of the
+    /// material.
     pub unloading: Option<Unloading>,
-    /// Index into [`crate::setup::Setup::materials`]: friction, restitution, damping, and k of an area law.
+    /// Index in [`crate::setup::Setup::materials`] of the fender's material, which gives friction, restitution,
+    /// damping, and the stiffness k of an area law.
     pub material: usize,
-    /// Rated performance; `None` if no rating is given.
+    /// Rated performance of the fender; `None` if no rating is given.
     pub rated: Option<Rated>,
-    /// Stop at the end of its travel.
+    /// Stop at the end of the fender's travel.
     pub stop: Option<Stop>,
-    /// Correction factors on its reaction.
+    /// Correction factors on the fender's reaction.
     pub factors: ReactionFactors,
-    /// Factor on the energy capacity by the angle between face and hull: points (angle (rad), factor). Catalogues
-    /// give different angle factors for energy and reaction. If empty, the factor of the reaction is used.
+    /// Factors on the energy capacity by the angle between face and hull: points of angle (rad) and factor. Catalogues
+    /// give different angle factors for energy and reaction. If this list is empty, the factor on the reaction is used
+    /// for the energy, too.
     pub energy_by_angle: Vec<[f64; 2]>,
-    /// How it presses on the hull.
+    /// How the fender presses on the hull.
     pub hull_pressure: HullPressure,
     /// Permissible hull pressure (N/m²).
     pub hull_pressure_limit_npm2: Option<f64>,
-    /// Where its data come from.
+    /// Source of the fender's data.
     pub source: Option<FenderSource>,
-    /// A panel on several cones. Law, stop and rated deflection are then those of each cone; rated reaction and energy are
-    /// the sums over all cones.
+    /// The fender's panel on several cones, if it has such a panel. With a panel on several cones, law, stop and rated
+    /// deflection are those of each cone; rated reaction and rated energy are the sums over all cones.
     pub panel: Option<Panel>,
-    /// Its chains. Tension chains need a panel on several cones.
+    /// Its chains. Tension chains of a fender need a panel on several cones.
     pub chains: Vec<ChainSetup>,
-    /// Mass that its weight chains carry (kg).
+    /// Mass that the fender's weight chains carry (kg).
     pub panel_mass_kg: f64,
 }
 
 impl FenderSetup {
-    /// The compression time of a contact that begins at a speed (m/s), by which factors by speed are tabulated (s); `None` without a rating.
+    /// The compression time, by which factors by speed are tabulated (s), of a contact that begins at the speed
+    /// `speed_mps` (m/s); `None` if the fender has no rating.
     #[must_use]
     pub fn compression_time_s(&self, speed_mps: f64) -> Option<f64> {
         let rated = self.rated.as_ref()?;
         Some(ReactionFactors::compression_time_s(speed_mps, rated.deflection_m))
     }
 
-    /// Number of equal fenders behind a panel; 1 without one.
+    /// Number of equal fenders behind the panel; 1 if the fender has no panel on several cones.
     #[must_use]
     pub fn cones(&self) -> f64 {
         self.panel.as_ref().map_or(1.0, |panel| panel.cones_m.len() as f64)
     }
 
-    /// Pressure on the hull (N/m²) at a deflection (m) and a reaction (N); `None` if it is not known how the fender
-    /// presses on the hull.
+    /// Pressure of the fender on the hull (N/m²) at a deflection (m) and a reaction (N); `None` if it is not known how
+    /// the fender presses on the hull.
     #[must_use]
     pub fn hull_pressure_npm2(&self, deflection_m: f64, reaction_n: f64) -> Option<f64> {
         match self.hull_pressure {
@@ -94,34 +99,36 @@ impl FenderSetup {
 /// How a fender presses on the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HullPressure {
-    /// By a panel: the reaction over the area of the face.
+    /// The fender presses with a panel: the pressure is the reaction divided by the area of the face.
     OverFace,
-    /// A pneumatic fender: the internal pressure, linear in the deflection from the initial pressure through the
-    /// rated one. The pressure of a compressed gas is a convex function of deflection, so the line is conservative up
-    /// to the rated deflection, and not beyond.
+    /// A pneumatic fender presses with its internal pressure, which is linear in the deflection from the initial
+    /// pressure through the rated pressure. The pressure of a compressed gas is a convex function of deflection, so the
+    /// linear pressure is conservative up to the rated deflection, and not beyond.
     Inner {
-        /// At no deflection (N/m²).
+        /// Internal pressure at no deflection (N/m²).
         initial_npm2: f64,
-        /// At the rated deflection (N/m²).
+        /// Internal pressure at the rated deflection (N/m²).
         rated_npm2: f64,
         /// Rated deflection (m).
         rated_deflection_m: f64,
     },
-    /// No panel, and no pressure given.
+    /// The fender has no panel, and no pressure is given.
     Unknown,
 }
 
 /// A fender's rated performance, without corrections.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rated {
-    /// Deflection (m).
+    /// Rated deflection (m).
     pub deflection_m: f64,
-    /// The rated reaction (N): that of catalogue or user; of a curve without one, its largest reaction up to the rated deflection.
+    /// The rated reaction of the catalogue or the user (N); if a curve has no rated reaction, the largest reaction of
+    /// the curve up to the rated deflection.
     pub reaction_n: f64,
-    /// The largest reaction of the curve up to the rated deflection (N), not less than the rated one. A curve that buckles can peak
-    /// a little above its rated reaction: within it the fender is not over-rated.
+    /// The largest reaction of the curve up to the rated deflection (N), but not less than the rated reaction. The
+    /// curve of a fender that buckles can peak a little above the rated reaction; reactions up to this peak do not
+    /// exceed the rating.
     pub largest_reaction_n: f64,
-    /// ∫ R dδ up to the rated deflection (J).
+    /// Rated energy: the integral ∫ R dδ of the reaction up to the rated deflection (J).
     pub energy_j: f64,
 }
 
@@ -136,7 +143,7 @@ impl Rated {
         Some(Rated { deflection_m, reaction_n, largest_reaction_n: reaction_n, energy_j })
     }
 
-    /// The same with the rated reaction of catalogue or user (N).
+    /// This rating with the rated reaction of the catalogue or the user (N).
     #[must_use]
     pub fn with_reaction(self, reaction_n: f64) -> Rated {
         Rated {
@@ -146,20 +153,20 @@ impl Rated {
         }
     }
 
-    /// The largest reaction of the curve over the rated one, 1 or a little more.
+    /// The largest reaction of the curve divided by the rated reaction, which is 1 or a little more.
     #[must_use]
     pub fn curve_peak(&self) -> f64 {
         self.largest_reaction_n / self.reaction_n
     }
 }
 
-/// The source of a fender's data, and how well it is known.
+/// The source of a fender's data, and how well this source is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FenderSource {
-    /// Type and size, for reports.
+    /// Type and size of the fender, for reports.
     pub designation: String,
     /// Document or page.
     pub source: String,
-    /// `found`, `recalled`, `derived` or `given` by the user.
+    /// How well the source is known: `found`, `recalled`, `derived`, or `given` by the user.
     pub standing: String,
 }

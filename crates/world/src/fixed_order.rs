@@ -5,23 +5,23 @@ use crate::setup::body::BodySetup;
 use crate::setup::load::Load;
 use crate::world::setup::WorldSetup;
 
-/// Indices into the set-up, sorted by name.
+/// The order of summation: indices of the parts of a set-up, sorted by name.
 #[derive(Clone, Debug)]
 pub struct SumOrder {
-    /// Bodies.
+    /// Indices of the bodies.
     pub bodies: Vec<usize>,
-    /// Vessels.
+    /// Indices of the vessels.
     pub vessels: Vec<usize>,
-    /// Vector tugs.
+    /// Indices of the vector tugs.
     pub tugs: Vec<usize>,
-    /// Mooring lines.
+    /// Indices of the mooring lines.
     pub lines: Vec<usize>,
-    /// Anchors.
+    /// Indices of the anchors.
     pub anchors: Vec<usize>,
 }
 
 impl SumOrder {
-    /// The order of a set-up.
+    /// Finds the order of summation for a set-up.
     pub fn new(world: &WorldSetup, bodies: &[BodySetup]) -> SumOrder {
         SumOrder {
             bodies: by_name(bodies.iter().map(|body| body.name.as_str())),
@@ -41,7 +41,7 @@ fn by_name<'n>(names: impl Iterator<Item = &'n str>) -> Vec<usize> {
     places
 }
 
-/// Sorts loads by their values, because loads have no names. Loads that compare equal are identical.
+/// Sorts loads by their values, because loads have no names. Two loads that compare equal are identical.
 pub fn sort_loads(loads: &mut [Load]) {
     let key = |load: &Load| {
         let Load { body: _, force_n, moment_nm, from_s, until_s } = *load;

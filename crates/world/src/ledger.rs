@@ -8,7 +8,7 @@ use crate::dolphin::DolphinMotion;
 use crate::energy::{Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
-/// Inertias and states of all bodies, and the order in which their energies are summed.
+/// Inertias and states of all bodies, and the order in which the energies of the bodies are summed.
 #[derive(Clone, Copy, Debug)]
 pub struct Bodies<'a> {
     /// Indices of the bodies in the order of summation.
@@ -29,17 +29,18 @@ impl Bodies<'_> {
 #[derive(Clone, Debug)]
 pub struct Ledger {
     start_j: f64,
-    /// Sums so far, without the values that [`Ledger::energy`] computes when it is called.
+    /// Sums of the energies so far, without the values that [`Ledger::energy`] computes when it is called.
     sums: Energy,
 }
 
 impl Ledger {
-    /// The ledger of a run that starts with these bodies.
+    /// The ledger of a run that starts with the bodies `bodies`.
     pub fn new(bodies: Bodies<'_>) -> Ledger {
         Ledger { start_j: bodies.kinetic_j(), sums: Energy::default() }
     }
 
-    /// The ledger. `bodies` are as the last step left them. Many runs ask for the ledger only at their end.
+    /// The present values of the ledger. The argument `bodies` must be the bodies after the last step. The values are
+    /// computed on request, because many runs ask for the ledger only at their end.
     pub fn energy(&self, bodies: Bodies<'_>) -> Energy {
         let (kinetic_j, load_work_j) = (bodies.kinetic_j(), self.sums.loads.total_j());
         let work_j = load_work_j + self.sums.normal_work_j + self.sums.tangential_work_j;
@@ -50,12 +51,12 @@ impl Ledger {
         Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
     }
 
-    /// The energy that contacts absorbed, and the energy that they returned beyond this (J).
+    /// The energy that contacts absorbed, and the energy that contacts returned beyond the energy absorbed (J).
     pub fn contacts_j(&self) -> [f64; 2] {
         [self.sums.contact_taken_j, self.sums.contact_gained_j]
     }
 
-    /// Adds one step: the works of the loads and of the contacts in it.
+    /// Adds the work of the loads and of the contacts in one step.
     pub fn add(&mut self, loads: &LoadWork, contacts: &ContactTotals, dolphins: &[DolphinMotion]) {
         let energy = &mut self.sums;
         energy.loads.add(loads);

@@ -1,13 +1,15 @@
-//! A world of bodies, ships, fenders, lines and tugs: what is constant in a run, what changes in it, and the record of a step.
+//! A world of bodies, ships, fenders, lines and tugs: the parts that are constant in a run, the parts that change in a
+//! run, and the record of a step.
 //!
-//! [`setup::Setup`] is everything that is constant. [`world::World`] is the state of vessels, tugs, lines and anchors, and finds their
-//! forces by the physics of `fenderline-ship`. Orders and changes of the weather act on it. The crate `fenderline-sim` steps the world;
-//! the crate `fenderline-assess` reads the [`record::StepRecord`] of each step.
+//! [`setup::Setup`] holds everything that is constant in a run. [`world::World`] is the state of vessels, tugs, lines
+//! and anchors, and finds their forces by the physics of `fenderline-ship`. Orders and changes of the weather act on
+//! the world. The crate `fenderline-sim` steps the world; the crate `fenderline-assess` reads the
+//! [`record::StepRecord`] of each step.
 //!
 //! | subject | module |
 //! |---|---|
 //! | bodies, materials, pairs and loads of a run | [`setup`] |
-//! | a set-up as masses and as a model of the contact engine | [`model`], [`rigid_body`] |
+//! | masses of the bodies and model of the contact engine, made from a set-up | [`model`], [`rigid_body`] |
 //! | vessels, tugs, lines and anchors in a step, pilots | [`world`] |
 //! | orders to vessels, tugs, lines and anchors | [`order`] |
 //! | changes of the weather, faults | [`change`] |
@@ -17,7 +19,7 @@
 //! | how a ship approaches her berth | [`approach`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
 //! | limits on motions, lines and fenders | [`limit`] |
-//! | partial factors of the user | [`factors`] |
+//! | the user's partial factors | [`factors`] |
 //! | forces from other programs | [`external`] |
 //! | energies of a step and of a run | [`record`], [`ledger`], [`contact_totals`] |
 #![forbid(unsafe_code)]

@@ -5,20 +5,20 @@ mod subject;
 /// Statistics of a run, and the limits with which they are compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatisticsSetup {
-    /// Time from which steps count (s); `None`: no statistics, and no limits.
+    /// Time from which steps count in the statistics (s); `None` if there are no statistics and no limits.
     pub from_s: Option<f64>,
-    /// Limits, in the order of the file.
+    /// The limits of the scenario, in the order of the file.
     pub limits: Vec<LimitSetup>,
 }
 
-/// A limit.
+/// A limit on a motion, on lines or on fenders.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitSetup {
     /// Name of the limit.
     pub name: String,
     /// The quantity that is limited.
     pub what: Limited,
-    /// The largest permissible value (m, rad, or a share).
+    /// The largest permissible value of the limited quantity (m, rad, or a share).
     pub most: f64,
 }
 
@@ -29,14 +29,14 @@ pub enum Limited {
     Motion {
         /// Index of the vessel.
         vessel: usize,
-        /// The motion.
+        /// The motion that is limited.
         motion: MotionName,
-        /// The statistic of the motion.
+        /// The statistic of the motion that is limited.
         measure: Measure,
     },
-    /// The largest tension of any line over its break load.
+    /// The largest tension of any line, divided by the line's break load.
     Lines,
-    /// The largest energy, deflection or reaction of any fender over its rating.
+    /// The largest energy, deflection or reaction of any fender, divided by the fender's rated value.
     Fenders,
 }
 
@@ -47,18 +47,18 @@ pub enum MotionName {
     Surge,
     /// Motion across the vessel's mean heading.
     Sway,
-    /// Up and down.
+    /// Motion up and down.
     Heave,
-    /// About the longitudinal axis.
+    /// Rotation about the longitudinal axis.
     Roll,
-    /// About the transverse axis.
+    /// Rotation about the transverse axis.
     Pitch,
-    /// Heading.
+    /// Change of heading.
     Yaw,
 }
 
 impl MotionName {
-    /// All six, in the order of the statistics of a run.
+    /// All six motions, in the order of the statistics of a run.
     pub const ALL: [MotionName; 6] = [
         MotionName::Surge,
         MotionName::Sway,
@@ -91,15 +91,15 @@ impl MotionName {
 /// A statistic of a motion: see `MotionStatistics` of the crate `fenderline-assess`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// Largest distance from the mean.
+    /// Largest distance of the motion from its mean.
     Maximum,
-    /// Mean of the highest third of the peaks.
+    /// Mean of the highest third of the motion's peaks.
     Significant,
-    /// Largest range from crest to trough.
+    /// Largest range of the motion from crest to trough.
     MaximumRange,
-    /// Mean of the highest third of the ranges.
+    /// Mean of the highest third of the motion's ranges.
     SignificantRange,
-    /// Standard deviation.
+    /// Standard deviation of the motion.
     Deviation,
 }
 
@@ -118,7 +118,7 @@ impl Measure {
 }
 
 impl LimitSetup {
-    /// A value of the limited quantity, in words.
+    /// A value of the limited quantity as text, with its unit.
     #[must_use]
     pub fn shown(&self, value: f64) -> String {
         match self.what {

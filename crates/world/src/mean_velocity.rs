@@ -11,7 +11,7 @@ pub struct MeanVelocity {
 }
 
 impl MeanVelocity {
-    /// The mean of the velocities before and after the step.
+    /// The mean of the body's velocities before and after the step.
     pub fn of(before: &BodyState, after: &BodyState) -> MeanVelocity {
         MeanVelocity {
             velocity_mps: (before.velocity_mps + after.velocity_mps) * 0.5,
@@ -24,7 +24,7 @@ impl MeanVelocity {
         MeanVelocity { velocity_mps, yaw_rate_radps }
     }
 
-    /// The mean velocity of the engine's motion, sub-steps included.
+    /// The mean velocity of a body over a step in which the contact engine moved the body, sub-steps included.
     pub fn over(motion: &Displacement, step_s: f64) -> MeanVelocity {
         MeanVelocity {
             velocity_mps: motion.translation_m * (1.0 / step_s),
@@ -32,12 +32,12 @@ impl MeanVelocity {
         }
     }
 
-    /// Velocity of a point at an arm from the centre of gravity (m/s).
+    /// Velocity of the point of the body that is at `arm_m` from the centre of gravity (m/s).
     pub fn at(&self, arm_m: Vec2) -> Vec2 {
         self.velocity_mps + arm_m.spun_by(self.yaw_rate_radps)
     }
 
-    /// Power of a wrench (W).
+    /// Power of a force and moment on the body (W).
     pub fn power_w(&self, wrench: &Wrench) -> f64 {
         wrench.force_n.dot(self.velocity_mps) + wrench.moment_nm * self.yaw_rate_radps
     }

@@ -15,16 +15,17 @@ use crate::world::{mass_matrix, motions};
 use fenderline_ship::seakeeping::Motion;
 
 impl Setup {
-    /// The contact model of these bodies alone. For hosts that move their bodies themselves and use only the contact
-    /// engine.
+    /// The contact model of the bodies of the set-up alone. The function is for host programs that move their bodies
+    /// themselves and use only the contact engine.
     ///
     /// Method and integrator decide what the inertia of a body contains. In the coupled method with the semi-implicit
     /// integrator, the engine adds the Coriolis terms itself, as in a simulation.
     ///
-    /// Fenders meet a body with outlines by height at its waterline: only a simulation knows the heights.
+    /// In this model, fenders meet a body with outlines at several heights at its waterline, because only a simulation
+    /// knows the heights of the fenders.
     ///
     /// # Errors
-    /// [`SetupError`], which names the fault.
+    /// Returns a [`SetupError`], which names the fault in the set-up.
     pub fn contact_model(&self) -> Result<Model, SetupError> {
         if let Some(body) = self.bodies.iter().find(|body| body.dolphin.is_some()) {
             return Err(SetupError::DolphinOfHost { body: body.name.clone() });
@@ -40,8 +41,8 @@ impl Setup {
     }
 }
 
-/// The inertia of each body. The inertia of a vessel comes from her hydrodynamic data, if she has them, or else from
-/// her manoeuvring model.
+/// The inertia of each body. The inertia of a vessel comes from her hydrodynamic data, or, if she has no such data,
+/// from her manoeuvring model.
 pub fn inertias(
     setup: &Setup,
     motions: &[Option<Arc<Motion>>],
@@ -85,7 +86,7 @@ pub fn inertias(
     Ok(inertias)
 }
 
-/// The part of bodies with outlines by height that fenders meet.
+/// Which outline fenders meet on bodies with outlines at several heights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fenders {
     /// Fenders meet the outline at the waterline.
@@ -167,8 +168,9 @@ fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
     }
 }
 
-/// The key of each name: its index among the sorted names, so that the order of bodies and fenders in a scenario does
-/// not change the results. On error, returns a name that occurs twice.
+/// The key of each name for the contact engine. The key is the index of the name among the sorted names, so that the
+/// order of bodies and fenders in a scenario does not change the results. If a name occurs twice, the function fails
+/// with this name.
 fn keys_of<'n>(names: impl Iterator<Item = &'n str>) -> Result<Vec<u64>, String> {
     let names: Vec<&str> = names.collect();
     let mut order: Vec<usize> = (0..names.len()).collect();

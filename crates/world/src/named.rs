@@ -1,6 +1,7 @@
 //! Names of parts in sentences.
 
-/// A name with what it is the name of, unless it begins with that: `Fender north`, but `fender_9`.
+/// A name with the kind of the named thing before it, as in `Fender north`, unless the name already begins with this
+/// kind, as in `fender_9`.
 #[must_use]
 pub fn called(kind: &str, name: &str) -> String {
     let begins = name.get(..kind.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(kind));

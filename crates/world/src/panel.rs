@@ -1,4 +1,4 @@
-//! Panels on several cones: their motion and loads in a run.
+//! Motion and loads of panels on several cones in a run.
 
 mod cone_use;
 
@@ -7,38 +7,39 @@ use fenderline_contact::{Panel, PanelMotion};
 
 pub use self::cone_use::ConeUse;
 
-/// Motion and loads of a panel on several cones in a run. Peaks include those between the ends of steps, in sub-steps.
+/// Motion and loads of a panel on several cones in a run. The peaks include peaks in sub-steps, between the ends of
+/// steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelSummary {
-    /// The largest turn about the vertical axis in either sense (rad). Positive if the right end was deflected more, as
-    /// seen by a viewer who faces the panel.
+    /// The panel's largest turn about the vertical axis in either direction (rad). The turn is positive if the panel's
+    /// right end was deflected more, as seen by a viewer who faces the panel.
     pub peak_tilt_rad: f64,
     /// Start of the step with the largest turn (s).
     pub peak_tilt_at_s: f64,
     /// Deflection of the panel's middle at the largest turn (m).
     pub deflection_at_peak_tilt_m: f64,
-    /// The largest moment of the cones' reactions about the panel's middle in either sense (N·m). Positive if the cones
-    /// on the right bore more.
+    /// The largest moment of the cones' reactions about the panel's middle in either direction (N·m). The moment is
+    /// positive if the cones on the right had the larger reactions.
     pub peak_moment_nm: f64,
     /// Start of the step with the largest moment (s).
     pub peak_moment_at_s: f64,
-    /// The cones, in the order of the set-up.
+    /// The motion of each cone, in the order of the set-up.
     pub cones: Vec<ConeSummary>,
 }
 
 /// Motion of one cone behind a panel in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeSummary {
-    /// Place of the cone along the panel, from the middle (m).
+    /// Position of the cone along the panel, measured from the panel's middle (m).
     pub at_m: f64,
     /// Largest deflection (m).
     pub peak_deflection_m: f64,
-    /// Largest stretch (m): how far the panel pulled the cone out.
+    /// Largest stretch of the cone (m): how far the panel pulled the cone out.
     pub peak_stretch_m: f64,
 }
 
 impl PanelSummary {
-    /// The summary of a panel that is pressed first at a time (s).
+    /// The summary of a panel that a hull first presses at this time (s).
     pub fn new(panel: &Panel, t_s: f64) -> PanelSummary {
         let cone = |&at_m: &f64| ConeSummary { at_m, peak_deflection_m: 0.0, peak_stretch_m: 0.0 };
         PanelSummary {
@@ -51,7 +52,7 @@ impl PanelSummary {
         }
     }
 
-    /// Adds the panel's motion under one hull in a step.
+    /// Adds the motion that one hull gives the panel in a step.
     pub fn add(&mut self, motion: &PanelMotion, t_s: f64) {
         if motion.peak_tilt_rad.abs() > self.peak_tilt_rad.abs() {
             (self.peak_tilt_rad, self.peak_tilt_at_s) = (motion.peak_tilt_rad, t_s);

@@ -11,38 +11,38 @@ use crate::world::{
     AnchorAtWork, Mooring, Soundings, TugAtWork, VesselForces, VesselState, WorldEvent,
 };
 
-/// The record of one step: states before and after it, and the forces that acted in it.
+/// The record of one step: the states before and after the step, and the forces that acted in the step.
 #[derive(Clone, Copy, Debug)]
 pub struct StepRecord<'a> {
-    /// Number of the step, from 0.
+    /// Number of the step; the first step is 0.
     pub index: u64,
     /// Time at the start of the step (s).
     pub t_s: f64,
     /// States at the start of the step, one per body, in the order of the set-up.
     pub states: &'a [BodyState],
-    /// States at the end of the step.
+    /// States at the end of the step, one per body, in the order of the set-up.
     pub states_after: &'a [BodyState],
     /// Contact patches at the start of the step, in a fixed order.
     pub contacts: &'a [Contact],
     /// Work and energy of each contact in this step: one entry per fender and hull, or per pair of outlines. Contacts
     /// that ended after the last step are included.
     pub contact_energies: &'a [ContactEnergy],
-    /// For each contact, how its fender meets a hull with outlines by height; `None` for other contacts, and empty in a run
-    /// without such hulls.
+    /// For each contact, how the fender meets a hull with outlines by height; `None` for other contacts. The list is
+    /// empty in a run without such hulls.
     pub hull_touches: &'a [Option<HullTouch>],
     /// Panels on several cones that hulls press in this step.
     pub panels: &'a [PanelMotion],
     /// Chains of the fenders that are touched in this step.
     pub chains: &'a [ChainTension],
-    /// Contact wrenches of the step, one per body.
+    /// Contact wrenches (force and moment) of the step, one per body.
     pub wrenches: &'a [Wrench],
     /// Contact events of this step.
     pub events: &'a [Event],
-    /// The ledger, and the bodies whose kinetic energy it asks for: [`StepRecord::energy`].
+    /// The energy ledger, and the bodies whose kinetic energy [`StepRecord::energy`] needs.
     pub ledger: (&'a Ledger, Bodies<'a>),
     /// Controls and attitude of the vessels at the end of the step, in the order of the set-up.
     pub vessels: &'a [VesselState],
-    /// Forces on each vessel in this step, by cause.
+    /// Forces on each vessel in this step, separate for each cause.
     pub vessel_forces: &'a [VesselForces],
     /// The depths under each vessel at the start of the step.
     pub soundings: &'a [Soundings],
@@ -52,9 +52,9 @@ pub struct StepRecord<'a> {
     pub lines: &'a [Mooring],
     /// The anchors at the end of the step, in the order of the set-up.
     pub anchors: &'a [AnchorAtWork],
-    /// The flexible dolphins, in the order of the set-up.
+    /// Motion of the flexible dolphins, in the order of the set-up.
     pub dolphins: &'a [DolphinMotion],
-    /// Events of vessels, tugs, lines and anchors.
+    /// Events of vessels, tugs, lines and anchors in this step.
     pub world_events: &'a [WorldEvent],
 }
 

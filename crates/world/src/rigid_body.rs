@@ -7,7 +7,7 @@ use crate::dolphin::DolphinSetup;
 use crate::setup::body::{BodySetup, BodyVelocity, MassProperties};
 use crate::setup::method::Method;
 
-/// Inertia of a body: rigid-body and added mass. A fixed body has none.
+/// Inertia of a body: rigid-body and added mass. A fixed body has no inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
     /// Mass in surge (kg).
@@ -18,20 +18,21 @@ pub struct Inertia {
     pub yaw_kgm2: f64,
     /// Coupling of sway and yaw about the centre of gravity (kg·m).
     pub coupling_kgm: f64,
-    /// Whether the contact engine moves the body and adds the Coriolis terms.
+    /// True if the contact engine moves the body and adds the Coriolis terms.
     pub engine_turns: bool,
-    /// The body does not move.
+    /// True if the body does not move.
     pub fixed: bool,
-    /// The pile that holds the body, if there is one. A body on a pile does not turn.
+    /// The pile that holds the body; `None` if the body is not on a pile. A body on a pile does not turn.
     pub pile: Option<Pile>,
 }
 
 impl Inertia {
-    /// The inertia of a body that is neither vessel nor dolphin.
+    /// The inertia of a body that is neither a vessel nor a dolphin.
     ///
-    /// In the coupled method, surge, sway and yaw each have an added mass. In the paper's method the mass in every
-    /// direction is displacement plus the *smaller* of the two added masses (§3.1 of the paper), for the limiter and
-    /// for the motion. With different masses the limiter would not give the rebound speed γV⁰.
+    /// In the coupled method, surge, sway and yaw each have an added mass. In the paper's method, the mass in every
+    /// direction is the displacement plus the *smaller* of the two added masses (§3.1 of the paper). The limiter and
+    /// the motion both use this mass. If the limiter used a different mass from the motion, the limiter would not give
+    /// the rebound speed γV⁰.
     pub fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
         let Some(m) = mass else {
             return Inertia {
@@ -62,7 +63,7 @@ impl Inertia {
         }
     }
 
-    /// The inertia of a vessel, from her mass matrix about the centre of gravity.
+    /// The inertia of a vessel, from the vessel's mass matrix about the centre of gravity.
     pub fn of_vessel(matrix: &[[f64; 3]; 3]) -> Inertia {
         Inertia {
             surge_kg: matrix[0][0],
@@ -111,11 +112,12 @@ impl Inertia {
         Mobility::FullMatrix { matrix }
     }
 
-    /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.
+    /// The Coriolis and centripetal wrench C (force and moment) of a body in a current (m/s), earth-fixed: M v̇ = F +
+    /// C.
     ///
-    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, the
-    /// components of C in the body's axes are (Δ r v + c r², Δ r u, −Δ u v). The last component is the Munk moment. C
-    /// is zero if the mass is the same in all directions.
+    /// Let Δ be the sway mass minus the surge mass, c the coupling of sway and yaw, and u, v, r the velocities relative
+    /// to the water. Then the components of C in the body's axes are (Δ r v + c r², Δ r u, −Δ u v). The last of the
+    /// components is the Munk moment. C is zero if the mass is the same in all directions.
     #[inline]
     pub fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
@@ -130,8 +132,8 @@ impl Inertia {
         Wrench { force_n: rotation.apply(own_n), moment_nm: -difference_kg * uv.x * uv.y }
     }
 
-    /// Earth-fixed acceleration (m/s², rad/s²) under a wrench about the centre of gravity. The wrench includes the
-    /// Coriolis terms.
+    /// Earth-fixed acceleration of the body (m/s², rad/s²) under a wrench (force and moment) about the centre of
+    /// gravity. The wrench includes the Coriolis terms.
     pub fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
             return (Vec2::ZERO, 0.0);

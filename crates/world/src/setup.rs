@@ -19,7 +19,7 @@ use crate::world::setup::WorldSetup;
 pub struct Setup {
     /// Time step Δt (s).
     pub step_s: f64,
-    /// Length of the run (s); the number of steps is this length over Δt, rounded up.
+    /// Length of the run (s); the number of steps is this length divided by Δt, rounded up.
     pub duration_s: f64,
     /// Time integrator.
     pub integrator: Integrator,
@@ -27,17 +27,17 @@ pub struct Setup {
     pub method: Method,
     /// Bodies, in the order of the scenario.
     pub bodies: Vec<BodySetup>,
-    /// Materials, referenced by pairs and fenders.
+    /// Materials to which pairs and fenders refer.
     pub materials: Vec<NamedMaterial>,
     /// Pairs of bodies that may touch, with their material.
     pub pairs: Vec<PairSetup>,
-    /// Material of every pair that is not in `pairs`; `None`: those pairs do not touch.
+    /// Material of every pair that is not in `pairs`; with `None`, such pairs do not touch.
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
-    /// Approaches of ships to berths. The initial states of these ships follow from them.
+    /// Approaches of ships to berths. The initial states of these ships follow from the approaches.
     pub approaches: Vec<Approach>,
-    /// Particulars for the berthing formulas, if a comparison with the formulas is asked for.
+    /// Particulars for the berthing formulas, if the user asks for a comparison with the formulas.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
@@ -46,7 +46,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Whether two bodies can touch each other.
+    /// True if the two bodies can touch each other.
     #[must_use]
     pub fn may_touch(&self, [one, other]: [usize; 2]) -> bool {
         let named = |pair: &PairSetup| pair.bodies == [one, other] || pair.bodies == [other, one];

@@ -1,5 +1,5 @@
-//! The data that may differ between runs of one simulation without building it anew: initial states of the bodies, wind
-//! and current.
+//! The data that may differ between runs of one simulation that the host does not build anew: initial states of the
+//! bodies, wind and current.
 
 use fenderline_contact::Vec2;
 
@@ -7,10 +7,10 @@ use crate::setup::{BodySetup, BodyVelocity, Setup};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::wind::Wind;
 
-/// The start of a run. `Simulation::restart` of the crate `fenderline-sim` starts a simulation again with it.
+/// The start of a run. `Simulation::restart` of the crate `fenderline-sim` starts a simulation again with this data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
-    /// One entry per body, in the order of the set-up.
+    /// Initial states of the bodies, in the order of the set-up.
     pub bodies: Vec<BodyStart>,
     /// Wind; `None` for no wind.
     pub wind: Option<Wind>,
@@ -25,7 +25,7 @@ pub struct BodyStart {
     pub position_m: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
-    /// Velocity, in the body's axes.
+    /// Velocity of the body, in the body's axes.
     pub velocity: BodyVelocity,
 }
 
@@ -57,9 +57,10 @@ impl Setup {
         start.current.clone_from(&self.world.environment.current);
     }
 
-    /// Whether `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and cannot fail. The result is
-    /// false if more than states depends on the start: piles that stand there, hulls that are cut by height, lines that
-    /// must fit between their ends, planned changes, and the study of a berthing. The simulation is then made anew.
+    /// True if `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and
+    /// cannot fail. The result is false if more than the states depends on the start: piles, hulls by height, lines
+    /// that must fit between their ends, planned changes, and the study of a berthing. `Simulation::restart` then
+    /// builds the simulation anew.
     #[must_use]
     pub fn restarts_in_place(&self) -> bool {
         let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();
@@ -72,7 +73,7 @@ impl Setup {
     /// Replaces the start of this set-up.
     ///
     /// # Panics
-    /// If the number of starts is not the number of bodies.
+    /// Panics if the number of initial states is not the number of bodies.
     pub fn set_start(&mut self, start: &Start) {
         assert_eq!(start.bodies.len(), self.bodies.len(), "one start per body");
         for (body, start) in self.bodies.iter_mut().zip(&start.bodies) {

@@ -1,14 +1,15 @@
-//! The Coriolis and centripetal wrench of a vessel over a whole step (Kirchhoff's equations).
+//! The Coriolis and centripetal wrench (force and moment) of a vessel over a whole step (Kirchhoff's equations).
 //!
 //! The mass of a vessel with added mass differs between surge and sway, so the momentum turns with the heading. The
-//! wrench that represents this does no work. But if the wrench's value at the start of a step were held over the step,
-//! it would do work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with
-//! two properties. The wrench takes the momentum M V of ship and added mass from the heading before the step to the
-//! heading after it. And the wrench leaves the change of kinetic energy to the other forces.
+//! wrench that represents this turn of the momentum does no work. But a wrench that keeps its value at the start of a
+//! step over the whole step does work, and in a steady turn this work always has the same sign. So this module
+//! calculates a mean wrench over the step with two properties. The wrench takes the momentum M V of ship and added mass
+//! from the heading before the step to the heading after the step. And the wrench does no work on the vessel, so only
+//! the other forces change the kinetic energy.
 //!
-//! All of this is computed in the ship's axes at the start of the step. In these axes the mass is constant at the
-//! start, and the ship turns by a small angle. Differences by the turn are written with its sine and versine, so that
-//! no digits cancel.
+//! The module calculates in the ship's axes at the start of the step. In these axes the mass is constant at the start,
+//! and the ship turns by a small angle. The formulas for differences between the two headings use the sine and versine
+//! of the angle of the turn, so that no digits cancel.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
@@ -30,13 +31,14 @@ pub enum YawRateAt {
     End,
 }
 
-/// How the integrator takes a step.
+/// How the integrator does a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningStep {
     /// Length of the step (s).
     pub step_s: f64,
     /// Time for which forces change the velocities (s). Normally the time is the whole step. In the first step of the
-    /// leapfrog it is half a step, because that step takes the velocities from the start of the step to its middle.
+    /// leapfrog the time is half a step, because that step takes the velocities from the start of the step to its
+    /// middle.
     pub acts_s: f64,
     /// The yaw rate that turns the heading.
     pub turned_by: YawRateAt,
@@ -44,8 +46,8 @@ pub struct TurningStep {
 
 /// The wrench that turns a vessel's momentum over a step in which `load` acts on the vessel, in a current (m/s).
 ///
-/// If the vessel would turn by more than a radian in the step, the wrench is the one at the start of the step. If the
-/// iteration does not converge, it is the last iterate.
+/// If the vessel would turn by more than a radian in the step, the result is the wrench at the start of the step. If
+/// the iteration does not converge, the result is the last iterate.
 pub fn turning_wrench(
     inertia: &Inertia,
     state: &BodyState,
@@ -171,7 +173,7 @@ impl WaterVelocity {
     }
 }
 
-/// The change of velocity and heading in a step.
+/// The change of a vessel's velocity and heading in a step.
 struct Turn<'a> {
     before: &'a WaterVelocity,
     after: &'a WaterVelocity,
@@ -181,12 +183,12 @@ struct Turn<'a> {
 impl Turn<'_> {
     /// The mean wrench of the turn.
     ///
-    /// With the mass matrices M₀ and M₁ at the two headings, the impulse is −(M₁ − M₀)V₁, so that the loads alone
-    /// change M V. The moment is the Munk moment −Δ u v at the middle of the turn. This wrench should do the work
-    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. The work of this wrench differs by a small
-    /// amount: of third order in Δt in a steady turn, of second order where the turn begins. The reason is that the
-    /// integrators turn the heading with one of the two yaw rates and not with their mean. A wrench along the mean
-    /// momentum adds the missing work.
+    /// With the mass matrices M₀ and M₁ at the two headings, the impulse of the wrench is −(M₁ − M₀)V₁, so that only
+    /// the loads change M V. The moment of the wrench is the Munk moment −Δ u v at the middle of the turn. This wrench
+    /// should do the work −½V₁ᵀ(M₁ − M₀)V₁, so that only the loads change ½VᵀMV. But the work that the wrench does
+    /// differs from this value by a small amount: of third order in Δt in a steady turn, of second order where the turn
+    /// begins. The reason is that the integrators turn the heading with one of the two yaw rates and not with their
+    /// mean. A wrench along the mean momentum adds the missing work.
     fn wrench(&self, inertia: &Inertia, step: &TurningStep) -> Wrench {
         let Turn { before, after, turned_rad } = *self;
         let middle = Rotation::from_angle(0.5 * turned_rad);

@@ -1,7 +1,8 @@
-//! `xtask-bindgen MODULE.wasm FOLDER`: the JavaScript and types that belong to a compiled module.
+//! `xtask-bindgen MODULE.wasm FOLDER` writes the JavaScript and types that belong to a compiled WebAssembly module.
 //!
-//! It does what the program `wasm-bindgen` does. That program and the library in the module must be of one version: as
-//! a dependency, the lock file holds them together, and there is nothing to install.
+//! This program does what the program `wasm-bindgen` does. The program `wasm-bindgen` and the library of the same name
+//! in the module must be of one version: where this program has both as dependencies, the lock file holds them
+//! together, and there is nothing to install.
 
 use std::process::ExitCode;
 
@@ -22,7 +23,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Modules of the web load the same way in browsers and in Node.
+/// Writes JavaScript for the web, which loads the module in the same way in browsers and in Node.
 fn make(module: &str, folder: &str) -> Result<(), String> {
     let mut bindgen = Bindgen::new();
     let web = bindgen.input_path(module).out_name("raw").typescript(true).web(true);

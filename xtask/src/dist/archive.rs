@@ -1,4 +1,4 @@
-//! Archives of folders, with fixed times and owners: the same content gives the same bytes.
+//! Packs folders into archives with fixed times and owners: the same content gives the same bytes.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::command::run_quietly;
 use crate::tools;
 
-/// Writes a zip file with times of 1980, the earliest that the format knows.
+/// A Python program that writes a zip file whose files have times of 1980, the earliest that the format knows.
 const ZIP: &str = "\
 import sys, zipfile
 from pathlib import Path
@@ -18,7 +18,7 @@ with zipfile.ZipFile(out, 'w', zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(info, file.read_bytes())
 ";
 
-/// Writes a tar file with times of 1970 and no owner. Links stay links.
+/// A Python program that writes a tar file whose files have times of 1970 and no owner. Links stay links.
 const TAR: &str = "\
 import gzip, sys, tarfile
 from pathlib import Path
@@ -32,7 +32,8 @@ with open(out, 'wb') as file, gzip.GzipFile('', 'wb', 9, file, 0) as packed:
         archive.add(folder, folder.name, filter=plain)
 ";
 
-/// Packs a folder beside itself, for Windows into `FOLDER.zip`, otherwise into `FOLDER.tar.gz`. Returns the archive.
+/// Packs a folder into a file beside it, for Windows into `FOLDER.zip`, otherwise into `FOLDER.tar.gz`. Returns the
+/// archive.
 ///
 /// # Errors
 /// A failure of Python.

@@ -1,4 +1,4 @@
-//! The C library as a folder that can be installed anywhere: header, libraries, pkg-config and CMake files.
+//! Makes the C library as a folder that can be installed anywhere: header, libraries, pkg-config and CMake files.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,26 +10,28 @@ use crate::command::{run, run_quietly};
 use crate::program::copy_stripped;
 use crate::virtual_environment::target_folder;
 
-/// A scenario for the example, and its steps.
+/// The scenario that the C example runs, and the number of its steps.
 const SCENARIO: [&str; 2] = ["scenarios/paper/experiment_2_4kn.toml", "200"];
 
-/// The SONAME, on macOS the install name: it changes with the version of the interface, which the header gives.
+/// The SONAME of the shared library (on macOS its install name), which changes with the version of the interface in the
+/// header.
 pub(super) fn soname(platform: &Platform) -> Result<String, String> {
     let header = std::fs::read_to_string("include/fenderline.h")
         .map_err(|e| format!("include/fenderline.h: {e}"))?;
     let version = header
         .lines()
         .find_map(|line| line.strip_prefix("#define FL_ABI_VERSION "))
-        .ok_or("include/fenderline.h does not define FL_ABI_VERSION")?;
+        .ok_or("the header include/fenderline.h does not define FL_ABI_VERSION")?;
     Ok(platform.shared_library(version.trim()))
 }
 
-/// Builds the library for this machine, with its SONAME. The next plain build, which has none, replaces it.
+/// Builds the C library for this machine, with its SONAME. The next plain build replaces this library by one without a
+/// SONAME.
 pub(super) fn build_here() -> Result<(), String> {
     run(built::build(PROFILE, &["--lib"]).env("FENDERLINE_SONAME", soname(&Platform::own())?))
 }
 
-/// Makes the folder from the libraries that were built.
+/// Makes the folder of the C package from the libraries that were built.
 pub(super) fn make(platform: &Platform, folder: &Path) -> Result<(), String> {
     let built = |file: &str| {
         if platform.triple.is_empty() {
@@ -106,8 +108,8 @@ fn link(_: &str, place: &Path) -> Result<(), String> {
     Err(format!("{}: packages are made on Linux", place.display()))
 }
 
-/// Moves the folder, finds it by pkg-config (on Linux) and by CMake, and runs the example with the shared and the static library:
-/// all print the same.
+/// Moves the C package's folder, finds the package by pkg-config (on Linux) and by CMake, and runs the example with the
+/// shared and the static library: all runs must print the same.
 pub(super) fn find(folder: &Path) -> Result<(), String> {
     let place = std::env::temp_dir().join(format!("fenderline-c-{}", std::process::id()));
     let found = find_in(folder, &place);
@@ -135,7 +137,7 @@ fn find_in(folder: &Path, place: &Path) -> Result<(), String> {
     }
     run_quietly(&mut Command::new(build.join("game_loop")))?;
     if outputs.iter().any(|output| output.lines().count() < 100 || output != &outputs[0]) {
-        return Err("the example's outputs differ, or are too short".into());
+        return Err("the outputs of the C example differ, or are too short".into());
     }
     println!(
         "pkg-config and CMake find the C package; the example prints the same with each library; the C++ example runs"
@@ -143,7 +145,8 @@ fn find_in(folder: &Path, place: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The SONAME, and the examples with what pkg-config says. Returns what the example in C has printed.
+/// Checks the SONAME of the library, and builds the examples with the options that pkg-config gives. Returns what the C
+/// example has printed.
 fn by_pkg_config(prefix: &Path, place: &Path) -> Result<String, String> {
     let lib = prefix.join("lib");
     let dynamic =

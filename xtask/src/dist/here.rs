@@ -1,5 +1,6 @@
-//! `cargo xtask dist here`: program, C library and wheel for the machine that runs it, for what Linux on x86-64 cannot build for:
-//! macOS, and Windows on Arm. Cargo links as the system does. The release's workflow calls it.
+//! `cargo xtask dist here` makes program, C library and wheel for the machine that runs it: for macOS and for Windows
+//! on Arm, for which Linux on x86-64 cannot build. Cargo links program, library and wheel as usual on that machine. The
+//! workflow of a release calls this command.
 
 use std::path::Path;
 use std::process::Command;
@@ -11,18 +12,18 @@ use crate::command::{run, run_quietly};
 use crate::program;
 use crate::step::{Done, Step};
 
-/// In order. Each thing is tried right after it is made.
+/// In order. Each package is tried right after it is made.
 pub(super) const STEPS: [Step; 3] = [
     Step { name: "the program", run: program_here },
     Step { name: "the C package", run: c_here },
     Step { name: "the wheel", run: wheel_here },
 ];
 
-/// Rust's target of this machine.
+/// The name that Rust gives to this machine's target.
 fn triple() -> Result<String, String> {
     let said = run_quietly(Command::new("rustc").arg("-vV"))?;
     let host = said.lines().find_map(|line| line.strip_prefix("host: "));
-    host.map(str::to_owned).ok_or("rustc does not say its host".into())
+    host.map(str::to_owned).ok_or("rustc does not name its host".into())
 }
 
 fn program_here() -> Result<Done, String> {
@@ -46,7 +47,7 @@ fn c_here() -> Result<Done, String> {
     c_package::make(&platform, &folder)?;
     licences("fenderline-capi", &folder, &[&triple()?])?;
     if platform.is_windows() {
-        println!("the C package was not tried: that is done on Linux and macOS");
+        println!("the C package was not tried, because that is done on Linux and macOS only");
     } else {
         c_package::find(&folder)?;
     }

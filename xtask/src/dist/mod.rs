@@ -1,10 +1,12 @@
-//! `cargo xtask dist`: everything that a release hands out, into `target/dist`: programs, C libraries and Python wheels for
-//! Linux on x86-64 and 64-bit Arm and for Windows, FMU libraries within the programs, the source distribution, licences,
-//! bills of materials and check sums. `cargo xtask dist cheap` is the part that continuous integration runs, `cargo xtask dist
-//! here` makes program, C library and wheel for a machine of another kind, such as a Mac, on that machine.
+//! `cargo xtask dist` makes everything that a release hands out, into `target/dist`: programs, C libraries and Python
+//! wheels for Linux on x86-64 and 64-bit Arm and for Windows, FMU libraries within the programs, the source
+//! distribution, licences, bills of materials and check sums. `cargo xtask dist cheap` is the part of these packages
+//! that continuous integration makes; `cargo xtask dist here` makes program, C library and wheel on a machine of
+//! another kind, such as a Mac, for that machine.
 //!
-//! Zig links for an old glibc (2.17, of 2012), so that programs and libraries run on Linux systems that are older than this
-//! one. Zig, cargo-zigbuild, maturin and twine come from PyPI, in the versions of `xtask/dist-requirements.txt`.
+//! Zig links for an old glibc (2.17, of 2012), so that programs and libraries also run on older Linux systems than the
+//! one that builds them. Zig, cargo-zigbuild, maturin and twine come from PyPI, in the versions of
+//! `xtask/dist-requirements.txt`.
 
 mod archive;
 mod c_package;
@@ -29,7 +31,7 @@ use crate::step::{Done, Step, run_all};
 use crate::tools;
 use crate::virtual_environment::target_folder;
 
-/// The part for continuous integration.
+/// The part of the release's packages that continuous integration makes.
 pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap half", run: cheap };
 
 /// The whole, in order.
@@ -50,7 +52,7 @@ const STEPS: [Step; 9] = [
 
 const SUMS: Step = Step { name: "check sums", run: sums };
 
-/// What was made, unpacked and used.
+/// Unpacks the archives that were made, and uses what is in them.
 const TRIED: Step = Step { name: "the archives as a user finds them", run: tried::tried };
 
 /// `cargo xtask dist`.
@@ -63,7 +65,7 @@ pub(crate) fn here_command() -> ExitCode {
     anew(&here::STEPS)
 }
 
-/// Runs `steps` over an empty folder.
+/// Empties the folder of the release, then runs `steps`.
 fn anew(steps: &[Step]) -> ExitCode {
     let folder = folder();
     if folder.exists()
@@ -75,12 +77,13 @@ fn anew(steps: &[Step]) -> ExitCode {
     run_all(steps)
 }
 
-/// `cargo xtask dist sums`: check sums of what is in `target/dist`, also of files that other machines have made.
+/// `cargo xtask dist sums` writes check sums of the files in `target/dist`, also of files that other machines have
+/// made.
 pub(crate) fn sums_command() -> ExitCode {
     run_all(&[SUMS])
 }
 
-/// `cargo xtask dist tag TAG`: whether a tag may be released, and the notes of the release.
+/// `cargo xtask dist tag TAG` says whether a tag may be released, and writes the notes of the release.
 pub(crate) fn tag_command(name: &str) -> ExitCode {
     match tag::checked(name) {
         Ok(notes) => {
@@ -99,13 +102,13 @@ pub(crate) fn cheap_command() -> ExitCode {
     run_all(&[CHEAP])
 }
 
-/// `cargo xtask dist try`: the last step alone, over what is in `target/dist`.
+/// `cargo xtask dist try` runs only the last step, over the archives in `target/dist`.
 pub(crate) fn try_command() -> ExitCode {
     run_all(&[TRIED])
 }
 
-/// `cargo xtask dist c PREFIX`: builds the C library for this machine and installs it, with its headers, pkg-config and CMake
-/// files, into a folder such as `/usr/local`.
+/// `cargo xtask dist c PREFIX` builds the C library for this machine and installs it, with its headers, pkg-config and
+/// CMake files, into a folder such as `/usr/local`.
 pub(crate) fn install_c_command(prefix: &str) -> ExitCode {
     let prefix = Path::new(prefix);
     match c_package::build_here().and_then(|()| c_package::make(&Platform::own(), prefix)) {
@@ -143,7 +146,7 @@ fn libraries() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The folder from which programs take the libraries of FMUs.
+/// The folder from which the build of programs takes the libraries for FMUs.
 fn fmu_libraries() -> PathBuf {
     target_folder().join("dist-fmu-libraries")
 }
@@ -191,7 +194,7 @@ fn c_packages() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The npm package, tested under Node, as `npm pack` makes it.
+/// Makes the npm package as `npm pack` does, and tests it under Node.
 fn npm() -> Result<Done, String> {
     match browser::package_whole()? {
         Done::Good => {}
@@ -207,7 +210,7 @@ fn published() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// `SHA256SUMS` of all files for download, as `sha256sum --check` reads it.
+/// Writes `SHA256SUMS` for all files for download, in the form that `sha256sum --check` reads.
 fn sums() -> Result<Done, String> {
     let folder = folder();
     let mut names = Vec::new();
@@ -225,8 +228,8 @@ fn sums() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// A C package of this machine, installed, found and used; licences and bills of materials; what the crates' packages and
-/// the source distribution hold.
+/// Makes, installs, finds and uses a C package for this machine; makes licences and bills of materials; checks what the
+/// packages of crates and the source distribution hold.
 fn cheap() -> Result<Done, String> {
     for missing in [tools::c_compiler(), tools::cmake(), tools::python().map(|_| ())] {
         if let Err(missing) = missing {

@@ -1,4 +1,4 @@
-//! The platforms of a release, and the tools that build for them.
+//! The platforms for which a release is built, and the tools that build for them.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,19 +9,19 @@ use crate::same_bits::add_target;
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// The oldest glibc that programs and libraries run with. It is that of the wheels' tag `manylinux2014`.
+/// The oldest glibc with which programs and libraries run. The wheels' tag `manylinux2014` names the same glibc.
 pub(super) const GLIBC: &str = "2.17";
 
 /// The tools' versions.
 const REQUIREMENTS: &str = "xtask/dist-requirements.txt";
 
-/// The Python of the environment with maturin, Zig, cargo-zigbuild and twine.
+/// The Python of the virtual environment that has maturin, Zig, cargo-zigbuild and twine.
 pub(super) fn tools() -> Result<PathBuf, String> {
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
     environment(python, &target_folder().join("dist-python"), Path::new(REQUIREMENTS))
 }
 
-/// The Python of an environment with maturin alone, in the same version, for a machine that builds for itself.
+/// The Python of a virtual environment with maturin alone, in the same version, for a machine that builds for itself.
 pub(super) fn maturin() -> Result<PathBuf, String> {
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
     let all = std::fs::read_to_string(REQUIREMENTS).map_err(|e| format!("{REQUIREMENTS}: {e}"))?;
@@ -37,13 +37,13 @@ pub(super) fn maturin() -> Result<PathBuf, String> {
 /// One platform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Platform {
-    /// In the names of archives.
+    /// Name of the platform in the names of archives.
     pub(super) name: &'static str,
     /// Rust's target.
     pub(super) triple: &'static str,
     /// FMI 3.0's name.
     pub(super) tuple: &'static str,
-    /// The program that strips its files.
+    /// Name of the program that strips debug information from the platform's files.
     pub(super) strip: &'static str,
 }
 
@@ -69,7 +69,7 @@ impl Platform {
         },
     ];
 
-    /// The platform of this machine, built by cargo alone.
+    /// The platform of this machine, for which cargo alone builds.
     pub(super) fn own() -> Platform {
         let name = match (std::env::consts::OS, std::env::consts::ARCH) {
             ("linux", "x86_64") => "linux-x86_64",
@@ -91,7 +91,7 @@ impl Platform {
         self.triple.contains("apple") || (self.triple.is_empty() && cfg!(target_os = "macos"))
     }
 
-    /// Whether programs for it run here without an emulator.
+    /// Whether programs for the platform run on this machine without an emulator.
     pub(super) fn is_own(&self) -> bool {
         cfg!(all(target_os = "linux", target_arch = "x86_64")) && self.name == "linux-x86_64"
     }
@@ -113,7 +113,7 @@ impl Platform {
         Ok(command)
     }
 
-    /// The target for that command.
+    /// The target that the command of cargo gets for the platform.
     pub(super) fn target(&self) -> String {
         if self.is_windows() { self.triple.into() } else { format!("{}.{GLIBC}", self.triple) }
     }
@@ -125,7 +125,7 @@ impl Platform {
         format!("lib{name}.{}", if self.is_macos() { "dylib" } else { "so" })
     }
 
-    /// The C library's file with a version in its name, not for Windows.
+    /// Name of the C library's shared file, with a version in the name; not for Windows.
     pub(super) fn shared_library(&self, version: &str) -> String {
         match self.is_macos() {
             true => format!("libfenderline.{version}.dylib"),
@@ -133,7 +133,8 @@ impl Platform {
         }
     }
 
-    /// The C library's import library for Windows, from the compiler of the platform: mingw's or Microsoft's.
+    /// Name of the C library's import library for Windows, as the platform's compiler writes it: mingw's or
+    /// Microsoft's.
     pub(super) fn import_library(&self) -> &'static str {
         if self.triple.is_empty() { "fenderline.dll.lib" } else { "libfenderline.dll.a" }
     }
@@ -142,7 +143,7 @@ impl Platform {
         if self.is_windows() { format!("{name}.exe") } else { name.into() }
     }
 
-    /// A file that the release build has made.
+    /// Path of a file that the release build for the platform has made.
     pub(super) fn built(&self, file: &str) -> PathBuf {
         target_folder().join(self.triple).join(PROFILE).join(file)
     }

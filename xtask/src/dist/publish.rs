@@ -1,4 +1,4 @@
-//! Packages for the indexes of Rust and Node, as their own clients make them. Nothing is published here.
+//! Makes packages for the indexes of Rust and Node, by the indexes' own clients. Nothing is published here.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::command::{cargo, run, run_quietly};
 use crate::virtual_environment::target_folder;
 
-/// Files that a package must hold beyond its sources: those of the folders that are links in a checkout.
+/// Files that a package must hold beside its sources; in a checkout they lie in folders that are links.
 const DATA: [(&str, &str); 5] = [
     ("fenderline-scenario", "fenders/cone.toml"),
     ("fenderline-scenario", "vessels/kvlcc2.toml"),
@@ -15,21 +15,23 @@ const DATA: [(&str, &str); 5] = [
     ("fenderline", "scenarios/berth/eight_cones_at_5_deg.toml"),
 ];
 
-/// Names the repository in the npm package, whose provenance is accepted only from there.
+/// The environment variable that names the repository for the npm package, whose provenance is accepted only from
+/// there.
 const REPOSITORY: &str = "FENDERLINE_REPOSITORY";
 
-/// Checks what the packages hold. Then all but the upload of `cargo publish --workspace`: every crate that can be published, in
-/// the order of their requirements of each other; with `build`, each is built from its package.
+/// Checks which files the packages of the crates hold. The function then does everything of `cargo publish --workspace`
+/// but the upload, for every crate that can be published, in the order in which the crates need each other; with
+/// `build`, each crate is built from its package.
 ///
 /// # Errors
-/// A package that lacks its data, or does not build.
+/// Fails for a package that lacks its data, or that does not build.
 pub(super) fn crates(build: bool) -> Result<(), String> {
     for (name, file) in DATA {
         let list = ["package", "--list", "--allow-dirty", "--package", name];
         let list = run_quietly(&mut cargo(list))?;
         // On Windows with the other slash.
         if !list.lines().any(|line| line.trim().replace('\\', "/") == file) {
-            return Err(format!("the package of {name} lacks {file}"));
+            return Err(format!("the package of {name} lacks the file {file}"));
         }
     }
     let mut publish = cargo(["publish", "--workspace", "--dry-run", "--allow-dirty"]);
@@ -39,11 +41,11 @@ pub(super) fn crates(build: bool) -> Result<(), String> {
     run(&mut publish)
 }
 
-/// `npm pack` of the package in `built`, into `folder`. From a copy, in which the package names its repository if
-/// `FENDERLINE_REPOSITORY` does.
+/// Runs `npm pack` for the package in the folder `built`, and puts the pack into `folder`. The pack is made of a copy,
+/// in which the package names its repository if `FENDERLINE_REPOSITORY` is set.
 ///
 /// # Errors
-/// A failure of npm; files that cannot be copied.
+/// Fails if npm fails, or if files cannot be copied.
 pub(super) fn npm(built: &Path, folder: &Path) -> Result<(), String> {
     let copy = target_folder().join("dist-npm");
     if copy.exists() {

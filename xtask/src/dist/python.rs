@@ -1,4 +1,4 @@
-//! Wheels for each platform, and the source distribution.
+//! Makes Python wheels for each platform, and the source distribution.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -37,7 +37,7 @@ pub(super) fn all() -> Result<(), String> {
     sdist_builds()
 }
 
-/// Builds the source distribution in an empty folder.
+/// Checks that the source distribution can be built in an empty folder.
 fn sdist_builds() -> Result<(), String> {
     let place = target_folder().join("dist-sdist");
     if place.exists() {
@@ -75,10 +75,10 @@ fn sdist_builds() -> Result<(), String> {
     Ok(())
 }
 
-/// `twine check` of all of them.
+/// Runs `twine check` on all wheels and source distributions.
 ///
 /// # Errors
-/// What the index would refuse.
+/// Fails with what the Python package index would refuse.
 pub(super) fn checked() -> Result<(), String> {
     let mut packages = files(".whl")?;
     packages.extend(files(".tar.gz")?.into_iter().filter(|file| {

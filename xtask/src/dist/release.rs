@@ -1,4 +1,4 @@
-//! What all packages of a release share: profile, commit, version, folder, licences.
+//! What all packages of a release have in common: profile, commit, version, folder, licences.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,11 +7,11 @@ use crate::command::{run, run_quietly};
 use crate::tools;
 use crate::virtual_environment::target_folder;
 
-/// The profile of what is handed out.
+/// The cargo profile of the builds that a release hands out.
 pub(super) const PROFILE: &str = "release";
 
-/// The commit that programs name, with what differs from it: the build itself would name that of an earlier build, if only the
-/// commit is new. Nothing outside a checkout.
+/// The commit that the programs are to name, and whether the files differ from it: the build itself would name the
+/// commit of an earlier build if only the commit is new. Nothing outside a checkout.
 pub(super) fn commit() -> Option<(&'static str, String)> {
     let git = |arguments: &[&str]| run_quietly(Command::new("git").args(arguments)).ok();
     let commit = git(&["rev-parse", "--short=8", "HEAD"])?.trim().to_owned();
@@ -25,7 +25,7 @@ pub(super) fn folder() -> PathBuf {
     target_folder().join("dist")
 }
 
-/// The version of the workspace, which all packages have.
+/// The version of the workspace, which is the version of all packages.
 pub(super) fn version() -> Result<String, String> {
     let manifest = std::fs::read_to_string("Cargo.toml").map_err(|e| format!("Cargo.toml: {e}"))?;
     let versions: Vec<&str> = manifest
@@ -38,11 +38,13 @@ pub(super) fn version() -> Result<String, String> {
     let own = manifest.lines().filter(|line| line.contains("path = \"crates/"));
     match own.into_iter().find(|line| !line.contains(&format!("version = \"{version}\""))) {
         None => Ok(version.to_owned()),
-        Some(line) => Err(format!("Cargo.toml: not version {version}: {line}")),
+        Some(line) => {
+            Err(format!("Cargo.toml has a line with another version than {version}: {line}"))
+        }
     }
 }
 
-/// The project's licences, those of all dependencies, and the bill of materials.
+/// Collects the project's licences, those of all dependencies, and the bill of materials.
 pub(super) fn licences(package: &str, folder: &Path, triples: &[&str]) -> Result<(), String> {
     copy(Path::new("LICENSE-MIT"), folder)?;
     copy(Path::new("LICENSE-APACHE"), folder)?;

@@ -1,11 +1,11 @@
-//! Completions and manual pages in the archives of the program, made by the program itself.
+//! Puts shell completions and manual pages into the archives of the program; the program itself makes them.
 
 use std::path::Path;
 use std::process::Command;
 
 use crate::command::run_quietly;
 
-/// Shells, and the names under which they look for completions of `fenderline`.
+/// Shells, and the file names under which the shells look for completions of `fenderline`.
 pub(super) const COMPLETIONS: [(&str, &str); 5] = [
     ("bash", "completions/fenderline.bash"),
     ("zsh", "completions/_fenderline"),
@@ -14,13 +14,13 @@ pub(super) const COMPLETIONS: [(&str, &str); 5] = [
     ("elvish", "completions/fenderline.elv"),
 ];
 
-/// One of the manual pages, which are in a folder as `man` expects it.
+/// Path of one of the manual pages, which lie in a folder as `man` expects it.
 pub(super) const PAGE: &str = "man/man1/fenderline-run.1";
 
-/// Has `program`, which runs on this machine, write them into `folder`.
+/// Lets `program`, which runs on this machine, write completions and manual pages into `folder`.
 ///
 /// # Errors
-/// A failure of the program; files that cannot be written.
+/// Fails if the program fails, or if files cannot be written.
 pub(super) fn write(program: &Path, folder: &Path) -> Result<(), String> {
     for (shell, name) in COMPLETIONS {
         let file = folder.join(name);

@@ -1,5 +1,5 @@
-//! Whether a tag may be released: all files that name a version name that of the tag, and the changelog has its section, which is
-//! the text of the release.
+//! Decides whether a tag may be released: all files that name a version must name that of the tag, and the changelog
+//! must have a section for it, which becomes the text of the release.
 
 use std::path::{Path, PathBuf};
 
@@ -7,21 +7,21 @@ use super::release::version;
 use crate::command::{cargo, run_quietly};
 use crate::virtual_environment::target_folder;
 
-/// Files that name the version beside `Cargo.toml`, and how a line there does.
+/// Files other than `Cargo.toml` that name the version, and the form of the line that names it.
 const VERSIONS: [(&str, &str); 3] = [
     ("CITATION.cff", "version: VERSION"),
     ("crates/wasm/npm/package.json", "  \"version\": \"VERSION\","),
     ("crates/wasm/npm/package-lock.json", "  \"version\": \"VERSION\","),
 ];
 
-/// Checks `tag`, such as `v0.1.0`, and writes the notes of the release; returns their file.
+/// Checks the tag `tag`, such as `v0.1.0`, writes the notes of the release, and returns the file of the notes.
 ///
 /// # Errors
-/// A file that names another version; a changelog without the section.
+/// Fails for a file that names another version, and for a changelog without a section for the version.
 pub(super) fn checked(tag: &str) -> Result<PathBuf, String> {
     let version = version()?;
     if tag != format!("v{version}") {
-        return Err(format!("the tag is {tag}, and Cargo.toml has version {version}"));
+        return Err(format!("the tag is {tag}, but Cargo.toml has the version {version}"));
     }
     for (name, form) in VERSIONS {
         let wanted = form.replace("VERSION", &version);
@@ -43,7 +43,7 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(Path::new(name)).map_err(|e| format!("{name}: {e}"))
 }
 
-/// The text of a version in the changelog, whose heading has a date.
+/// The text of a version's section in the changelog, whose heading must have a date.
 fn section(changelog: &str, version: &str) -> Result<String, String> {
     let begin = format!("## [{version}] - ");
     let mut lines = changelog.lines();
@@ -56,12 +56,15 @@ fn section(changelog: &str, version: &str) -> Result<String, String> {
             _ => byte.is_ascii_digit(),
         });
     if !is_date {
-        return Err(format!("CHANGELOG.md: the date of {version} is `{date}`, not YYYY-MM-DD"));
+        return Err(format!(
+            "CHANGELOG.md: the date of version {version} is `{date}`, but must have the form \
+                            YYYY-MM-DD"
+        ));
     }
     let text: Vec<&str> = lines.take_while(|line| !line.starts_with("## ")).collect();
     let text = text.join("\n").trim().to_owned();
     if text.is_empty() {
-        return Err(format!("CHANGELOG.md: nothing in the section of {version}"));
+        return Err(format!("CHANGELOG.md: the section of version {version} is empty"));
     }
     Ok(format!("{text}\n"))
 }

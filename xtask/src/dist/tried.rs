@@ -1,4 +1,5 @@
-//! The files of `target/dist` tried as a user would: check sums, then each archive unpacked into an empty folder and used there.
+//! Tries the files of `target/dist` as a user would: checks the check sums, then unpacks each archive into an empty
+//! folder and uses it there.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,10 +12,10 @@ use crate::step::Done;
 use crate::tools;
 use crate::wine;
 
-/// What each archive has beside its content.
+/// Files that each archive has besides program, library or package.
 const BESIDE: [&str; 3] = ["LICENSE-MIT", "LICENSE-APACHE", "THIRD-PARTY-LICENSES.txt"];
 
-/// Prints the number of components of each bill of materials in a folder.
+/// A Python program that prints the number of components of each bill of materials in a folder.
 const BILL: &str = "\
 import json, sys
 from pathlib import Path
@@ -26,14 +27,14 @@ for bill in bills:
     print(f\"{bill.name}: {len(content['components'])} components\")
 ";
 
-/// A run from the package's own example, in a folder that has nothing of the project.
+/// A Python program that runs the package's own example, in a folder that has nothing of the project.
 const IMPORT: &str = "\
 import fenderline
 run = fenderline.run(fenderline.example('tug_4kn'))
 print(fenderline.__version__, run['contacts']['normal_force_n'].max())
 ";
 
-/// A run under Node, of the scenario that the program has written.
+/// A program for Node that runs the scenario which the program has written.
 const NODE: &str = "\
 import { readFile } from 'node:fs/promises';
 import { Run, load, version } from 'fenderline';
@@ -43,12 +44,12 @@ await run.play({});
 console.log(version(), run.verdict().text);
 ";
 
-/// The last step of `cargo xtask dist`, and `cargo xtask dist try`.
+/// Runs the last step of `cargo xtask dist`, which is also `cargo xtask dist try`.
 pub(super) fn tried() -> Result<Done, String> {
     somewhere(tried_in)
 }
 
-/// Tries something in an empty folder, which is removed.
+/// Tries something in an empty folder, which is removed afterwards.
 pub(super) fn somewhere(try_in: impl FnOnce(&Path) -> Result<(), String>) -> Result<Done, String> {
     let place = std::env::temp_dir().join(format!("fenderline-dist-{}", std::process::id()));
     std::fs::create_dir(&place).map_err(|e| format!("{}: {e}", place.display()))?;
@@ -74,7 +75,7 @@ fn tried_in(place: &Path) -> Result<(), String> {
     npm_package(place)
 }
 
-/// Unpacks an archive and returns its folder, with licences and a bill of materials in it.
+/// Unpacks an archive, checks that it has licences and a bill of materials, and returns its folder.
 fn unpacked(name: &str, platform: &Platform, place: &Path) -> Result<PathBuf, String> {
     let name = format!("{name}-{}-{}", version()?, platform.name);
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
@@ -94,13 +95,13 @@ fn unpacked(name: &str, platform: &Platform, place: &Path) -> Result<PathBuf, St
     Ok(folder)
 }
 
-/// The program of `cargo xtask dist here`, which has the library of FMUs for this machine alone.
+/// Tries the program of `cargo xtask dist here`, which has the FMU library for this machine alone.
 pub(super) fn program_of_one(place: &Path) -> Result<(), String> {
     program(&Platform::own(), place, &[])
 }
 
-/// The program says its version and commit, runs an example and packs an FMU for all platforms of `libraries`, where it can run
-/// here.
+/// Lets the program, where it can run here, say its version and commit, run an example and pack an FMU for all
+/// platforms of `libraries`.
 fn program(platform: &Platform, place: &Path, libraries: &[Platform]) -> Result<(), String> {
     let folder = unpacked("fenderline", platform, place)?;
     let completions = shell_files::COMPLETIONS.map(|(_, name)| name);
@@ -140,7 +141,7 @@ fn program(platform: &Platform, place: &Path, libraries: &[Platform]) -> Result<
     Ok(())
 }
 
-/// The command that runs a program of a platform, with an emulator if it is needed; `None` if that is not installed.
+/// The command that runs a program of a platform, with an emulator if needed; `None` if that emulator is not installed.
 fn emulated(platform: &Platform, program: &Path) -> Result<Option<Command>, String> {
     if platform.is_own() || platform.triple.is_empty() {
         return Ok(Some(Command::new(program)));
@@ -159,7 +160,8 @@ fn emulated(platform: &Platform, program: &Path) -> Result<Option<Command>, Stri
     }))
 }
 
-/// The wheel for this machine, which its name shows, in a new virtual environment, with nothing of the checkout.
+/// Tries the wheel for this machine, which is known by its name, in a new virtual environment with nothing of the
+/// checkout.
 pub(super) fn wheel(place: &Path, is_for_this: impl Fn(&str) -> bool) -> Result<(), String> {
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
     let environment = place.join("python");
@@ -184,7 +186,7 @@ pub(super) fn wheel(place: &Path, is_for_this: impl Fn(&str) -> bool) -> Result<
     Ok(())
 }
 
-/// The npm package, installed into an empty folder and imported.
+/// Installs the npm package into an empty folder and imports it.
 fn npm_package(place: &Path) -> Result<(), String> {
     let folder_here = place.join("node");
     std::fs::create_dir(&folder_here).map_err(|e| format!("{}: {e}", folder_here.display()))?;

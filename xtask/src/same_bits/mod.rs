@@ -1,5 +1,6 @@
-//! `cargo xtask same-bits-everywhere [PROFILE]`: runs the same scenarios on five targets and compares the hashes of their
-//! results. Linux with glibc and with musl run here, Windows under Wine, WebAssembly under Node, 64-bit Arm under QEMU.
+//! `cargo xtask same-bits-everywhere [PROFILE]` runs the same scenarios on five targets and compares the hashes of
+//! their results. Of the five targets, Linux with glibc and with musl run directly, Windows under Wine, WebAssembly
+//! under Node, and 64-bit Arm under QEMU.
 
 mod targets;
 
@@ -10,7 +11,7 @@ pub(crate) use self::targets::add_target;
 use self::targets::Target;
 use crate::command::run_quietly;
 
-/// The scenarios, with keys that shorten some of them: QEMU runs ten times slower.
+/// The scenarios that every target runs, with keys that shorten some of them, because QEMU is ten times slower.
 const CASES: [&str; 12] = [
     // The paper's method.
     "scenarios/paper/experiment_2_4kn.toml",
@@ -32,7 +33,7 @@ const CASES: [&str; 12] = [
     "scenarios/berth/moored_three_hours_in_gusts.toml;time.duration=200 s",
 ];
 
-/// Prints a row for each scenario and a column for each target.
+/// Prints a table of results with a row for each scenario and a column for each target.
 pub(crate) fn same_bits_command(profile: &str) -> ExitCode {
     match same_bits(profile) {
         Ok(true) => ExitCode::SUCCESS,

@@ -1,4 +1,4 @@
-//! The targets: how a program for each is built and run on this machine.
+//! The targets of the comparison: how a program for each target is built and run on this machine.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,7 +7,7 @@ use crate::command::{cargo, run, run_quietly};
 use crate::virtual_environment::target_folder;
 use crate::wine;
 
-/// The names of the targets, in order.
+/// The names of the targets, in the order of the columns.
 pub(super) const NAMES: [&str; 5] =
     ["linux gnu", "linux musl", "windows, wine", "wasm, node", "aarch64, qemu"];
 
@@ -19,7 +19,7 @@ const TRIPLES: [&str; 5] = [
     "aarch64-unknown-linux-gnu",
 ];
 
-/// Runs a WASI program under Node with this folder, and passes its arguments on.
+/// JavaScript that runs a WASI program under Node, gives the program the present folder, and passes its arguments on.
 const NODE_RUNNER: &str = "\
 import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
@@ -38,16 +38,16 @@ pub(super) struct Target {
 /// All targets.
 ///
 /// # Errors
-/// This machine is not Linux on x86-64.
+/// Fails if this machine is not Linux on x86-64.
 pub(super) fn all() -> Result<Vec<Target>, String> {
     if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
-        return Err("this command runs on Linux on x86-64".into());
+        return Err("this command needs a machine with Linux on x86-64".into());
     }
     Ok(NAMES.into_iter().zip(TRIPLES).map(|(name, triple)| Target { name, triple }).collect())
 }
 
 impl Target {
-    /// Adds the target's standard library, and checks for the programs that it needs.
+    /// Adds the target's standard library, and checks that the programs which the target needs are installed.
     pub(super) fn prepare(&self) -> Result<(), String> {
         let has = |program: &str, package: &str| {
             run_quietly(Command::new(program).arg("--version"))

@@ -1,14 +1,14 @@
-//! Variables whose values are numbers of one unit.
+//! Axes of a figure for campaign variables whose values are numbers with one unit.
 
 use fenderline_campaign::Variable;
 
-/// The values of a variable as numbers.
+/// An axis: the values of a campaign variable as numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Axis {
     pub(super) name: String,
-    /// Their unit as the file has it; empty if they have none.
+    /// Unit of the values as the campaign file writes it; empty if the values have no unit.
     pub(super) unit: String,
-    /// One for each choice.
+    /// One number for each choice of the variable.
     pub(super) places: Vec<f64>,
 }
 
@@ -19,7 +19,7 @@ impl Axis {
         Some(Axis { name: variable.name.clone(), unit: unit.to_owned(), places })
     }
 
-    /// As [`Axis::of`]; where there are no numbers, the values are numbered from 1.
+    /// The axis of a variable as by [`Axis::of`]; if the values are no numbers, they are numbered from 1.
     pub(super) fn or_numbered(variable: &Variable) -> Axis {
         Axis::of(variable).unwrap_or_else(|| Axis {
             name: format!("{} (in the order of the file)", variable.name),

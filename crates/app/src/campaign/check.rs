@@ -1,4 +1,4 @@
-//! `fenderline check` of a campaign: all that can be known before its first run is made.
+//! `fenderline check` of a campaign: shows all that can be known before the first run of the campaign is made.
 
 use core::fmt::Write as _;
 use std::collections::BTreeMap;
@@ -17,13 +17,14 @@ use crate::failure::Failure;
 use crate::mistake::{error_json, notice_json, refuse_notices, refused_json};
 use crate::terminal::{notice, say, say_json};
 
-/// Cases that are set up at most: a second or two.
+/// Largest number of cases that the check sets up, which takes a second or two.
 const SET_UP: u64 = 1000;
 
-/// Sets up the cases of a campaign, or the first of many, without a time step, and says what would run.
+/// Sets up the cases of a campaign (the first 1000 if there are more) without a time step, and says what would run.
 ///
 /// # Errors
-/// The mistakes that end `fenderline campaign` before its first run. With `--strict` a notice, or a case that cannot start.
+/// Fails with the mistakes that end `fenderline campaign` before its first run. With `--strict` the check also fails if
+/// there is a notice or a case that cannot start.
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let refused = |failure: Failure, found: Value| {
         if args.json {
@@ -66,17 +67,17 @@ fn loaded(path: &Path) -> Result<Runs, CampaignError> {
     Runs::new(Campaign::load(path)?)
 }
 
-/// What setting up the cases has shown.
+/// What the check found while it set up the cases.
 struct Found {
-    /// Cases that were set up, and tried.
+    /// Number of cases that the check set up.
     tried: u64,
-    /// Reasons not to start.
+    /// Reasons why a case cannot start, with the cases that each reason concerns.
     refused: BTreeMap<String, Cases>,
-    /// Notices of the scenario, and of ships that start inside something.
+    /// Notices of the scenario, and notices of ships that start inside another body.
     notices: BTreeMap<String, Cases>,
-    /// Least and most time steps of a case.
+    /// Smallest and largest number of time steps of a case.
     steps: Option<(u64, u64)>,
-    /// Least and greatest number of each variable.
+    /// Smallest and largest value of each variable; `None` for a variable without numbers.
     ranges: Vec<Option<(f64, f64)>>,
 }
 
@@ -129,7 +130,7 @@ impl Found {
         }
     }
 
-    /// What looks unintended, each with the first case that shows it.
+    /// What looks like a mistake of the user, one sentence each, with the first case that shows it.
     fn sentences(&self) -> Vec<String> {
         let refused = self.refused.values().map(|cases| {
             let why = cases.what.strip_prefix("error: ").unwrap_or(&cases.what);
@@ -197,7 +198,7 @@ impl Found {
         text
     }
 
-    /// The variables with what was drawn of them.
+    /// The campaign's variables, each with its law and the range of the values that were drawn.
     fn variables(&self, runs: &Runs) -> Vec<Variable> {
         let each = runs.draws().heads().iter().zip(&self.ranges);
         let law = |name: &str| {
@@ -221,12 +222,12 @@ struct Variable {
     range: Option<(f64, f64)>,
 }
 
-/// Cases in which the same was found, but for its numbers.
+/// Cases in which the check found the same message; messages that differ only in their numbers count as the same.
 struct Cases {
-    /// The first, counted from 0.
+    /// Index of the first case with this message, counted from 0.
     first: u64,
     count: u64,
-    /// What was found in the first, and the same as JSON.
+    /// The message of the first case, as text and as JSON.
     what: String,
     json: Value,
 }
@@ -245,7 +246,7 @@ impl Cases {
     }
 }
 
-/// Counts a case under what was found in it.
+/// Counts a case under the message that the check found in it.
 fn add(found: &mut BTreeMap<String, Cases>, what: String, run: u64, json: Value) {
     let is_of_a_number = |c: &char| c.is_ascii_digit() || ['.', '-'].contains(c);
     let kind = what.chars().filter(|c| !is_of_a_number(c)).collect();

@@ -1,4 +1,4 @@
-//! The documents of a downtime: its tables and report.
+//! The documents of a downtime analysis: its tables and its report.
 
 use core::fmt::Write as _;
 use std::path::Path;
@@ -26,17 +26,17 @@ fn table(folder: &Path) -> Result<Table, Failure> {
     Table::open(&folder.join(TABLE_PARQUET)).map_err(|why| refused(&why))
 }
 
-/// The hours lost, counted from the table of a finished campaign.
+/// Counts the hours lost to downtime from the table of a finished campaign.
 fn counted(runs: &Runs, plan: &DowntimePlan, table: &Table) -> Result<DowntimeTable, Failure> {
     let limits = runs.base().setup.world.statistics.limits.iter();
     let limits: Vec<String> = limits.map(|limit| limit.name.clone()).collect();
     DowntimeTable::of(plan, table, &limits, Confidence::USUAL).map_err(|why| refused(&why))
 }
 
-/// Writes tables and report (under the name `report`) of a finished downtime.
+/// Writes the tables of a finished downtime analysis, and its report to the file name `report`.
 ///
 /// # Errors
-/// The table, or the disk; a browser that fails.
+/// Fails if the table cannot be read, a file cannot be written, or the browser that prints the PDF fails.
 pub(super) fn write(
     runs: &Runs,
     plan: &DowntimePlan,
@@ -82,10 +82,10 @@ pub(super) fn write(
     }
 }
 
-/// What the terminal shows of a finished downtime.
+/// What the terminal shows of a finished downtime analysis.
 ///
 /// # Errors
-/// The table cannot be read.
+/// Fails if the table cannot be read.
 pub(super) fn printed(runs: &Runs, plan: &DowntimePlan, folder: &Path) -> Result<String, Failure> {
     let counted = counted(runs, plan, &table(folder)?)?;
     let all = &counted.all;

@@ -1,4 +1,4 @@
-//! What the program shows of a campaign's rows.
+//! Collects from a campaign's rows what the program shows of them.
 
 use fenderline_campaign::store::Store;
 use fenderline_campaign::{CampaignError, Cell, Head, Row, Runs};
@@ -7,7 +7,7 @@ use fenderline_sim::Verdict;
 
 use crate::failure::Failure;
 
-/// Most rows of a workbook: a sheet of Excel has 2²⁰, of which two are heads.
+/// Largest number of runs in a workbook: a sheet of Excel has 2²⁰ rows, of which two are head lines.
 pub(super) const MOST_IN_A_WORKBOOK: u64 = (1 << 20) - 2;
 
 /// A table with units.
@@ -19,22 +19,24 @@ pub(crate) struct CaseTable {
     pub(crate) rows: Vec<Vec<Cell>>,
 }
 
-/// The rows of a campaign, and what is counted of them.
+/// The rows of a campaign's table, and what is counted from them.
 pub(super) struct Gathered {
     table: CaseTable,
     /// Number of rows.
     pub(super) count: u64,
-    /// Verdicts in words with their numbers, in the order of their first run.
+    /// Each verdict in words with the number of its runs, in the order in which the verdicts first occur.
     pub(super) verdicts: Vec<(String, u64)>,
-    /// The most used fender: case, fender, quantity, share in per cent.
+    /// The most used fender of all runs: number of the case, name of the fender, quantity, and share of its rating in
+    /// per cent.
     pub(super) governing: Option<(u64, String, String, f64)>,
-    /// The first run that was not made, and why.
+    /// Number of the first run that was not made, and the reason.
     pub(super) failed: Option<(u64, String)>,
     failures: u64,
 }
 
 impl Gathered {
-    /// The rows of a store, those below `ended` where a rule ended the campaign. `is_held`: the table is kept in memory.
+    /// Reads the rows of a campaign's store; only those before run `ended` if a stop rule ended the campaign. `is_held`
+    /// says that the table is kept in memory.
     pub(super) fn of(
         runs: &Runs,
         store: &Store<'_>,
@@ -98,19 +100,19 @@ impl Gathered {
         &row.cells[place.expect("every campaign has it") - 1]
     }
 
-    /// The table; without rows where it was not to be held.
+    /// The table of the campaign; it has no rows if it was not to be kept in memory.
     pub(super) fn table(&self) -> &CaseTable {
         &self.table
     }
 
-    /// Whether all runs were made.
+    /// Fails if a run of the campaign was not made.
     pub(super) fn outcome(&self) -> Result<(), Failure> {
         match self.failures {
             0 => Ok(()),
             _ => {
-                let count = counted(self.failures, "case", "cases");
+                let cases = counted(self.failures, "case", "cases");
                 Err(Failure::case(format_args!(
-                    "error: {count} did not run: see the column `error`"
+                    "error: {cases} did not run: see the column `error` of the table"
                 )))
             }
         }

@@ -1,4 +1,4 @@
-//! `fenderline campaign merge`: the shares of a campaign into one table.
+//! `fenderline campaign merge` puts the shares of a campaign together into one table.
 
 use fenderline_campaign::Campaign;
 use fenderline_campaign::Runs;
@@ -13,8 +13,8 @@ use crate::terminal::say;
 /// Merges shares.
 ///
 /// # Errors
-/// Bad input: a folder that holds no share of the campaign, a share that is missing, not finished or there twice, a folder that
-/// holds a campaign already.
+/// Fails if a folder holds no share of the campaign, if a share is missing, not finished or given twice, or if the
+/// folder for the table holds a campaign already.
 pub(super) fn merge(args: &CampaignMergeArgs) -> Result<(), Failure> {
     let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
     let runs = Runs::new(campaign).map_err(Failure::input)?;

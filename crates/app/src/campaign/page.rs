@@ -1,5 +1,5 @@
-//! The figure of a campaign: a page of charts without outside resources. One variable is the horizontal axis, another makes
-//! the lines, and there is a chart for each combination of the others.
+//! The figure of a campaign: a page of charts without outside resources. One variable is the horizontal axis, another
+//! variable makes the lines, and there is a chart for each combination of the remaining variables.
 
 use fenderline_campaign::Campaign;
 use fenderline_campaign::Cell;
@@ -10,13 +10,14 @@ use maud::{Markup, html};
 use super::axis::Axis;
 use super::gathered::{CaseTable, Gathered};
 
-/// Most charts of a quantity, and most rows of the table: a page stays readable.
+/// Largest number of charts of a quantity, and of rows of the table, so that the page stays readable.
 const MOST_CHARTS: usize = 60;
 const MOST_ROWS: usize = 2000;
-/// Most choices of the variable that makes the lines: they can be told apart.
+/// Largest number of lines in a chart, so that the lines can be told apart.
 const MOST_LINES: usize = fenderline_report::plot::STYLES;
 
-/// Values beyond so many times the limit are drawn there: a fender that failed does not flatten the chart of the others.
+/// Values above this multiple of the limit are drawn at this multiple, so that a failed fender does not flatten the
+/// chart of the other cases.
 const DRAWN_LIMITS: f64 = 2.0;
 
 /// Which variable is the horizontal axis, and which makes the lines.
@@ -27,10 +28,11 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// The variables that are named; without a name the first one with numbers, then the first of the others.
+    /// The variables that `x` and `lines` name. If the user names no variable, the horizontal axis is the first
+    /// variable with numbers, and the lines are made by the first of the remaining variables.
     ///
     /// # Errors
-    /// A name that no variable has, one for both, or too many lines.
+    /// Fails if no variable has the given name, if both options name the same variable, or if there are too many lines.
     pub(super) fn of(
         campaign: &Campaign,
         x: Option<&str>,
@@ -69,24 +71,24 @@ impl Layout {
     }
 }
 
-/// A quantity over an axis.
+/// A quantity that the charts draw over the horizontal axis.
 struct Drawn {
     title: &'static str,
     name: &'static str,
     unit: &'static str,
     limit: Option<(&'static str, f64)>,
-    /// Its column of the table.
+    /// Column of the table that holds the quantity.
     column: &'static str,
 }
 
-/// A case: number, and the value of a quantity.
+/// Index of a case, and the value of the drawn quantity in that case.
 struct Value {
     index: usize,
     value: f64,
 }
 
 impl Drawn {
-    /// The highest value that is drawn as it is.
+    /// The highest value of the quantity that is drawn at its own height; higher values are drawn at this height.
     fn highest(&self) -> f64 {
         self.limit.map_or(f64::INFINITY, |(_, limit)| DRAWN_LIMITS * limit)
     }
@@ -130,7 +132,7 @@ pub(super) fn render(campaign: &Campaign, gathered: &Gathered, layout: Layout) -
     page(&campaign.title, &body)
 }
 
-/// The charts of a quantity, one for each combination of the variables that are neither axis nor lines.
+/// The charts of a quantity: one for each combination of the variables that make neither the axis nor the lines.
 fn charts(campaign: &Campaign, cases: &[Value], drawn: &Drawn, layout: Layout) -> Markup {
     let variables = &campaign.variables;
     let others: Vec<usize> = (0..variables.len())
@@ -181,7 +183,9 @@ fn charts(campaign: &Campaign, cases: &[Value], drawn: &Drawn, layout: Layout) -
             linked: None,
             note: if is_beyond {
                 let shown = format!("{} {}", plain(highest, 4), drawn.unit);
-                format!("Values beyond {shown} are drawn at {shown}: the table has them.")
+                format!(
+                    "Values beyond {shown} are drawn at {shown}; the table has the true values."
+                )
             } else {
                 String::new()
             },
@@ -196,8 +200,8 @@ fn charts(campaign: &Campaign, cases: &[Value], drawn: &Drawn, layout: Layout) -
     }
 }
 
-/// The upper end that all charts of a quantity reach, so that they can be compared. A fender that failed may be far
-/// above its limit: it does not flatten the other charts.
+/// Upper end of the vertical axis in all charts of a quantity, so that the charts can be compared. A failed fender may
+/// be far above its limit, but does not flatten the other charts.
 fn common_top(cases: &[Value], drawn: &Drawn) -> f64 {
     let most = cases.iter().map(|case| case.value).fold(0.0, greater);
     match drawn.limit {
@@ -206,7 +210,7 @@ fn common_top(cases: &[Value], drawn: &Drawn) -> f64 {
     }
 }
 
-/// A quantity of the cases that ran.
+/// The values of a quantity in the cases that ran.
 fn values(table: &CaseTable, drawn: &Drawn) -> Vec<Value> {
     let place = table.heads.iter().position(|head| head.name == drawn.column);
     let place = place.expect("every campaign has it");
@@ -217,7 +221,7 @@ fn values(table: &CaseTable, drawn: &Drawn) -> Vec<Value> {
     table.rows.iter().filter_map(value).collect()
 }
 
-/// One line: the cases that `is_on` holds for, in the order of the axis.
+/// One line of a chart: the cases for which `is_on` is true, in the order of the horizontal axis.
 fn line(
     name: &str,
     cases: &[Value],

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use fenderline_campaign::store::Shard;
 
-/// Name of the figure of a full factorial.
+/// File name of the figure of a full factorial campaign.
 pub(super) const FIGURE: &str = "figure.html";
 
 pub(super) fn default_folder(campaign: &Path, shard: Shard) -> PathBuf {

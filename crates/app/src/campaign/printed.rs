@@ -14,7 +14,7 @@ use super::report::REPORT;
 use crate::cli::CampaignRunArgs;
 use crate::terminal::notice;
 
-/// The summary; a notice for the first run that was not made.
+/// Prints the summary of a campaign, and a notice for the first run that was not made.
 pub(super) fn printed(
     runs: &Runs,
     gathered: &Gathered,
@@ -28,7 +28,8 @@ pub(super) fn printed(
     let of = counted(shard.count(runs.count()), "case", "cases");
     let mut text = format!("{}: {} of {of} done\n", campaign.title, gathered.count);
     if ended.is_some() {
-        let _ = writeln!(text, "ended by its stop rule: the estimate is good enough");
+        let _ =
+            writeln!(text, "the campaign was ended by its stop rule: the estimate is good enough");
     }
     for (verdict, count) in &gathered.verdicts {
         let _ = writeln!(text, "  {count:>5}  {verdict}");
@@ -38,7 +39,7 @@ pub(super) fn printed(
         let values = values(runs, *case);
         let _ = writeln!(
             text,
-            "most used: {fender}, {quantity} {share} % of rated, in case {case} ({values})"
+            "most used fender: {fender}, {quantity} {share} % of rated, in case {case} ({values})"
         );
     }
     if let Some((number, why)) = &gathered.failed {
@@ -62,7 +63,7 @@ pub(super) fn printed(
     text
 }
 
-/// Names and values of the variables in a case.
+/// Names and values of the campaign's variables in one case.
 fn values(runs: &Runs, case: u64) -> String {
     let drawn = runs.draws().of_run(case - 1);
     let shown = |cell: &Cell, unit: &str| match (cell, unit) {

@@ -1,4 +1,4 @@
-//! `fenderline campaign replay`: one case of a campaign as a run of its own, with its report.
+//! `fenderline campaign replay` makes one case of a campaign as a run of its own, with its report.
 
 use core::fmt::Write as _;
 
@@ -9,10 +9,10 @@ use fenderline_campaign::Runs;
 use crate::cli::{CampaignReplayArgs, Cli, Command};
 use crate::failure::Failure;
 
-/// Runs a case by itself: its summary, tables and report.
+/// Runs one case of a campaign by itself, and writes its summary, tables and report.
 ///
 /// # Errors
-/// As those of `fenderline run`; a campaign without that case.
+/// Fails like `fenderline run`, and if the campaign has no case of that number.
 pub(super) fn replay(args: &CampaignReplayArgs) -> Result<(), Failure> {
     let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
     let runs = Runs::new(campaign).map_err(Failure::input)?;
@@ -27,10 +27,10 @@ pub(super) fn replay(args: &CampaignReplayArgs) -> Result<(), Failure> {
     crate::run::run(&run)
 }
 
-/// The command that runs one case by itself, with its report.
+/// The command line that runs one case of a campaign by itself, with its report.
 ///
 /// # Errors
-/// A number that no case has.
+/// Fails if no case has this number.
 pub(super) fn command(runs: &Runs, number: u64) -> Result<String, Failure> {
     let mut text = "fenderline".to_owned();
     for word in words(runs, number)? {
@@ -44,7 +44,7 @@ fn words(runs: &Runs, number: u64) -> Result<Vec<String>, Failure> {
     let Some(run) = number.checked_sub(1).filter(|run| *run < runs.count()) else {
         let count = runs.count();
         return Err(Failure::input(format_args!(
-            "error: there is no case {number}: they are numbered from 1 to {count}"
+            "error: there is no case {number}: the cases are numbered from 1 to {count}"
         )));
     };
     let mut words = vec!["run".to_owned(), runs.campaign().scenario.display().to_string()];
@@ -55,7 +55,7 @@ fn words(runs: &Runs, number: u64) -> Result<Vec<String>, Failure> {
     Ok(words)
 }
 
-/// A word of a command line, in quotes where it needs them.
+/// A word of a command line, in quotes if the shell needs them.
 fn in_shell(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=+:".contains(c);
     match word.chars().all(is_plain) {

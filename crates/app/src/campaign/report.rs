@@ -23,21 +23,22 @@ use crate::terminal::say;
 /// Name of the report.
 pub(super) const REPORT: &str = "report.html";
 
-/// Numbers of every campaign that the report shows, the most important first.
+/// Output numbers that the report of every campaign shows, the most important first.
 const SHOWN: [&str; 6] =
     ["energy", "reaction", "deflection", "governing_share", "hull_pressure", "line_share"];
 
-/// Runs whose paths are drawn at most, and the time steps that may be made again for it: some seconds.
+/// Largest number of runs whose paths the report draws, and of time steps that are simulated again for the paths, which
+/// takes some seconds.
 const SEEN_RUNS: u64 = 200;
 const SEEN_STEPS: f64 = 2e6;
 
 /// Laws that are fitted.
 const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
 
-/// `fenderline campaign report`: the report of a table that is there, as of merged shares.
+/// `fenderline campaign report` writes the report of an existing table, such as that of merged shares.
 ///
 /// # Errors
-/// A folder without a table, or with that of another campaign; a report that cannot be written.
+/// Fails if the folder has no table or the table of another campaign, or if the report cannot be written.
 pub(super) fn report_command(args: &CampaignReportArgs) -> Result<(), Failure> {
     let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
     let runs = Runs::new(campaign).map_err(Failure::input)?;
@@ -51,7 +52,7 @@ pub(super) fn report_command(args: &CampaignReportArgs) -> Result<(), Failure> {
 /// Writes the report of the table in a folder, and as PDF where one is asked for.
 ///
 /// # Errors
-/// The table, or the disk; a browser that fails.
+/// Fails if the table cannot be read, a file cannot be written, or the browser that prints the PDF fails.
 pub(super) fn write(
     runs: &Runs,
     file: &Path,
@@ -107,7 +108,7 @@ pub(super) fn write(
     }
 }
 
-/// The plan in words, with the seed where it draws.
+/// The campaign's plan in words; with the seed, if the plan draws random values.
 pub(super) fn plan(campaign: &Campaign) -> String {
     match campaign.plan {
         Plan::FullFactorial | Plan::Table { .. } => campaign.plan.word().to_owned(),
@@ -117,8 +118,8 @@ pub(super) fn plan(campaign: &Campaign) -> String {
     }
 }
 
-/// The numbers that the report shows: those of every campaign that this one has, and the user's own. What a formula of the user's uses is
-/// not shown by itself.
+/// Names of the output numbers that the report shows: the usual ones that this campaign has, and those that the user
+/// asks for. A number that one of the user's formulas uses is not shown by itself.
 fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
     let campaign = runs.campaign();
     let used: Vec<String> =
@@ -149,7 +150,8 @@ fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
         .collect()
 }
 
-/// The paths of the first runs, as many as few steps allow: they are made again for it.
+/// The ships' paths of the first runs. For the paths so many runs are simulated again as a limited number of time steps
+/// allows.
 fn seen(runs: &Runs) -> Vec<Seen> {
     let setup = &runs.base().setup;
     let affordable = (SEEN_STEPS * setup.step_s / setup.duration_s) as u64;
@@ -158,12 +160,12 @@ fn seen(runs: &Runs) -> Vec<Seen> {
     (0..count).filter_map(|run| runner.see(run)).collect()
 }
 
-/// The numbers of a formula.
+/// Names of the output numbers that a formula uses.
 fn names_of(expression: &str) -> Vec<String> {
     Formula::parse(expression).map_or_else(|_| Vec::new(), |formula| formula.names().to_vec())
 }
 
-/// A variable with its law in words.
+/// Describes a variable of the campaign with its law in words.
 pub(super) fn input(variable: &Variable) -> Input {
     let with_unit = |text: String, unit: &str| match unit {
         "" => text,
@@ -202,7 +204,7 @@ pub(super) fn input(variable: &Variable) -> Input {
     }
 }
 
-/// Refuses a success that is no number of the campaign.
+/// Refuses a campaign whose key `success` names no number of its table.
 ///
 /// # Errors
 /// Why.

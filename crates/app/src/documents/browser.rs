@@ -3,10 +3,10 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Names the browser, before all others.
+/// Environment variable that names the browser; it goes before all other places.
 pub(super) const VARIABLE: &str = "FENDERLINE_BROWSER";
 
-/// Programs in the folders of PATH, in the order in which they are tried.
+/// Names of browser programs that are looked for in the folders of PATH, in this order.
 const PROGRAMS: [&str; 9] = [
     "chromium",
     "chromium-browser",
@@ -19,7 +19,7 @@ const PROGRAMS: [&str; 9] = [
     "brave-browser",
 ];
 
-/// Where macOS and Windows keep browsers, which are not in PATH there.
+/// Paths where macOS and Windows keep browsers; on these systems browsers are not in PATH.
 const PLACES: [&str; 7] = [
     "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
@@ -30,7 +30,7 @@ const PLACES: [&str; 7] = [
     r"C:\Program Files\Microsoft\Edge\Application\msedge.exe",
 ];
 
-/// A browser of the Chromium family.
+/// A browser of the Chromium family, which prints the PDF report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Browser {
     pub(super) program: PathBuf,
@@ -40,7 +40,7 @@ impl Browser {
     /// The browser that `FENDERLINE_BROWSER` names, or the first that is installed.
     ///
     /// # Errors
-    /// There is none; the text names what was looked for and how to get one.
+    /// Fails if there is no browser; the text names what was looked for and how to get a browser.
     pub(super) fn find() -> Result<Browser, String> {
         find(env::var_os(VARIABLE).map(PathBuf::from), env::var_os("PATH").as_deref(), &PLACES)
     }
@@ -76,7 +76,7 @@ fn find(
     })
 }
 
-/// A program in the folders of PATH.
+/// Looks for a program in the folders of PATH.
 fn in_path(path: Option<&std::ffi::OsStr>, name: &Path) -> Option<PathBuf> {
     let name = name.with_added_extension(env::consts::EXE_EXTENSION);
     env::split_paths(path?).map(|folder| folder.join(&name)).find(|program| program.is_file())

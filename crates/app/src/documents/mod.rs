@@ -18,7 +18,7 @@ use browser::Browser;
 use sheets::Sheets;
 pub(crate) use workbook::cases_workbook;
 
-/// The documents that the command line asks for.
+/// The documents (PDF, workbook) that the command line asks for.
 pub(crate) struct Documents {
     pdf: Option<Pdf>,
     xlsx: Option<PathBuf>,
@@ -27,22 +27,23 @@ pub(crate) struct Documents {
 }
 
 impl Documents {
-    /// Checks what is asked for before the run: a browser that is missing after hours of it would be late.
+    /// Checks before the run whether the documents can be made: after hours of simulation it would be too late to learn
+    /// that the browser is missing.
     ///
     /// # Errors
-    /// Bad input: no browser, an unknown table, a series that is too long for a sheet.
+    /// Fails if there is no browser, if a table is unknown, or if a time series is too long for a sheet.
     pub(crate) fn of(asked: &cli::Documents, setup: &Setup) -> Result<Documents, Failure> {
         let pdf = Pdf::of(asked.pdf.as_deref())?;
         let series = sheets::chosen(asked.sheets.as_deref(), setup)?;
         Ok(Documents { pdf, xlsx: asked.xlsx.clone(), series })
     }
 
-    /// Whether no document is asked for.
+    /// Whether the command line asks for no document.
     pub(crate) fn is_none(&self) -> bool {
         self.pdf.is_none() && self.xlsx.is_none()
     }
 
-    /// The time series of the workbook, to be filled during the run.
+    /// Starts the time series of the workbook, which the run fills.
     ///
     /// # Errors
     /// As [`Sheets::write`].
@@ -53,7 +54,7 @@ impl Documents {
     /// Writes the documents and says where they are. `page` is the report.
     ///
     /// # Errors
-    /// A file that cannot be written; a browser that fails. The documents before it are complete.
+    /// Fails if a file cannot be written or the browser fails; the documents that were written before are complete.
     pub(crate) fn write(&self, played: &Played, page: &str, sheets: Sheets) -> Result<(), Failure> {
         if let Some(path) = &self.xlsx {
             let series = sheets.finish()?;
@@ -76,10 +77,11 @@ pub(crate) struct Pdf {
 }
 
 impl Pdf {
-    /// Looks for a browser, if a PDF is asked for: before the runs, because after hours of them it would be late.
+    /// Looks for a browser before the runs if a PDF is asked for; after hours of runs it would be too late to learn
+    /// that the browser is missing.
     ///
     /// # Errors
-    /// Bad input: no browser.
+    /// Fails if there is no browser.
     pub(crate) fn of(path: Option<&Path>) -> Result<Option<Pdf>, Failure> {
         let Some(path) = path else { return Ok(None) };
         let browser = Browser::find().map_err(Failure::input)?;
@@ -89,7 +91,7 @@ impl Pdf {
     /// Prints a page and says where the PDF is.
     ///
     /// # Errors
-    /// A file that cannot be written; a browser that fails.
+    /// Fails if a file cannot be written or the browser fails.
     pub(crate) fn write(&self, page: &str) -> Result<(), Failure> {
         let path = &self.path;
         let bytes = pdf::print(&self.browser, page, path).map_err(|e| refused(path, &e))?;

@@ -11,14 +11,15 @@ use super::browser::{Browser, VARIABLE};
 
 /// Longest time that a browser may take to print a report.
 const LONGEST: Duration = Duration::from_secs(180);
-/// Bytes of a browser's messages that an error shows.
+/// Number of bytes of the browser's messages that an error shows.
 const SHOWN: usize = 600;
 
-/// A folder that is removed with everything in it.
+/// A temporary folder, which is removed with everything in it.
 struct Workplace(PathBuf);
 
 impl Workplace {
-    /// A new folder beside the PDF: a browser from a snap package reads no temporary folder of the system.
+    /// Makes a temporary folder beside the PDF, because a browser from a snap package cannot read the system's folder
+    /// for temporary files.
     fn beside(pdf: &Path) -> io::Result<Workplace> {
         let folder = pdf.with_added_extension(format!("print-{}", std::process::id()));
         DirBuilder::new().create(&folder)?;
@@ -37,10 +38,10 @@ impl Drop for Workplace {
     }
 }
 
-/// Prints a page. `pdf` says beside which file the browser may work.
+/// Prints a page to PDF by a browser. The browser works in a temporary folder beside the file `pdf`.
 ///
 /// # Errors
-/// A folder or a file that cannot be written; a browser that does not start, fails or takes too long.
+/// Fails if a folder or a file cannot be written, or if the browser does not start, fails or takes too long.
 pub(super) fn print(browser: &Browser, page: &str, pdf: &Path) -> Result<Vec<u8>, String> {
     let place = Workplace::beside(pdf).map_err(|e| {
         format!(
@@ -68,7 +69,7 @@ pub(super) fn print(browser: &Browser, page: &str, pdf: &Path) -> Result<Vec<u8>
     ))
 }
 
-/// Waits for the browser; `false`: it took too long and was ended.
+/// Waits until the browser has ended; returns `false` if the browser took too long and was killed.
 fn wait(child: &mut Child) -> io::Result<bool> {
     let begun = Instant::now();
     loop {
@@ -119,7 +120,7 @@ fn is_root() -> bool {
     false
 }
 
-/// The URL of a file. What has a meaning in URLs is escaped.
+/// The URL of a file. Characters that have a meaning in URLs are escaped.
 fn file_url(path: &Path) -> String {
     let text = path.to_string_lossy().replace('\\', "/");
     let mut url = String::from(if text.starts_with('/') { "file://" } else { "file:///" });

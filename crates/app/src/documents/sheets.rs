@@ -6,16 +6,16 @@ use fenderline_sim::{OutputPlan, OutputTable, Setup, StepRecord};
 use crate::failure::Failure;
 use crate::played::Start;
 
-/// Rows of a sheet, the two rows of its head apart: the most that Excel opens.
+/// Largest number of rows of a sheet that Excel opens, without the two head lines.
 pub(super) const MOST_ROWS: usize = 1_048_576 - 2;
 
-/// Time series in memory; none where the command line asks for none.
+/// The time series of the workbook, held in memory; `None` if the command line asks for none.
 pub(crate) struct Sheets(Option<Tables<InMemory>>);
 
-/// The tables that `names` lists, separated by commas.
+/// The result tables that `names` lists, separated by commas.
 ///
 /// # Errors
-/// Bad input: a name that is no table's, or a table about something that the scenario does not have.
+/// Fails if no table has a given name, or if the scenario has nothing to fill the table, such as lines.
 pub(super) fn chosen(names: Option<&str>, setup: &Setup) -> Result<Vec<OutputTable>, Failure> {
     let Some(names) = names else { return Ok(Vec::new()) };
     let mut all = Vec::new();
@@ -38,7 +38,7 @@ pub(super) fn chosen(names: Option<&str>, setup: &Setup) -> Result<Vec<OutputTab
     Ok(all)
 }
 
-/// Whether the set-up has nothing that the table is about.
+/// Whether the set-up has nothing to fill the table, such as no fenders for the table of fenders.
 fn is_empty(table: OutputTable, setup: &Setup) -> bool {
     let world = &setup.world;
     match table {
@@ -58,7 +58,7 @@ fn is_empty(table: OutputTable, setup: &Setup) -> bool {
 }
 
 impl Sheets {
-    /// Starts the tables, with as many steps a row as the scenario's result files.
+    /// Starts the time series; a row stands for as many time steps as in the scenario's result files.
     ///
     /// # Errors
     /// As [`Sheets::write`].
@@ -75,7 +75,7 @@ impl Sheets {
     /// Adds a step.
     ///
     /// # Errors
-    /// A value that is not finite; more rows than a sheet holds.
+    /// Fails if a value is not finite, or if there are more rows than a sheet holds.
     pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), Failure> {
         let Some(tables) = &mut self.0 else { return Ok(()) };
         tables.write(step).map_err(failure)?;

@@ -1,4 +1,4 @@
-//! Where the libraries of an FMU come from: this program's own data, files that the user names, or the library that cargo
+//! Finds the libraries of an FMU: those built into this program, files that the user names, or the library that cargo
 //! puts beside the program.
 
 use std::borrow::Cow;
@@ -15,22 +15,23 @@ use crate::carried::EMBEDDED;
 use crate::cli::FmuArgs;
 use crate::failure::Failure;
 
-/// Largest library that is read (bytes). The project's has about 3 MiB, with debug information about 100.
+/// Largest library file that is read (bytes). The project's own library has about 3 MiB, with debug information about
+/// 100 MiB.
 const LARGEST_LIBRARY: u64 = 1 << 30;
 
-/// A library for one platform.
+/// An FMU library for one platform.
 pub(super) struct Library {
     pub(super) platform: Platform,
     pub(super) bytes: Cow<'static, [u8]>,
-    /// File of the library; `None` for one that the program carries.
+    /// File of the library; `None` for a library that is built into the program.
     path: Option<PathBuf>,
 }
 
 impl Library {
-    /// Checks the library's version, and tries it if this machine can load it.
+    /// Checks the library's version, and tries the library if this machine can load it.
     ///
     /// # Errors
-    /// A library that cannot go into an FMU of the plan.
+    /// Fails if the library cannot go into an FMU of the plan.
     pub(super) fn check(&self, plan: &Plan) -> Result<(), Failure> {
         let place = match &self.path {
             Some(path) => path.display().to_string(),
@@ -39,7 +40,7 @@ impl Library {
         // First, as the system may end the program when it loads a damaged file.
         if !is_of_this_version(&self.bytes) {
             return Err(Failure::case(format_args!(
-                "error: {place}: not the FMU's library of this version ({LIBRARY_STAMP:?} is not in it)"
+                "error: {place}: this file is not the FMU's library of this version ({LIBRARY_STAMP:?} is not in it)"
             )));
         }
         if !self.platform.is_loadable() {
@@ -53,10 +54,11 @@ impl Library {
     }
 }
 
-/// The libraries that the arguments choose, one a platform, in the order of [`Platform::ALL`].
+/// The FMU libraries that the arguments choose, one for each platform, in the order of [`Platform::ALL`].
 ///
 /// # Errors
-/// A platform that the program has no library for; a file that is not a library, or the second for a platform.
+/// Fails if the program has no library for a platform, if a file is not a library, or if two files are for the same
+/// platform.
 pub(super) fn libraries(args: &FmuArgs) -> Result<Vec<Library>, Failure> {
     let mut libraries = if args.library.is_empty() {
         own(&args.platforms)?
@@ -75,7 +77,7 @@ pub(super) fn libraries(args: &FmuArgs) -> Result<Vec<Library>, Failure> {
     Ok(libraries)
 }
 
-/// Those that the program carries, or the one beside it.
+/// The libraries that are built into the program, or else the library that lies beside the program.
 fn own(wanted: &[Platform]) -> Result<Vec<Library>, Failure> {
     let mut carried: Vec<Library> = EMBEDDED
         .iter()
@@ -115,10 +117,11 @@ fn of_file(path: &Path) -> Result<Library, Failure> {
     Ok(Library { platform, bytes: Cow::Owned(bytes), path: Some(path.to_owned()) })
 }
 
-/// The library that cargo puts beside the program.
+/// Path of the FMU library that cargo puts beside the program.
 fn beside() -> Result<PathBuf, Failure> {
-    let program = std::env::current_exe()
-        .map_err(|e| Failure::case(format_args!("error: the folder of this program: {e}")))?;
+    let program = std::env::current_exe().map_err(|e| {
+        Failure::case(format_args!("error: the folder of this program cannot be found: {e}"))
+    })?;
     let folder = program.parent().unwrap_or(Path::new(""));
     let name = library_file_name();
     let places = [folder.join(&name), folder.join("deps").join(&name)];

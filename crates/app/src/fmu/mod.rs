@@ -11,10 +11,11 @@ use crate::load::Source;
 use crate::output::write_whole;
 use crate::terminal::{notice, say};
 
-/// Writes the FMU that `args` describe. Nothing is written before the scenario is accepted.
+/// Writes the FMU that `args` describe. No file is written before the scenario is accepted.
 ///
 /// # Errors
-/// Bad input; a library that is missing or does not make an instance of the FMU; a file that cannot be written.
+/// Fails if the input is bad, if a library is missing or does not make an instance of the FMU, or if a file cannot be
+/// written.
 pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     let source = Source::read(&args.scenario).map_err(Failure::input)?;
     let overrides = args.changes.overrides().map_err(Failure::input)?;
@@ -57,7 +58,7 @@ pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     ))
 }
 
-/// A line that names the platforms, and which of the libraries were tried.
+/// A line that names the platforms of the FMU, and says which libraries could not be tried on this machine.
 fn platforms(libraries: &[Library]) -> String {
     let name = |library: &Library| {
         let tried = if library.platform.is_loadable() { "" } else { " (not tried here)" };

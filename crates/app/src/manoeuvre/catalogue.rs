@@ -7,17 +7,17 @@ use crate::cli::{Manoeuvre, ManoeuvreChoice};
 use crate::failure::Failure;
 
 impl Manoeuvre {
-    /// Its name on the command line.
+    /// Name of the manoeuvre on the command line.
     pub(super) fn text(self) -> String {
         self.to_possible_value().expect("no name is hidden").get_name().to_owned()
     }
 
-    /// Whether it needs a propeller.
+    /// Whether the manoeuvre needs a propeller.
     fn needs_propeller(self) -> bool {
         self != Manoeuvre::Crabbing
     }
 
-    /// Whether it begins on a straight course at a given speed.
+    /// Whether the manoeuvre begins on a straight course at a given speed.
     pub(super) fn has_approach(self) -> bool {
         matches!(
             self,
@@ -25,16 +25,16 @@ impl Manoeuvre {
         )
     }
 
-    /// Whether a rudder angle is ordered in it.
+    /// Whether a rudder angle is ordered in the manoeuvre.
     pub(super) fn has_rudder(self) -> bool {
         matches!(self, Manoeuvre::Turning | Manoeuvre::Zigzag)
     }
 }
 
-/// The manoeuvres of a choice. `has_speed`: the user gives a speed of approach.
+/// The manoeuvres that the user's choice stands for. `has_speed` says that the user gives a speed of approach.
 ///
 /// # Errors
-/// A manoeuvre for which the vessel has no propeller or no speed of approach.
+/// Fails if the vessel has no propeller or no speed of approach for the manoeuvre.
 pub(super) fn chosen(
     choice: ManoeuvreChoice,
     vessel: &Vessel,

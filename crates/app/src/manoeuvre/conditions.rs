@@ -8,34 +8,35 @@ use super::depth::Shallow;
 use crate::cli::{Manoeuvre, ManoeuvreArgs};
 use crate::failure::Failure;
 
-/// Largest Froude number. No displacement ship is faster, and no coefficient here was measured above it.
+/// Largest Froude number of a manoeuvre. No displacement ship is faster, and no coefficient of the vessels was measured
+/// above this number.
 const LARGEST_FROUDE: f64 = 0.5;
 
 /// The water.
 pub(super) struct Sea {
-    /// Its density.
+    /// The water, given by its density.
     pub(super) water: Water,
-    /// A model in a tank.
+    /// Whether the vessel is a model in a towing tank.
     pub(super) is_model: bool,
 }
 
 impl Sea {
-    /// Deep still water: fresh in a tank, else salt.
+    /// Deep still water: fresh water for a model in a tank, salt water for a ship.
     pub(super) fn of(vessel: &Vessel) -> Sea {
         let is_model = vessel.is_model;
         Sea { water: if is_model { Water::FRESH } else { Water::SEA }, is_model }
     }
 }
 
-/// The user's options, checked; the vessel's own values if none are given.
+/// The checked options of the user; where the user gives none, the values of the vessel.
 pub(super) struct Conditions {
     /// Speed of approach (m/s).
     pub(super) speed_mps: f64,
-    /// It is the vessel's own, at which IMO's limits hold.
+    /// Whether the speed of approach is the one in the vessel's data, at which IMO's limits hold.
     pub(super) is_test_speed: bool,
-    /// Rudder angle ordered by the user (°).
+    /// Rudder angle that the user orders (°).
     pub(super) rudder_deg: Option<f64>,
-    /// Push of the crabbing ordered by the user (N).
+    /// Side force for crabbing that the user orders (N).
     pub(super) push_n: Option<f64>,
     /// Shallow water, if the user asks for it.
     pub(super) shallow: Option<Shallow>,
@@ -45,7 +46,8 @@ impl Conditions {
     /// From the command line.
     ///
     /// # Errors
-    /// An option that none of the manoeuvres takes, a rudder beyond its stop, a speed that no vessel has.
+    /// Fails if no chosen manoeuvre uses an option, if the rudder angle is beyond the stop, or if the speed is higher
+    /// than that of any vessel.
     pub(super) fn checked(
         args: &ManoeuvreArgs,
         vessel: &Vessel,

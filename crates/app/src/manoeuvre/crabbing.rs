@@ -6,17 +6,18 @@ use fenderline_sim::hydro::{Force, Model3};
 
 use super::section::{Row, Section, Unit};
 
-/// Sets the push if the user gives none: cross-flow drag alone balances it at this Froude number, 1.1 knots for 320 m.
+/// Froude number at which cross-flow drag alone balances the usual side force (1.1 knots for a ship of 320 m). The
+/// usual side force is used if the user gives no force.
 const FROUDE: f64 = 0.01;
-/// Duration of the push over the time constant of that balance.
+/// Duration of the side force, in time constants of the speed across.
 const DURATION: f64 = 40.0;
-/// Steps within one time constant.
+/// Number of time steps within one time constant.
 const STEPS: f64 = 200.0;
 
-/// Pushes the ship to starboard at midship.
+/// Simulates crabbing: a steady force at midship pushes the ship to starboard.
 ///
 /// # Errors
-/// As [`crabbing`].
+/// Fails if [`crabbing`] fails.
 pub(super) fn crabbing_section(
     name: &str,
     model: &Model3,
@@ -31,7 +32,7 @@ pub(super) fn crabbing_section(
     let rows = vec![
         Row::new("push", "push", Unit::Kilonewtons, vec![push_n / 1e3]),
         Row::new("sway", "speed across", Unit::Knots, vec![crab.sway_mps / KNOT_MPS]),
-        Row::new("rise", "time to 90 % of it", Unit::Seconds, vec![crab.rise_s]),
+        Row::new("rise", "time to 90 % of speed across", Unit::Seconds, vec![crab.rise_s]),
         Row::new("surge", "resulting speed ahead", Unit::Knots, vec![turned.1]),
         Row::new("rate", "resulting rate of turn rL/v", Unit::One, vec![turned.0]),
     ];
@@ -45,14 +46,15 @@ pub(super) fn crabbing_section(
     })
 }
 
-/// ½ρLTC_D v² at v = 0.01√(gL) (N): the push if the user gives none.
+/// The side force that is used if the user gives none: ½ρLTC_D v² at v = 0.01√(gL) (N).
 pub(super) fn usual_push_n(model: &Model3) -> f64 {
     let length_m = model.ship().particulars.length_m;
     let speed_squared = FROUDE * FROUDE * STANDARD_GRAVITY_MPS2 * length_m;
     drag_npm2s2(model) * speed_squared
 }
 
-/// (m + m_y)/√(½ρLTC_D F) (s): mass over the slope of the drag's secant at the final speed.
+/// Time constant of the speed across (s): (m + m_y)/√(½ρLTC_D F), which is the mass divided by the ratio of drag to
+/// speed at the final speed.
 fn time_constant_s(model: &Model3, push_n: f64) -> f64 {
     let ship = model.ship();
     let mass_kg =
@@ -60,7 +62,7 @@ fn time_constant_s(model: &Model3, push_n: f64) -> f64 {
     mass_kg / (drag_npm2s2(model) * push_n).sqrt()
 }
 
-/// ½ρLTC_D: cross-flow drag in pure sway, over the square of the speed (N s²/m²).
+/// Cross-flow drag in pure sway divided by the square of the speed (N s²/m²): ½ρLTC_D.
 fn drag_npm2s2(model: &Model3) -> f64 {
     let ship = model.ship();
     let side_m2 = ship.particulars.length_m * ship.particulars.draught_m;

@@ -1,4 +1,4 @@
-//! Shallow water, and the notices about it.
+//! The shallow water of a manoeuvre, and the notices about it.
 
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
@@ -9,22 +9,23 @@ use crate::cli::WaterDepth;
 use crate::failure::Failure;
 use fenderline_report::plot::{fixed, plain};
 
-/// Depth Froude number above which the ship's own waves matter, which the corrections leave out; recalled.
+/// Depth Froude number above which the ship's own waves matter, which the shallow-water corrections leave out; the
+/// number is recalled, not looked up.
 const SLOW_FROUDE: f64 = 0.6;
 
-/// The water depth of a vessel.
+/// The water depth in which a vessel manoeuvres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shallow {
     pub(super) depth_m: f64,
-    /// Depth over her draught.
+    /// Water depth divided by the vessel's draught.
     pub(super) ratio: f64,
 }
 
 impl Shallow {
-    /// Checks that she floats.
+    /// Checks that the vessel floats in this depth.
     ///
     /// # Errors
-    /// A depth that does not exceed her draught.
+    /// Fails if the depth does not exceed the vessel's draught.
     pub(super) fn checked(depth: WaterDepth, vessel: &Vessel) -> Result<Shallow, Failure> {
         let draught_m = vessel.ship.particulars.draught_m;
         let depth_m = match depth {
@@ -47,7 +48,7 @@ impl Shallow {
         Vessel { ship: deep.ship.at_depth(self.depth_m), ..deep.clone() }
     }
 
-    /// Notices where the corrections are outside their range.
+    /// Notices for the user if the shallow-water corrections are used outside their range.
     pub(super) fn notices(&self, vessel: &Vessel, speed_mps: f64) -> Vec<String> {
         let mut all = Vec::new();
         let ratio = plain(self.ratio, 4);
@@ -59,7 +60,7 @@ impl Shallow {
         } else if self.ratio < PUBLISHED_RATIO {
             all.push(format!(
                 "--depth: {ratio} draughts; corrections are valid from {PUBLISHED_RATIO} on; here \
-                 they follow their tangent"
+                 the corrections follow their tangent"
             ));
         }
         let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * self.depth_m).sqrt();
@@ -75,12 +76,15 @@ impl Shallow {
     }
 }
 
-/// The measures in shallow water, with those in deep water in further columns.
+/// Puts the results in shallow water and those in deep water into the columns of one table.
 pub(super) fn beside(there: Section, deep: Section) -> Section {
     let mut merged = there;
     merged.columns.extend(deep.columns.iter().map(|column| format!("{column}, deep")));
     for (row, deep_row) in merged.rows.iter_mut().zip(deep.rows) {
-        assert_eq!(row.key, deep_row.key, "a manoeuvre has the same measures in any water");
+        assert_eq!(
+            row.key, deep_row.key,
+            "a manoeuvre has the same measured quantities in any water"
+        );
         row.values.extend(deep_row.values);
     }
     for track in &mut merged.tracks {

@@ -8,7 +8,7 @@ use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section};
 use crate::vessels::{estimate_json, sources_json};
 
-/// The whole document, with a final line feed.
+/// The results of all manoeuvres as a JSON document, with a final line feed.
 pub(super) fn text(
     name: &str,
     vessel: &Vessel,

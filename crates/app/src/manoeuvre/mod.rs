@@ -1,7 +1,8 @@
-//! `fenderline manoeuvre`: standard manoeuvres of a vessel of the data, with the measures of ITTC and IMO.
+//! `fenderline manoeuvre`: standard manoeuvres of a vessel, with the measures of ITTC and IMO.
 //!
-//! `catalogue` has the manoeuvres, `conditions` the user's options, `depth` shallow water, `imo` the limits of MSC.137(76).
-//! `trials` carries the manoeuvres out; `section` has their measures; `printed`, `json` and `track` write them.
+//! Module `catalogue` has the manoeuvres, `conditions` the user's options, `depth` shallow water, and `imo` the limits
+//! of MSC.137(76). Module `trials` carries the manoeuvres out; `section` holds the measured results; `printed`, `json`
+//! and `track` write these results.
 
 mod catalogue;
 mod conditions;
@@ -28,11 +29,11 @@ use crate::vessels::{found, library};
 use conditions::{Conditions, Sea};
 use section::Section;
 
-/// Carries out the manoeuvres that `args` asks for and prints their measures.
+/// Carries out the manoeuvres that `args` asks for and prints the measured results.
 ///
 /// # Errors
-/// An unknown vessel, a manoeuvre or an option that does not apply to her, a manoeuvre that does not end, files that cannot
-/// be written.
+/// Fails if the vessel is unknown, if a manoeuvre or an option does not apply to her, if a manoeuvre does not end, or
+/// if a file cannot be written.
 pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     let library = library(&args.file)?;
     let vessel = found(&library, &args.vessel)?.trial();
@@ -55,7 +56,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     }
 }
 
-/// All chosen manoeuvres; in shallow water beside deep water if the user asks for it.
+/// Carries out all chosen manoeuvres in deep water, and in shallow water too if the user asks for it.
 fn sections(
     vessel: &Vessel,
     chosen: &[Manoeuvre],

@@ -13,9 +13,9 @@ use fenderline_report::plot::{fixed, plain, significant};
 
 /// Width of the column of names (characters).
 const NAMES: usize = 38;
-/// Width of a column of values (characters).
+/// Smallest width of a column of values (characters).
 const VALUES: usize = 20;
-/// Least distance of two columns (characters).
+/// Smallest distance between two columns (characters).
 const GAP: usize = 2;
 
 /// Vessel, measures and sources.
@@ -46,7 +46,7 @@ pub(super) fn text(
         );
     } else if conditions.shallow.is_some() {
         text.push_str(
-            "\nIMO's limits (MSC.137(76)) are for deep water: run without --depth to see them.\n",
+            "\nIMO's limits (MSC.137(76)) are for deep water: run without --depth to see these limits.\n",
         );
     } else if sea.is_model {
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
@@ -129,7 +129,7 @@ fn table(section: &Section, length_m: f64) -> String {
     text
 }
 
-/// A value with its unit; lengths of the ship in metres too.
+/// A value with its unit; a value in ship lengths is given in metres too.
 fn cell(value: f64, unit: Unit, length_m: f64) -> String {
     // A value that rounds to zero has no sign.
     let shown = |value: f64, decimals: usize| {
@@ -153,7 +153,7 @@ fn cell(value: f64, unit: Unit, length_m: f64) -> String {
     }
 }
 
-/// IMO's limit, and whether it is met.
+/// Text that gives IMO's limit and says whether the limit is met.
 fn limit(row: &Row) -> String {
     let (Some(limit), Some(is_within)) = (row.imo_limit, row.is_within()) else {
         return String::new();

@@ -2,36 +2,36 @@
 
 use fenderline_sim::hydro::manoeuvres::Moment;
 
-/// The measures of one manoeuvre.
+/// The measured results of one manoeuvre.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Section {
-    /// Its name on the command line.
+    /// Name of the manoeuvre on the command line.
     pub(super) manoeuvre: String,
-    /// Title with the conditions.
+    /// Title of the section, with the conditions of the manoeuvre.
     pub(super) title: String,
-    /// One column per run: `starboard`, `port`.
+    /// Names of the columns, one for each run, such as `starboard` and `port`.
     pub(super) columns: Vec<String>,
     pub(super) rows: Vec<Row>,
-    /// Assumptions that the reader must know.
+    /// Assumptions of the manoeuvre that the reader must know.
     pub(super) notes: Vec<&'static str>,
     pub(super) tracks: Vec<Track>,
 }
 
-/// One measure of every run.
+/// A row of the section: one measured quantity of every run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
-    /// Its key in JSON.
+    /// Key of the quantity in JSON.
     pub(super) key: &'static str,
-    /// Its name in the table.
+    /// Name of the quantity in the printed table.
     pub(super) label: &'static str,
     pub(super) unit: Unit,
-    /// One value per column, in the unit.
+    /// One value for each column, in the row's unit.
     pub(super) values: Vec<f64>,
     /// IMO's limit.
     pub(super) imo_limit: Option<f64>,
 }
 
-/// The unit of a measure.
+/// The unit of a measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unit {
     /// Ship's lengths.
@@ -53,30 +53,30 @@ pub(super) enum Unit {
 /// The track of a ship.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Track {
-    /// Name of the file, without its ending.
+    /// Name of the track's file, without its extension.
     pub(super) name: String,
     pub(super) moments: Vec<Moment>,
 }
 
 impl Row {
-    /// A measure without a limit.
+    /// Makes a row for a quantity without a limit.
     pub(super) fn new(key: &'static str, label: &'static str, unit: Unit, values: Vec<f64>) -> Row {
         Row { key, label, unit, values, imo_limit: None }
     }
 
-    /// A measure with a limit, if there is one.
+    /// Makes a row for a quantity that may have a limit of IMO.
     pub(super) fn limited(self, imo_limit: Option<f64>) -> Row {
         Row { imo_limit, ..self }
     }
 
-    /// Whether every run is within the limit; `None` without one.
+    /// Whether every run is within IMO's limit; `None` if there is no limit.
     pub(super) fn is_within(&self) -> Option<bool> {
         self.imo_limit.map(|limit| self.values.iter().all(|value| value.abs() <= limit))
     }
 }
 
 impl Unit {
-    /// As printed behind a number.
+    /// The unit's text as it is printed behind a number.
     pub(super) fn text(self) -> &'static str {
         match self {
             Unit::Lengths => "L",

@@ -6,10 +6,10 @@ use super::section::Track;
 use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
 
-/// Writes each track into `folder`, whole or not at all; returns the files' names.
+/// Writes each track to a file in `folder`, whole or not at all, and returns the names of the files.
 ///
 /// # Errors
-/// The file that cannot be written.
+/// Fails if a file cannot be written, and names that file.
 pub(super) fn write(folder: &Path, tracks: &[&Track]) -> Result<Vec<String>, Failure> {
     make_folder(folder)?;
     tracks.iter().map(|track| write_one(folder, track)).collect()

@@ -15,19 +15,19 @@ use super::section::{Row, Section, Track, Unit};
 use crate::cli::Manoeuvre;
 use crate::failure::Failure;
 
-/// Time step over the time in which the ship sails her own length: 0.08 s for KVLCC2. Half of it changes no
-/// measure by a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
+/// Time step divided by the time in which the ship sails her own length (a time step of 0.08 s for KVLCC2). Half the
+/// time step changes no result by a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
 const STEP: f64 = 0.002;
-/// Revolutions astern over those of the approach: telegraph full astern.
+/// Propeller revolutions at full astern divided by the revolutions of the approach.
 const ASTERN: f64 = -0.7;
-/// Time in which the shaft goes from the approach to full astern, over the time in which the ship sails her
-/// own length: half a minute for KVLCC2.
+/// Time in which the shaft goes from the revolutions of the approach to full astern, divided by the time in which the
+/// ship sails her own length (half a minute for KVLCC2).
 const REVERSAL: f64 = 30.0 / (320.0 / (15.5 * KNOT_MPS));
 
 /// Carries out a manoeuvre, to both sides if it has sides.
 ///
 /// # Errors
-/// A manoeuvre that does not end; a speed that the propeller cannot hold.
+/// Fails if a manoeuvre does not end, or if the propeller cannot hold the speed.
 pub(super) fn carry_out(
     manoeuvre: Manoeuvre,
     vessel: &Vessel,
@@ -68,7 +68,7 @@ struct Trial<'a> {
     has_limits: bool,
 }
 
-/// Both sides, with the sign of the rudder.
+/// Names of the two sides, each with the sign of the rudder angle.
 const SIDES: [(&str, f64); 2] = [("starboard", 1.0), ("port", -1.0)];
 
 impl Trial<'_> {
@@ -82,7 +82,7 @@ impl Trial<'_> {
         Approach::at(model, speed_mps, self.vessel.steering, step_s)
     }
 
-    /// A limit, if IMO's limits apply.
+    /// The given limit if IMO's limits apply, else `None`.
     fn limit(&self, limit: f64) -> Option<f64> {
         self.has_limits.then_some(limit)
     }
@@ -149,7 +149,9 @@ impl Trial<'_> {
             title: format!("Turning circle, rudder {rudder_deg:.3}°").replace(".000", ""),
             columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
-            notes: vec!["Track of midship from the start of the rudder; constant revolutions."],
+            notes: vec![
+                "The track is that of midship, from the start of the rudder; constant revolutions.",
+            ],
             tracks,
         })
     }
@@ -200,7 +202,9 @@ impl Trial<'_> {
             title: format!("Zig-zag {angle_deg}°/{angle_deg}°, by the side of the first execute"),
             columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
-            notes: vec!["Executes are at whole steps; constant revolutions."],
+            notes: vec![
+                "Rudder orders (executes) are given at whole time steps; constant revolutions.",
+            ],
             tracks,
         })
     }
@@ -221,7 +225,8 @@ impl Trial<'_> {
         }
     }
 
-    /// With the resistance of the tests; and with the ship's own friction, if the tests' is that of a model.
+    /// Carries out the crash stop with the resistance of the model tests; if that resistance contains a model's
+    /// friction, also with the ship's own friction.
     fn crash_stop(&self) -> Result<Section, ManoeuvreError> {
         let mut models = vec![("ahead", *self.model)];
         let speed_mps = self.conditions.speed_mps;
@@ -271,14 +276,15 @@ impl Trial<'_> {
             Row::new("time", "time to standstill", Unit::Seconds, each(|s| s.time_s)),
         ];
         let mut notes = vec![
-            "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
-            "The torque for this change is not limited: a diesel may need longer.",
+            "The revolutions are assumed to change evenly, in 30 s for a ship of 320 m at 15.5 knots.",
+            "The torque for the change of revolutions is not limited: a diesel may need longer.",
             "In this model a propeller astern does not turn the ship; a real propeller does.",
         ];
         notes.push(match (models.len(), self.has_limits) {
             (2, _) => {
-                "As tested: with the friction of the model, which stops a ship too soon. Ship's: \
-                 less the difference by the ITTC 1957 line, without form factor and roughness."
+                "As tested: with the friction of the model, which stops a ship too soon. Ship's \
+                 friction: the model's extra friction is taken off by the ITTC 1957 line, without \
+                 form factor and roughness."
             }
             (_, true) => {
                 "It is not known whether the resistance is from a model: a model's friction stops \
@@ -318,15 +324,14 @@ impl Trial<'_> {
                 Row::new("pull", "pull on the line", Unit::Kilonewtons, pulls_kn),
             ],
             notes: vec![
-                "The program does not check whether the engine has the torque for this at \
-                rest.",
+                "The program does not check whether the engine has the torque for this pull at rest.",
             ],
             tracks: Vec::new(),
         })
     }
 }
 
-/// Runs a manoeuvre and keeps its track.
+/// Runs a manoeuvre and records the ship's track.
 fn watched<T>(
     name: String,
     run: impl FnOnce(&mut dyn FnMut(&Moment)) -> Result<T, ManoeuvreError>,

@@ -12,12 +12,12 @@ pub(super) struct CsvTable<R> {
     writer: csv::Writer<PartFile>,
     columns: Vec<Column<R>>,
     names: Names,
-    /// The text of one field, kept for its allocation.
+    /// The text of one field; the buffer is kept, so that a field needs no new allocation.
     field: Vec<u8>,
 }
 
 impl<R> CsvTable<R> {
-    /// Writes the header to `file`.
+    /// Starts a csv table and writes its header to `file`.
     pub(super) fn create(
         file: PartFile,
         columns: Vec<Column<R>>,
@@ -66,7 +66,7 @@ impl<R> CsvTable<R> {
             .map_err(|e| OutputError::new(self.writer.get_ref().path(), e))
     }
 
-    /// Syncs the file to the disk, still under its `.part` name.
+    /// Syncs the csv file to the disk; the file keeps its `.part` name.
     pub(super) fn finish(self) -> Result<Sealed, OutputError> {
         let path = self.writer.get_ref().path().to_owned();
         let file = self.writer.into_inner().map_err(|e| OutputError::new(&path, e.error()))?;

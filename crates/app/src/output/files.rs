@@ -9,11 +9,11 @@ use super::{Format, OutputError, csv, parquet};
 pub(super) struct Files<'a> {
     pub(super) folder: &'a Folder,
     pub(super) format: Format,
-    /// Keys and values for the metadata, if the format has metadata.
+    /// Keys and values for the metadata of the tables, if the format has metadata.
     pub(super) facts: &'a [(&'a str, String)],
 }
 
-/// One table in the chosen format.
+/// The file of one table, in the chosen format.
 pub(super) enum TableFile<R> {
     Csv(csv::CsvTable<R>),
     Parquet(parquet::ParquetTable<R>),
@@ -52,7 +52,7 @@ impl<R> Table<R> for TableFile<R> {
         }
     }
 
-    /// Syncs the file to the disk, still under its `.part` name.
+    /// Syncs the table's file to the disk; the file keeps its `.part` name.
     fn finish(self) -> Result<Sealed, OutputError> {
         match self {
             TableFile::Csv(table) => table.finish(),

@@ -8,14 +8,16 @@ use fenderline_scenario::{irregular, without_following};
 
 use super::OutputError;
 
-/// How often a lock file is reopened after its holder removed it between two of our calls. After that many runs that ended
-/// just then, another run is reported.
+/// How often a lock file is opened again if its holder removed it between opening and locking. After so many attempts
+/// the folder is reported as held by another run.
 const TRIES: u32 = 100;
 
-/// An open and locked file. The lock ends with the program, however it ends. The file is removed too, if that is safe.
+/// An open and locked file. The lock ends with the program, however the program ends. The lock file is then removed
+/// too, if that is safe.
 ///
-/// A lock belongs to a file, not to its name. After locking, the name is therefore compared with the file. Otherwise two
-/// runs could hold the lock of one name, one of them on a file that was renamed or removed.
+/// A lock belongs to a file, not to the file's name. After locking, the program therefore checks that the name still
+/// belongs to the locked file. Otherwise two runs could hold locks under one name, one of them on a file that was
+/// renamed or removed.
 #[derive(Debug)]
 pub(super) struct Lock {
     file: File,
@@ -23,10 +25,12 @@ pub(super) struct Lock {
 }
 
 impl Lock {
-    /// Opens and locks `path`, which is created if needed. Never waits. `busy` is the message if another program holds it.
+    /// Opens and locks the file `path`, which is created if needed. Never waits. `busy` is the message if another
+    /// program holds the lock.
     ///
     /// # Errors
-    /// Bad input: another program holds it; it is not a regular file; it cannot be opened; the file system has no locks.
+    /// Fails if another program holds the lock, if the path is not a regular file or cannot be opened, or if the file
+    /// system has no locks.
     pub(super) fn take(path: &Path, busy: &str) -> Result<Lock, OutputError> {
         for _ in 0..TRIES {
             admit(path)?;
@@ -65,7 +69,7 @@ impl Lock {
         &self.file
     }
 
-    /// Whether the name is still that of the locked file.
+    /// Whether the path still belongs to the locked file.
     #[cfg(unix)]
     pub(super) fn is_in_place(&self) -> bool {
         use std::os::unix::fs::MetadataExt as _;
@@ -75,7 +79,8 @@ impl Lock {
         (held.dev(), held.ino()) == (named.dev(), named.ino())
     }
 
-    /// On other systems lock files are never removed, so that the name stays that of the file.
+    /// Whether the lock file still exists. On systems other than Unix lock files are never removed, so that the path
+    /// stays that of the locked file.
     #[cfg(not(unix))]
     pub(super) fn is_in_place(&self) -> bool {
         self.path.exists()
@@ -84,8 +89,8 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // Before unlocking, so that our own file is removed. A program that has the old file open finds that the name has
-        // changed.
+        // Before unlocking, so that our own file is removed. A program that has the old file open finds that the name
+        // has changed.
         if cfg!(unix) && self.is_in_place() {
             // An error is ignored: a lock file that nobody holds does no harm.
             let _ = fs::remove_file(&self.path);
@@ -93,10 +98,11 @@ impl Drop for Lock {
     }
 }
 
-/// Refuses a path that holds anything but a regular file: a link would be followed, a pipe waited for, a folder lost.
+/// Refuses a path that holds anything but a regular file: a link would be followed, a pipe would block the program, a
+/// folder would be lost.
 ///
 /// # Errors
-/// Bad input: the path does not hold a regular file.
+/// Fails if the path does not hold a regular file.
 pub(super) fn admit(path: &Path) -> Result<(), OutputError> {
     match fs::symlink_metadata(path) {
         Ok(there) => match irregular(there.file_type()) {
@@ -109,6 +115,6 @@ pub(super) fn admit(path: &Path) -> Result<(), OutputError> {
 }
 
 fn not_ours(path: &Path, what: &str) -> OutputError {
-    let why = format!("it is {what}, which fenderline does not replace");
+    let why = format!("the path is {what}, which fenderline does not replace");
     OutputError::refused(path, why)
 }

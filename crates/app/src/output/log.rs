@@ -5,10 +5,10 @@ use fenderline_results::LogLine;
 use super::part_file::{Folder, Sealed};
 use super::{LOG, OutputError};
 
-/// Writes the log under its `.part` name: a line for each command, alarm, acknowledgement, note and event.
+/// Writes the log of a session under its `.part` name: a line for each command, alarm, acknowledgement, note and event.
 ///
 /// # Errors
-/// A file that cannot be written.
+/// Fails if the file cannot be written.
 pub(crate) fn write_log(folder: &Folder, log: &[LogLine]) -> Result<Sealed, OutputError> {
     let file = folder.create(LOG)?;
     let path = file.path().to_owned();

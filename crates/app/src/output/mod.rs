@@ -23,7 +23,8 @@ pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;
 pub(crate) use whole_file::{make_folder, write_new, write_whole};
 
-/// Names of all files that a run may write, the summary first. Those of an earlier run are removed at the start.
+/// Names of all files that a run may write, the summary first. Files of an earlier run with these names are removed at
+/// the start.
 fn result_files() -> Vec<String> {
     let tables = fenderline_results::reference();
     let tables = tables.iter().flat_map(|table| {
@@ -35,10 +36,10 @@ fn result_files() -> Vec<String> {
 
 pub(crate) const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
-/// The log of a recorded session.
+/// File name of the log of a recorded session.
 pub(crate) const LOG: &str = "log.csv";
 
-/// How the tables are written.
+/// File format of the result tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// Text with commas; floats in the shortest form that reads back to the same value.
@@ -61,22 +62,22 @@ impl Format {
 pub(crate) struct OutputError {
     file: PathBuf,
     cause: String,
-    /// The path that the user gave cannot be used: bad input, not a failed case.
+    /// Whether the path that the user gave cannot be used: bad input, no failed run.
     is_refused: bool,
 }
 
 impl OutputError {
-    /// A file that could not be written.
+    /// Makes an error for a file that could not be written.
     pub(crate) fn new(file: &Path, cause: impl fmt::Display) -> OutputError {
         OutputError { file: file.to_owned(), cause: cause.to_string(), is_refused: false }
     }
 
-    /// A path that cannot be used: bad input.
+    /// Makes an error for a path that cannot be used, which is bad input.
     fn refused(file: &Path, cause: impl fmt::Display) -> OutputError {
         OutputError { is_refused: true, ..OutputError::new(file, cause) }
     }
 
-    /// Whether the path cannot be used, which is bad input.
+    /// Whether the user's path cannot be used, which is bad input and no failed run.
     pub(crate) fn is_refused(&self) -> bool {
         self.is_refused
     }
@@ -90,11 +91,11 @@ impl fmt::Display for OutputError {
 
 impl core::error::Error for OutputError {}
 
-/// Syncs all files of a run to the disk and then gives them their final names, the summary last;
-/// `files` are the tables. If anything fails, none keeps its final name.
+/// Syncs all files of a run to the disk and then gives them their final names, the summary last; `files` are the
+/// tables. If a file cannot be synced or renamed, no file keeps its final name.
 ///
 /// # Errors
-/// The first file that could not be written or renamed.
+/// Names the first file that could not be written or renamed.
 pub(crate) fn publish(
     folder: Folder,
     mut files: Vec<Sealed>,

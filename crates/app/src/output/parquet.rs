@@ -17,7 +17,7 @@ use super::OutputError;
 use super::csv::not_finite;
 use super::part_file::{PartFile, Sealed};
 
-/// Rows held in memory before they are written: about 6 MB a table.
+/// Number of rows held in memory before they are written, about 6 MB for each table.
 const ROWS_PER_GROUP: usize = 1 << 16;
 
 /// A parquet file being written.
@@ -29,7 +29,7 @@ pub(super) struct ParquetTable<R> {
     rows: usize,
 }
 
-/// A column, and its values in the current row group.
+/// A column of a table, and its values in the current row group.
 struct Filled<R> {
     name: &'static str,
     values: Filling<R>,
@@ -59,7 +59,7 @@ impl<R> Filling<R> {
         }
     }
 
-    /// Type in the language of parquet's schemas.
+    /// Type of the column, in the language of Parquet's schemas.
     fn schema_type(&self) -> (&'static str, &'static str) {
         match self {
             Filling::Float(..) | Filling::Nth(..) | Filling::Known(..) => ("DOUBLE", ""),
@@ -69,10 +69,10 @@ impl<R> Filling<R> {
         }
     }
 
-    /// Adds the value of a row.
+    /// Adds the column's value of a row.
     ///
     /// # Errors
-    /// The number, if it is not finite.
+    /// Gives the number back if it is not finite.
     fn push(&mut self, row: &R, names: &Names) -> Result<(), f64> {
         match self {
             Filling::Float(number, values) => values.push(finite(number(row))?),
@@ -93,7 +93,7 @@ impl<R> Filling<R> {
         Ok(())
     }
 
-    /// Writes the values as one column chunk and forgets them.
+    /// Writes the column's values as one column chunk and forgets them.
     fn write(&mut self, column: SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
         match self {
             Filling::Float(_, values) | Filling::Nth(_, _, values) | Filling::Known(_, values) => {
@@ -122,8 +122,8 @@ fn write_chunk<T: DataType>(
 }
 
 impl<R> ParquetTable<R> {
-    /// Starts a table called `name` in `file`; `facts` go to its metadata beside the columns' units
-    /// and meanings.
+    /// Starts a table called `name` in `file`. The metadata of the table get `facts` beside the columns' units and
+    /// meanings.
     pub(super) fn create(
         file: PartFile,
         name: &str,
@@ -181,8 +181,8 @@ impl<R> ParquetTable<R> {
         written.map_err(|e| OutputError::new(&self.path, e))
     }
 
-    /// Writes the last row group and the footer, and syncs the file to the disk, still under its
-    /// `.part` name.
+    /// Writes the last row group and the footer, and syncs the Parquet file to the disk; the file keeps its `.part`
+    /// name.
     pub(super) fn finish(mut self) -> Result<Sealed, OutputError> {
         if self.rows > 0 {
             self.write_group()?;

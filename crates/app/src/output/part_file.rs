@@ -10,7 +10,7 @@ use fenderline_scenario::without_following;
 use super::lock::{Lock, admit};
 use super::{OutputError, SUMMARY, result_files};
 
-/// The file whose lock keeps a second run out of the folder. It is never renamed.
+/// Name of the file whose lock keeps a second run out of the results folder. It is never renamed.
 const LOCK: &str = ".fenderline.lock";
 
 /// A file under its `.part` name; removed if it is dropped before it is complete.
@@ -27,7 +27,7 @@ impl PartFile {
         PartFile { file: BufWriter::with_capacity(1 << 16, file), part, is_whole: false, lock }
     }
 
-    /// The name on the disk while it is being written.
+    /// Name of the file on the disk while the file is being written.
     pub(super) fn path(&self) -> &Path {
         &self.part
     }
@@ -37,7 +37,7 @@ impl PartFile {
         self.file.write_all(bytes).map_err(|e| OutputError::new(&self.part, e))
     }
 
-    /// Syncs the content to the disk. The file keeps its `.part` name until [`Folder::publish`].
+    /// Syncs the file's content to the disk. The file keeps its `.part` name until [`Folder::publish`].
     pub(super) fn seal(mut self) -> Result<Sealed, OutputError> {
         let synced = self.file.flush().and_then(|()| self.file.get_ref().sync_all());
         synced.map_err(|e| OutputError::new(&self.part, e))?;
@@ -90,19 +90,19 @@ impl Drop for Sealed {
 /// The folder of a run's results, held by one run at a time.
 pub(crate) struct Folder {
     path: PathBuf,
-    /// Open from the start, so that a folder that cannot be synced is found before the run.
+    /// The opened folder; it is opened at the start, so that a folder that cannot be synced is found before the run.
     handle: Handle,
-    /// Held from start to end, by the folder and by each of its files.
+    /// The lock of the folder, held from start to end by the folder and by each of its files.
     lock: Arc<Lock>,
 }
 
 impl Folder {
-    /// Opens the folder, creates it if needed, and removes the results of an earlier run: only files that a run
-    /// writes. Nothing is removed if one of these names holds anything but a regular file, such as a link or a pipe.
+    /// Opens the results folder, creates it if needed, and removes the results of an earlier run, but no other files.
+    /// Nothing is removed if one of the results' names holds anything but a regular file, such as a link or a pipe.
     ///
     /// # Errors
-    /// Bad input: a folder that cannot be created or written, that another run is writing to, or that holds something
-    /// else under the name of a result.
+    /// Fails if the folder cannot be created or written, if another run is writing to it, or if something other than a
+    /// file has the name of a result.
     pub(crate) fn open(path: &Path) -> Result<Folder, OutputError> {
         let refused = |e: io::Error| OutputError::refused(path, e);
         fs::create_dir_all(path).map_err(refused)?;
@@ -119,7 +119,7 @@ impl Folder {
         Ok(Folder { path: path.to_owned(), handle, lock: Arc::new(lock) })
     }
 
-    /// Starts `name`, under its `.part` name.
+    /// Starts the file `name`, under its `.part` name.
     pub(super) fn create(&self, name: &str) -> Result<PartFile, OutputError> {
         let part = self.path.join(part_name(name));
         // The old file was removed: a file that is there now belongs to another program and is not written to.
@@ -131,8 +131,8 @@ impl Folder {
         Ok(PartFile::new(file, part, Arc::clone(&self.lock)))
     }
 
-    /// Writes the summary and gives all files their final names, the summary last. If anything fails, including the sync
-    /// of the folder, none keeps its final name.
+    /// Writes the summary and gives all files their final names, the summary last. If a step fails, including the sync
+    /// of the folder, no file of the run keeps its final name.
     pub(super) fn publish(
         self,
         files: impl IntoIterator<Item = Sealed>,
@@ -159,13 +159,14 @@ impl Folder {
     fn make_durable(&self) -> Result<(), OutputError> {
         self.handle.sync().map_err(|e| {
             let why =
-                format!("its new files would not survive a power cut, so all were removed: {e}");
+                format!("the new files of this folder would not survive a power cut, so all were removed: {e}");
             OutputError::new(&self.path, why)
         })
     }
 }
 
-/// Files that have their final names. If it is dropped before all have, they are removed again, the last first.
+/// Files that have got their final names. If publishing stops before all files have their final names, the files are
+/// removed again, the last first.
 struct Published<'a> {
     targets: Vec<PathBuf>,
     handle: &'a Handle,

@@ -7,18 +7,18 @@ use super::files::Files;
 use super::part_file::{Folder, Sealed};
 use super::{Format, OutputError, REPORT, SUMMARY};
 
-/// All tables of a run; those of fenders, vessels, tugs and lines only if the set-up has any.
+/// All tables of a run; tables of fenders, vessels, tugs and lines exist only if the set-up has such parts.
 pub(crate) struct Tables<'a> {
     tables: fenderline_results::Tables<Files<'a>>,
     format: Format,
 }
 
 impl<'a> Tables<'a> {
-    /// Starts the files in `folder`, and the ledger with the energies at the `start`. `facts` are
-    /// keys and values for the metadata, if the format has metadata.
+    /// Starts the tables' files in `folder`, and the energy ledger with the energies at the `start`. `facts` are keys
+    /// and values for the metadata, if the file format has metadata.
     ///
     /// # Errors
-    /// A file that cannot be created or written.
+    /// Fails if a file cannot be created or written.
     pub(crate) fn create(
         folder: &'a Folder,
         format: Format,
@@ -32,18 +32,18 @@ impl<'a> Tables<'a> {
         Ok(Tables { tables, format })
     }
 
-    /// Adds the rows of one step.
+    /// Adds the rows of one time step to the tables.
     ///
     /// # Errors
-    /// A file that cannot be written, or a value that is not finite.
+    /// Fails if a file cannot be written, or if a value is not finite.
     pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), OutputError> {
         self.tables.write(step)
     }
 
-    /// Adds the rows of an interval that the end of the run cut short.
+    /// Adds the rows of the last output interval, which the end of the run cut short.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    /// Fails if a file cannot be written.
     pub(crate) fn end_interval(&mut self) -> Result<(), OutputError> {
         self.tables.end_interval()
     }
@@ -60,10 +60,10 @@ impl<'a> Tables<'a> {
         files
     }
 
-    /// Syncs all tables to the disk, still under their `.part` names.
+    /// Syncs all tables to the disk; their files keep their `.part` names.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    /// Fails if a file cannot be written.
     pub(crate) fn finish(self) -> Result<Vec<Sealed>, OutputError> {
         self.tables.finish()
     }

@@ -1,8 +1,8 @@
-//! A provider and the processes that it started, which are all ended together.
+//! A force provider and the processes that it started, which are all ended together.
 //!
-//! On Unix a provider leads a process group of its own. Ctrl-C at the terminal therefore does not reach it: the run decides
-//! when it ends. A process that leaves the group by `setsid` is left alone. On other systems only the provider itself is
-//! ended.
+//! On Unix a provider leads a process group of its own. Ctrl-C at the terminal therefore does not reach the provider:
+//! the run decides when the provider ends. A process that leaves the provider's group by `setsid` is not ended. On
+//! other systems only the provider itself is ended.
 
 use std::io;
 use std::process::{Child, Command};
@@ -12,8 +12,8 @@ use std::sync::Mutex;
 #[cfg(unix)]
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
-/// The running groups, so that a program that ends at once ends them too. A group is removed before its leader is waited
-/// for: until then no other process or group can have its number.
+/// The process groups that are running, so that the program can end them when it ends early. A group is removed from
+/// this list before its leader is waited for: until then no other process or group can have the group's number.
 #[cfg(unix)]
 static GROUPS: Mutex<Vec<Pid>> = Mutex::new(Vec::new());
 
@@ -40,7 +40,8 @@ impl Group {
         Ok((command.spawn()?, Group {}))
     }
 
-    /// Whether the leader has ended. It is not waited for, so that its number is not reused.
+    /// Whether the leader of the process group has ended. The leader is not waited for, so that its process number is
+    /// not reused.
     pub(super) fn has_leader_ended(&self, child: &mut Child) -> bool {
         #[cfg(unix)]
         {
@@ -53,7 +54,7 @@ impl Group {
         matches!(child.try_wait(), Ok(Some(_)) | Err(_))
     }
 
-    /// Ends all processes of the group; nothing if that was done before.
+    /// Ends all processes of the group; does nothing if they were ended before.
     pub(super) fn end(&self) {
         #[cfg(unix)]
         {

@@ -1,4 +1,5 @@
-//! Providers: other programs that apply forces to bodies. Each is a process that answers one line of JSON with another.
+//! Force providers: other programs that apply forces to bodies. Each provider is a process that answers one line of
+//! JSON with another line.
 
 mod group;
 mod process;
@@ -14,7 +15,7 @@ pub(crate) use self::group::end_all;
 use self::process::Process;
 use crate::failure::Failure;
 
-/// All providers of a run.
+/// All force providers of a run.
 pub(crate) struct Providers {
     all: Vec<Provider>,
     wrenches: Vec<Wrench>,
@@ -28,10 +29,10 @@ struct Provider {
 }
 
 impl Providers {
-    /// Starts the processes of a set-up.
+    /// Starts the force providers of a set-up as processes.
     ///
     /// # Errors
-    /// A command that cannot be started.
+    /// Fails if a command cannot be started.
     pub(crate) fn start(simulation: &Simulation) -> Result<Providers, Failure> {
         let setup = simulation.setup();
         let mut all = Vec::with_capacity(setup.world.providers.len());
@@ -50,8 +51,8 @@ impl Providers {
         Ok(Providers { all, wrenches, events: Vec::new() })
     }
 
-    /// Queries every provider for the next step and gives the sums of the forces to the simulation. Events are added to
-    /// `notices`.
+    /// Asks every force provider for the next step and gives the sums of the forces to the simulation. Late or wrong
+    /// answers are added to `notices`.
     pub(crate) fn ask(&mut self, simulation: &mut Simulation, notices: &mut ProviderNotices) {
         if self.all.is_empty() {
             return;

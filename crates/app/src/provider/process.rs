@@ -1,4 +1,5 @@
-//! The process of one provider. The program writes to its standard input and reads its standard output.
+//! The process of one force provider. The program writes questions to the standard input of the process and reads
+//! answers from its standard output.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
@@ -13,9 +14,10 @@ use super::protocol;
 /// Longest line that a provider may write (bytes).
 const LONGEST_LINE: u64 = 64 * 1024;
 
-/// Most questions without answer. Any pipe holds so many, so that a provider that does not read cannot block the run.
+/// Most questions without answer. A pipe of any system holds so many questions, so that a provider that does not read
+/// cannot block the run.
 const UNANSWERED: u64 = 8;
-/// Timeouts in a row after which the run no longer waits for a provider, until it answers again.
+/// Number of timeouts in a row after which the run no longer waits for a provider, until the provider answers again.
 const PATIENCE: u32 = 3;
 
 /// A running provider.
@@ -23,18 +25,18 @@ pub(super) struct Process {
     child: Child,
     /// The provider and the processes that it started.
     group: Group,
-    /// `None` once it has closed its input.
+    /// Standard input of the provider; `None` once the provider has closed it.
     input: Option<ChildStdin>,
     lines: Receiver<String>,
     timeout: Duration,
     asked: u64,
-    /// The oldest question without answer.
+    /// Number of the oldest question without an answer.
     unanswered: u64,
     timeouts: u32,
 }
 
 impl Process {
-    /// Starts a command and greets it.
+    /// Starts a provider's command and sends the greeting line.
     pub(super) fn start(
         command: &[String],
         timeout_s: f64,
@@ -68,7 +70,7 @@ impl Process {
         }
     }
 
-    /// Why it no longer answers.
+    /// Text that says why the provider no longer answers.
     fn epitaph(&mut self) -> String {
         match self.ended() {
             Some(status) => format!("it ended: {status}"),
@@ -76,7 +78,8 @@ impl Process {
         }
     }
 
-    /// Its exit status. A process closes its output a moment before it ends, so that it gets half a second.
+    /// The exit status of the provider. A process closes its output a moment before it ends; it therefore gets half a
+    /// second to end.
     fn ended(&mut self) -> Option<ExitStatus> {
         let until = Instant::now() + Duration::from_millis(500);
         loop {
@@ -143,8 +146,8 @@ impl Drop for Process {
     }
 }
 
-/// Passes the provider's lines on until it ends or the channel is closed. A line that is too long is cut, and is then not
-/// an answer.
+/// Passes the provider's lines on until the provider ends or the channel is closed. A line that is too long is cut, and
+/// then is no valid answer.
 fn listen(output: ChildStdout, send: &SyncSender<String>) {
     let mut reader = BufReader::new(output);
     let mut line = Vec::new();

@@ -1,4 +1,4 @@
-//! The messages between program and provider, one line of JSON each:
+//! The messages between the program and a force provider, one line of JSON each:
 //!
 //! | sender | line |
 //! |---|---|
@@ -37,7 +37,7 @@ pub(super) fn question(n: u64, question: &ForceRequest) -> String {
     .to_string()
 }
 
-/// The number and the wrench of an answer; `None` for any other line.
+/// Number and wrench of an answer; `None` if the line is no answer.
 pub(super) fn answer(line: &str, asked: &ForceRequest) -> Option<(u64, Wrench)> {
     let value: Value = serde_json::from_str(line).ok()?;
     let n = value["n"].as_u64()?;
@@ -57,7 +57,7 @@ pub(super) fn answer(line: &str, asked: &ForceRequest) -> Option<(u64, Wrench)> 
     Some((n, Wrench { force_n, moment_nm }))
 }
 
-/// A force in a body's axes, earth-fixed.
+/// Turns a force in a body's axes into earth-fixed axes.
 fn earth_fixed(question: &ForceRequest, forward_n: f64, starboard_n: f64) -> Vec2 {
     let own = vec2(forward_n, starboard_n);
     Rotation::from_angle(question.state.heading_rad).apply(own)

@@ -1,4 +1,4 @@
-//! The berthing energy by formula and in the run, in the summary that `run` prints.
+//! Lines about the berthing energy, by formula and in the run, for the summary that `run` prints.
 
 use core::fmt::Write as _;
 
@@ -8,8 +8,8 @@ use fenderline_sim::berthing::{AddedMass, AddedMassFormula, BerthingOutcome};
 
 use super::cells::{decimal, one_line};
 
-/// The energy by the formula with its factors, those by the other formulas, and what the fenders took; empty without such a
-/// study.
+/// Lines with the energy by the chosen formula and its factors, the energies by the other formulas, and the energy that
+/// the fenders absorbed; empty if the scenario has no berthing study.
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let Some(Ok(berthing)) = outcome.berthing else { return String::new() };
     let mut text = String::new();
@@ -65,7 +65,7 @@ fn by_other_formulas(berthing: &BerthingOutcome) -> String {
     others.join(", ")
 }
 
-/// What the fenders took in the first hit, and in the largest later one.
+/// The energy that the fenders absorbed in the first hit, and in the largest later hit.
 fn in_the_run(berthing: &BerthingOutcome) -> String {
     let piles = match berthing.pile_energy_j {
         pile_j if pile_j > 0.0 => format!(" and their piles {} kJ", decimal(pile_j / 1e3, 0)),
@@ -80,7 +80,7 @@ fn in_the_run(berthing: &BerthingOutcome) -> String {
     text
 }
 
-/// Where a Cm comes from.
+/// Says by which formula an added mass coefficient Cm was computed.
 fn by(added_mass: AddedMass) -> String {
     match added_mass {
         AddedMass::By(formula) => format!("by {}", formula.name()),

@@ -1,11 +1,11 @@
-//! What stands in the columns that `run` prints.
+//! Texts of the columns in the summary that `run` prints.
 
 use core::fmt::Write as _;
 
 use fenderline_results::{Catalogue, Printed};
 use fenderline_scenario::printable_line;
 
-/// Longest name of a pair or a fender (characters); longer ones are cut.
+/// Longest name of a pair or a fender (characters); longer names are cut.
 pub(super) const NAME_WIDTH: usize = 48;
 
 /// A user's text without control characters, so that columns keep their width.
@@ -13,12 +13,12 @@ pub(super) fn one_line(text: &str) -> String {
     printable_line(text).into_owned()
 }
 
-/// A number with some decimals; very large ones with a power of ten.
+/// A number with the given number of decimals; a very large number is written with a power of ten.
 pub(super) fn decimal(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
 }
 
-/// The heads and the units of a catalogue's columns, each after two spaces and to the right.
+/// The heads and the units of a catalogue's columns, each aligned to the right and after two spaces.
 pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> [String; 2] {
     let mut rows = [String::new(), String::new()];
     for column in catalogue.shown {
@@ -30,7 +30,7 @@ pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> [String; 2] {
     rows
 }
 
-/// The values of a part in these columns; `-` where the part has none.
+/// The values of one part in a catalogue's columns; `-` where the part has no value.
 pub(super) fn values<S, T>(catalogue: &Catalogue<S, T>, setup: &S, summary: &T) -> String {
     let mut row = String::new();
     for column in catalogue.shown {

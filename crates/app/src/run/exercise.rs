@@ -1,4 +1,4 @@
-//! The exercise in the summary that `run` prints.
+//! Lines about the exercise, for the summary that `run` prints.
 
 use core::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::cells::one_line;
 use fenderline_report::plot::fixed;
 use fenderline_results::Outcome;
 
-/// The result in a line, and a line for each deduction; empty without an exercise.
+/// A line with the result of the exercise, and a line for each deduction; empty if there is no exercise.
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let Some(exercise) = outcome.exercise else { return String::new() };
     let mut text = format!("exercise: {}\n", exercise.sentence());

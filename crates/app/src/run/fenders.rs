@@ -1,4 +1,4 @@
-//! The fenders in the summary that `run` prints.
+//! Lines about the fenders, for the summary that `run` prints.
 
 use core::fmt::Write as _;
 
@@ -10,11 +10,11 @@ use super::cells::{NAME_WIDTH, decimal, heads, one_line, values};
 use fenderline_report::plot::{counted, shortened};
 use fenderline_results::{DOLPHINS, FENDERS, FenderVerdict, Outcome, worst_first};
 
-/// Most fenders in the table.
+/// Largest number of fenders in the printed table.
 const ROWS: usize = 12;
 
-/// One line per fender, the most used first: its peaks, and the quantity that governs with its share of the rated one.
-/// Empty if the scenario has no fenders.
+/// A table with one line per fender, the most used first: its peak values, and the governing quantity as a share of its
+/// rated value. Empty if the scenario has no fenders.
 pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     if outcome.setup.fenders.is_empty() {
@@ -75,8 +75,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     text
 }
 
-/// What a panel on several cones did: its turn, its moment and the deflection of each cone, from left to right as one looks
-/// at its face.
+/// A line about a panel on several cones: its turn, its moment and the deflection of each cone, from left to right as
+/// one looks at the panel's face.
 fn panel_line(panel: &PanelSummary) -> String {
     let mut cones = panel.cones.clone();
     cones.sort_by(|one, other| one.at_m.total_cmp(&other.at_m));
@@ -90,7 +90,7 @@ fn panel_line(panel: &PanelSummary) -> String {
     )
 }
 
-/// The peak tension of a chain.
+/// A line with the peak tension of a fender's chain.
 fn chain_line(chain: &ChainSummary) -> String {
     let parted = if chain.parted_at_s.is_some() { ", PARTED" } else { "" };
     format!(
@@ -101,8 +101,8 @@ fn chain_line(chain: &ChainSummary) -> String {
     )
 }
 
-/// One line per flexible dolphin, the most loaded first: its peaks, its share of the yield load, and what stays of its
-/// deflection. Empty without one.
+/// One line per flexible dolphin, the most loaded first: its peak values, its share of the yield load, and its
+/// remaining deflection. Empty without one.
 pub(super) fn dolphins(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     if outcome.dolphins.is_empty() {
@@ -138,7 +138,8 @@ pub(super) fn dolphins(outcome: &Outcome<'_>) -> String {
     text
 }
 
-/// Deflection, reaction and energy over their ratings in the catalogue, without the factors of this run (%).
+/// Deflection, reaction and energy of a fender as shares of the catalogue's rated values, without the factors of this
+/// run (%).
 fn of_catalogue(setup: &FenderSetup, summary: &FenderSummary) -> String {
     let shares = [
         summary.share_of_rated_deflection,

@@ -11,10 +11,11 @@ use fenderline_report::plot::{counted, shortened};
 use fenderline_report::words::interrupted_text;
 use fenderline_results::{Outcome, WrittenFile, integrator_text, method_text};
 
-/// Most pairs in the table.
+/// Largest number of pairs of bodies in the printed table.
 const ROWS: usize = 20;
 
-/// Title and method; one line per pair, the largest force first; one per fender, the most used first; and the files.
+/// The printed summary: title and method; one line per pair of bodies, the largest force first; one line per fender,
+/// the most used first; and the files.
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
     let setup = outcome.setup;
     let mut text = format!(
@@ -37,10 +38,14 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         let more = pairs.len().saturating_sub(ROWS);
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
-        text.push_str("approach: positive closing; final: positive separating\n");
+        text.push_str(
+            "approach speed: positive when closing; final speed: positive when separating\n",
+        );
         let by_fender = pairs.iter().filter(|pair| pair.peak_depth_fender.is_some()).count();
         if by_fender > 0 && by_fender < pairs.len() {
-            text.push_str("peak depth: of a contact through a fender, the fender's deflection\n");
+            text.push_str(
+                "peak depth: for a contact through a fender, the deflection of the fender\n",
+            );
         }
         if more > 0 {
             let more = counted(more as u64, "more pair", "more pairs");
@@ -60,7 +65,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
     text
 }
 
-/// That the run was interrupted, and where; empty if it was not.
+/// A line that says that and when the run was interrupted; empty if it was not.
 pub(super) fn interrupted(outcome: &Outcome<'_>) -> String {
     let told = |interrupted| format!("INTERRUPTED: {}\n\n", interrupted_text(interrupted));
     outcome.interrupted.as_ref().map_or_else(String::new, told)
@@ -118,13 +123,13 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     text
 }
 
-/// An impulse, with a decimal only if it is small.
+/// The text of an impulse, with a decimal only if the impulse is small.
 fn impulse(impulse_kns: f64) -> String {
     let decimals = if impulse_kns.abs() < 100.0 { 1 } else { 0 };
     decimal(impulse_kns, decimals)
 }
 
-/// A speed to a tenth of a millimetre per second. A speed that rounds to zero has no sign.
+/// The text of a speed, rounded to a tenth of a millimetre per second. A speed that rounds to zero has no sign.
 fn speed(speed_mps: f64) -> String {
     let text = decimal(speed_mps, 4);
     if text == "-0.0000" { "0.0000".to_owned() } else { text }

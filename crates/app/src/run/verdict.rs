@@ -10,7 +10,8 @@ use fenderline_sim::{Finding, Gravity, Verdict};
 /// Findings printed at most.
 const FINDINGS: usize = 12;
 
-/// The verdict in one line, in capitals from the first exceeded limit on, and a line a finding, the worst first.
+/// The verdict in one line (in capitals if a limit was exceeded or worse), and one line for each finding, the worst
+/// first.
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let verdict = Verdict::of(outcome.findings);
     let is_grave = verdict.gravity() >= Gravity::Attention;
@@ -21,16 +22,16 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     }
     if outcome.findings.len() > FINDINGS {
         let more = outcome.findings.len() - FINDINGS;
-        let _ = writeln!(text, "  and {more} more, in summary.json");
+        let _ = writeln!(text, "  and {more} more findings, in summary.json");
     }
     text
 }
 
-/// The end of the command.
+/// The outcome of the command, by the verdict of the run.
 ///
 /// # Errors
-/// A failed case, unless failures are allowed: something broke or was struck, or the results are not valid. With `is_strict` also where the run
-/// left the range of its data.
+/// Unless failures are allowed, fails if something broke or was struck or if the results are not valid. With
+/// `is_strict` the command also fails if the run left the range of its data.
 pub(super) fn exit(
     findings: &[Finding],
     allow_failures: bool,

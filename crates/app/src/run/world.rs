@@ -1,4 +1,5 @@
-//! Vessels, tugs, lines, anchors and providers in the summary that `run` prints. Findings that need attention are in capitals.
+//! Lines about vessels, tugs, mooring lines, anchors and force providers, for the summary that `run` prints. Findings
+//! that need attention are in capitals.
 
 use core::fmt::Write as _;
 
@@ -7,10 +8,10 @@ use fenderline_report::plot::{shortened, times};
 use fenderline_results::{AnchorVerdict, LINES, LineTotals, LineVerdict, Outcome};
 use fenderline_sim::MooringSetup;
 
-/// Most lines of text per kind.
+/// Largest number of lines of text for each kind of part.
 const ROWS: usize = 12;
 
-/// Empty if the scenario has none of them.
+/// The lines about vessels, tugs, mooring lines, anchors and providers; empty if the scenario has none of these.
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     moorings(outcome, &mut text);

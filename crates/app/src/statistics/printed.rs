@@ -55,7 +55,7 @@ fn summary(column: &Column<'_>) -> String {
     text
 }
 
-/// Design values: a block a rarity, a line a source.
+/// Text of the design values: a block for each return period or probability, with a line for each law or method.
 fn design(column: &Column<'_>) -> String {
     let (findings, asked) = (&column.findings, &column.asked);
     let unit = match column.head.unit.as_str() {
@@ -87,7 +87,7 @@ fn design(column: &Column<'_>) -> String {
     text
 }
 
-/// Which law or value may be quoted, and why.
+/// Text that says which law or design value may be quoted, and why.
 fn quoted(column: &Column<'_>) -> String {
     let quote = quote(&column.findings, &column.head.unit);
     quote.map_or_else(String::new, |quote| format!("\n{}\n", quote.sentence))
@@ -99,7 +99,7 @@ fn remarks(column: &Column<'_>) -> String {
         return String::new();
     }
     let lines: String = all.iter().map(|remark| format!("  {remark}\n")).collect();
-    format!("\nBefore a design value is used\n{lines}")
+    format!("\nBefore a design value is used, note:\n{lines}")
 }
 
 fn fits(column: &Column<'_>) -> String {

@@ -1,4 +1,5 @@
-//! Colours of errors and notices, as rustc has them. They are found in the finished text, so that it is the same without.
+//! Colours errors and notices in the manner of rustc. The places to colour are found in the finished text, so that the
+//! text without colours is the same.
 
 use core::fmt::Write as _;
 
@@ -9,7 +10,7 @@ const NOTICE: Style = AnsiColor::Yellow.on_default().bold();
 const MARGIN: Style = AnsiColor::Blue.on_default().bold();
 const HELP: Style = AnsiColor::Cyan.on_default().bold();
 
-/// What a line may begin with after spaces, and its style.
+/// Words that a line may begin with after spaces, each with its colour.
 const BEGINNINGS: [(&str, Style); 5] = [
     ("error:", ERROR),
     ("notice:", NOTICE),
@@ -18,7 +19,8 @@ const BEGINNINGS: [(&str, Style); 5] = [
     ("= help:", HELP),
 ];
 
-/// The text in colour: the words `error`, `notice` and `help`, the margin of a quoted line, the marks below it.
+/// Colours a text: the words `error`, `notice` and `help`, the margin of a quoted line of a file, and the marks below
+/// that line.
 pub(super) fn painted(text: &str) -> String {
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
@@ -38,7 +40,7 @@ fn line(line: &str) -> String {
     painted
 }
 
-/// A quoted line of a file in two: its margin, which is spaces, perhaps a number, and a bar; and the rest.
+/// Splits a quoted line of a file into its margin (spaces, perhaps a line number, and a bar) and the rest.
 fn quoted(line: &str) -> Option<(&str, &str)> {
     let bar = line.find('|')?;
     let number = line[..bar].strip_suffix(' ')?.trim_start();

@@ -189,9 +189,10 @@ fn of_two_who_acknowledge_at_once_one_does_and_what_is_no_alarm_is_refused() {
             let answer = table.pilot.ask(acknowledge(key)).await;
             assert!(reason(&answer).contains("no such alarm"), "{key}: {answer}");
         }
-        for (client, why) in
-            [(&mut master, "only her alarms"), (&mut table.observer, "observer cannot acknowledge")]
-        {
+        for (client, why) in [
+            (&mut master, "only the alarms of"),
+            (&mut table.observer, "observer cannot acknowledge"),
+        ] {
             assert!(reason(&client.ask(acknowledge(KEY)).await).contains(why));
         }
         for bad in [json!({ "do": "acknowledge" }), json!({ "do": "acknowledge", "key": 7 })] {

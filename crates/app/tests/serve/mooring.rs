@@ -122,7 +122,8 @@ fn what_cannot_be_done_with_a_line_is_answered_with_the_reason_and_nothing_is_lo
         assert!(reason(&second).contains("on its way to a bollard"), "{second}");
         refused(&mut pilot, send("head", "b8"), "on its way").await;
         refused(&mut pilot, winch("heave", "head", 0.1), "on its way").await;
-        refused(&mut pilot, send("fore_breast", bollard), "takes 1 line and has as many").await;
+        refused(&mut pilot, send("fore_breast", bollard), "takes 1 line and already has as many")
+            .await;
         until(&mut pilot, "head", "fast").await;
         refused(&mut pilot, send("head", "b8"), "not on board: let it go first").await;
         for rate_mps in [-0.1, 1e9] {

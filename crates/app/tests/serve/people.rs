@@ -106,7 +106,7 @@ fn a_pilot_without_a_name_keeps_the_helm_over_a_reload_and_a_second_page_cannot_
         assert_eq!(again.ask(seat("a")).await["type"], "ack");
         instructor.notice("who is back").await;
         instructor.hello_with(|hello| holder(hello, "ship") == (label.clone(), true)).await;
-        assert!(reason(&copy.ask(claim("ship")).await).contains("has it"));
+        assert!(reason(&copy.ask(claim("ship")).await).contains("holds this control"));
         let rudder = json!({ "do": "rudder", "vessel": "ship", "angle_rad": 0.1 });
         assert_eq!(again.ask(rudder).await["type"], "ack");
         server.stop_and_check();

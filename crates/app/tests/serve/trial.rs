@@ -80,7 +80,7 @@ fn a_trial_is_refused_as_its_orders_would_be() {
         assert_eq!(pilot.ask(trial(&[astern()], 60.0)).await["type"], "ack");
         assert_eq!(other.ask(claim("ship")).await["type"], "ack");
         for action in all(astern()) {
-            assert!(reason(&pilot.ask(action).await).contains("has it"));
+            assert!(reason(&pilot.ask(action).await).contains("holds this control"));
         }
         // More than ten a second of one page.
         let mut refused = 0;

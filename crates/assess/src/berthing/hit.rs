@@ -5,18 +5,18 @@ use fenderline_contact::number::{greater, lesser};
 /// Energies of one step, summed over all fenders that the ship touches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HitStep {
-    /// Recoverable energy stored at the end of the step (J).
+    /// Recoverable energy stored in the fenders at the end of the step (J).
     pub(super) stored_j: f64,
-    /// Hysteresis loss in the step (J).
+    /// Hysteresis loss in the fenders in the step (J).
     pub(super) hysteresis_j: f64,
     /// Energy to load each fender to its peak deflection in the step, summed over the fenders (J).
     pub(super) peak_absorbed_j: f64,
 }
 
-/// Follows one hit: from the rise of the stored energy until it is less than half of its maximum.
+/// Follows one hit: from the rise of the stored energy until this energy is less than half of its maximum.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Hit {
-    /// Hysteresis loss since the hit began (J).
+    /// Hysteresis loss in the fenders since the hit began (J).
     heat_j: f64,
     /// Largest energy stored in the fenders (J).
     most_stored_j: f64,
@@ -36,7 +36,7 @@ impl Hit {
         is_more
     }
 
-    /// Whether the fenders have given back more than half of the stored energy.
+    /// Returns true if the fenders have given back more than half of the stored energy.
     pub(super) fn is_over(&self, step: HitStep) -> bool {
         step.stored_j < 0.5 * self.most_stored_j
     }

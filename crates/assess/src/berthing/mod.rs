@@ -1,4 +1,4 @@
-//! A simulated berthing beside the formulas of [`fenderline_world::berthing`].
+//! Compares a simulated berthing with the formulas of [`fenderline_world::berthing`].
 
 mod hit;
 mod outcome;

@@ -15,26 +15,28 @@ use fenderline_world::fender::FenderSetup;
 use fenderline_world::record::{ContactEnergy, StepRecord};
 use fenderline_world::rigid_body::Inertia;
 
-/// The group of fenders that the ship meets together is complete when the first fender is compressed by this share of
-/// its rated deflection.
+/// The fenders that the ship meets together are complete when the first of them is compressed by this share of its
+/// rated deflection.
 const GROUP_SHARE: f64 = 0.1;
 
-/// Data of a first touch.
+/// Data of the ship's first touch of a fender.
 #[derive(Clone, Debug)]
 struct FirstTouch {
     t_s: f64,
-    /// Index, and place along the hull (m), of each fender of the group; the first entry is the fender touched first.
+    /// Index of each fender of the group, and its place along the hull (m); the first entry is the fender touched
+    /// first.
     group: Vec<(usize, f64)>,
-    /// Deflection of the first fender at which the group is complete (m).
+    /// Deflection of the first fender at which no more fenders are added to the group (m).
     complete_at_m: f64,
     is_complete: bool,
     speed_mps: f64,
     angle_rad: f64,
     displacement_kg: f64,
     other: Option<OtherShip>,
-    /// Mass normal to the face in the simulation, added mass included (kg); for two ships the reduced mass.
+    /// The ship's mass normal to the fender's face in the simulation, added mass included (kg); for two ships their
+    /// reduced mass.
     mass_kg: f64,
-    /// The ship's own added mass in sway over her displacement.
+    /// The ship's own added mass in sway, divided by her displacement.
     added_sway: f64,
     gyradius_m: f64,
 }
@@ -49,37 +51,38 @@ impl FirstTouch {
     }
 }
 
-/// A hit counts if the fenders absorbed at least this share of the kinetic energy at the first touch.
+/// A hit is counted if the fenders absorbed at least this share of the ship's kinetic energy at the first touch.
 const COUNTED_SHARE: f64 = 0.05;
 
-/// The phase of the run: during a hit, or between two hits.
+/// The phase of the run: the ship is in a hit on her fenders, or between two hits.
 #[derive(Clone, Copy, Debug)]
 enum Phase {
-    /// The first hit, or light touches before it.
+    /// The run is in the first hit, or in light touches before the first hit.
     First(Hit),
-    /// Between two hits. The number is the least energy that the fenders stored since the last hit (J).
+    /// Between two hits. The field is the least energy that the fenders stored since the last hit (J).
     Between { least_j: f64 },
-    /// A later hit, and the start of its first step (s).
+    /// The run is in a later hit; the number is the start of the first step of this hit (s).
     Later(Hit, f64),
 }
 
-/// Collects the outcome of a berthing, step by step.
+/// Collects the results of a simulated berthing, step by step.
 #[derive(Clone, Debug)]
 pub struct Study {
     setup: BerthingSetup,
-    /// Displacement of each body (kg); `None`: fixed.
+    /// Displacement of each body (kg); `None` for a fixed body.
     displacements_kg: Vec<Option<f64>>,
-    /// Factor of shallow water for the ship at the start. `None`: the water is deep, or the ship is no vessel.
+    /// Factor of shallow water on the ship's added mass in sway at the start of the run. `None` if the water is deep,
+    /// or if the ship is no vessel.
     shallow: Option<ShallowFactor>,
     first: Option<FirstTouch>,
     phase: Phase,
-    /// Number of counted hits that are over.
+    /// Number of counted hits that have ended.
     hits: u32,
-    /// The outcome; `None` before the first touch.
+    /// The results of the berthing; `None` before the first touch.
     pub outcome: Option<Result<BerthingOutcome, BerthingError>>,
 }
 
-/// The data of one step that the study uses.
+/// The data of one step that the study of the berthing uses.
 pub struct StudyStep<'a> {
     t_s: f64,
     step_s: f64,
@@ -90,7 +93,7 @@ pub struct StudyStep<'a> {
 }
 
 impl<'a> StudyStep<'a> {
-    /// The part of a record that the study reads, with the length of the step (s).
+    /// Takes from the record of a step what the study reads, and the length of the step (s).
     #[must_use]
     pub fn of(record: &StepRecord<'a>, step_s: f64) -> StudyStep<'a> {
         let StepRecord { t_s, states, contacts, contact_energies: energies, dolphins, .. } =
@@ -98,7 +101,7 @@ impl<'a> StudyStep<'a> {
         StudyStep { t_s, step_s, states, contacts, energies, dolphins }
     }
 
-    /// Contacts of a ship with fenders.
+    /// The contacts of a ship with fenders in this step.
     fn touched(&self, ship: usize) -> impl Iterator<Item = &'a Contact> + use<'a> {
         let of_ship = move |contact: &&Contact| {
             let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
@@ -117,7 +120,7 @@ impl<'a> StudyStep<'a> {
         self.dolphins.iter().filter(touched).map(|dolphin| dolphin.pile.peak_stored_j).sum()
     }
 
-    /// The energies of the fenders that a ship touches.
+    /// The stored, lost and absorbed energies of the fenders that a ship touches in this step.
     fn energies_of(&self, ship: usize) -> HitStep {
         let of_ship =
             |energy: &&ContactEnergy| energy.fender.is_some() && energy.bodies.contains(&ship);
@@ -131,8 +134,8 @@ impl<'a> StudyStep<'a> {
 }
 
 impl Study {
-    /// A study with particulars that have been checked. The study needs the displacement of each body (kg; `None`:
-    /// fixed), and the factor of shallow water on the ship's added mass in sway.
+    /// Starts a study of a berthing from data that have been checked. The study needs the displacement of each body
+    /// (kg; `None` for a fixed body), and the factor of shallow water on the ship's added mass in sway.
     pub fn new(
         setup: BerthingSetup,
         displacements_kg: Vec<Option<f64>>,
@@ -164,8 +167,8 @@ impl Study {
         }
     }
 
-    /// Notes the first touch, and the fenders of its group until the group is complete. Computes the outcome anew if
-    /// the group changes.
+    /// Notes the first touch, and the fenders that the ship meets together until their group is complete. Computes the
+    /// results anew if a fender joins the group.
     fn follow_group(
         &mut self,
         fenders: &[FenderSetup],
@@ -336,7 +339,7 @@ impl Study {
     }
 }
 
-/// The phase after a step, and the number of hits that are over.
+/// The phase of the run after this step, and the number of hits that have ended.
 fn follow_hits(
     phase: Phase,
     hits: u32,

@@ -1,4 +1,4 @@
-//! The values that limits on motions, lines and fenders are compared with.
+//! The values of a run that are compared with the limits on motions, lines and fenders.
 
 use fenderline_world::fender::FenderSummary;
 use fenderline_world::limit::{LimitSetup, Limited, Measure};
@@ -7,7 +7,7 @@ use fenderline_world::setup::Setup;
 use super::Statistics;
 use super::peaks::MotionStatistics;
 
-/// The statistic of a motion that a limit is on.
+/// The statistic of a motion that the limit is set on, such as the maximum or the significant value.
 fn measured(measure: Measure, of: &MotionStatistics) -> f64 {
     match measure {
         Measure::Maximum => of.maximum,
@@ -19,7 +19,8 @@ fn measured(measure: Measure, of: &MotionStatistics) -> f64 {
 }
 
 impl Statistics {
-    /// The value that each limit is compared with, in the order of the set-up. Lines and fenders count from the start of the run.
+    /// The values of the run that are compared with the limits, in the order of the limits in the set-up. The values of
+    /// lines and fenders count from the start of the run.
     pub fn values<'a>(
         &self,
         setup: &Setup,

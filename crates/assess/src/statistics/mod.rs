@@ -2,10 +2,10 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `statistics/peaks.rs` | mean, standard deviation, peaks, ranges and zero crossings of a series |
-//! | `statistics/series.rs` | the motions of a vessel, kept at even times |
+//! | `statistics/peaks.rs` | mean, standard deviation, peaks, ranges and zero crossings of a series of values |
+//! | `statistics/series.rs` | the motions of a vessel, sampled at equal intervals of time |
 //! | `statistics/rainflow.rs` | cycles of a line's tension |
-//! | `statistics/limit.rs` | limits, and what exceeds them |
+//! | `statistics/limit.rs` | the values of a run that are compared with limits |
 
 mod limit;
 mod peaks;
@@ -19,18 +19,18 @@ pub use peaks::MotionStatistics;
 pub use rainflow::{RAINFLOW_BINS, Rainflow};
 use series::MotionSeries;
 
-/// The statistics that a run with [`fenderline_world::limit::StatisticsSetup`] keeps.
+/// The statistics that a run keeps if its set-up has a [`fenderline_world::limit::StatisticsSetup`].
 #[derive(Clone, Debug)]
 pub struct Statistics {
     from_s: f64,
-    /// The vessels, in the order of the set-up.
+    /// The statistics of each vessel, in the order of the set-up.
     motions: Vec<MotionSeries>,
-    /// Cycles of the tension of each line over its break load, in the order of the set-up.
+    /// Cycles of the tension of each line, divided by its break load, in the order of the set-up.
     pub lines: Vec<Rainflow>,
 }
 
 impl Statistics {
-    /// Statistics before the first step; `None` if the set-up asks for none.
+    /// Makes the statistics before the first step; returns `None` if the set-up asks for no statistics.
     pub fn new(setup: &Setup) -> Option<Statistics> {
         let from_s = setup.world.statistics.from_s?;
         Some(Statistics {
@@ -55,17 +55,17 @@ impl Statistics {
         }
     }
 
-    /// Time from which steps count (s).
+    /// Time from which steps count in the statistics (s).
     #[must_use]
     pub fn from_s(&self) -> f64 {
         self.from_s
     }
 
-    /// Surge, sway, heave, roll, pitch and yaw of a vessel about their means, by the vessel's index. Surge and sway are
-    /// motions of the centre of gravity along and across the mean heading.
+    /// Statistics of a vessel's surge, sway, heave, roll, pitch and yaw about their means; `vessel` is the vessel's
+    /// index. Surge and sway are motions of the centre of gravity along and across the mean heading.
     ///
     /// # Panics
-    /// If there is no such vessel.
+    /// Panics if there is no such vessel.
     #[must_use]
     pub fn motions(&self, vessel: usize, step_s: f64) -> [MotionStatistics; 6] {
         self.motions[vessel].statistics(step_s)

@@ -1,4 +1,4 @@
-//! Statistics of a series about its mean.
+//! Statistics of a series of values about its mean.
 
 use fenderline_contact::number::greater;
 
@@ -8,27 +8,27 @@ use fenderline_contact::number::greater;
 /// and maximum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionStatistics {
-    /// Mean (m or rad). For surge and sway it is measured from the first position that counts.
+    /// Mean (m or rad). The mean of surge and of sway is measured from the first position that counts.
     pub mean: f64,
     /// Standard deviation.
     pub deviation: f64,
-    /// Largest distance from the mean.
+    /// Largest distance of the motion from its mean.
     pub maximum: f64,
     /// Mean of the highest third of the peaks; the highest peak or peaks if there are fewer than three. 0 without a
     /// peak.
     pub significant: f64,
-    /// Largest range, crest to trough.
+    /// Largest range of the motion, from a crest to the next trough.
     pub maximum_range: f64,
-    /// Mean of the highest third of the ranges.
+    /// Mean of the highest third of the ranges from crest to trough.
     pub significant_range: f64,
-    /// Mean time between up-crossings of the mean (s); 0 if there are fewer than two.
+    /// Mean time between up-crossings of the mean (s); 0 if there are fewer than two up-crossings.
     pub zero_crossing_s: f64,
     /// Number of peaks.
     pub peaks: u32,
 }
 
 impl MotionStatistics {
-    /// The statistics of values at even times, `apart_s` from each other.
+    /// Computes the statistics of values that are equally spaced in time; `apart_s` is the time between two values.
     pub(super) fn of(values: &[f64], apart_s: f64) -> MotionStatistics {
         if values.is_empty() {
             return MotionStatistics::default();
@@ -83,7 +83,8 @@ impl MotionStatistics {
     }
 }
 
-/// Mean of the highest third of the values; the number of values is rounded up. 0 if there are no values.
+/// Mean of the highest third of the values; the number of values in this third is rounded up. The result is 0 if there
+/// are no values.
 fn highest_third(mut values: Vec<f64>) -> f64 {
     let number = values.len().div_ceil(3);
     if number == 0 {

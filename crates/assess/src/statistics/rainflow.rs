@@ -1,20 +1,21 @@
-//! Cycles of a tension by rainflow counting.
+//! Counts the cycles of a line's tension by the rainflow method.
 
-/// Number of bins of a [`Rainflow`]. Each bin is a twentieth of the break load wide. The last also holds all larger
-/// ranges.
+/// Number of bins of a [`Rainflow`] count. Each bin is a twentieth of the break load wide. The last bin also holds all
+/// larger ranges.
 pub const RAINFLOW_BINS: usize = 20;
 
-/// Cycles of a line's tension by range, counted as they end, by the three-point rules of ASTM E1049 (recalled). Ranges
-/// are divided by the break load.
+/// Cycles of a line's tension by range, counted as the cycles end, by the three-point rules of ASTM E1049 (cited from
+/// memory). The ranges are divided by the line's break load.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rainflow {
-    /// Turning points whose cycle has not yet closed.
+    /// Turning points of the tension whose cycle has not yet closed.
     turns: Vec<f64>,
-    /// Cycles in each bin, counted in half cycles.
+    /// Number of cycles in each bin, counted in half cycles.
     halves: [u64; RAINFLOW_BINS],
 }
 
-/// Ranges smaller than this do not count as cycles: they are rounding, or the ripple of a winch.
+/// Ranges of the tension smaller than this share of the break load do not count as cycles: they are rounding, or the
+/// ripple of a winch.
 const LEAST: f64 = 0.005;
 
 impl Rainflow {
@@ -38,7 +39,7 @@ impl Rainflow {
         self.close();
     }
 
-    /// Counts the cycles that the last point has closed.
+    /// Counts the tension cycles that the last turning point has closed.
     fn close(&mut self) {
         while let [.., third, second, last] = self.turns[..] {
             let (range, newest) = ((second - third).abs(), (last - second).abs());
@@ -57,8 +58,8 @@ impl Rainflow {
         }
     }
 
-    /// Cycles by range over the break load: the first bin up to 5 %, the second up to 10 %, and so on. Ranges that are
-    /// still open count as half cycles.
+    /// Cycles of the tension by range over break load: the first bin up to 5 %, the second up to 10 %, and so on.
+    /// Ranges that are still open count as half cycles.
     #[must_use]
     pub fn cycles(&self) -> [f64; RAINFLOW_BINS] {
         let mut halves = self.halves;

@@ -1,18 +1,19 @@
-//! The motions of a vessel, kept at even times.
+//! The motions of a vessel, sampled at equal intervals of time.
 
 use fenderline_contact::{BodyState, Rotation, vec2};
 
 use super::peaks::MotionStatistics;
 use fenderline_world::world::VesselState;
 
-/// Largest number of samples kept. A longer series is thinned by half, so that memory does not grow with the run.
+/// Largest number of samples of the motions that are kept. If a run has more samples, every second sample is dropped,
+/// so that memory does not grow with the run.
 const MOST: usize = 1 << 17;
 
-/// North, east, heave, roll, pitch and heading of a vessel at even times.
+/// Samples of a vessel's north, east, heave, roll, pitch and heading at equal intervals of time.
 #[derive(Clone, Debug)]
 pub(super) struct MotionSeries {
     samples: Vec<[f64; 6]>,
-    /// Number of steps from sample to sample.
+    /// Number of time steps from one sample to the next.
     every: u64,
     steps: u64,
 }

@@ -1,4 +1,4 @@
-//! Finds, step by step, where a run leaves its laws and its data.
+//! Finds, step by step, where a run leaves the range of its physical laws or of its data.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Contact, EventKind, combined_angle_rad};
@@ -18,35 +18,36 @@ use fenderline_world::setup::Setup;
 use fenderline_world::world::Environment;
 use fenderline_world::world::passing::{FULL_FLOW_GAP, gap_in_beams, shallowest_on_track_m};
 
-/// The share of the sea's energy that may be at frequencies outside the data; our choice. A JONSWAP sea has 2 % of its energy above 2.9
-/// times the frequency of its peak.
+/// The share of the sea's energy that may be at frequencies outside a vessel's data without a finding; we chose it. A
+/// JONSWAP sea has 2 % of its energy at frequencies above 2.9 times the peak frequency.
 const WAVES_OUTSIDE: f64 = 0.02;
-/// The least squat for which the range of its formula matters (m); our choice.
+/// The least squat (m) for which a run may be found outside the range of the squat formula; we chose it.
 const SQUAT_M: f64 = 0.01;
 
-/// A law that the run has left.
+/// A physical law whose range the run has left.
 #[derive(Clone, Debug)]
 struct Left {
     law: Law,
     subject: Subject,
     first_s: f64,
-    /// Time of the last step in which the law was left (s), so that a step counts once.
+    /// Time of the last step in which the law was left (s); with this time a step is counted only once.
     last_s: f64,
-    /// Number of steps; `None`: the law is left for the whole run.
+    /// Number of steps in which the law was left; `None` if the law is left for the whole run.
     steps: Option<u32>,
     extent: [f64; 2],
 }
 
-/// A contact of a fender that still lasts.
+/// A contact of a fender that has not ended.
 #[derive(Clone, Debug, Default)]
 struct Met {
-    /// Number of the last step with this contact.
+    /// Number of the last step in which the fender had this contact.
     last_step: Option<u64>,
-    /// Value and end of the range that the factors do not cover, for angle and for speed.
+    /// For the angle and for the compression time: the value in the run and the end of the range of the factors, if the
+    /// factors do not cover the value.
     beyond: [Option<[f64; 2]>; 2],
 }
 
-/// All laws and data that the run has left so far. The size does not grow with the run.
+/// All laws and data that the run has left so far. The memory for this list does not grow with the run.
 #[derive(Clone, Debug)]
 pub(super) struct Departures {
     left: Vec<Left>,
@@ -57,7 +58,7 @@ pub(super) struct Departures {
 }
 
 impl Departures {
-    /// The record before the first step.
+    /// Starts the list: before the first step it has only what holds for the whole run.
     pub(super) fn new(setup: &Setup) -> Departures {
         let areas_m2: Vec<f64> = setup.bodies.iter().map(|body| body.outline.area_m2()).collect();
         let smallest_m2 = areas_m2.iter().copied().fold(f64::INFINITY, lesser);
@@ -67,15 +68,15 @@ impl Departures {
         all
     }
 
-    /// Forgets the run so far.
+    /// Clears the list, for a new run.
     pub(super) fn restart(&mut self, setup: &Setup) {
         self.left.clear();
         self.met.fill(Met::default());
         self.note_what_holds_always(setup);
     }
 
-    /// Adds one step. `taken_j` is the energy that contacts absorbed, and `gained_j` the energy that they returned
-    /// beyond this.
+    /// Adds one step. `taken_j` is the energy that contacts absorbed, and `gained_j` the energy that contacts returned
+    /// beyond the absorbed energy.
     pub(super) fn add(
         &mut self,
         setup: &Setup,
@@ -115,8 +116,8 @@ impl Departures {
         }
     }
 
-    /// The departures, in the order of the table. `run_s` is the time of the run so far (s). `gain` tells whether the
-    /// contacts of the run have gained energy in total.
+    /// The laws that the run has left, in the order of [`Law::TABLE`]. `run_s` is the simulated time of the run so far
+    /// (s). `gain` is true if the contacts of the run have gained energy in total.
     pub(super) fn departures(&self, setup: &Setup, run_s: f64, gain: bool) -> Vec<Departure> {
         let departure = |left: &Left| {
             let lasting_s = left.steps.map_or(run_s, |steps| f64::from(steps) * setup.step_s);
@@ -132,7 +133,7 @@ impl Departures {
         all
     }
 
-    /// Counts a step. `extent` keeps the value farthest from the end of the range.
+    /// Counts a step. `extent` keeps, of all steps, the value that is farthest outside the range of the law.
     fn note(&mut self, law: Law, subject: Subject, t_s: f64, extent: [f64; 2]) {
         let same = |left: &&mut Left| left.law == law && left.subject == subject;
         match self.left.iter_mut().find(same) {
@@ -154,7 +155,7 @@ impl Departures {
         }
     }
 
-    /// Notes the departures that last from the start of the run to its end.
+    /// Notes the laws that are left from the start of the run to its end.
     fn note_what_holds_always(&mut self, setup: &Setup) {
         let environment = &setup.world.environment;
         let mut always = |law, subject, extent| {
@@ -209,7 +210,7 @@ impl Departures {
         }
     }
 
-    /// Adds departures by overlaps of outlines and by contacts of fenders.
+    /// Notes the laws that overlaps of outlines and contacts of fenders leave in this step.
     fn add_contacts(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (index, contact) in step.contacts.iter().enumerate() {
             let Some(fender) = contact.fender else {
@@ -246,8 +247,8 @@ impl Departures {
         }
     }
 
-    /// Adds a departure for each series of wind, tide or long waves if the time of the step is before the first or after the
-    /// last time of the series: the value of that end is held.
+    /// Notes each series of wind, tide or long waves that does not cover the time of the step: before its first time or
+    /// after its last time, the series keeps the value at that end.
     fn add_environment(&mut self, setup: &Setup, t_s: f64) {
         let Environment { wind, tide, long_waves, .. } = &setup.world.environment;
         for (law, is_held) in [
@@ -261,7 +262,7 @@ impl Departures {
         }
     }
 
-    /// Adds departures by vessels that are off the grid of the current or in shallow water.
+    /// Notes the vessels that are off the grid of the current or in shallow water.
     fn add_vessels(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         let environment = &setup.world.environment;
         for (index, vessel) in setup.world.vessels.iter().enumerate() {
@@ -298,12 +299,12 @@ impl Departures {
 }
 
 impl Departures {
-    /// Notes a step in which a program that gives forces did not reply.
+    /// Notes that an external program that gives forces did not reply in this step.
     pub(super) fn note_silent_provider(&mut self, provider: usize, t_s: f64) {
         self.note(Law::ProviderSilent, Subject::Provider(provider), t_s, [0.0; 2]);
     }
 
-    /// Adds departures by vessels so near each other that the flow between them is left out.
+    /// Notes the vessels so near each other that the flow between them is left out.
     fn add_flow(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         let world = &setup.world;
         if !world.flow.between_vessels {
@@ -330,7 +331,7 @@ impl Departures {
 }
 
 impl Law {
-    /// The extent, of two, that is farther out of the range.
+    /// Of two extents, returns the extent that is farther outside the range of the law.
     fn farther(self, one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
         match self {
             Law::EnergyGained => other,
@@ -343,8 +344,8 @@ impl Law {
     }
 }
 
-/// Angle (rad) and compression time (s) at the start of a contact that the fender's factors do not cover, each with the
-/// end of the data.
+/// For a contact of a fender that the fender's factors do not cover: the angle (rad) and the compression time (s) at
+/// the start of the contact, each with the end of the range of the factors.
 fn beyond(
     fender: &FenderSetup,
     contact: &Contact,

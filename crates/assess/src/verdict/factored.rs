@@ -1,12 +1,12 @@
-//! Findings with the partial factors of the user.
+//! Findings that result from the user's partial factors.
 
 use super::finding::{Finding, Subject};
 use fenderline_world::factors::{Factored, PartialFactors};
 use fenderline_world::fender::FenderSummary;
 use fenderline_world::setup::Setup;
 
-/// Findings on effects that exceed their capacity only with the user's factors. If the effect exceeds it without the
-/// factor, another finding says so already.
+/// Findings on loads that exceed the capacity only with the user's partial factors. If the load exceeds the capacity
+/// also without the partial factor, another finding reports this.
 pub(super) fn factored<'a>(
     setup: &'a Setup,
     fenders: &'a [&'a FenderSummary],
@@ -34,7 +34,8 @@ fn of_fender(factors: &PartialFactors, fender: &FenderSummary) -> Vec<Finding> {
     energy.into_iter().chain(reaction).collect()
 }
 
-/// The share if it is above 1. With `by_factor`, only if it is not above 1 without the factor.
+/// The load divided by the capacity, if this share is above 1. With `by_factor` the share is returned only if it is not
+/// above 1 without the partial factor.
 fn above(of: Factored, by_factor: bool) -> Option<f64> {
     let share = of.share()?;
     (share > 1.0 && !(by_factor && share / of.factor > 1.0)).then_some(share)

@@ -3,11 +3,11 @@
 use super::finding::Finding;
 use fenderline_world::fender::{FenderSetup, FenderSummary};
 
-/// The least share of a catalogue's rating that is printed as 101 % or more.
+/// The least share of the catalogue's rating that counts as above the rating: it is printed as 101 % or more.
 const ABOVE_CATALOGUE: f64 = 1.005;
 
-/// The worst finding on this fender after a run; `None` if it stayed within its rating and within the permissible
-/// hull pressure.
+/// The worst finding on this fender after a run; `None` if the fender stayed within its rating and within the
+/// permissible hull pressure.
 #[must_use]
 pub fn fender_finding(summary: &FenderSummary, setup: &FenderSetup) -> Option<Finding> {
     let fender = summary.fender;
@@ -26,11 +26,12 @@ pub fn fender_finding(summary: &FenderSummary, setup: &FenderSetup) -> Option<Fi
     })
 }
 
-/// The quantity, `energy` or `reaction`, that exceeds the catalogue's rating; its share of this rating; and its
-/// share of the rating with the factors of this run. `None` if the catalogue's rating is kept. `None` also for a
-/// fender that exceeds the run's rating too.
+/// The quantity (`energy` or `reaction`) that exceeds the catalogue's rating, its share of the catalogue's rating, and
+/// its share of the rating with the factors of this run. `None` if the fender stayed within the catalogue's rating. The
+/// result is also `None` for a fender that exceeds its rating with the factors of the run too.
 ///
-/// A curve that buckles can peak a little above its rated reaction. This does not exceed the catalogue's rating.
+/// The reaction curve of a fender that buckles can peak a little above the rated reaction. A small peak of the force
+/// where a fender buckles does not count as above the catalogue's rating.
 fn share_above_catalogue(
     summary: &FenderSummary,
     setup: &FenderSetup,
@@ -59,7 +60,7 @@ pub(super) fn chains_parted(summary: &FenderSummary) -> impl Iterator<Item = Fin
 }
 
 /// One finding on all fenders that took more than their catalogue's rating but stayed within their rating with the
-/// factors of the run. The finding names the fender that is farthest above.
+/// factors of the run. The finding names the fender that is farthest above its catalogue's rating.
 pub(super) fn above_catalogue<'a>(
     setups: &[FenderSetup],
     fenders: impl Iterator<Item = &'a FenderSummary>,

@@ -7,16 +7,16 @@ use fenderline_world::chain::ChainKind;
 use fenderline_world::named::called;
 use fenderline_world::setup::Setup;
 
-/// Something found in a run, with the bodies, fenders, lines or vessels concerned, as indices into the [`Setup`].
+/// Something that a run revealed, with indices into the [`Setup`] of the bodies, fenders, lines or vessels concerned.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
     /// A hull touched a structure without a fender between them.
     StructureStruck {
         /// The two bodies.
         bodies: [usize; 2],
-        /// Start of the first step with the touch (s).
+        /// Start of the first step in which the hull touched the structure (s).
         first_s: f64,
-        /// How long they touched (s).
+        /// How long the hull touched the structure (s).
         lasting_s: f64,
         /// Peak normal force (N).
         peak_force_n: f64,
@@ -58,7 +58,7 @@ pub enum Finding {
     LineParted {
         /// The line.
         line: usize,
-        /// When the line parted (s).
+        /// Time at which the line parted (s).
         at_s: f64,
         /// The tension at which the line parted (N).
         tension_n: f64,
@@ -67,11 +67,11 @@ pub enum Finding {
     AnchorLost {
         /// The anchor.
         anchor: usize,
-        /// When the anchor was lost (s).
+        /// Time at which the anchor was lost (s).
         at_s: f64,
-        /// How the anchor was lost.
+        /// What caused the loss of the anchor: the chain parted, ran out or was slipped.
         by: LostBy,
-        /// Tension of the chain (N).
+        /// Tension of the anchor's chain (N).
         tension_n: f64,
     },
     /// An anchor dragged more than 10 m.
@@ -90,7 +90,7 @@ pub enum Finding {
         bodies: [usize; 2],
         /// The fender between the bodies, if there is one.
         fender: Option<usize>,
-        /// Penetration of the structure, or deflection of the fender (m).
+        /// Penetration of the hull into the structure, or deflection of the fender, at the start (m).
         depth_m: f64,
     },
     /// A vessel was aground.
@@ -104,9 +104,9 @@ pub enum Finding {
     },
     /// A limit of the scenario was exceeded.
     LimitExceeded {
-        /// The limit, by its index in [`fenderline_world::limit::StatisticsSetup::limits`].
+        /// The limit that was exceeded, by its index in [`fenderline_world::limit::StatisticsSetup::limits`].
         limit: usize,
-        /// The value (m, rad, or a share).
+        /// The value of the run that exceeds the limit (m, rad, or a share).
         value: f64,
     },
     /// A fender or a line was within its capacity, but exceeds it with the user's partial factor.
@@ -124,21 +124,21 @@ pub enum Finding {
     FenderOverRated {
         /// The fender.
         fender: usize,
-        /// `energy`, `deflection` or `reaction`: the quantity that governs.
+        /// `energy`, `deflection` or `reaction`: the quantity that is farthest above its rating.
         quantity: &'static str,
-        /// Peak of the quantity over its rated value.
+        /// Peak of the quantity, divided by its rated value.
         share: f64,
     },
     /// A fender took more than its catalogue's rating. The factors of the run (temperature, tolerance, speed, angle)
-    /// explain this: with them the fender stayed within its rating.
+    /// explain this excess: the fender stayed within its rating with these factors.
     AboveCatalogue {
-        /// The fender. If there are several, the one farthest above its rating.
+        /// The fender. If several fenders are above their catalogue's rating, `fender` is the fender farthest above.
         fender: usize,
         /// `energy` or `reaction`.
         quantity: &'static str,
-        /// Peak of the quantity over the rating of the catalogue.
+        /// Peak of the quantity, divided by the rating of the catalogue.
         share: f64,
-        /// Peak of the quantity over the rating with the factors of the run.
+        /// Peak of the quantity, divided by the rating with the factors of the run.
         share_of_run: f64,
         /// How many other fenders are above their catalogue's rating.
         others: usize,
@@ -147,9 +147,9 @@ pub enum Finding {
     NoSideAtFender {
         /// The fender.
         fender: usize,
-        /// The body with the hull.
+        /// The body whose hull has no side at the fender's height.
         body: usize,
-        /// Start of the first step in which this happened (s).
+        /// Start of the first step in which the fender met no side of the hull (s).
         first_s: f64,
         /// How far the middle of the fender's face was above the highest outline of the hull (m); negative: below the
         /// lowest outline.
@@ -159,30 +159,30 @@ pub enum Finding {
     LineNotMadeFast {
         /// The line.
         line: usize,
-        /// When the line should have been made fast (s).
+        /// Time at which the line should have been made fast (s).
         at_s: f64,
     },
     /// A line was above its working load.
     LineOverWorking {
         /// The line.
         line: usize,
-        /// Start of the first step with too much tension (s).
+        /// Start of the first step in which the line's tension was above its working load (s).
         first_s: f64,
-        /// How long the tension was too high (s).
+        /// How long the line's tension was above its working load (s).
         lasting_s: f64,
-        /// Peak tension over working load.
+        /// Peak tension of the line, divided by its working load.
         share: f64,
     },
     /// A fender pressed harder on the hull than permitted.
     HullPressure {
         /// The fender.
         fender: usize,
-        /// Peak pressure over permissible pressure.
+        /// Peak pressure on the hull, divided by the permissible pressure.
         share: f64,
     },
-    /// The run left a law, or the range of its data.
+    /// The run left the range of a physical law or of its data.
     OutsideLaw(Departure),
-    /// The brake of a line's winch rendered.
+    /// The brake of a line's winch rendered: the drum slipped and let line out.
     LineRendered {
         /// The line.
         line: usize,
@@ -198,7 +198,7 @@ pub enum Finding {
         /// Start of the step with the largest reaction (s).
         at_s: f64,
     },
-    /// Two bodies touched, and no permissible load is known for them.
+    /// Two bodies touched, and no permissible load is given for their contact.
     ContactNotRated {
         /// The two bodies.
         bodies: [usize; 2],
@@ -247,7 +247,7 @@ impl Finding {
         }
     }
 
-    /// The law or data that the run left; `None` for other findings.
+    /// The physical law or the data whose range the run left; `None` for other kinds of findings.
     #[must_use]
     pub fn departure(&self) -> Option<&Departure> {
         match self {
@@ -256,7 +256,7 @@ impl Finding {
         }
     }
 
-    /// Names of the bodies, fenders, lines, anchors or vessels concerned.
+    /// Names of the bodies, fenders, lines, anchors or vessels that the finding concerns.
     #[must_use]
     pub fn names<'a>(&self, setup: &'a Setup) -> Vec<&'a str> {
         let body = |index: usize| setup.bodies[index].name.as_str();
@@ -302,7 +302,7 @@ impl Finding {
         }
     }
 
-    /// The finding in one sentence, with its numbers, without a full stop.
+    /// The finding as one sentence with its numbers, without a full stop at the end.
     #[must_use]
     pub fn sentence(&self, setup: &Setup) -> String {
         let names = self.names(setup);

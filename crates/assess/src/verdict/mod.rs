@@ -1,17 +1,18 @@
 //! The verdict on a run: everything that an engineer must know before a number of the run is used.
 //!
-//! A run collects [`Finding`]s: a hull on structure, a fender beyond its rating, a line that parted. The [`Verdict`] is
-//! the worst of them. Terminal, exit code, `summary.json`, report, Python and the live pages all show this verdict.
+//! A run collects [`Finding`]s: a hull on structure, a fender beyond its rating, a line that parted. The [`Verdict`] on
+//! the run is the worst of its findings. Terminal, exit code, `summary.json`, report, Python and the live pages all
+//! show the same verdict.
 //!
 //! | file | content |
 //! |---|---|
-//! | `verdict/finding.rs` | what can be found, and its sentence |
-//! | `verdict/factored.rs` | what is found with the partial factors of the user |
-//! | `verdict/fender.rs` | what is found on a fender |
-//! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
+//! | `verdict/finding.rs` | the findings that a run can have, and the sentence of each finding |
+//! | `verdict/factored.rs` | findings that result from the user's partial factors |
+//! | `verdict/fender.rs` | findings on a single fender |
+//! | `verdict/watch.rs` | the totals that a run keeps, step by step, for its verdict |
 //! | `verdict/law.rs` | the table of all laws and data that a run can leave |
-//! | `verdict/departures.rs` | where a run leaves them, step by step |
-//! | `verdict/said.rs` | what is said of it |
+//! | `verdict/departures.rs` | finds, step by step, where a run leaves its laws and its data |
+//! | `verdict/said.rs` | the sentences on the laws that a run has left |
 //! | `verdict/start.rs` | bodies that start inside each other |
 
 mod departures;
@@ -29,26 +30,26 @@ pub use law::{Departure, Law, LawRow, Subject};
 pub use start::starts_inside;
 pub use watch::Watch;
 
-/// The verdict on a run, from best to worst.
+/// All verdicts on a run, ordered from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Nothing was found.
     AllWell,
-    /// The scenario has fenders, and none was touched.
+    /// The scenario has fenders, but the run touched none of them.
     NoFenderTouched,
-    /// Bodies touched, and no limit is known for the load: a fender without rating, or hulls without a fender between
-    /// them.
+    /// Bodies touched, and no permissible load is given for their contact: a fender without rating, or hulls without a
+    /// fender between them.
     NotRated,
-    /// A formula was used a little outside its range, or in a range in which its error is not known.
+    /// A formula was used a little outside its range, or in a range in which the error of the formula is not known.
     Extrapolated,
     /// A fender took more energy or reaction than its catalogue's rating, but stayed within its rating with the factors
     /// of the run.
     AboveCatalogue,
-    /// The brake of a line's winch rendered.
+    /// The brake of a line's winch rendered: the drum slipped and let line out.
     LineRendered,
     /// An anchor dragged.
     AnchorDragged,
-    /// The run left the range of its data. The value at the end of the data was used.
+    /// The run left the range of its data. The run used the value at the end of the data.
     OutsideData,
     /// The pressure of a fender on the hull was above the permissible pressure.
     HullPressure,
@@ -56,7 +57,7 @@ pub enum Verdict {
     LineNotMadeFast,
     /// A line was above its working load.
     LineOverWorking,
-    /// A hull passed above or below a fender: it has no side at the height of the fender.
+    /// A hull passed above or below a fender: the hull has no side at the height of the fender.
     NoSideAtFender,
     /// Deflection, reaction or energy of a fender was beyond its rating.
     FenderOverRated,
@@ -84,12 +85,12 @@ pub enum Verdict {
     OutsideForceLaw,
 }
 
-/// The gravity of a verdict.
+/// How grave a verdict is, in four grades.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Gravity {
     /// Within all limits.
     Ok,
-    /// There is something to know, but no limit was exceeded.
+    /// The run has something that a user should know, but no limit was exceeded.
     Note,
     /// A limit was exceeded, or the result is in doubt.
     Attention,
@@ -132,7 +133,7 @@ impl Verdict {
         findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::AllWell)
     }
 
-    /// The verdict in words, for people.
+    /// The verdict in words that people read.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -194,13 +195,13 @@ impl Verdict {
         }
     }
 
-    /// Whether the run left a law or the range of its data: the results are not valid, or in doubt.
+    /// Returns true if the run left a law or the range of its data, so that the results are not valid or in doubt.
     #[must_use]
     pub fn is_of_law(self) -> bool {
         Law::TABLE.iter().any(|row| row.verdict == self)
     }
 
-    /// The gravity of the verdict.
+    /// The gravity of this verdict.
     #[must_use]
     pub fn gravity(self) -> Gravity {
         match self {

@@ -1,4 +1,4 @@
-//! Sentences on a law that a run has left.
+//! Writes the sentences on the laws that a run has left.
 
 use super::finding::{duration, length};
 use super::law::{Departure, Law, Subject};
@@ -7,7 +7,7 @@ use fenderline_world::named::called;
 use fenderline_world::setup::Setup;
 
 impl Subject {
-    /// Names of the bodies, fenders or ships.
+    /// Names of the bodies, fenders or ships that the finding concerns.
     pub(super) fn names(self, setup: &Setup) -> Vec<&str> {
         let world = &setup.world;
         let vessel = |index: usize| setup.bodies[world.vessels[index].body].name.as_str();
@@ -25,12 +25,12 @@ impl Subject {
 }
 
 impl Departure {
-    /// The finding in one sentence, without a full stop.
+    /// The finding as one sentence without a full stop at the end.
     pub(super) fn sentence(&self, setup: &Setup, names: &[&str]) -> String {
         format!("{}, {}", self.said(setup, names), self.when())
     }
 
-    /// The time of the departure, and its share of the run, in words.
+    /// Says in words when the law was left, and for which share of the run.
     fn when(&self) -> String {
         let Departure { first_s, lasting_s, share_of_run, .. } = *self;
         if share_of_run >= 1.0 {
@@ -65,21 +65,21 @@ impl Departure {
             }
             Law::EnergyGained => EnergyGain { gained_j: value, taken_j: end }.sentence(),
             Law::CurrentHeld => format!(
-                "{} was off the grid or the times of the current: the current at the edge acted on her",
+                "{} was off the grid or the times of the current: the current at the edge of the grid acted on her",
                 names[0]
             ),
             Law::WindHeld => held("wind"),
             Law::TideHeld => held("tide"),
             Law::LongWavesHeld => held("long waves"),
             Law::FenderAngle => format!(
-                "{} was met at {:.1} degrees, and its factors by angle end at {:.1}: the last one was used",
+                "{} was met at {:.1} degrees, and its factors by angle end at {:.1}: the last factor was used",
                 called("Fender", names[0]),
                 value.to_degrees(),
                 end.to_degrees()
             ),
             Law::FenderSpeed => format!(
-                "{} was met with a compression time of {value:.2} s, and its factors by speed begin at {end:.2} s: the first one \
-                 was used",
+                "{} was met with a compression time of {value:.2} s, and its factors by speed begin at {end:.2} s: \
+                 the first factor was used",
                 called("Fender", names[0])
             ),
             Law::WavesOfHydrodynamics => format!(
@@ -102,7 +102,7 @@ impl Departure {
             ),
             Law::ShallowHeld => format!(
                 "{} had {value:.2} draughts of water, and no shallow-water formula covers less than {end}: hull forces, added mass \
-                 and squat kept their values there",
+                 and squat kept their values at {end}",
                 names[0]
             ),
             Law::ShallowExtrapolated => format!(
@@ -115,17 +115,18 @@ impl Departure {
             ),
             Law::SquatSpeed => format!(
                 "{} reached {value:.2} of the speed of long waves, and the formula of squat covers up to {end}: squat kept its \
-                 value there",
+                 value at {end}",
                 names[0]
             ),
             Law::EstimateOutside => match self.subject {
                 Subject::Ratio { vessel, ratio } => {
                     format!("{}: {}", names[0], setup.world.vessels[vessel].origin.outside[ratio])
                 }
-                _ => unreachable!("an estimate is outside by a ratio"),
+                _ => unreachable!("an estimate is outside its range by a ratio of dimensions"),
             },
             Law::PassingSpeed => format!(
-                "{} passes at {value:.2} of the speed of long waves: the flow has no waves, and her forces are too small",
+                "{} passes at {value:.2} of the speed of long waves: the computed flow has no waves, and the forces \
+                 of the passing ship are too small",
                 names[0]
             ),
             Law::PassingShape => format!(
@@ -144,11 +145,11 @@ impl Departure {
     }
 }
 
-/// The sentence on a series that had ended.
+/// The sentence for a run that lasted longer than a series of wind, tide or long waves.
 fn held(what: &str) -> String {
     format!(
-        "The run went on before the first or after the last row of the {what}, which kept that value: add a row at the end of the \
-         run if that is meant"
+        "The run went on before the first or after the last row of the {what}, which kept the value of this row: \
+         add a row at the end of the run if a constant value is meant"
     )
 }
 

@@ -1,20 +1,22 @@
-//! Bodies that start inside each other.
+//! Finds bodies that start a run inside each other.
 
 use fenderline_contact::{self as contact, BodyState, Memory, Model, Workspace};
 
 use super::finding::Finding;
 use fenderline_world::setup::Setup;
 
-/// Penetration of structure from which a start is reported (m); our choice: the accuracy of an engineer's drawing.
+/// Penetration of a hull into structure from which a start inside each other is reported (m); we chose the accuracy of
+/// an engineer's drawing.
 const PENETRATION_M: f64 = 0.001;
 
 /// The pairs of bodies whose overlap at the start cannot come from a berthing: a hull inside a structure that fenders
 /// protect, or a fender compressed beyond its rated deflection (without a rating: beyond half its projection). A moored
-/// ship that starts on compressed fenders is not among them.
+/// ship that starts on compressed fenders is not in the list, unless a fender is compressed that far.
 ///
-/// `memory` must be that of bodies that have never touched. `memory` and `work` are used and changed.
+/// `memory` must be the memory of bodies that have never touched. The function uses and changes `memory` and `work`.
 ///
-/// The list is also empty if the engine refuses the states. The first step then gives the reason for the refusal.
+/// The list is also empty if the engine refuses the states of the bodies. The first step of the run then gives the
+/// reason why the engine refuses the states.
 pub fn starts_inside(
     setup: &Setup,
     model: &Model,

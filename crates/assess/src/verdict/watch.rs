@@ -1,4 +1,5 @@
-//! The totals of a run from which its findings follow. The size of the totals does not grow with the run.
+//! The totals of a run from which the findings of its verdict follow. The memory for these totals does not grow with
+//! the run.
 
 use fenderline_contact::number::greater;
 
@@ -14,7 +15,7 @@ use fenderline_world::record::StepRecord;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::{AnchorAtWork, Mooring, WorldEventKind};
 
-/// The first time of a condition, and the number of steps in which it held.
+/// The time at which a condition first held, and the number of steps in which the condition held.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lasting {
     first_s: Option<f64>,
@@ -27,13 +28,13 @@ impl Lasting {
         self.steps += 1;
     }
 
-    /// First time and duration of the condition (s); `None` if it never held.
+    /// Time at which the condition first held, and for how long it held (s); `None` if the condition never held.
     fn first_and_lasting(self, step_s: f64) -> Option<(f64, f64)> {
         self.first_s.map(|first_s| (first_s, f64::from(self.steps) * step_s))
     }
 }
 
-/// Contact of two bodies without a fender.
+/// Contact of two bodies without a fender between them.
 #[derive(Clone, Debug)]
 struct Touch {
     bodies: [usize; 2],
@@ -47,29 +48,29 @@ struct LineWatch {
     over_working: Lasting,
     peak_n: f64,
     rendered_m: f64,
-    /// When the line parted (s), and at what tension (N).
+    /// Time at which the line parted (s), and its tension then (N).
     parted: Option<(f64, f64)>,
-    /// When the line could not be made fast (s).
+    /// Time at which the line could not be made fast (s).
     not_made_fast_s: Option<f64>,
 }
 
-/// An anchor that dragged farther than this is a finding (m). A few metres are usual while a ship brings up or heaves
-/// short. Our choice.
+/// Distance (m) beyond which the dragging of an anchor is a finding. A few metres of dragging are usual while a ship
+/// brings up to her anchor or heaves in most of her chain. Our choice.
 const DRAGGED_M: f64 = 10.0;
 
 #[derive(Clone, Debug, Default)]
 struct AnchorWatch {
-    /// When the anchor dragged first (s), and how far it dragged in all (m).
+    /// Time at which the anchor first dragged (s), and how far the anchor dragged in all (m).
     first_s: Option<f64>,
     dragged_m: f64,
-    /// When the anchor was lost (s), how, and at what tension (N).
+    /// Time at which the anchor was lost (s), how it was lost, and the tension of its chain then (N).
     lost: Option<(f64, LostBy, f64)>,
 }
 
 /// The totals.
 #[derive(Clone, Debug)]
 pub struct Watch {
-    /// For each body, whether a contact without a fender counts as a strike.
+    /// For each body, whether a contact of the body without a fender counts as a strike.
     protected: Vec<bool>,
     starts: Vec<Finding>,
     touches: Vec<Touch>,
@@ -93,7 +94,7 @@ fn protected(setup: &Setup) -> Vec<bool> {
 }
 
 impl Watch {
-    /// The totals before the first step. `starts_inside` finds the bodies that overlap then.
+    /// The totals of a run before its first step. `starts_inside` finds the bodies that overlap at the start.
     pub fn new(
         setup: &Setup,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
@@ -111,7 +112,7 @@ impl Watch {
         }
     }
 
-    /// Forgets the run so far. `starts_inside` finds the bodies that overlap at the start of the next run.
+    /// Clears the totals for a new run. `starts_inside` finds the bodies that overlap at the start of the next run.
     pub fn restart(
         &mut self,
         setup: &Setup,
@@ -126,12 +127,12 @@ impl Watch {
         departures.restart(setup);
     }
 
-    /// Notes a step in which a program that gives forces did not reply.
+    /// Notes that an external program that gives forces did not reply in this step.
     pub fn note_silent_provider(&mut self, provider: usize, t_s: f64) {
         self.departures.note_silent_provider(provider, t_s);
     }
 
-    /// The findings from before the first step.
+    /// The findings that were known before the first step.
     pub fn starts(&self) -> &[Finding] {
         &self.starts
     }
@@ -141,8 +142,8 @@ impl Watch {
         self.lines.iter().map(|line| line.peak_n).collect()
     }
 
-    /// Adds one step. `energies_j` are the energy that contacts absorbed so far, and the energy that they returned
-    /// beyond this.
+    /// Adds one step. `energies_j` are the energy that contacts absorbed so far, and the energy that contacts returned
+    /// beyond the absorbed energy.
     pub fn add(&mut self, setup: &Setup, step: &StepRecord<'_>, energies_j: [f64; 2]) {
         self.add_touches(step);
         if setup.world.changes() {
@@ -151,7 +152,7 @@ impl Watch {
         self.departures.add(setup, step, energies_j);
     }
 
-    /// Adds the findings on vessels, lines and anchors.
+    /// Adds what this step tells about vessels, lines and anchors.
     fn add_world(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (own, now) in self.aground.iter_mut().zip(step.vessels) {
             if now.aground {
@@ -171,7 +172,8 @@ impl Watch {
         }
     }
 
-    /// Adds contacts without fenders. Patches of a pair are adjacent in the list, and their forces in a step add up.
+    /// Adds contacts without fenders. The patches of a pair of bodies are adjacent in the list, and their forces in a
+    /// step are added.
     fn add_touches(&mut self, step: &StepRecord<'_>) {
         let mut last: Option<(usize, f64)> = None;
         for contact in step.contacts.iter().filter(|contact| contact.fender.is_none()) {
@@ -196,9 +198,9 @@ impl Watch {
         }
     }
 
-    /// The findings so far, the worst first. Findings of one kind are in the order of the set-up, contacts in the order
-    /// of first touch. `run_s` is the time of the run so far (s). `has_gained` tells whether the contacts have gained
-    /// energy in total.
+    /// The findings so far, the worst first. Findings of one kind are in the order of the set-up, and findings on
+    /// contacts in the order of first touch. `run_s` is the simulated time of the run so far (s). `has_gained` is true
+    /// if the contacts have gained energy in total.
     pub fn findings<'a>(
         &self,
         setup: &Setup,
@@ -261,7 +263,7 @@ impl Watch {
     }
 }
 
-/// The finding that the pile of a dolphin yielded, if the pile did.
+/// The finding that the pile of a dolphin yielded; `None` if the pile did not yield.
 fn pile_yielded(dolphin: &DolphinSummary) -> Option<Finding> {
     let (first_s, share) = (dolphin.yielded_at_s?, dolphin.share_of_yield_load?);
     let DolphinSummary { body, peak_load_n, .. } = *dolphin;

@@ -1,4 +1,5 @@
-//! A file of reactions over deflections: loading, unloading, several speeds or temperatures.
+//! Reads a file of measured curves of a fender, reactions over deflections: loading, unloading, several speeds or
+//! temperatures.
 
 use core::fmt::Write as _;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,10 +10,10 @@ use fenderline_keys::printable::printable_number;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Points of deflection (m) and reaction (N), deflections rising.
+/// A curve's points of deflection (m) and reaction (N), with rising deflections.
 pub type Branch = Vec<(f64, f64)>;
 
-/// The loading curve at one speed and temperature, with its unloading curve.
+/// The loading curve of a fender at one speed and temperature, with its unloading curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingCurve {
     /// Speed of compression (m/s), if the file has speeds.
@@ -21,18 +22,18 @@ pub struct LoadingCurve {
     pub temperature_c: Option<f64>,
     /// From (0, 0).
     pub loading: Branch,
-    /// From (0, 0) to the deflection where unloading began, nowhere above `loading`; empty if the file has no
-    /// unloading rows.
+    /// Unloading curve from (0, 0) to the deflection where unloading began, nowhere above `loading`; empty if the file
+    /// has no unloading rows.
     pub unloading: Branch,
 }
 
-/// All curves of a file, in the order of their first rows.
+/// All curves of a file of a fender's measured curves, in the order of their first rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FenderCurves {
     pub(super) curves: Vec<LoadingCurve>,
 }
 
-/// What percentages of a catalogue's curve refer to.
+/// The numbers that 100 % means in a catalogue's curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CatalogueScale {
     /// Height of the fender (m), to which `deflection_percent` refers.
@@ -41,7 +42,8 @@ pub struct CatalogueScale {
     pub rated_reaction_n: Option<f64>,
 }
 
-/// Columns of a file of curves: one deflection, one reaction, and any of the other columns.
+/// Columns of a file of a fender's curves, which has one column of deflection, one of reaction, and any of the other
+/// columns.
 const COLUMNS: [&str; 9] = [
     "deflection_m",
     "deflection_mm",
@@ -54,24 +56,24 @@ const COLUMNS: [&str; 9] = [
     "temperature_c",
 ];
 
-/// The key in error messages.
+/// The key that error messages name for a file of curves.
 const KEY: &str = "curves";
 /// Least number of rows of a curve, not counting zero deflection.
 const FEWEST: usize = 3;
 const LARGEST_DEFLECTION_M: f64 = 100.0;
 const LARGEST_REACTION_N: f64 = 1e9;
 
-/// Rows of one speed, temperature and branch.
+/// Rows of a file that have the same speed, temperature and branch (loading or unloading).
 struct Group {
     speed_mps: Option<f64>,
     temperature_c: Option<f64>,
     is_unloading: bool,
-    /// Deflection (m), reaction (N) and index of the row in the file.
+    /// Deflection (m), reaction (N) and index of each row in the file.
     rows: Vec<(f64, f64, usize)>,
 }
 
 impl LoadingCurve {
-    /// How messages refer to the curve.
+    /// Name of the curve in messages, with its speed and temperature.
     pub(super) fn name(&self) -> String {
         let mut name = "the loading curve".to_owned();
         if let Some(speed_mps) = self.speed_mps {
@@ -85,16 +87,17 @@ impl LoadingCurve {
 }
 
 impl FenderCurves {
-    /// Reads the text of a file; `name` is for messages.
+    /// Reads the curves from the text of a file; messages call the file `name`.
     ///
     /// The first line names the columns: `deflection_m`, `deflection_mm` or `deflection_percent` (of the height);
-    /// `reaction_n`, `reaction_kn` or `reaction_percent` (of the rated reaction); and optionally `unloading` (0 for loading,
-    /// 1 for unloading), `speed_mps`, `temperature_c`. `scale` is for percentages only.
+    /// `reaction_n`, `reaction_kn` or `reaction_percent` (of the rated reaction); and optionally `unloading` (0 for
+    /// loading, 1 for unloading), `speed_mps`, `temperature_c`. `scale` is used for columns of percentages only.
     ///
     /// # Errors
-    /// Unknown or missing columns, percentages whose scale is not given, a cell that is not a number; a negative deflection or reaction, two rows at one
-    /// deflection, loading rows whose deflection does not rise, a reaction at zero deflection; a loading curve of fewer
-    /// than three rows; an unloading curve that has no loading curve, goes beyond or above it, or returns no energy.
+    /// Refuses unknown or missing columns, percentages whose scale is not given, a cell that is not a number, a
+    /// negative deflection or reaction, two rows at one deflection, loading rows whose deflection does not rise, and a
+    /// reaction at zero deflection. Refuses a loading curve of fewer than three rows, and an unloading curve that has
+    /// no loading curve, goes beyond or above its loading curve, or returns no energy.
     pub fn parse(text: &str, name: &str, scale: CatalogueScale) -> Read<FenderCurves> {
         let csv = Csv::parse(text, name, KEY, &COLUMNS)?;
         let groups = groups(&csv, scale)?;
@@ -115,17 +118,18 @@ impl FenderCurves {
         Ok(FenderCurves { curves })
     }
 
-    /// The loading curves, in the order of the file.
+    /// The loading curves of the fender, in the order of the file.
     #[must_use]
     pub fn curves(&self) -> &[LoadingCurve] {
         &self.curves
     }
 }
 
-/// A unit of a column: the column's name and its factor to SI, `None` if the factor is not given.
+/// Name of a column for one quantity, and the column's factor to SI; `None` if that factor is not given.
 type ColumnUnit = (&'static str, Option<f64>);
 
-/// Which of the alternative columns the file has, and its factor to SI.
+/// Index of the one column among alternatives such as metres or millimetres that the file has, and the column's factor
+/// to SI.
 fn one_of(csv: &Csv<'_>, units: [ColumnUnit; 3], to_scale: &str) -> Read<(usize, f64)> {
     let mut given = units.iter().filter(|(name, _)| csv.has(name));
     let (first, second) = (given.next(), given.next());
@@ -149,7 +153,7 @@ fn one_of(csv: &Csv<'_>, units: [ColumnUnit; 3], to_scale: &str) -> Read<(usize,
     }
 }
 
-/// Sorts the rows into groups by branch, speed and temperature.
+/// Sorts the rows of the file into groups by branch (loading or unloading), speed and temperature.
 fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
     let hundredth = |whole: Option<f64>| whole.map(|whole| whole / 100.0);
     let deflections = [
@@ -164,8 +168,11 @@ fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
     ];
     let (deflection, to_m) =
         one_of(csv, deflections, "give the fender's height, as in --height \"1.2 m\"")?;
-    let (reaction, to_n) =
-        one_of(csv, reactions, "give its rated reaction, as in --rated-reaction \"585 kN\"")?;
+    let (reaction, to_n) = one_of(
+        csv,
+        reactions,
+        "give the fender's rated reaction, as in --rated-reaction \"585 kN\"",
+    )?;
     let optional = |name: &str| csv.has(name).then(|| csv.column(name)).transpose();
     let (unloading, speed, temperature) =
         (optional("unloading")?, optional("speed_mps")?, optional("temperature_c")?);
@@ -208,16 +215,20 @@ fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
         let rows = &mut groups[place].rows;
         if !seen.insert((place, deflection_m.to_bits())) {
             let branch = if is_unloading { "unloading" } else { "loading" };
-            let message = format!("a second {branch} reaction at a deflection of {deflection_m} m");
+            let message =
+                format!("the file has two {branch} reactions at a deflection of {deflection_m} m");
             return Err(csv.cell_error(row, deflection, message));
         }
         if let Some((before_m, _, _)) = rows.last().filter(|_| !is_unloading)
             && *before_m > deflection_m
         {
-            let message =
-                format!("the deflection falls from {before_m} to {deflection_m} m while loading");
+            let message = format!(
+                "the deflection falls from {before_m} m to {deflection_m} m in rows of loading"
+            );
             let error = csv.cell_error(row, deflection, message);
-            return Err(error.with_help("mark unloading rows with 1 in a column `unloading`"));
+            return Err(
+                error.with_help("mark the rows of unloading with 1 in a column `unloading`")
+            );
         }
         rows.push((deflection_m, reaction_n, row));
     }
@@ -265,8 +276,9 @@ fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Re
     for (deflection_m, reaction_n, row) in &group.rows {
         let Some(bound_n) = value(&curve.loading, *deflection_m) else {
             let end_m = curve.loading.last().map_or(0.0, |last| last.0);
-            let message =
-                format!("unloading from {deflection_m} m, but the loading curve ends at {end_m} m");
+            let message = format!(
+                "the unloading curve begins at {deflection_m} m, but the loading curve ends at {end_m} m"
+            );
             return Err(csv.cell_error(*row, 0, message));
         };
         if *reaction_n > bound_n * (1.0 + 1e-9) {
@@ -287,10 +299,11 @@ fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Re
     let end_m = unloading[unloading.len() - 1].0;
     let share = integral(&unloading, end_m) / integral(&curve.loading, end_m);
     if !(share > 0.0 && share <= 1.0) {
-        let message = format!("the unloading curve returns {share} times the energy");
+        let message =
+            format!("the unloading curve returns {share} times the energy of the loading curve");
         return Err(csv
             .cell_error(first_row, 0, message)
-            .with_help("the factor must be above 0 and at most 1"));
+            .with_help("the returned share of the energy must be above 0 and at most 1"));
     }
     curve.unloading = unloading;
     Ok(())
@@ -301,12 +314,12 @@ pub(super) fn end(branch: &Branch) -> f64 {
     branch.last().map_or(0.0, |last| last.0)
 }
 
-/// The value at `x` of a piecewise linear curve; `None` outside it.
+/// The value at `x` of a piecewise linear curve; `None` where the curve does not reach `x`.
 pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     fenderline_scenario::curve_value(points, x)
 }
 
-/// The integral from the curve's start to `x`, which lies within the curve.
+/// The integral of a curve from its start to `x`, which lies within the curve.
 pub(super) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
     fenderline_scenario::curve_integral(points, x)
 }
@@ -386,7 +399,11 @@ mod tests {
             ),
             (
                 format!("{HEAD}100,10,0\n100,12,0\n"),
-                ["a second loading reaction at a deflection of 0.1 m", "bench.csv:3:1", ""],
+                [
+                    "the file has two loading reactions at a deflection of 0.1 m",
+                    "bench.csv:3:1",
+                    "",
+                ],
             ),
             (
                 format!("{HEAD}100,10,0\n90,12,0\n"),

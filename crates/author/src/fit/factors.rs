@@ -1,10 +1,11 @@
-//! Factors on the reaction by compression time and by temperature: ratios of the energies to the rated deflection.
+//! Finds the factors of a fender's reaction by compression time and by temperature: each is the ratio of two energies
+//! up to the rated deflection.
 
 use super::curves::{Branch, FenderCurves, LoadingCurve, end, integral};
 use super::options::FitError;
 use fenderline_keys::printable::printable_number;
 
-/// Energy of a curve to the rated deflection over the energy of the reference curve.
+/// Energy of a curve to the rated deflection, divided by the energy of the reference curve.
 fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Result<f64, FitError> {
     let end_m = end(&curve.loading);
     if end_m < rated_m {
@@ -14,7 +15,8 @@ fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Resul
     Ok(integral(&curve.loading, rated_m) / integral(&reference.loading, rated_m))
 }
 
-/// Time to rated deflection (s) against factor; empty if the file has fewer than two speeds.
+/// Table of the time to rated deflection (s) and the factor on the reaction; empty if the file has fewer than two
+/// speeds.
 pub(super) fn velocity(
     curves: &FenderCurves,
     reference: &LoadingCurve,
@@ -33,7 +35,7 @@ pub(super) fn velocity(
     Ok(if rows.len() > 1 { rows } else { Branch::new() })
 }
 
-/// Temperature (°C) against factor; empty if the file has fewer than two temperatures.
+/// Table of the temperature (°C) and the factor on the reaction; empty if the file has fewer than two temperatures.
 pub(super) fn temperature(
     curves: &FenderCurves,
     reference: &LoadingCurve,

@@ -1,4 +1,4 @@
-//! A fitted fender as a file of the library.
+//! Writes a fitted fender as a file of the fender library.
 
 use core::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use super::fitted::FittedFender;
 use super::options::FitOptions;
 
 impl FittedFender {
-    /// The fender as a file of the library.
+    /// The text of the fitted fender as a file of the fender library.
     #[must_use]
     pub fn to_toml(&self) -> String {
         let FitOptions { family, designation, height_m, length_m, source, standing, .. } =
@@ -59,7 +59,7 @@ impl FittedFender {
     }
 }
 
-/// A number with six digits: finer than any test bench.
+/// A number with six digits, which is finer than any test bench measures.
 fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     format!("{rounded}")
@@ -69,7 +69,7 @@ fn rows(points: &Branch) -> String {
     points.iter().map(|(d, r)| format!("    [{}, {}],\n", number(*d), number(*r))).collect()
 }
 
-/// A basic string of TOML.
+/// A text in quotation marks, as a basic string of TOML.
 fn quoted(text: &str) -> String {
     let mut quoted = String::from('"');
     for letter in text.chars() {

@@ -1,4 +1,5 @@
-//! A fender family with one size, fitted to measured curves: normalised, with as few points as the tolerance allows.
+//! A fender family with one size, fitted to measured curves: deflections and reactions are shares of height and rated
+//! reaction, and the fit has as few points as the tolerance allows.
 
 use super::curves::{Branch, FenderCurves, LoadingCurve, end, integral, value};
 use super::factors::{temperature, velocity};
@@ -10,7 +11,7 @@ use fenderline_keys::rating::odd_reaction;
 /// Temperature for which catalogues rate fenders (°C). The reference curve is the curve nearest to this temperature.
 const RATED_TEMPERATURE_C: f64 = 23.0;
 
-/// A fender fitted to curves.
+/// A fender fitted to measured curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedFender {
     pub(super) options: FitOptions,
@@ -18,26 +19,28 @@ pub struct FittedFender {
     reference: LoadingCurve,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Reaction at the rated deflection (N).
+    /// Reaction of the fender at the rated deflection (N).
     pub rated_reaction_n: f64,
-    /// Deflection over height against reaction over rated reaction.
+    /// Points of the loading curve: deflection over height, reaction over rated reaction.
     pub points: Branch,
-    /// The unloading curve in the same form; empty without an unloading curve.
+    /// Points of the unloading curve, as shares of height and rated reaction; empty if no unloading curve was measured.
     pub unloading: Branch,
-    /// Time to rated deflection (s) against factor on the reaction; empty if the file has no speeds.
+    /// Points of time to rated deflection (s) and factor on the reaction; empty if the file has no speeds.
     pub velocity: Branch,
-    /// Temperature (°C) against factor on the reaction; empty if the file has no temperatures.
+    /// Points of temperature (°C) and factor on the reaction; empty if the file has no temperatures.
     pub temperature: Branch,
 }
 
 impl FittedFender {
-    /// Fits a fender to the curves. The reference is the slowest curve at the temperature nearest to 23 °C; factors of
-    /// speed and temperature are the ratios of the energies to the rated deflection.
+    /// Fits a fender to the measured curves. The reference is the slowest curve at the temperature nearest to 23 °C;
+    /// the factor of a speed or temperature is the ratio of its curve's energy to the reference curve's energy, both up
+    /// to the rated deflection.
     ///
     /// # Errors
-    /// An option out of range, a curve that does not have the given rated reaction at the rated deflection, a curve that ends before the rated deflection or goes beyond the height, a reaction of
-    /// zero at the rated deflection, an unloading curve together with a returned energy, curves that differ in both
-    /// speed and temperature.
+    /// Fails for an option out of range, for a reaction of zero at the rated deflection, for an unloading curve
+    /// together with a returned energy, and for curves that differ in both speed and temperature. Fails too for a curve
+    /// that does not have the given rated reaction at the rated deflection, ends before the rated deflection, or goes
+    /// beyond the height.
     pub fn fit(curves: &FenderCurves, options: &FitOptions) -> Result<FittedFender, FitError> {
         options.check()?;
         let reference = reference(curves);
@@ -83,40 +86,40 @@ impl FittedFender {
         })
     }
 
-    /// What is odd about the rated reaction for the height: newtons in place of kilonewtons.
+    /// Says what is odd about the rated reaction for a fender of this height, such as newtons in place of kilonewtons.
     #[must_use]
     pub fn oddity(&self) -> Option<String> {
         odd_reaction(self.rated_reaction_n, self.options.height_m, "a height")
     }
 
-    /// The measured curve that the fit follows.
+    /// The measured curve that the fitted fender follows.
     #[must_use]
     pub fn reference(&self) -> &LoadingCurve {
         &self.reference
     }
 
-    /// Reaction of the fit at a deflection (m) on its curve (N).
+    /// Reaction (N) of the fitted loading curve at a deflection (m); `None` beyond the curve's end.
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> Option<f64> {
         value(&self.points, deflection_m / self.options.height_m).map(|r| r * self.rated_reaction_n)
     }
 
-    /// Energy of the fit to a deflection (m) on its curve (J).
+    /// Energy (J) of the fitted loading curve up to a deflection (m).
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let share = integral(&self.points, deflection_m / self.options.height_m);
         share * self.rated_reaction_n * self.options.height_m
     }
 
-    /// Reaction of the fitted unloading curve at a deflection (m) on it (N).
+    /// Reaction (N) of the fitted unloading curve at a deflection (m); `None` beyond the curve's end.
     #[must_use]
     pub fn unloading_n(&self, deflection_m: f64) -> Option<f64> {
         value(&self.unloading, deflection_m / self.options.height_m)
             .map(|r| r * self.rated_reaction_n)
     }
 
-    /// Fraction of the energy that unloading returns: by the fitted unloading curve, or as given if there is no
-    /// unloading curve.
+    /// Fraction of the energy that the fender returns in unloading: by the fitted unloading curve, or as given if there
+    /// is no unloading curve.
     #[must_use]
     pub fn returned_energy(&self) -> Option<f64> {
         if self.unloading.is_empty() {
@@ -127,8 +130,8 @@ impl FittedFender {
     }
 }
 
-/// Largest difference of the curve's reaction at the rated deflection from the rated reaction: catalogues round both
-/// to a per cent.
+/// Largest relative difference between the curve's reaction at the rated deflection and the rated reaction: catalogues
+/// round both to a per cent.
 const RATED_FITS: f64 = 0.02;
 
 /// Refuses a curve that does not have the catalogue's rated reaction at the rated deflection.
@@ -155,7 +158,7 @@ fn check_rated(
     })
 }
 
-/// The slowest curve at the temperature nearest to the rated temperature; the first of equal curves.
+/// The slowest of the curves at the temperature nearest to the rated temperature; the first of equal curves.
 fn reference(curves: &FenderCurves) -> &LoadingCurve {
     let away =
         |curve: &LoadingCurve| curve.temperature_c.map_or(0.0, |c| (c - RATED_TEMPERATURE_C).abs());

@@ -1,7 +1,8 @@
-//! From measured, calculated or catalogue curves to a fender of the library.
+//! Makes a fender of the library from measured, calculated or catalogue curves.
 //!
-//! `curves` reads and checks a file of columns. `fitted` fits a family with one size to it: `thinning` drops points,
-//! `factors` finds the factors by speed and temperature. `file` writes the result as TOML.
+//! `curves` reads and checks a file with columns of deflections and reactions. `fitted` fits a fender family with one
+//! size to the curves: `thinning` drops points, `factors` finds the factors by speed and temperature. `file` writes the
+//! fitted fender as TOML.
 
 mod curves;
 mod factors;

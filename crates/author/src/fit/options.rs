@@ -1,4 +1,4 @@
-//! Options of a fit, and why a fit can fail.
+//! The options of a fender's fit to measured curves, and the reasons why a fit can fail.
 
 use core::fmt;
 
@@ -7,38 +7,38 @@ use fenderline_contact::Unloading;
 use fenderline_keys::printable::printable_number;
 use fenderline_scenario::Standing;
 
-/// What a fender file needs besides the curves.
+/// The data that a fender file needs besides the measured curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {
     /// Name of the family.
     pub family: String,
     /// Designation of the size.
     pub designation: String,
-    /// Extent in the direction of compression, uncompressed (m).
+    /// Height of the uncompressed fender in the direction of compression (m).
     pub height_m: f64,
-    /// Length along the berth (m).
+    /// Length of the fender along the berth (m).
     pub length_m: Option<f64>,
-    /// Rated deflection (m); `None`: where the reference loading curve ends.
+    /// Rated deflection (m); if `None`, the deflection at which the reference loading curve ends.
     pub rated_deflection_m: Option<f64>,
-    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection;
-    /// `None`: the curve's reaction at the rated deflection.
+    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection; if `None`, the
+    /// curve's own reaction there.
     pub rated_reaction_n: Option<f64>,
-    /// Fraction of the energy that unloading returns, where the file has no unloading curve.
+    /// Fraction of the energy that the fender returns in unloading, where the file has no unloading curve.
     pub returned_energy: Option<f64>,
     /// Largest distance of the fitted curve from the measured rows, as a fraction of the rated reaction.
     pub tolerance: f64,
-    /// Where the curves come from.
+    /// Where the measured curves come from.
     pub source: String,
-    /// How well the source is known.
+    /// How well the source of the curves is known.
     pub standing: Standing,
 }
 
 /// Why no fender can be fitted to valid curves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitError {
-    /// A number outside its range.
+    /// A number of the options is outside its range.
     OutOfRange {
-        /// Which number, with its unit.
+        /// Name of the quantity, with its unit.
         quantity: &'static str,
         /// Its value.
         value: f64,
@@ -53,26 +53,27 @@ pub enum FitError {
         curve: String,
         /// Deflection at which the curve ends (m).
         end_m: f64,
-        /// The option with which the end conflicts.
+        /// Message that names the option with which the curve's end conflicts.
         conflict: String,
     },
-    /// The curve's reaction at the rated deflection is not the rated reaction.
+    /// The curve's reaction at the rated deflection differs from the rated reaction.
     NotRated {
         /// The rated deflection (m).
         deflection_m: f64,
-        /// The curve's reaction at the rated deflection over the rated reaction.
+        /// The curve's reaction at the rated deflection, divided by the rated reaction.
         share: f64,
-        /// Whether the rated deflection was given; otherwise it is the end of the curve.
+        /// Whether the rated deflection was given by the user; otherwise it is the end of the curve.
         is_given: bool,
-        /// The last deflection at which the curve has the rated reaction (m), and its share of the height.
+        /// The last deflection at which the curve has the rated reaction (m), and that deflection as a share of the
+        /// height.
         at: Option<(f64, f64)>,
     },
-    /// The reaction at the rated deflection is zero.
+    /// The curve's reaction at the rated deflection is zero.
     NoReaction {
         /// The rated deflection (m).
         rated_deflection_m: f64,
     },
-    /// The file has an unloading curve and the returned energy is given as well.
+    /// The file has an unloading curve, and the returned energy is given by the user as well.
     ReturnedTwice,
     /// A curve differs from the reference curve in both speed and temperature.
     NotOneAtATime {
@@ -89,7 +90,7 @@ impl fmt::Display for FitError {
                 write!(f, "{quantity} is {value}, but must be between {low} and {high}")
             }
             FitError::Ends { curve, end_m, conflict } => {
-                write!(f, "{curve} ends at {end_m} m; {conflict}")
+                write!(f, "{curve} ends at a deflection of {end_m} m; {conflict}")
             }
             FitError::NotRated { deflection_m, share, is_given, at } => {
                 let what = if *is_given { "the rated deflection" } else { "the end of the curve" };
@@ -122,18 +123,20 @@ impl fmt::Display for FitError {
             FitError::ReturnedTwice => {
                 write!(
                     f,
-                    "the file has an unloading curve, which sets the returned energy: give one of the two"
+                    "the file has an unloading curve, which sets the returned energy: give only one of the two, \
+                     curve or energy"
                 )
             }
             FitError::NotOneAtATime { curve } => write!(
                 f,
-                "{curve} differs from the reference curve in speed and in temperature: vary one at a time"
+                "{curve} differs from the reference curve in speed and in temperature: vary only speed or only \
+                 temperature in a curve"
             ),
         }
     }
 }
 
-/// A number to a tenth.
+/// A number rounded to a tenth, as text.
 fn shown(value: f64) -> String {
     printable_number(libm::round(value * 10.0) / 10.0)
 }
@@ -141,7 +144,7 @@ fn shown(value: f64) -> String {
 impl core::error::Error for FitError {}
 
 impl FitOptions {
-    /// Checks the range of every number.
+    /// Checks that every number of the options is within its range.
     pub(super) fn check(&self) -> Result<(), FitError> {
         let within = |quantity, value: f64, low, high| {
             let good = (low..=high).contains(&value);

@@ -4,7 +4,7 @@ use fenderline_contact::number::lesser;
 
 use super::curves::{Branch, value};
 
-/// Adds a point that lies on a curve, unless the curve has a point there.
+/// Adds a point that lies on a curve to the curve's points, unless they have a point at this deflection.
 pub(super) fn insert(branch: &mut Branch, point: (f64, f64)) {
     let after = branch.partition_point(|known| known.0 < point.0);
     if branch.get(after).is_none_or(|known| known.0 > point.0) {
@@ -12,9 +12,9 @@ pub(super) fn insert(branch: &mut Branch, point: (f64, f64)) {
     }
 }
 
-/// Keeps few points, such that all dropped points are within the tolerance of the straight lines between the kept
-/// points (Ramer, 1972; Douglas and Peucker, 1973, with the distance in reaction). The point at the abscissa `kept`
-/// stays.
+/// Keeps few points of a curve, such that all dropped points are within the tolerance of the straight lines between the
+/// kept points (Ramer, 1972; Douglas and Peucker, 1973, with the distance in reaction). The point of the curve at the
+/// abscissa `kept` always stays.
 pub(super) fn thinned(points: &Branch, tolerance: f64, kept: f64) -> Branch {
     let Some(last) = points.len().checked_sub(1) else { return Branch::new() };
     let mut stays = vec![false; points.len()];

@@ -1,5 +1,5 @@
-//! A new exercise at the berth of another scenario: its fixed bodies with their fenders and bollards, its water and chart stay; ships,
-//! tugs, lines, orders and weather are new.
+//! Makes a new exercise at the berth of another scenario: the scenario's fixed bodies with their fenders and bollards,
+//! its water and its chart stay; ships, tugs, lines, orders and weather are new.
 
 use fenderline_contact::Pose;
 use fenderline_sim::Setup;
@@ -15,7 +15,7 @@ use fenderline_keys::syntax;
 use fenderline_scenario::Scenario;
 use fenderline_scenario::VesselData;
 
-/// Tables that belong to the ships of the other scenario, or to its results.
+/// Tables of the other scenario that belong to its ships or to its results, and are removed.
 const REMOVED: [&str; 17] = [
     "anchor",
     "report",
@@ -35,7 +35,7 @@ const REMOVED: [&str; 17] = [
     "line_handling",
     "title",
 ];
-/// Weather that is not chosen, or is chosen anew.
+/// Keys of the other scenario's weather, which are removed; the new exercise sets its own.
 const WEATHER: [&str; 5] = ["wind", "current", "waves", "visibility", "interaction"];
 
 /// A scenario whose berth the new exercise uses.
@@ -47,14 +47,14 @@ pub struct BerthSource<'s> {
     pub text: &'s str,
 }
 
-/// The berth of a scenario: the body with most fenders that does not float; `None` without such a body.
+/// The berth of a scenario: the fixed body with most fenders; `None` if no fixed body has fenders.
 #[must_use]
 pub fn fixed_berth(setup: &Setup) -> Option<Berth> {
     let first = setup.bodies.iter().position(|body| !body.is_fixed()).unwrap_or(0);
     Berth::of(setup, first, |body| setup.bodies[body].is_fixed())
 }
 
-/// The berth of a scenario in words, for a choice of berths; `None` without one.
+/// The berth of a scenario in words, from which a user chooses; `None` if the scenario has no berth.
 #[must_use]
 pub fn berth_words(setup: &Setup) -> Option<String> {
     let berth = fixed_berth(setup)?;
@@ -64,11 +64,12 @@ pub fn berth_words(setup: &Setup) -> Option<String> {
 }
 
 impl NewExercise {
-    /// The text of the scenario file at the berth of another scenario, in place of the straight quay. `read` reads the files that
-    /// the other scenario names. The text was read and is good.
+    /// Writes the scenario file of the exercise at the berth of another scenario, in place of the straight quay. `read`
+    /// returns the text of a file that the other scenario names. The written text has been read again as a scenario,
+    /// and is a good one.
     ///
     /// # Errors
-    /// As [`NewExercise::text`]; a scenario without a berth.
+    /// Fails as [`NewExercise::text`] does, and if the other scenario has no berth.
     pub fn text_at(
         &self,
         source: BerthSource<'_>,
@@ -80,8 +81,9 @@ impl NewExercise {
         let scenario = Scenario::parse_among(source.text, source.file, &[], read)
             .map_err(|error| failed(error.message().to_owned()))?;
         let setup = &scenario.setup;
-        let berth = fixed_berth(setup)
-            .ok_or_else(|| failed("no body ashore has fenders: there is no berth".to_owned()))?;
+        let berth = fixed_berth(setup).ok_or_else(|| {
+            failed("no body ashore has fenders, so the scenario has no berth".to_owned())
+        })?;
         let kept: Vec<&str> = setup
             .bodies
             .iter()
@@ -90,7 +92,10 @@ impl NewExercise {
             .collect();
         let taken = ["ship"].into_iter().chain(super::TUG_NAMES);
         if let Some(name) = taken.into_iter().find(|name| kept.contains(name)) {
-            return Err(failed(format!("a body ashore has the name {name}, which a ship needs")));
+            return Err(failed(format!(
+                "a body ashore has the name `{name}`, which a ship or tug of the exercise \
+                                       needs"
+            )));
         }
         let overrides: [Override; 0] = [];
         let sources = Sources::new(source.file, source.text, &overrides);
@@ -112,7 +117,7 @@ impl NewExercise {
         }
     }
 
-    /// Removes floating bodies and everything that belongs to them, and sets the weather.
+    /// Edits that remove floating bodies and everything that belongs to them, and that set the weather.
     fn edits(&self, document: &DeTable<'_>, kept: &[&str]) -> Vec<Edit> {
         let mut edits: Vec<Edit> = REMOVED.iter().map(|key| Edit::remove(&[key])).collect();
         let is_kept = |value: Option<&DeValue<'_>>| matches!(value, Some(DeValue::String(name)) if kept.contains(&name.as_ref()));
@@ -158,7 +163,7 @@ impl NewExercise {
         edits
     }
 
-    /// Adds ship, tugs, lines and what may touch.
+    /// Adds the ship, the tugs, their lines and the pairs of bodies that may touch.
     fn add_ships(
         &self,
         text: &mut String,
@@ -184,7 +189,7 @@ impl NewExercise {
     }
 }
 
-/// The tables under a key, by name.
+/// The tables below a key of the file, each with its name.
 fn tables<'t>(
     document: &'t DeTable<'_>,
     key: &str,

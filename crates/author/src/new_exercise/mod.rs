@@ -1,6 +1,6 @@
-//! A new exercise from choices: a straight berth or that of another scenario, a ship, tugs and weather, as
-//! the text of a scenario file. The page's editor makes such an exercise: an ordinary file, to run, serve and
-//! change by hand.
+//! Makes a new exercise from a user's choices: a straight berth or that of another scenario, a ship, tugs and weather,
+//! as the text of a scenario file. The editor in the browser makes exercises in this way; each is an ordinary file to
+//! run, serve and change by hand.
 
 mod at_berth;
 mod text;
@@ -17,7 +17,7 @@ use fenderline_scenario::{VesselData, VesselLibrary};
 
 /// Most tugs, fenders and bollards that an exercise is made with.
 const MOST_TUGS: usize = 4;
-/// The names of the tugs.
+/// The names that the tugs of an exercise have.
 const TUG_NAMES: [&str; MOST_TUGS] = ["tug_1", "tug_2", "tug_3", "tug_4"];
 const MOST_FENDERS: usize = 60;
 const MOST_BOLLARDS: usize = 60;
@@ -28,9 +28,9 @@ const MOST_BOLLARDS: usize = 60;
 pub struct NewExercise {
     /// Title of the scenario.
     pub title: String,
-    /// The straight berth, which is not used if `berth_of` is given.
+    /// The straight berth, which is not used if `berth_of` names another scenario.
     pub berth: NewBerth,
-    /// The scenario whose berth is taken, by its file's name: for [`NewExercise::text_at`].
+    /// File name of the scenario whose berth is taken, for [`NewExercise::text_at`].
     #[serde(default)]
     pub berth_of: Option<String>,
     /// The ship.
@@ -41,7 +41,7 @@ pub struct NewExercise {
     pub weather: NewWeather,
 }
 
-/// A straight quay with a row of equal fenders. Its face runs north, with the water to the west.
+/// A straight quay with a row of equal fenders. The quay's face runs north, with the water to the west.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NewBerth {
@@ -51,11 +51,11 @@ pub struct NewBerth {
     pub depth_m: f64,
     /// Family of the fenders in the library.
     pub fender: String,
-    /// Size in the library; `None`: by height and reaction.
+    /// Size of the fenders in the library; if `None`, height and reaction are given.
     pub size: Option<String>,
-    /// Height of a fender (m), without a size.
+    /// Height of a fender (m), where no size is given.
     pub height_m: Option<f64>,
-    /// Rated reaction of a fender (N), without a size.
+    /// Rated reaction of a fender (N), where no size is given.
     pub rated_reaction_n: Option<f64>,
     /// Number of fenders.
     pub fenders: usize,
@@ -71,13 +71,13 @@ pub struct NewBerth {
 pub struct NewShip {
     /// Name in the library.
     pub vessel: String,
-    /// The side of the ship towards the berth.
+    /// The side of the ship that is to lie at the berth.
     pub side: BerthingSide,
-    /// Distance from the ship's side to the face of the quay (m).
+    /// Distance from the ship's side to the face of the quay at the start (m).
     pub off_m: f64,
-    /// Distance of the start astern of the middle of the berth (m).
+    /// Distance of the ship at the start, astern of the middle of the berth (m).
     pub astern_m: f64,
-    /// Speed ahead of the ship (m/s).
+    /// Speed ahead of the ship at the start (m/s).
     pub speed_mps: f64,
 }
 
@@ -85,13 +85,13 @@ pub struct NewShip {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BerthingSide {
-    /// Port side to the quay: she comes from the north.
+    /// Port side to the quay: the ship comes from the north.
     Port,
-    /// Starboard side to the quay: she comes from the south.
+    /// Starboard side to the quay: the ship comes from the south.
     Starboard,
 }
 
-/// Equal tugs of the library, each on a line at the side of the water.
+/// Equal tugs of the library, each on a line at the ship's side towards the water.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NewTugs {
@@ -107,19 +107,19 @@ pub struct NewTugs {
 pub struct NewWeather {
     /// Speed of the wind (m/s).
     pub wind_mps: f64,
-    /// Where the wind comes from (rad).
+    /// Direction from which the wind comes (rad).
     pub wind_from_rad: f64,
     /// Whether the wind has gusts.
     pub gusts: bool,
     /// Speed of the current (m/s).
     pub current_mps: f64,
-    /// Where the current runs to (rad).
+    /// Direction to which the current runs (rad).
     pub current_to_rad: f64,
     /// Visibility (m); `None`: clear.
     pub visibility_m: Option<f64>,
 }
 
-/// Why choices make no exercise.
+/// Says why the user's choices make no exercise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NewExerciseError(String);
 
@@ -131,13 +131,13 @@ impl fmt::Display for NewExerciseError {
 
 impl std::error::Error for NewExerciseError {}
 
-/// Whether a vessel of the library can be the ship of a new exercise: one of full size that people can steer.
+/// Whether a vessel of the library can be the ship of a new exercise: a vessel of full size that is no tug.
 #[must_use]
 pub fn can_be_ship(vessel: &VesselData) -> bool {
     !vessel.is_model && !can_be_tug(vessel)
 }
 
-/// Whether a vessel of the library can be a tug of a new exercise: azimuth units, and a fender at her bow.
+/// Whether a vessel of the library can be a tug of a new exercise: a vessel with azimuth units and a fender at her bow.
 #[must_use]
 pub fn can_be_tug(vessel: &VesselData) -> bool {
     !vessel.azimuths.is_empty() && vessel.beltings.iter().any(|belting| belting.name == "bow")
@@ -147,11 +147,11 @@ fn within(what: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), NewExerci
     if value >= low && value <= high {
         return Ok(());
     }
-    Err(NewExerciseError(format!("{what}: {value} is not within {low} and {high}")))
+    Err(NewExerciseError(format!("{what}: {value} is not between {low} and {high}")))
 }
 
 impl NewExercise {
-    /// Ship and tug of the library.
+    /// Looks up the ship and the tug of the exercise in the library of vessels.
     fn vessels(&self) -> Result<(&'static VesselData, &'static VesselData), NewExerciseError> {
         let vessels = VesselLibrary::of_program();
         let look_up =
@@ -173,15 +173,20 @@ impl NewExercise {
         within("speed of the ship [m/s]", self.ship.speed_mps, [0.0, 10.0])?;
         if self.tugs.number > MOST_TUGS {
             let number = self.tugs.number;
-            return Err(NewExerciseError(format!("{number} tugs are more than {MOST_TUGS}")));
+            return Err(NewExerciseError(format!(
+                "{number} tugs are more than the {MOST_TUGS} that an exercise \
+                                                 can have"
+            )));
         }
         Ok(())
     }
 
-    /// The text of the scenario file. It was read and is good.
+    /// Writes the text of the exercise's scenario file. The written text has been read again as a scenario, and is a
+    /// good one.
     ///
     /// # Errors
-    /// A vessel or fender that is not in the library, a number that makes no berth, or the first mistake of the scenario.
+    /// Fails for a vessel or fender that is not in the library, a number that makes no berth, or the first mistake of
+    /// the scenario.
     pub fn text(&self) -> Result<String, NewExerciseError> {
         let refused = |why: String| Err(NewExerciseError(why));
         let (ship, tug) = self.vessels()?;
@@ -199,11 +204,13 @@ impl NewExercise {
             ("bollards", text::bollards(&self.berth), MOST_BOLLARDS),
         ] {
             if number > most {
-                return refused(format!("{number} {what} are more than {most}"));
+                return refused(format!(
+                    "{number} {what} are more than the {most} that a berth can have"
+                ));
             }
         }
         if fenders == 0 {
-            return refused("a berth has at least one fender".to_owned());
+            return refused("a berth needs at least one fender".to_owned());
         }
         let row_m = fender_spacing_m * (fenders - 1) as f64;
         if row_m > length_m {

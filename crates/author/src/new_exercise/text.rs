@@ -12,10 +12,11 @@ use fenderline_scenario::VesselData;
 const QUAY_M: f64 = 25.0;
 /// Distance from the ship's side to the middle of a tug that stands by (m).
 const TUG_OFF_M: f64 = 45.0;
-/// Half of a hull's outline, from stern to stem: shares of length and beam. For ships whose library has no outline.
+/// Half of a hull's outline from stern to stem, in shares of length and beam. The outline in shares is used for ships
+/// that have no outline in the library.
 const HULL: [(f64, f64); 6] =
     [(-0.5, 0.3), (-0.45, 0.45), (-0.37, 0.5), (0.31, 0.5), (0.4, 0.42), (0.465, 0.22)];
-/// Lines on board: name, and the share of length and beam of its fairlead.
+/// Mooring lines of the ship: name of each, and place of its fairlead in shares of length and beam.
 const LINES: [(&str, f64, f64); 6] = [
     ("head", 0.46, 0.15),
     ("fore_breast", 0.41, 0.32),
@@ -61,7 +62,7 @@ pub(super) fn bollards(berth: &NewBerth) -> usize {
     if places < 1e4 { places as usize + 1 } else { usize::MAX }
 }
 
-/// The file; `None` if fenders have neither a size nor height and reaction.
+/// The text of the scenario file; `None` if the fenders have neither a size nor height and reaction.
 pub(super) fn compose(
     of: &NewExercise,
     ship: &VesselData,
@@ -96,26 +97,26 @@ pub(super) fn compose(
     Some(text)
 }
 
-/// The ship's measures and place.
+/// The ship's length and beam, and where she starts.
 pub(super) struct Hull {
     length_m: f64,
     beam_m: f64,
-    /// Place of the ship's centre of gravity, north and east (m).
+    /// Place of the ship's centre of gravity at the start, north and east (m).
     at_m: Vec2,
-    /// The ship's direction ahead, and the direction from the berth to the water.
+    /// Directions in which the ship's bow points and in which the water lies from the berth.
     ahead: Vec2,
     to_sea: Vec2,
-    /// The side of the quay: 1 starboard, −1 port.
+    /// Side of the ship at which the quay lies: 1 starboard, −1 port.
     shore: f64,
 }
 
 impl Hull {
-    /// At the straight quay: its middle at the origin, the water to the west.
+    /// The ship at the straight quay, whose middle is the origin, with the water to the west.
     fn of(of: &NewExercise, ship: &VesselData) -> Hull {
         Hull::at(of, ship, Vec2::ZERO, vec2(0.0, -1.0))
     }
 
-    /// At a berth with its middle at a place (m), from which the water lies in a direction.
+    /// The ship at a berth whose middle is `middle_m` and from which the water lies in the direction `to_sea`.
     pub(super) fn at(of: &NewExercise, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
         let particulars = &ship.ship.particulars;
         let length_m = ship.length_overall_m.unwrap_or(particulars.length_m);
@@ -131,13 +132,13 @@ impl Hull {
     }
 }
 
-/// A direction in degrees from north, 0 to 360.
+/// A direction as degrees from north, 0 to 360.
 fn bearing_deg(of: Vec2) -> f64 {
     let deg = tenth(libm::atan2(of.y, of.x).to_degrees());
     if deg < 0.0 { deg + 360.0 } else { deg }
 }
 
-/// The ship's lines, on board.
+/// Writes the ship's lines, which are still on board.
 pub(super) fn lines(text: &mut String, hull: &Hull) {
     for (name, along, across) in LINES {
         let _ = write!(
@@ -157,7 +158,7 @@ fn environment(text: &mut String, of: &NewExercise) {
     }
 }
 
-/// The keys of wind, current and visibility, with their values.
+/// The keys of wind, current and visibility, with the values that the user chose.
 pub(super) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
     let NewWeather { wind_mps, wind_from_rad, gusts, current_mps, current_to_rad, visibility_m } =
         of.weather;
@@ -237,7 +238,8 @@ fn fenders(text: &mut String, berth: &NewBerth, size: Option<&FenderSize>) -> Op
     Some(())
 }
 
-/// The tugs on their lines. They may touch the ship, each other, and the fixed bodies of these names.
+/// Writes the tugs, each on her line. The tugs may touch the ship, each other, and the fixed bodies that `ashore`
+/// names.
 pub(super) fn tugs(
     text: &mut String,
     of: &NewExercise,
@@ -277,19 +279,19 @@ pub(super) fn tugs(
     }
 }
 
-/// Two bodies that may touch.
+/// Writes a pair of two bodies that may touch.
 pub(super) fn pair(text: &mut String, one: &str, other: &str) {
     let (one, other) = (quoted(one), quoted(other));
     let _ = write!(text, "\n[[pair]]\nbodies = [{one}, {other}]\nmaterial = \"concrete\"\n");
 }
 
-/// Rounded to a tenth, for a file that people read.
+/// A number rounded to a tenth, for a file that people read.
 fn tenth(value_m: f64) -> f64 {
     // Adding 0 makes 0 of −0.
     libm::round(10.0 * value_m) / 10.0 + 0.0
 }
 
-/// A text in quotes: JSON's form of a text is valid in TOML.
+/// A text in quotation marks, in JSON's form, which is valid in TOML too.
 pub(super) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

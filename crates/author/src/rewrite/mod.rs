@@ -10,11 +10,11 @@ use fenderline_keys::overrides::{self, Override};
 use fenderline_keys::sources::Sources;
 use fenderline_keys::syntax;
 
-/// A change of a key. An item of a list goes by its number from 0.
+/// A change of a key. A path names an item of a list by the item's number, counted from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
     path: Vec<String>,
-    /// The new value as TOML; `None`: the key is removed.
+    /// The new value of the key as TOML; if `None`, the key is removed.
     value: Option<String>,
 }
 
@@ -25,7 +25,7 @@ impl Edit {
         Edit { path: names(path), value: Some(value.into()) }
     }
 
-    /// Removes a key, if it exists.
+    /// Removes a key of the file if the key exists.
     #[must_use]
     pub fn remove(path: &[&str]) -> Edit {
         Edit { path: names(path), value: None }
@@ -40,10 +40,10 @@ fn names(path: &[&str]) -> Vec<String> {
 /// left out: the caller writes another comment.
 ///
 /// # Errors
-/// A text that is not TOML, or an override of a key that there is not.
+/// Fails for a text that is not TOML, and for an override of a key that does not exist.
 ///
 /// # Panics
-/// If the value of an edit is not TOML.
+/// Panics if the value of an edit is not TOML.
 pub fn rewritten(
     text: &str,
     file_name: &str,

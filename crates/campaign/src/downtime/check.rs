@@ -1,4 +1,5 @@
-//! What is lost by putting hours together: hours as they are against their states.
+//! The error of grouping hours into states: compares single hours, run with their own weather, with the states that
+//! stand for them.
 
 use super::outcome::Outcome;
 use super::plan::DowntimePlan;
@@ -7,29 +8,31 @@ use crate::statistics::{Confidence, Estimate, wilson};
 /// Single hours that were run with their own weather, compared with their states.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatesCheck {
-    /// Hours that were drawn.
+    /// Number of hours that were drawn.
     pub drawn: usize,
     /// Number of drawn hours for which both the hour and its state could be run: the following numbers are of these
     /// hours.
     pub compared: usize,
-    /// Lost as they are and by their state.
+    /// Number of hours that are lost both with their own weather and by their state.
     pub both: usize,
-    /// Lost by their state alone: the states count too much.
+    /// Number of hours that are lost by their state, but not with their own weather: for these the states count too
+    /// much.
     pub by_state_alone: usize,
-    /// Lost as they are alone: the states count too little.
+    /// Number of hours that are lost with their own weather, but not by their state: for these the states count too
+    /// little.
     pub as_it_is_alone: usize,
-    /// Lost by neither.
+    /// Number of hours that are lost neither with their own weather nor by their state.
     pub neither: usize,
-    /// Share of hours that do not agree with their state, with Wilson's interval; `None` if none could be compared.
+    /// Share of hours that do not agree with their state, with Wilson's interval; `None` if no hour could be compared.
     pub disagree: Option<Estimate>,
     /// Share of hours that are lost when run singly, with Wilson's interval.
     pub lost_as_they_are: Option<Estimate>,
-    /// Probability of the intervals.
+    /// Probability of the confidence intervals.
     pub confidence: Confidence,
 }
 
 impl StatesCheck {
-    /// Compares the hours of a sample with their states; `None` without a sample.
+    /// Compares the hours of a sample with their states; `None` if there is no sample.
     pub(super) fn of(
         plan: &DowntimePlan,
         outcomes: &[Outcome],

@@ -11,27 +11,27 @@ use crate::statistics::Confidence;
 use crate::statistics::operability::sector;
 use crate::table::{Table, TableError};
 
-/// The sixteen directions, clockwise from north.
+/// Names of the sixteen compass directions, clockwise from north.
 pub const SECTOR_NAMES: [&str; 16] = [
     "N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW",
     "NNW",
 ];
 
-/// Hours.
+/// A count of hours: all, lost and not run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Count {
-    /// All.
+    /// Number of all hours.
     pub hours: f64,
-    /// Lost hours of the group.
+    /// Number of lost hours.
     pub lost: f64,
-    /// Hours of states that could not be run.
+    /// Number of hours whose state could not be run.
     pub not_run: f64,
     /// Lost hours by their gravest reason, in the order of [`DowntimeTable::reasons`].
     pub by_reason: Vec<f64>,
 }
 
 impl Count {
-    /// The lost hours over all hours with a result.
+    /// Share of lost hours among all hours with a result.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
         let known = self.hours - self.not_run;
@@ -42,9 +42,9 @@ impl Count {
 /// A reason for which hours are lost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reason {
-    /// The limit's name, or a verdict in words.
+    /// Name of the exceeded limit, or the verdict in words.
     pub name: String,
-    /// Hours for which the reason holds, alone or with other reasons.
+    /// Hours that are lost for this reason, alone or with other reasons.
     pub hours: f64,
     /// Hours for which this reason is the only reason.
     pub alone: f64,
@@ -52,26 +52,26 @@ pub struct Reason {
     pub gravest: f64,
 }
 
-/// Counts by one property of the hours.
+/// Lost hours grouped by one property, such as the month.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// The property: `month`, `wave direction`.
+    /// Name of the property: `month`, `wave direction` or `wind direction`.
     pub name: String,
-    /// Values of the group with their counts.
+    /// Each value of the property, such as January, with its count of hours.
     pub counts: Vec<(String, Count)>,
 }
 
 /// The downtime of a berth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DowntimeTable {
-    /// How each run ended: the states, then the hours of the sample.
+    /// How each run ended: first the runs of the states, then the runs of the sampled hours.
     pub outcomes: Vec<Outcome>,
     /// All hours.
     pub all: Count,
     /// Reasons, the reason with most hours first; limits of the scenario that were never exceeded
     /// are listed with 0.
     pub reasons: Vec<Reason>,
-    /// By month, wave direction and wind direction, as far as the weather has them.
+    /// Lost hours by month, wave direction and wind direction, as far as the weather has these properties.
     pub groups: Vec<Group>,
     /// The single hours compared with their states; `None` without a sample.
     pub check: Option<StatesCheck>,
@@ -80,9 +80,9 @@ pub struct DowntimeTable {
 /// Why a downtime cannot be counted.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DowntimeError {
-    /// The table.
+    /// The campaign's table cannot be read.
     Table(TableError),
-    /// The table has another number of rows than there are runs.
+    /// The number of rows of the table differs from the number of runs.
     Rows {
         /// Rows of the table.
         own: usize,
@@ -111,10 +111,10 @@ impl From<TableError> for DowntimeError {
 }
 
 impl DowntimeTable {
-    /// Counts the hours of a campaign's table. `limits` are the names of the scenario's limits.
+    /// Counts the lost hours from a campaign's table. `limits` are the names of the scenario's limits.
     ///
     /// # Errors
-    /// A table that cannot be read, or of another number of runs.
+    /// Fails if the table cannot be read, or if it has another number of rows than there are runs.
     pub fn of(
         plan: &DowntimePlan,
         table: &Table,
@@ -149,10 +149,10 @@ impl DowntimeTable {
     }
 }
 
-/// The group of a property, and the place of a row in it.
+/// The group of a property, and the function that gives the place of a weather row in the group.
 type Placed<'p> = (Group, Box<dyn Fn(usize) -> usize + 'p>);
 
-/// The groups of a weather, without hours.
+/// The groups that a weather has (month, wave direction, wind direction), still without counted hours.
 fn empty_groups<'p>(plan: &'p DowntimePlan, none: &Count) -> Vec<Placed<'p>> {
     let weather = plan.weather();
     let mut groups: Vec<Placed<'p>> = Vec::new();
@@ -184,7 +184,7 @@ fn add(count: &mut Count, hours: f64, outcome: &Outcome, reasons: &[Reason]) {
     }
 }
 
-/// The reasons of the states.
+/// All reasons for which the states are lost.
 fn reasons(plan: &DowntimePlan, outcomes: &[Outcome], limits: &[String]) -> Vec<Reason> {
     let new = |name: &String| Reason { name: name.clone(), hours: 0.0, alone: 0.0, gravest: 0.0 };
     let mut all: Vec<Reason> = limits.iter().map(new).collect();

@@ -1,4 +1,4 @@
-//! The tables of a downtime as text.
+//! The tables of a downtime analysis as text.
 
 use serde_json::{Value as Json, json};
 
@@ -9,11 +9,11 @@ use super::weather::HOURS_OF_A_YEAR;
 use crate::row::Cell;
 use crate::statistics::Estimate;
 
-/// Name of the table of hours lost.
+/// File name of the table of lost hours.
 pub const DOWNTIME_CSV: &str = "downtime.csv";
-/// Name of the file of lost hours for other programs, with the error of the states.
+/// Name of the JSON file with the lost hours and the error of the states.
 pub const DOWNTIME_JSON: &str = "downtime.json";
-/// Name of the table of all rows of the weather, each with its state.
+/// File name of the table of all rows of the weather, each with its state.
 pub const HOURS_CSV: &str = "hours.csv";
 
 /// A share in per cent, rounded to a thousandth of a per cent; empty if nothing is known.
@@ -26,10 +26,10 @@ fn shortest(value: f64) -> String {
     Cell::of_number(libm::round(value * 1e3) / 1e3).shown()
 }
 
-/// The table of hours lost: in all, by reason, month and direction.
+/// The table of lost hours: in all, by reason, by month and by direction.
 ///
 /// # Errors
-/// The reason why the table cannot be written as text.
+/// Gives the reason why the table cannot be written as text.
 pub fn downtime_csv(table: &DowntimeTable) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -76,10 +76,11 @@ pub fn downtime_csv(table: &DowntimeTable) -> Result<String, csv::Error> {
     Ok(text(writer))
 }
 
-/// All rows of the weather: time or number of the row, hours, state, whether it is lost, and by which reasons.
+/// The table of all rows of the weather: time or number of the row, hours, state, whether the hours are lost, and for
+/// which reasons.
 ///
 /// # Errors
-/// The reason why the table cannot be written as text.
+/// Gives the reason why the table cannot be written as text.
 pub fn hours_csv(plan: &DowntimePlan, table: &DowntimeTable) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let weather = plan.weather();

@@ -2,14 +2,14 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `downtime/quantity.rs` | the columns of a weather, and the keys that they set |
+//! | `downtime/quantity.rs` | the columns of a weather file, and the scenario keys that these columns set |
 //! | `downtime/time.rs` | times of a series |
-//! | `downtime/weather.rs` | reads and checks a series or scatter diagram |
-//! | `downtime/states.rs` | puts hours that are alike together |
-//! | `downtime/plan.rs` | the runs: a state each, and hours as they are |
+//! | `downtime/weather.rs` | reads and checks the weather: a series of hours or a scatter diagram |
+//! | `downtime/states.rs` | groups similar hours of the weather into states |
+//! | `downtime/plan.rs` | the runs: one for each state, and one for each sampled hour |
 //! | `downtime/outcome.rs` | how a run ended |
 //! | `downtime/count.rs` | counts the hours that are lost, by reason, month and direction |
-//! | `downtime/check.rs` | compares hours as they are with their states |
+//! | `downtime/check.rs` | compares sampled hours with the states that stand for them |
 //! | `downtime/files.rs` | the tables of it |
 
 mod check;

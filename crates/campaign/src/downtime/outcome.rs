@@ -5,9 +5,9 @@
 pub enum Outcome {
     /// Within all limits.
     Works,
-    /// Beyond limits: their names, the gravest first.
+    /// The state or hour is lost: the names of the exceeded limits, the gravest first.
     Lost(Vec<String>),
-    /// The run could not be made, or not to its end: nothing is known.
+    /// The run could not be made, or did not reach its end: nothing is known about the hours.
     NotRun,
 }
 

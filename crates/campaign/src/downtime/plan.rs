@@ -1,4 +1,4 @@
-//! The runs of a downtime: each state, and some hours as they are.
+//! The runs of a downtime analysis: one for each state, and one for each sampled hour with its own weather.
 
 use crate::file::{Campaign, Downtime, Draw, Plan, Target, TargetOrigins, Variable};
 use fenderline_scenario::Scenario;
@@ -12,13 +12,13 @@ use crate::error::CampaignError;
 
 /// Column of the table with the reasons for which a run is lost.
 pub(crate) const LOST_BY: &str = "lost_by";
-/// Separator between two reasons in the column.
+/// Separator between two reasons in the column `lost_by`.
 pub(crate) const BETWEEN: &str = "; ";
 
-/// The stream of the random numbers that draw the sample: no run has this stream.
+/// Stream of random numbers from which the sample is drawn; no run uses this stream.
 const STREAM_OF_SAMPLE: u64 = u64::MAX / 2;
 
-/// The values of a variable, one a run.
+/// The values of a variable, one for each run.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Given {
     Numbers(Vec<f64>),
@@ -32,7 +32,7 @@ pub struct DowntimePlan {
     states: Vec<State>,
     /// The state of each row of the weather.
     state_of: Vec<usize>,
-    /// Rows of the sample, which are run with their own weather, rising.
+    /// Weather rows of the sampled hours, which are run with their own weather, in rising order.
     sample: Vec<usize>,
     most_states: u64,
     seed: u64,
@@ -42,7 +42,8 @@ impl DowntimePlan {
     /// Reads the weather of a downtime campaign and groups its hours into states.
     ///
     /// # Errors
-    /// A weather that is refused; a sample of more hours than there are, or of a scatter diagram.
+    /// Fails if the weather file is refused, if the sample has more hours than the weather, or if a sample is asked of
+    /// a scatter diagram.
     pub(crate) fn new(of: &Downtime, seed: u64) -> Result<DowntimePlan, CampaignError> {
         let weather = Weather::read(&of.file)?;
         let states = states(&weather, usize::try_from(of.states).unwrap_or(usize::MAX));
@@ -88,19 +89,19 @@ impl DowntimePlan {
         self.states[state].hours
     }
 
-    /// The state of a row of the weather.
+    /// The state to which a row of the weather belongs.
     #[must_use]
     pub fn state_of(&self, row: usize) -> usize {
         self.state_of[row]
     }
 
-    /// Name and unit of the quantities of the weather in the campaign's table.
+    /// Name and unit of each quantity of the weather, as in the campaign's table.
     #[must_use]
     pub fn shown(&self) -> Vec<(&'static str, &'static str)> {
         self.weather.quantities.iter().map(|own| (own.name, own.unit)).collect()
     }
 
-    /// The rows of the sample, which are run after the states.
+    /// The weather rows of the sampled hours, which are run after the states.
     #[must_use]
     pub fn sample(&self) -> &[usize] {
         &self.sample
@@ -111,8 +112,8 @@ impl DowntimePlan {
         (self.states.len() + self.sample.len()) as u64
     }
 
-    /// Refuses a scenario without limits, a scenario whose water is too shallow for the seas, and
-    /// names that cannot stand in a list.
+    /// Refuses a scenario that has no limits, whose water is too shallow for the waves, or that has a limit whose name
+    /// contains a semicolon.
     pub(crate) fn check(&self, base: &Scenario) -> Result<(), CampaignError> {
         let world = &base.setup.world;
         let limits = &world.statistics.limits;
@@ -138,7 +139,7 @@ impl DowntimePlan {
         }
     }
 
-    /// The variables and their values in each run.
+    /// The variables of a downtime campaign, and their values in each run.
     pub(crate) fn variables(&self, campaign: &Campaign) -> Vec<(Variable, Given)> {
         let origin = match &campaign.plan {
             Plan::Downtime(of) => of.origin.clone(),
@@ -165,7 +166,12 @@ impl DowntimePlan {
         let states = self.states.len();
         let kind = |run: usize| if run < states { "state" } else { "hour" }.to_owned();
         all.push((
-            variable("kind", None, "", "a state, or a single hour".to_owned()),
+            variable(
+                "kind",
+                None,
+                "",
+                "whether the run is of a state or of a single hour".to_owned(),
+            ),
             Given::Texts((0..runs).map(kind).collect()),
         ));
         if self.weather.is_series() {
@@ -219,7 +225,12 @@ impl DowntimePlan {
         agents.dedup();
         for (name, key) in agents.into_iter().filter_map(Agent::seed) {
             all.push((
-                variable(name, Some(key), "", "each run has other phases".to_owned()),
+                variable(
+                    name,
+                    Some(key),
+                    "",
+                    "seed of the random phases: each run has other phases".to_owned(),
+                ),
                 Given::Numbers((0..runs).map(|run| seed_of_run(self.seed, run)).collect()),
             ));
         }
@@ -227,14 +238,14 @@ impl DowntimePlan {
     }
 }
 
-/// The seed of a run's phases: the keys take 32 bits.
+/// The seed of a run's random phases, cut to 32 bits, because the scenario's keys take no more.
 fn seed_of_run(seed: u64, run: usize) -> f64 {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(run as u64);
     f64::from((random.next_u64() >> 32) as u32)
 }
 
-/// So many different numbers below `of`, rising (the beginning of a shuffle by Fisher and Yates).
+/// Draws `number` different numbers below `of`, in rising order (by the beginning of a Fisher–Yates shuffle).
 fn drawn(of: usize, number: usize, seed: u64) -> Vec<usize> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(STREAM_OF_SAMPLE);

@@ -1,6 +1,6 @@
 //! The quantities of a weather: their columns, and the keys of the scenario that they set.
 
-/// What acts on the ship.
+/// An agent of the weather that acts on the ship.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Agent {
     /// Waves.
@@ -9,42 +9,42 @@ pub enum Agent {
     Wind,
     /// Current.
     Current,
-    /// Level of the water.
+    /// The water level.
     Level,
 }
 
-/// What a quantity of an agent is.
+/// The role of a quantity: what it says about its agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// Strength of the agent: height or speed.
+    /// Strength of the agent: wave height, wind speed or current speed.
     Strength,
     /// Period of waves.
     Period,
-    /// Direction (deg).
+    /// Direction of the agent (deg).
     Direction,
-    /// A height above datum.
+    /// Water level above datum.
     Level,
 }
 
-/// A quantity.
+/// A quantity of the weather, such as the wind speed.
 #[derive(Debug, PartialEq)]
 pub struct Quantity {
     /// Column of the weather's file.
     pub(super) column: &'static str,
     /// Name of the variable in the campaign's table.
     pub name: &'static str,
-    /// Unit of both.
+    /// Unit of the column and of the variable.
     pub unit: &'static str,
-    /// Key of the scenario.
+    /// Key of the scenario that the quantity sets.
     pub(super) key: &'static str,
     pub(super) agent: Agent,
     pub(super) role: Role,
-    /// Least and greatest value.
+    /// Smallest and largest value of the quantity.
     pub(super) range: [f64; 2],
 }
 
-/// All quantities. The quantities of an agent stand together, and a file must have all of them or none. The ranges are
-/// the ranges of the scenario's keys.
+/// All quantities of a weather. The quantities of one agent stand together; a weather file must have all of them or
+/// none. The ranges of the quantities are those of the scenario's keys.
 pub(super) static QUANTITIES: [Quantity; 8] = [
     Quantity {
         column: "hs_m",
@@ -120,14 +120,14 @@ pub(super) static QUANTITIES: [Quantity; 8] = [
     },
 ];
 
-/// Columns with the time of a row, or the number of hours for which the row stands.
+/// Name of the column with the time of a row, or with the number of hours for which the row stands.
 pub(super) const TIME: &str = "time";
 pub(super) const SECONDS: &str = "t_s";
 pub(super) const HOURS: &str = "hours";
 pub(super) const SHARE: &str = "share";
 
 impl Agent {
-    /// Effect of the strength on the ship: waves by their height, wind and current by the square of their speed.
+    /// Effect of an agent's strength on the ship: the height of waves, the square of the speed of wind and current.
     pub(super) fn load(self, strength: f64) -> f64 {
         match self {
             Agent::Waves | Agent::Level => strength,
@@ -135,7 +135,8 @@ impl Agent {
         }
     }
 
-    /// Key of the seed of the agent's random phases, if it has random phases, and the name of the variable.
+    /// Name of the variable and key of the scenario for the seed of the agent's random phases; `None` for an agent
+    /// without random phases.
     pub(super) fn seed(self) -> Option<(&'static str, &'static str)> {
         match self {
             Agent::Waves => Some(("wave_seed", "environment.waves.seed")),
@@ -144,7 +145,7 @@ impl Agent {
         }
     }
 
-    /// In words.
+    /// The agent in words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

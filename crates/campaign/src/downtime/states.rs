@@ -1,28 +1,30 @@
 //! The states of a weather: groups of similar hours.
 //!
-//! All hours are one state at first. Then, again and again, the state that spreads most in one quantity is split in two at its mean,
-//! until there are as many as wanted. Spread is measured by what it does to a ship: that of waves by height, that of wind and current by the
-//! square of the speed; a change of direction (rad), or of the period over its mean, counts as that share of the strength. The spread of
-//! each agent is over that of its whole weather, so that waves, wind, current and level count alike.
+//! All hours are one state at first. Then the state with the largest spread of one quantity is split in two at the
+//! quantity's mean, again and again, until there are as many states as wanted. Spread is measured by the effect on a
+//! ship: for waves in height, for wind and current in the square of the speed. A change of direction (rad), or of the
+//! period relative to its mean, counts as the same relative change of the strength. The spread of each agent is divided
+//! by its spread over the whole weather, so that waves, wind, current and level count alike.
 
 use core::f64::consts::{PI, TAU};
 
 use super::quantity::{Agent, Quantity, Role};
 use super::weather::Weather;
 
-/// A state.
+/// A state: a group of similar hours, which one run stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct State {
-    /// Its rows of the weather, rising.
+    /// The weather rows of the state, in rising order.
     pub(super) rows: Vec<usize>,
-    /// The mean of each quantity; for heights and speeds the root mean square; for directions the direction of the
-    /// vector sum.
+    /// The mean of each quantity over the hours of the state; for heights and speeds the root mean square; for
+    /// directions the direction of the vector sum.
     pub(super) means: Vec<f64>,
-    /// Hours.
+    /// Number of hours of the state.
     pub(super) hours: f64,
 }
 
-/// The states of a series, at most `most`, from the mildest on. Each row of a scatter diagram is a state.
+/// Groups the hours of a series into at most `most` states, from the mildest to the strongest. Each row of a scatter
+/// diagram becomes a state.
 pub(super) fn states(weather: &Weather, most: usize) -> Vec<State> {
     let mut all: Vec<Part> = match weather.is_series() {
         true => split(weather, most),
@@ -68,18 +70,19 @@ fn split(weather: &Weather, most: usize) -> Vec<Part> {
     parts
 }
 
-/// A state in the making.
+/// A state while the hours are being grouped.
 struct Part {
     rows: Vec<usize>,
     means: Vec<f64>,
-    /// Index of the quantity, such as wind speed, that spreads most within this state. `spread` is its sum of squares, over the sum of
-    /// squares of the whole weather.
+    /// Index of the quantity, such as wind speed, that spreads most within this state. `spread` is this quantity's sum
+    /// of squares, divided by the sum of squares of the whole weather.
     widest: usize,
     spread: f64,
 }
 
 impl Part {
-    /// `scales` are the spreads of each quantity's agent over the whole weather; without them the spread is not asked for.
+    /// `scales` are the spreads of each quantity's agent over the whole weather; without `scales` no spread is
+    /// computed.
     fn of(weather: &Weather, rows: Vec<usize>, scales: &[f64]) -> Part {
         let means = means(weather, &rows);
         let mut part = Part { rows, means, widest: 0, spread: 0.0 };
@@ -94,7 +97,7 @@ impl Part {
         part
     }
 
-    /// Sum over the hours of the squared effects of a quantity's distance from its mean.
+    /// Sum over the hours of a state: the squared effect of a quantity's distance from its mean.
     fn squares(&self, weather: &Weather, index: usize) -> f64 {
         let quantity = weather.quantities[index];
         let mean = self.means[index];
@@ -113,7 +116,8 @@ impl Part {
         self.rows.iter().map(of_row).sum()
     }
 
-    /// Whether a row lies above the mean of the widest quantity, or clockwise of the mean.
+    /// Whether a weather row lies above the mean of the state's widest quantity, or clockwise of the mean for a
+    /// direction.
     fn is_above(&self, weather: &Weather, row: usize) -> bool {
         let way = weather.rows[row][self.widest] - self.means[self.widest];
         match weather.quantities[self.widest].role {
@@ -123,14 +127,14 @@ impl Part {
     }
 }
 
-/// A turn (deg) as the shorter way round (rad), from −π on.
+/// A turn (deg) as the shorter way round (rad), from −π to π.
 fn turn_rad(turn_deg: f64) -> f64 {
     let turn = turn_deg.to_radians() / TAU;
     let way = (turn - libm::floor(turn)) * TAU;
     if way >= PI { way - TAU } else { way }
 }
 
-/// For each quantity the sum of squares of its agent's strength over the whole weather: the scale of its spread.
+/// The scale of each quantity's spread: the sum of squares of its agent's strength over the whole weather.
 fn scales(weather: &Weather) -> Vec<f64> {
     let all: Vec<usize> = (0..weather.len()).collect();
     let hours: f64 = weather.hours.iter().sum();
@@ -147,7 +151,7 @@ fn scales(weather: &Weather) -> Vec<f64> {
     weather.quantities.iter().map(|own| of_agent(own.agent)).collect()
 }
 
-/// The mean of each quantity of some rows.
+/// The mean of each quantity over the given weather rows.
 fn means(weather: &Weather, rows: &[usize]) -> Vec<f64> {
     if let [row] = rows {
         return weather.rows[*row].clone();

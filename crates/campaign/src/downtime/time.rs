@@ -1,6 +1,6 @@
-//! Times of a series, as 2025-01-31T23:00.
+//! Reads the times of a weather series, such as 2025-01-31T23:00.
 
-/// The names of the months.
+/// English names of the months.
 pub(super) const MONTHS: [&str; 12] = [
     "January",
     "February",
@@ -49,7 +49,7 @@ impl Time {
     }
 }
 
-/// Numbers of so many digits each between separators.
+/// Reads whole numbers with given counts of digits, between separators.
 fn numbers(text: &str, separator: char, digits: &[usize]) -> Option<Vec<i64>> {
     let parts: Vec<&str> = text.split(separator).collect();
     let is_good = parts.len() == digits.len()
@@ -75,7 +75,7 @@ fn days_of(year: i64, month: i64) -> i64 {
     }
 }
 
-/// Days from 1970-01-01, in the Gregorian calendar.
+/// Number of days from 1970-01-01 to a date, in the Gregorian calendar.
 fn days(year: i64, month: i64, day: i64) -> i64 {
     let before = year - 1;
     let leaps = |year: i64| year / 4 - year / 100 + year / 400;

@@ -12,14 +12,15 @@ use crate::table::Table;
 /// Hours of a year.
 pub const HOURS_OF_A_YEAR: f64 = 8760.0;
 
-/// No single wave is higher than this share of the depth (McCowan 1894, by Turner 2010, "Testing a ratio for the relationship between
-/// wave height and water depth"): a significant height above this share is a mistake in the file or in the depth.
+/// Breaking limit: no single wave is higher than this share of the water depth (McCowan 1894, by Turner 2010, "Testing
+/// a ratio for the relationship between wave height and water depth"): a significant height above this share is a
+/// mistake in the file or in the depth.
 const BREAKING: f64 = 0.78;
 
 /// Rounded shares of a scatter diagram may miss a sum of 1 by this much.
 const ROUNDED: f64 = 0.01;
 
-/// The weather: a row an hour, or a row a class of a scatter diagram.
+/// The weather of a berth: a row for each hour of a series, or a row for each class of a scatter diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weather {
     table: Table,
@@ -31,7 +32,7 @@ pub struct Weather {
     pub(super) hours: Vec<f64>,
     /// Time of each row as written in the file; empty for a scatter diagram.
     pub(super) times: Vec<String>,
-    /// Month of each row, from 0; `None` if the file has no dates.
+    /// Month of each row, counted from 0 for January; `None` if the file has no dates.
     pub(super) months: Option<Vec<usize>>,
 }
 
@@ -39,8 +40,8 @@ impl Weather {
     /// Reads a weather's file.
     ///
     /// # Errors
-    /// A file that is no table; a column that is unknown or missing; a cell that is empty or out of bounds; a series with a gap; a
-    /// diagram whose shares do not sum to 1. Errors about a row point at its line.
+    /// Fails if the file is no table, if a column is unknown or missing, if a cell is empty or out of bounds, if a
+    /// series has a gap, or if the shares of a scatter diagram do not sum to 1. Errors about a row point at its line.
     pub(super) fn read(file: &Path) -> Result<Weather, CampaignError> {
         let table = Table::open(file)?;
         let quantities = quantities(&table)?;
@@ -133,13 +134,13 @@ impl Weather {
         self.rows.is_empty()
     }
 
-    /// The index of an agent's quantity of this role, if the weather has it.
+    /// The index of the agent's quantity that has the given role, if the weather has this quantity.
     pub(super) fn index(&self, agent: Agent, role: Role) -> Option<usize> {
         self.quantities.iter().position(|own| own.agent == agent && own.role == role)
     }
 
-    /// Refuses a sea that is higher than the water allows. `level_m` is the highest level of the scenario's tide, for a
-    /// weather without levels.
+    /// Refuses waves that are too high for the water depth. `level_m` is the highest water level of the scenario's
+    /// tide, for a weather without levels.
     ///
     /// # Errors
     /// The first such row.
@@ -151,8 +152,8 @@ impl Weather {
             let (hs_m, most_m) = (values[height], BREAKING * water_m);
             if hs_m > most_m {
                 let why = format!(
-                    "a significant height of {hs_m} m in water of {water_m} m: waves break at {BREAKING} of the depth (McCowan 1894), here at \
-                     {most_m:.2} m"
+                    "a significant height of {hs_m} m in water of {water_m} m: waves break at \
+                     {BREAKING} of the water depth (McCowan 1894), here at {most_m:.2} m"
                 );
                 return Err(in_row(&self.table, self.quantities[height].column, row, why));
             }
@@ -161,7 +162,7 @@ impl Weather {
     }
 }
 
-/// The quantities of a table, all of an agent.
+/// The quantities that a weather file has; of each agent it must have all quantities or none.
 fn quantities(table: &Table) -> Result<Vec<&'static Quantity>, CampaignError> {
     let others = [TIME, SECONDS, HOURS, SHARE];
     let known = || QUANTITIES.iter().map(|own| own.column).chain(others);
@@ -196,7 +197,7 @@ fn quantities(table: &Table) -> Result<Vec<&'static Quantity>, CampaignError> {
     Ok(found)
 }
 
-/// A column of numbers within bounds, none missing.
+/// Reads a column of numbers; all must be within bounds, and none may be missing.
 fn bounded_column(
     table: &Table,
     column: &str,
@@ -216,7 +217,7 @@ fn bounded_column(
     Ok(values)
 }
 
-/// The times of a series.
+/// Reads the times of a weather series.
 fn dates(table: &Table) -> Result<Vec<Time>, CampaignError> {
     let read = |(row, text): (usize, &str)| {
         Time::parse(text).ok_or_else(|| {

@@ -4,20 +4,21 @@ use crate::file::Correlation;
 use crate::file::law::Law;
 use fenderline_contact::number::bounded;
 
-/// Probabilities with correlations: their normal scores are correlated, each alone stays uniform.
+/// A Gaussian copula: makes probabilities whose normal scores are correlated, while each probability alone stays
+/// uniform.
 pub(super) struct Copula {
-    /// The variables that are correlated, rising.
+    /// Indices of the correlated variables, in rising order.
     variables: Vec<usize>,
-    /// The lower triangle L of the correlations' matrix R = L Lᵀ, row by row.
+    /// The lower triangle L of the correlation matrix R = L Lᵀ, row by row.
     factor: Vec<Vec<f64>>,
     score: Law,
 }
 
 impl Copula {
-    /// The copula of these correlations; other correlations are 0.
+    /// Makes the copula of the given correlations; all other correlations are 0.
     ///
     /// # Errors
-    /// A matrix that is not positive definite.
+    /// Fails if the correlation matrix is not positive definite.
     pub(super) fn new(correlations: &[Correlation]) -> Result<Copula, String> {
         let mut variables: Vec<usize> = correlations.iter().flat_map(|own| own.variables).collect();
         variables.sort_unstable();
@@ -50,7 +51,7 @@ impl Copula {
         Ok(Copula { variables, factor, score })
     }
 
-    /// Correlates the probabilities of a run.
+    /// Makes the independent probabilities of a run correlated.
     pub(super) fn correlate(&self, probabilities: &mut [f64]) {
         let scores: Vec<f64> = self
             .variables

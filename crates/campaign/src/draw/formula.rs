@@ -1,4 +1,5 @@
-//! Formulas of the user. They use the functions of `libm`, so a campaign has the same bits on every platform.
+//! Formulas that the user writes. Formulas are computed with the functions of `libm`, so that a campaign has the same
+//! bits on every platform.
 
 use exmex::prelude::*;
 use exmex::{
@@ -6,7 +7,8 @@ use exmex::{
 };
 use fenderline_contact::number::{greater, lesser};
 
-/// 1 if a comparison holds, else 0; not a number if one of the two is not a number.
+/// The value of a comparison: 1 if the comparison holds, else 0; not a number if one of the two compared values is not
+/// a number.
 fn truth(a: f64, b: f64, holds: bool) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { f64::from(u8::from(holds)) }
 }
@@ -61,7 +63,7 @@ ops_factory!(
 // Numbers as TOML has them: 3, 0.5, .5, 2.5e6.
 literal_matcher_from_pattern!(Numbers, r"^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?");
 
-/// A formula of named numbers.
+/// A formula in which names stand for numbers.
 #[derive(Clone, Debug)]
 pub struct Formula {
     expression: FlatEx<f64, Operators, Numbers>,
@@ -72,7 +74,7 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// The reason why the text is not a formula.
+    /// Gives the reason why the text is not a formula.
     pub fn parse(text: &str) -> Result<Formula, String> {
         let expression = FlatEx::<f64, Operators, Numbers>::parse(text)
             .map_err(|error| format!("\"{text}\": {error}"))?;
@@ -90,7 +92,7 @@ impl Formula {
     /// the root of a negative number.
     ///
     /// # Panics
-    /// If there is not one number for each name.
+    /// Panics if there is not one number for each name.
     #[must_use]
     pub fn value(&self, numbers: &[f64]) -> f64 {
         self.expression.eval(numbers).expect("a number for each name")

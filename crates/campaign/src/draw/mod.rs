@@ -1,5 +1,5 @@
-//! The values of the variables in each run: by the plan, the laws and the expressions. They depend on the campaign and the number of the
-//! run alone.
+//! Draws the values of the variables in each run, by the plan, the laws and the expressions. The values depend only on
+//! the campaign and the number of the run.
 
 mod copula;
 mod formula;

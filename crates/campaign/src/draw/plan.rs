@@ -1,14 +1,14 @@
-//! Plans of probabilities: for each run and variable a number between 0 and 1, both excluded.
+//! Random plans: for each run and variable a probability between 0 and 1, both excluded.
 
 use crate::file::Plan;
 use fenderline_contact::number::bounded;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
-/// Dimensions of the library's Sobol sequence.
+/// Number of dimensions of the library's Sobol sequence.
 const MOST_DIMENSIONS: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
-/// A random plan.
+/// A random plan of a campaign.
 pub(super) struct Probabilities {
     seed: u64,
     dimensions: usize,
@@ -17,16 +17,16 @@ pub(super) struct Probabilities {
 
 enum Kind {
     Independent,
-    /// For each dimension the part of each run.
+    /// A Latin hypercube: for each variable, the part of its range in which each run lies.
     Hypercube(Vec<Vec<u32>>),
     Sobol,
 }
 
 impl Probabilities {
-    /// The plan for so many variables; `None` for plans without random numbers.
+    /// Makes the random plan for a number of variables; `None` for plans without random numbers.
     ///
     /// # Errors
-    /// More variables than a Sobol sequence has dimensions.
+    /// Fails if there are more variables than a Sobol sequence has dimensions.
     pub(super) fn new(
         plan: &Plan,
         dimensions: usize,
@@ -48,7 +48,7 @@ impl Probabilities {
         Ok(Some(Probabilities { seed, dimensions, kind }))
     }
 
-    /// The probabilities of a run.
+    /// The probabilities of a run, one for each variable.
     pub(super) fn of_run(&self, run: u64) -> Vec<f64> {
         // Each run has a separate stream.
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
@@ -82,7 +82,7 @@ fn between_0_and_1(bits: u64) -> f64 {
     ((bits >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
 }
 
-/// The numbers below `number` in random order (Fisher and Yates).
+/// The whole numbers from 0 to below `number`, in random order (Fisher–Yates shuffle).
 fn shuffled(number: u64, dimension: usize, seed: u64) -> Vec<u32> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     // Streams counted from the other end than the streams of the runs.
@@ -128,8 +128,8 @@ mod tests {
         }
     }
 
-    /// A Sobol sequence of 2^k runs has one in each of 2^k parts, in each dimension, and in each square of 2^(k/2) by 2^(k/2) of the
-    /// first two.
+    /// A Sobol sequence of 2^k runs has one in each of 2^k parts, in each dimension, and in each square of 2^(k/2) by
+    /// 2^(k/2) of the first two.
     #[test]
     fn a_sobol_sequence_fills_every_part_and_square() {
         let plan = plan(&Plan::Sobol { number: 256 }, 4, 11);

@@ -1,4 +1,4 @@
-//! The draws of a campaign.
+//! Prepares the draws of a campaign: the values of the variables in every run.
 
 use crate::file::{Campaign, Change, Draw, Plan, Target, Variable};
 use fenderline_contact::hash::Fnv1a;
@@ -12,10 +12,10 @@ use crate::downtime::DowntimePlan;
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
 
-/// The values of the variables of every run.
+/// Gives the values of a campaign's variables in every run.
 pub struct Draws {
     sources: Vec<Source>,
-    /// In the order of evaluation: formulas may use each other.
+    /// The formulas in the order of evaluation, because formulas may use each other.
     formulas: Vec<(usize, Formula, Vec<usize>)>,
     probabilities: Option<Probabilities>,
     copula: Option<Copula>,
@@ -25,22 +25,22 @@ pub struct Draws {
     downtime: Option<DowntimePlan>,
 }
 
-/// What a run draws.
+/// The values that a run draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
     /// The value of each variable, in the order of the file.
     pub values: Vec<Cell>,
     /// The changes of the scenario as `--set` takes them, KEY=VALUE.
     pub settings: Vec<String>,
-    /// For each variable the number of the choice, or the row of its file, both from 0; 0 for other variables.
+    /// For each variable the number of its choice, or the row of its file, both counted from 0; 0 for other variables.
     picked: Vec<usize>,
 }
 
 impl Drawn {
-    /// The changes, read.
+    /// The changes of the scenario as parsed overrides.
     ///
     /// # Errors
-    /// A value that cannot stand in a scenario, such as the empty text of a table: why.
+    /// Says why a value cannot stand in a scenario, such as the empty text of a table.
     pub fn overrides(&self) -> Result<Vec<Override>, String> {
         let one = |text: &String| Override::parse(text).map_err(|error| error.message().to_owned());
         self.settings.iter().map(one).collect()
@@ -51,9 +51,9 @@ impl Draws {
     /// Reads the files that the campaign names, and prepares its laws and formulas.
     ///
     /// # Errors
-    /// [`CampaignError`]: a file of values that cannot be read, a column that is missing, a cell without a value, correlations that
-    /// no variables have, a formula that cannot be read or names an unknown number, formulas that need each other, a formula of
-    /// names.
+    /// [`CampaignError`] if a file of values cannot be read, a column is missing, a cell has no value, no variables can
+    /// have the correlations, a formula cannot be read or names an unknown number, formulas need each other, or a
+    /// formula uses a variable whose values are names.
     pub fn new(campaign: &Campaign) -> Result<Draws, CampaignError> {
         let downtime = match &campaign.plan {
             Plan::Downtime(of) => Some(DowntimePlan::new(of, campaign.seed)?),
@@ -114,13 +114,13 @@ impl Draws {
         self.runs
     }
 
-    /// The states and hours of a downtime; `None` for a campaign of variables.
+    /// The states and hours of a downtime campaign; `None` for a campaign with variables.
     #[must_use]
     pub fn downtime(&self) -> Option<&DowntimePlan> {
         self.downtime.as_ref()
     }
 
-    /// Adds all values that came from files to a hash.
+    /// Adds all values that were read from files to a hash.
     pub(crate) fn add_values(&self, hash: &mut Fnv1a) {
         for source in &self.sources {
             match source {
@@ -143,12 +143,12 @@ impl Draws {
         }
     }
 
-    /// Whether values come from this file.
+    /// Whether values of the campaign come from the given file.
     pub(crate) fn reads(&self, file: &str) -> bool {
         self.sources.iter().filter_map(Source::file).any(|own| own.display().to_string() == file)
     }
 
-    /// Names and units of the variables.
+    /// Names and units of the campaign's variables.
     #[must_use]
     pub fn heads(&self) -> &[Head] {
         &self.heads
@@ -157,7 +157,7 @@ impl Draws {
     /// The values that a run draws; `run` counts from 0.
     ///
     /// # Panics
-    /// If there is no such run.
+    /// Panics if the campaign has no run of this number.
     #[must_use]
     pub fn of_run(&self, run: u64) -> Drawn {
         assert!(run < self.runs, "there are {} runs", self.runs);
@@ -171,12 +171,12 @@ impl Draws {
         self.at(run, probabilities.as_deref())
     }
 
-    /// The values at these probabilities, one for each variable; probabilities of formulas are not used. Rare-event
-    /// methods choose the probabilities.
+    /// The values of the variables at the given probabilities, one for each variable; the probabilities of formulas are
+    /// not used. Rare-event methods, which choose the probabilities themselves, use this function.
     ///
     /// # Errors
-    /// A campaign without a random plan; another number of probabilities than of variables; a probability that is not
-    /// between 0 and 1.
+    /// Fails if the campaign has no random plan, if there is not one probability for each variable, or if a probability
+    /// is not between 0 and 1.
     pub fn at_probabilities(&self, probabilities: &[f64]) -> Result<Drawn, String> {
         if self.probabilities.is_none() {
             return Err("the campaign's plan is not random: it has no probabilities".to_owned());
@@ -215,10 +215,10 @@ impl Draws {
                     }
                 }
                 Source::Law(law, _) => {
-                    Cell::Number(law.quantile(p.expect("laws go with random plans")))
+                    Cell::Number(law.quantile(p.expect("a variable with a law has a random plan")))
                 }
                 Source::Measured(Measured { values, rows, .. }) => {
-                    let p = p.expect("measured values go with random plans");
+                    let p = p.expect("a variable with measured values has a random plan");
                     let own = ((p * values.len() as f64) as usize).min(values.len() - 1);
                     picked[index] = rows[own];
                     Cell::Number(values[own])
@@ -261,12 +261,12 @@ impl Draws {
         Drawn { values, settings, picked }
     }
 
-    /// The changes by the drawn values, each with its place in the campaign's file or in the file of its values: errors
-    /// point to this place. `run` counts from 0; the text below the place names the run. Slower than
-    /// [`Drawn::overrides`].
+    /// The changes of the scenario by the drawn values, each with its place in the campaign's file or in the file of
+    /// its values, so that errors point to this place. `run` counts from 0; the error's text below the place names the
+    /// run. Slower than [`Drawn::overrides`].
     ///
     /// # Errors
-    /// A value that cannot stand in a scenario, such as the empty text of a table.
+    /// Fails if a value cannot stand in a scenario, such as the empty text of a table.
     pub fn located(&self, drawn: &Drawn, run: Option<u64>) -> Result<Vec<Override>, ScenarioError> {
         let mut all = Vec::new();
         for (index, source) in self.sources.iter().enumerate() {
@@ -289,14 +289,14 @@ impl Draws {
         Ok(all)
     }
 
-    /// The choice of a variable in a case of a full factorial, the last variable fastest.
+    /// Index of a variable's choice in a case of a full factorial; the choice of the last variable changes fastest.
     fn combination(&self, run: u64, index: usize) -> usize {
         let faster: u64 = self.counts[index + 1..].iter().map(|count| *count as u64).product();
         (run / faster % self.counts[index] as u64) as usize
     }
 }
 
-/// The value of a target's keys, written as for `--set`.
+/// The text of a value for the keys that a variable sets, written as for `--set`.
 fn text_of(target: &Target, value: &Cell) -> String {
     match value {
         Cell::Number(number) => target.value(*number),
@@ -306,7 +306,7 @@ fn text_of(target: &Target, value: &Cell) -> String {
     }
 }
 
-/// The formulas, each after the formulas that it uses.
+/// Sorts the formulas so that each formula comes after the formulas that it uses.
 fn formulas(
     variables: &[Variable],
     sources: &[Source],

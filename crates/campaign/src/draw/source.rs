@@ -1,4 +1,4 @@
-//! Where the values of variables come from: choices, laws, formulas, and files, which are read here.
+//! The sources of the variables' values: choices, laws, formulas, and files, which this module reads.
 
 use std::path::{Path, PathBuf};
 
@@ -15,9 +15,9 @@ use crate::table::Table;
 pub(super) enum Source {
     Choices {
         choices: Vec<Choice>,
-        /// Their numbers; `None` for names.
+        /// The numbers of the choices; `None` if the choices are names.
         numbers: Option<Vec<f64>>,
-        /// Sums of the weights up to each choice, over the whole.
+        /// Sum of the weights up to each choice, divided by the sum of all weights.
         cumulative: Vec<f64>,
     },
     Law(Law, Target),
@@ -31,25 +31,25 @@ pub(super) enum Source {
         values: Vec<f64>,
         target: Target,
     },
-    /// Their words, which change nothing.
+    /// Words about the states and hours of a downtime campaign, which change nothing in the scenario.
     Words {
         values: Vec<String>,
         target: Target,
     },
 }
 
-/// The values of a column of a file.
+/// The measured values of a column of a file.
 pub(super) struct Measured {
-    /// The values, rising.
+    /// The measured values, in rising order.
     pub(super) values: Vec<f64>,
-    /// The row of each in the file, from 0.
+    /// The row of each value in the file, counted from 0.
     pub(super) rows: Vec<usize>,
     file: PathBuf,
     column: String,
     pub(super) target: Target,
 }
 
-/// A column of the campaign's table, a value a run.
+/// A column of the campaign's table, with a value for each run.
 pub(super) struct Column<T> {
     pub(super) values: Vec<T>,
     file: PathBuf,
@@ -58,7 +58,7 @@ pub(super) struct Column<T> {
 }
 
 impl Source {
-    /// The keys that get the values; `None` for choices, which have separate changes.
+    /// The scenario keys that get the values; `None` for choices, which have changes of their own.
     pub(super) fn target(&self) -> Option<&Target> {
         match self {
             Source::Choices { .. } => None,
@@ -78,7 +78,7 @@ impl Source {
         }
     }
 
-    /// The file of the values.
+    /// The file from which the values come, if there is one.
     pub(super) fn file(&self) -> Option<&Path> {
         match self {
             Source::Measured(own) => Some(&own.file),
@@ -92,8 +92,7 @@ impl Source {
         }
     }
 
-    /// Place of the value in row `row` of the file, from 0; for a law or formula the line of the
-    /// campaign's file.
+    /// Place of the value in row `row` (from 0) of its file; for a law or formula the place in the campaign's file.
     pub(super) fn origin(&self, row: usize) -> Option<Origin> {
         let column = match self {
             Source::Measured(own) => own.column.as_str(),
@@ -114,7 +113,7 @@ pub(super) fn open(file: &Path) -> Result<Table, CampaignError> {
     Table::open(file).map_err(CampaignError::from)
 }
 
-/// The numbers of a column, none of them missing.
+/// Reads the numbers of a column; none of them may be missing.
 fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String), CampaignError> {
     let read = table.numbers(column)?;
     if let Some(row) = read.values.iter().position(|value| value.is_nan()) {
@@ -134,23 +133,26 @@ fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String
     Ok((read.values, unit.to_owned()))
 }
 
-/// A target with the unit of the file's head, if the campaign names no unit.
+/// The target of a variable; if the campaign names no unit, the target gets the unit from the head of the file's
+/// column.
 ///
 /// # Errors
-/// Two units that differ.
+/// Fails if the campaign's file and the head of the column name different units.
 fn with_unit(variable: &Variable, target: &Target, unit: String) -> Result<Target, CampaignError> {
     match (target.unit.as_str(), unit.as_str()) {
         ("", _) => Ok(Target { unit, ..target.clone() }),
         (_, "") => Ok(target.clone()),
         (own, other) if own == other => Ok(target.clone()),
         (own, other) => {
-            let why = format!("its `unit` is {own}, but the file's head says {other}");
+            let why = format!(
+                "the variable's `unit` is {own}, but the head of the file's column says {other}"
+            );
             Err(CampaignError::part(format!("variable.{}", variable.name), why))
         }
     }
 }
 
-/// The source of a variable's values, with the files read; and the unit.
+/// Reads the source of a variable's values, with its files, and returns the source and the unit.
 pub(super) fn source(
     variable: &Variable,
     table: Option<&Table>,
@@ -192,7 +194,7 @@ pub(super) fn source(
         }
         Draw::Expression { target, .. } => (Source::Formula(target.clone()), target.unit.clone()),
         Draw::Column { column, target } => {
-            let table = table.expect("columns are of the plan \"table\"");
+            let table = table.expect("a variable with a column has the plan \"table\"");
             let (file, name) = (table.path().to_owned(), column.clone());
             match numbers(table, &file, column) {
                 Ok((values, unit)) => {
@@ -215,10 +217,10 @@ pub(super) fn source(
     })
 }
 
-/// The source and head of a variable of a downtime.
+/// The source and the table head of a variable of a downtime campaign.
 pub(super) fn of_downtime(variable: &Variable, values: Given) -> (Source, Head) {
     let Draw::Column { target, .. } = &variable.draw else {
-        unreachable!("a downtime's variables are columns")
+        unreachable!("the variables of a downtime campaign are columns")
     };
     let meaning = variable.source.as_deref().unwrap_or_default();
     let target = target.clone();
@@ -233,7 +235,7 @@ pub(super) fn of_downtime(variable: &Variable, values: Given) -> (Source, Head) 
     }
 }
 
-/// The number of rows of a table's columns.
+/// The number of rows of the campaign's table, if a variable takes its values from the table.
 pub(super) fn rows(sources: &[Source]) -> Option<u64> {
     sources.iter().find_map(|source| match source {
         Source::Numbers(all) => Some(all.values.len() as u64),

@@ -1,4 +1,4 @@
-//! The hours that a berth loses to the weather.
+//! Reads the keys of a downtime campaign, which counts the hours that a berth loses to the weather.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ use fenderline_keys::typed_key::{AnyKey, Key};
 /// The weather at a berth, and how the weather is run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Downtime {
-    /// File of a series or scatter diagram, CSV or Parquet.
+    /// Weather file with a series or a scatter diagram, CSV or Parquet.
     pub file: PathBuf,
     /// Largest number of states into which the hours of a series are grouped.
     pub states: u64,
@@ -24,7 +24,7 @@ pub struct Downtime {
     pub origin: Option<Origin>,
 }
 
-/// Reads the table, if there is one.
+/// Reads the table `[downtime]` of a campaign's file, if there is one.
 pub(super) fn read(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read<Option<Downtime>> {
     let Some(item) = file.item(CampaignFileKey::DOWNTIME) else { return Ok(None) };
     let given = |key: &AnyKey<CampaignFileKey>| {

@@ -6,13 +6,14 @@ use super::law::LawFamily;
 
 pub(super) type Read<T> = Result<T, ScenarioError>;
 
-/// Most cases of a full factorial.
+/// Largest number of cases of a full factorial campaign.
 pub const MOST_CASES: usize = 1_000_000;
 
-/// Most runs of a campaign. Their table is below the largest file that a report reads, and a column of it takes 0.8 GB.
+/// Largest number of runs of a campaign. The table of so many runs is smaller than the largest file that a report
+/// reads, and one of its columns takes 0.8 GB.
 pub(super) const MOST_RUNS: f64 = 1e8;
 
-/// The word of the key `plan`.
+/// The words that the key `plan` may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PlanKind {
     FullFactorial,
@@ -22,7 +23,7 @@ pub(crate) enum PlanKind {
     Table,
 }
 
-/// The word of the key `distribution`.
+/// The words that the key `distribution` may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FamilyKind {
     Law(LawFamily),

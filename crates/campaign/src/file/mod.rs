@@ -27,7 +27,7 @@ use fenderline_keys::typed_key::AnyKey;
 use fenderline_keys::{reader, syntax};
 use fenderline_scenario::{LoadError, read_text};
 
-/// Many runs of one scenario.
+/// A campaign: many runs of one scenario.
 ///
 /// ```
 /// use fenderline_campaign::{Campaign, Plan};
@@ -65,18 +65,18 @@ use fenderline_scenario::{LoadError, read_text};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Campaign {
-    /// Title of the campaign's page.
+    /// Title of the campaign, as its report shows it.
     pub title: String,
     /// The scenario's file, as the campaign's file names it.
     pub scenario: PathBuf,
     /// Changes of the scenario in all runs.
     pub changes: Vec<Change>,
-    /// How the values are chosen.
+    /// How the values of the variables are chosen.
     pub plan: Plan,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// What differs from run to run; in a full factorial the last variable changes fastest. A downtime campaign has no
-    /// variables until its weather is read.
+    /// The variables, whose values differ from run to run; in a full factorial the last variable changes fastest. A
+    /// downtime campaign has no variables until its weather is read.
     pub variables: Vec<Variable>,
     /// Correlations of variables with a distribution.
     pub correlations: Vec<Correlation>,
@@ -84,20 +84,20 @@ pub struct Campaign {
     pub outputs: Vec<String>,
     /// Outputs by expressions.
     pub expressions: Vec<Output>,
-    /// Output that is 1 if a run succeeds.
+    /// Name of the output that is 1 if a run succeeds.
     pub success: Option<String>,
-    /// Limits that the report compares outputs with.
+    /// Limits with which the report compares outputs.
     pub limits: Vec<Limit>,
-    /// When the campaign may end early.
+    /// The stop rule, by which the campaign may end early.
     pub stop: Option<Stop>,
-    /// What design values are for.
+    /// The events to which design values refer.
     pub design: Option<Design>,
-    /// Most time steps of a run.
+    /// Largest number of time steps of a run.
     pub most_steps: u64,
 }
 
 impl Campaign {
-    /// Reads a campaign's file. The files that it names lie beside it.
+    /// Reads a campaign's file. The files that the campaign's file names lie beside it.
     ///
     /// # Errors
     /// [`LoadError`].
@@ -134,10 +134,10 @@ impl Campaign {
     /// Reads the text of a campaign's file; `name` is for messages.
     ///
     /// # Errors
-    /// The first mistake: text that is not TOML, unknown keys and bad values, a variable without values or with two kinds
-    /// of them, a law without its parameters or without probability, two equal values, changes that are not KEY=VALUE, more than
-    /// [`MOST_CASES`] cases of a full factorial, a plan that does not go with the variables, correlations that do not go
-    /// together.
+    /// Reports the first mistake: text that is not TOML, an unknown key or a bad value, a variable without values or
+    /// with two kinds of values, a law without parameters or without probability, two equal values, a change that is
+    /// not KEY=VALUE, more than [`MOST_CASES`] cases of a full factorial, a plan that does not go with the variables,
+    /// or correlations that contradict each other.
     pub fn parse(text: &str, name: &str) -> Read<Campaign> {
         let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
@@ -184,7 +184,7 @@ impl Campaign {
         })
     }
 
-    /// The number of cases of a full factorial: the product of the numbers of values.
+    /// The number of cases of a full factorial: the product of the variables' numbers of values.
     #[must_use]
     pub fn cases(&self) -> usize {
         self.variables.iter().map(|variable| variable.choices().len().max(1)).product()

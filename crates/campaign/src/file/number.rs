@@ -1,9 +1,9 @@
-//! Numbers of a campaign with the unit that the user wrote: a campaign computes in that unit.
+//! Reads numbers of a campaign in the unit that the user wrote: a campaign computes in that unit.
 
 /// The number at the beginning of a text, and its unit.
 ///
 /// # Errors
-/// The reason why the text has no number.
+/// Gives the reason why the text does not begin with a number.
 pub(super) fn split(text: &str) -> Result<(f64, &str), String> {
     let text = text.trim();
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);

@@ -1,4 +1,5 @@
-//! How a campaign chooses its values, when it ends, what else it reports, and the events of design values.
+//! Reads from a campaign's file how values are chosen, when the campaign ends, what else is reported, and to which
+//! events design values refer.
 
 use std::path::PathBuf;
 
@@ -18,7 +19,7 @@ use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::suggest::nearest;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// How the values are chosen.
+/// The plan of a campaign: how the values of its variables are chosen.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Plan {
     /// Every combination.
@@ -38,12 +39,12 @@ pub enum Plan {
         /// Number of runs.
         number: u64,
     },
-    /// The rows of a file.
+    /// The rows of a table file give the values, one row for each run.
     Table {
-        /// The file, CSV or Parquet.
+        /// The table file, CSV or Parquet.
         file: PathBuf,
     },
-    /// The states of a weather, and some of its hours.
+    /// The runs are the states of a weather, and some of its single hours.
     Downtime(Downtime),
 }
 
@@ -64,29 +65,30 @@ impl Plan {
     }
 }
 
-/// The most runs of a Sobol sequence: the length that the library's numbers have.
+/// Largest number of runs of a Sobol sequence: the library's sequence is so long.
 const MOST_OF_SOBOL: u64 = 1 << 16;
 
-/// The most runs times variables of a Latin hypercube: the order of each variable's parts is held, in 0.4 GB at most.
+/// Largest product of runs and variables of a Latin hypercube: the order of each variable's parts is held in memory, in
+/// 0.4 GB at most.
 const MOST_OF_HYPERCUBE: u64 = 100_000_000;
 
 /// A correlation of two variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
-    /// The indices of the variables, the lower first.
+    /// The indices of the two correlated variables, the lower index first.
     pub variables: [usize; 2],
-    /// Correlation of their normal scores.
+    /// Correlation of the normal scores of the two variables.
     pub coefficient: f64,
 }
 
-/// An output by an expression.
+/// An output that is computed by the user's expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Output {
     /// Name of the output.
     pub name: String,
     /// The formula.
     pub expression: String,
-    /// Unit of the output; empty for none.
+    /// Unit of the output; empty if it has none.
     pub unit: String,
 }
 
@@ -97,11 +99,11 @@ pub struct Limit {
     pub name: String,
     /// Column of the output.
     pub output: String,
-    /// Number and unit, as the file has them.
+    /// Number and unit of the limit, as the file has them.
     pub text: String,
 }
 
-/// When a campaign may end early.
+/// A stop rule: when a campaign may end early.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
     /// Column of the output.
@@ -110,7 +112,7 @@ pub struct Stop {
     pub statistic: Statistic,
     /// Probability of the quantile; 1/2 for the mean, which has no probability.
     pub probability: f64,
-    /// Half the width of the confidence interval over the estimate.
+    /// Half the width of the confidence interval as a share of the estimate, at which the campaign ends.
     pub half_width: f64,
     /// Probability of the confidence interval.
     pub confidence: f64,
@@ -118,10 +120,10 @@ pub struct Stop {
     pub every: u64,
 }
 
-/// What design values are for.
+/// The events to which design values refer, and how rare the values are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Number of events in a year.
+    /// Number of events (such as berthings) in a year.
     pub per_year: f64,
     /// Return periods (years).
     pub return_periods_years: Vec<f64>,
@@ -129,7 +131,7 @@ pub struct Design {
     pub life_years: f64,
 }
 
-/// The kind of plan that the file names or means.
+/// The kind of plan that the campaign's file names, or that its keys imply.
 pub(super) fn kind(file: Of<'_, CampaignFileKey>) -> PlanKind {
     match file.item(CampaignFileKey::PLAN) {
         Some(item) => item.choice(),
@@ -146,7 +148,7 @@ pub(super) fn kind(file: Of<'_, CampaignFileKey>) -> PlanKind {
     }
 }
 
-/// The plan, with the keys that belong to the plan.
+/// Reads the plan with the keys that belong to it.
 pub(super) fn read(
     sources: &Sources<'_>,
     file: Of<'_, CampaignFileKey>,
@@ -155,12 +157,12 @@ pub(super) fn read(
 ) -> Read<Plan> {
     let refused = |key: AnyKey<CampaignFileKey>, message: String| {
         let item = file.given(key);
-        Err(sources.error(&item.span, key.name(), format!("`{key}` {message}")))
+        Err(sources.error(&item.span, key.name(), message))
     };
     if kind != PlanKind::Table && file.item(CampaignFileKey::TABLE).is_some() {
         return refused(
             CampaignFileKey::TABLE.any(),
-            "goes with `plan = \"table\"` alone".to_owned(),
+            "`table` goes with `plan = \"table\"` alone".to_owned(),
         );
     }
     let number = || match file.item(CampaignFileKey::NUMBER) {
@@ -176,7 +178,7 @@ pub(super) fn read(
             let error = sources.error(
                 span,
                 CampaignFileKey::NUMBER.name(),
-                "`number` is missing: how many runs are to be made".to_owned(),
+                "`number` is missing: it says how many runs are to be made".to_owned(),
             );
             Err(error.with_help("write number = 1000 above the first table"))
         }
@@ -186,7 +188,7 @@ pub(super) fn read(
     {
         return refused(
             CampaignFileKey::NUMBER.any(),
-            "goes with a random plan: in this plan the values determine the number of runs"
+            "`number` goes with a random plan: in this plan the values determine the number of runs"
                 .to_owned(),
         );
     }
@@ -213,8 +215,8 @@ pub(super) fn read(
             if number > MOST_OF_HYPERCUBE / count {
                 let most = MOST_OF_HYPERCUBE / count;
                 let message = format!(
-                    "of a Latin hypercube of {count} variables is at most {most}, because the \
-                     order of their parts is held in memory, but is {number}; a \"Monte Carlo\" \
+                    "`number` is {number}, but a Latin hypercube of {count} variables has at most {most} \
+                     runs, because the order of its parts is held in memory; a \"Monte Carlo\" \
                      plan has no such bound"
                 );
                 return refused(CampaignFileKey::NUMBER.any(), message);
@@ -226,7 +228,10 @@ pub(super) fn read(
             if number > MOST_OF_SOBOL {
                 return refused(
                     CampaignFileKey::NUMBER.any(),
-                    format!("of a Sobol sequence is at most {MOST_OF_SOBOL}"),
+                    format!(
+                        "`number` is {number}, but a Sobol sequence has at most {MOST_OF_SOBOL} \
+                         runs"
+                    ),
                 );
             }
             Ok(Plan::Sobol { number })
@@ -239,14 +244,15 @@ pub(super) fn read(
                 Err(sources.error(
                     span,
                     CampaignFileKey::TABLE.name(),
-                    "`table` is missing: the file with a row for each run".to_owned(),
+                    "`table` is missing: it names the file with a row for each run".to_owned(),
                 ))
             }
         },
     }
 }
 
-/// The correlations: of two variables each, once for each pair, of variables with a law or measured values.
+/// Reads the correlations. Each is between two variables with a law or measured values, and is given once for each
+/// pair.
 pub(super) fn correlations(
     sources: &Sources<'_>,
     file: Of<'_, CampaignFileKey>,
@@ -256,10 +262,9 @@ pub(super) fn correlations(
     for table in file.given(CampaignFileKey::CORRELATION).list() {
         let item = table.given(CorrelationKey::VARIABLES);
         let path = table.path_of(CorrelationKey::VARIABLES);
-        let refused =
-            |message: String| Err(sources.error(&item.span, &path, format!("`{path}` {message}")));
+        let refused = |message: String| Err(sources.error(&item.span, &path, message));
         let [one, other] = item.texts() else {
-            return refused("must be two names of variables".to_owned());
+            return refused(format!("`{path}` must be two names of variables"));
         };
         let mut found = [0; 2];
         for (place, name) in found.iter_mut().zip([one, other]) {
@@ -267,19 +272,25 @@ pub(super) fn correlations(
                 let names = variables.iter().map(|variable| variable.name.as_str());
                 let near = nearest(name, names)
                     .map_or(String::new(), |near| format!(": did you mean {}?", quoted(near)));
-                return refused(format!("has {}, which is not a variable{near}", quoted(name)));
+                return refused(format!(
+                    "`{path}` has {}, which is not a variable{near}",
+                    quoted(name)
+                ));
             };
             if !matches!(variables[index].draw, Draw::Law(..) | Draw::Measured { .. }) {
-                return refused(format!("has {}, which has no distribution", quoted(name)));
+                return refused(format!(
+                    "`{path}` has {}, which has no distribution",
+                    quoted(name)
+                ));
             }
             *place = index;
         }
         found.sort_unstable();
         if found[0] == found[1] {
-            return refused("has one variable twice".to_owned());
+            return refused(format!("`{path}` has one variable twice"));
         }
         if all.iter().any(|known| known.variables == found) {
-            return refused("has a correlation already".to_owned());
+            return refused(format!("`{path}` has a correlation already"));
         }
         all.push(Correlation {
             variables: found,
@@ -289,7 +300,7 @@ pub(super) fn correlations(
     Ok(all)
 }
 
-/// Outputs by expressions. Their names are not those of variables.
+/// Reads the outputs by expressions; their names must not be those of variables.
 pub(super) fn outputs(
     sources: &Sources<'_>,
     file: Of<'_, CampaignFileKey>,
@@ -366,7 +377,7 @@ pub(super) fn stop(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read
     }))
 }
 
-/// What design values are for.
+/// Reads to which events the design values refer.
 pub(super) fn design(sources: &Sources<'_>, file: Of<'_, CampaignFileKey>) -> Read<Option<Design>> {
     let Some(item) = file.item(CampaignFileKey::DESIGN) else { return Ok(None) };
     let table = item.table();

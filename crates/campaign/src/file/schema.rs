@@ -1,4 +1,4 @@
-//! The JSON Schema of campaign files, made from the same key table as the reader.
+//! The JSON Schema of campaign files, made from the same key table as the reader of these files.
 
 use fenderline_keys::schema::whole_file;
 use serde_json::Value as Json;

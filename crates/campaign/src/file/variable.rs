@@ -17,25 +17,25 @@ use fenderline_keys::overrides::Override;
 use fenderline_keys::sources::{Sources, Span, quoted};
 use fenderline_keys::typed_key::{AnyKey, Anything, Key};
 
-/// What differs from run to run.
+/// A variable of a campaign: what differs from run to run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
     /// Name of the variable.
     pub name: String,
     /// Source of the variable's values, in words.
     pub source: Option<String>,
-    /// How the variable gets its value.
+    /// How the variable gets its value in each run.
     pub draw: Draw,
 }
 
-/// How a variable gets its value in a run.
+/// The way in which a variable gets its value in a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Draw {
-    /// One of several choices; at least one.
+    /// The value is one of several choices; there is at least one choice.
     Choices(Vec<Choice>),
-    /// A number by a law.
+    /// The value is a number drawn from a probability law.
     Law(Law, Target),
-    /// One of the measured values of a file.
+    /// The value is one of the measured values of a file.
     Measured {
         /// The file.
         file: PathBuf,
@@ -44,14 +44,14 @@ pub enum Draw {
         /// Where the value goes.
         target: Target,
     },
-    /// A formula of other variables.
+    /// The value is computed by a formula of other variables.
     Expression {
         /// Its text.
         text: String,
         /// Where the value goes.
         target: Target,
     },
-    /// The value of a column of the campaign's table.
+    /// The value stands in a column of the campaign's table.
     Column {
         /// Name of the column.
         column: String,
@@ -60,30 +60,31 @@ pub enum Draw {
     },
 }
 
-/// Where the numbers of a variable go.
+/// The scenario keys that get the numbers of a variable.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Target {
-    /// Keys of the scenario; none for a variable that only others use.
+    /// Keys of the scenario that get the number; none for a variable that only the formulas of other variables use.
     pub keys: Vec<String>,
     /// Unit of the numbers; empty for SI, and for plain numbers.
     pub unit: String,
     /// Whether an empty unit in the file says that the numbers are plain.
     pub is_plain: bool,
-    /// Where the campaign's file has keys and law, for errors.
+    /// Places of the keys and the law in the campaign's file, for error messages.
     pub origins: TargetOrigins,
 }
 
-/// Places in the campaign's file of a variable's keys, and of its values.
+/// Places of a variable's keys and of its values in the campaign's file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TargetOrigins {
     /// Of each key.
     pub keys: Vec<Origin>,
-    /// Place of the distribution, the expression or the column; `None` only if the campaign was not read from a file.
+    /// Place of the distribution, the expression or the column in the campaign's file; `None` only if the campaign was
+    /// not read from a file.
     pub values: Option<Origin>,
 }
 
 impl Target {
-    /// The value of the keys for a number, written as for `--set`.
+    /// The text of a number for the variable's keys, written as for `--set`.
     #[must_use]
     pub fn value(&self, number: f64) -> String {
         match self.unit.as_str() {
@@ -93,12 +94,12 @@ impl Target {
     }
 }
 
-/// A value of a variable.
+/// A choice: one of the values of a variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// The value or the name, as written in the file.
+    /// The value or the name of the choice, as written in the file.
     pub label: String,
-    /// The keys that the choice sets.
+    /// The changes of the scenario that the choice makes.
     pub changes: Vec<Change>,
     /// Weight of the choice in a random plan; not negative.
     pub weight: f64,
@@ -107,7 +108,7 @@ pub struct Choice {
 /// A change of a scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// KEY=VALUE, written as for `--set`.
+    /// The change as text KEY=VALUE, written as for `--set`.
     pub text: String,
     /// The same, read.
     pub set: Override,
@@ -123,8 +124,8 @@ impl Variable {
         }
     }
 
-    /// The numbers of the choices' labels and their unit, as of "9 m" and "12 m"; `None` if a label is no number, if
-    /// units differ, and without choices.
+    /// The numbers of the choices' labels and their unit, as in "9 m" and "12 m"; `None` if a label is no number, if
+    /// the units differ, or if there are no choices.
     #[must_use]
     pub fn numbers(&self) -> Option<(Vec<f64>, &str)> {
         let parts = self.choices().iter().map(|choice| number::split(&choice.label).ok());
@@ -135,20 +136,20 @@ impl Variable {
     }
 }
 
-/// A parameter of a law.
+/// A parameter of a probability law.
 type Parameter = Key<VariableKey, Text>;
 
 /// Parameters without a unit.
 const PLAIN: [Parameter; 3] =
     [VariableKey::SHAPE, VariableKey::LOG_MEAN, VariableKey::LOG_STANDARD_DEVIATION];
 
-/// Keys that only a law has.
+/// Keys that only a variable with a probability law has.
 const OF_LAWS: &[AnyKey<VariableKey>] = any_keys![
     VariableKey: MEAN, STANDARD_DEVIATION, LOG_MEAN, LOG_STANDARD_DEVIATION, LOCATION, SCALE,
     SHAPE, LOWER, MODE, UPPER, AT_LEAST, AT_MOST, QUANTILES
 ];
 
-/// The variable of a table.
+/// Reads the variable of a table `[variable.NAME]`.
 pub(super) fn read(
     sources: &Sources<'_>,
     name: &str,
@@ -174,14 +175,15 @@ impl Reader<'_, '_> {
         let ways: Vec<Entry<'_, Anything>> = ways.iter().filter_map(given).collect();
         if let [_, second, ..] = ways[..] {
             let names = ways.iter().map(|item| format!("`{}`", item.name)).collect::<Vec<_>>();
-            return self.refused(
-                second,
-                format!("does not go together: the variable has {}", names.join(" and ")),
-            );
+            return self.refused(second, |path| {
+                format!("`{path}` does not go together: the variable has {}", names.join(" and "))
+            });
         }
         let of_law = OF_LAWS.iter().find_map(given);
         if let (Some(item), None) = (of_law, self.given(VariableKey::DISTRIBUTION)) {
-            return self.refused(item, "belongs to a `distribution`, which is missing".to_owned());
+            return self.refused(item, |path| {
+                format!("`{path}` belongs to a `distribution`, which is missing")
+            });
         }
         match ways.first() {
             Some(item) if item.is(VariableKey::VALUES) => self.values().map(Draw::Choices),
@@ -204,14 +206,14 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// A key that the file gives.
+    /// A key of the variable, if the file gives it.
     fn given<V>(&self, key: Key<VariableKey, V>) -> Option<Entry<'_, V>> {
         self.table.item(key).filter(|item| !item.is_default)
     }
 
-    fn refused<T, V>(&self, item: Entry<'_, V>, message: String) -> Read<T> {
+    fn refused<T, V>(&self, item: Entry<'_, V>, message: impl FnOnce(&str) -> String) -> Read<T> {
         let path = self.table.path_to(item);
-        Err(self.sources.error(&item.span, &path, format!("`{path}` {message}")))
+        Err(self.sources.error(&item.span, &path, message(&path)))
     }
 
     fn missing<T>(&self) -> Read<T> {
@@ -230,7 +232,7 @@ impl Reader<'_, '_> {
         let several = self.table.given(VariableKey::KEYS);
         match self.table.item(VariableKey::KEY) {
             Some(_) if !several.texts().is_empty() => {
-                self.refused(several, "does not go together with `key`".to_owned())
+                self.refused(several, |path| format!("`{path}` does not go together with `key`"))
             }
             Some(key) => Ok(vec![(key.text().to_owned(), self.sources.origin(&key.span))]),
             None => {
@@ -239,7 +241,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// Keys and unit; `found` is the unit of the numbers that were read, `values` the place of the values.
+    /// The keys that a variable sets and their unit; `found` is the unit of the numbers that were read, `values` is the
+    /// place of the values in the file.
     fn target(&self, found: Option<String>, values: &Span) -> Read<Target> {
         let (keys, key_origins): (Vec<String>, Vec<Origin>) = self.keys()?.into_iter().unzip();
         let values = self.sources.origin(values);
@@ -250,10 +253,12 @@ impl Reader<'_, '_> {
         if let (Some(item), Some(found)) = (own, &found)
             && item.text() != found
         {
-            return self.refused(
-                item,
-                format!("is {}, but a number of the law is in {found}", quoted(item.text())),
-            );
+            return self.refused(item, |path| {
+                format!(
+                    "`{path}` is {}, but a number of the law is in {found}",
+                    quoted(item.text())
+                )
+            });
         }
         let is_plain = own.is_some_and(|item| item.text().is_empty());
         let unit = own.map(|item| item.text().to_owned()).or(found).unwrap_or_default();
@@ -268,24 +273,24 @@ impl Reader<'_, '_> {
             return self.missing();
         }
         if let Some(unit) = self.table.item(VariableKey::UNIT) {
-            return self.refused(
-                unit,
-                "does not go together with `values`, which have units themselves".to_owned(),
-            );
+            return self.refused(unit, |path| {
+                format!("`{path}` does not go together with `values`, which have units themselves")
+            });
         }
         let weights = match self.given(VariableKey::WEIGHTS) {
             None => vec![1.0; values.texts().len()],
             Some(item) if item.texts().len() != values.texts().len() => {
                 let (own, wanted) = (item.texts().len(), values.texts().len());
-                return self.refused(item, format!("has {own} numbers for {wanted} values"));
+                return self.refused(item, |path| {
+                    format!("`{path}` has {own} numbers for {wanted} values")
+                });
             }
             Some(item) => {
                 let one = |text: &String| match text.parse::<f64>() {
                     Ok(weight) if weight >= 0.0 && weight.is_finite() => Ok(weight),
-                    _ => self.refused(
-                        item,
-                        format!("has {}, which is not a number from 0", quoted(text)),
-                    ),
+                    _ => self.refused(item, |path| {
+                        format!("`{path}` has {}, which is not a number from 0", quoted(text))
+                    }),
                 };
                 item.texts().iter().map(one).collect::<Read<Vec<f64>>>()?
             }
@@ -307,7 +312,8 @@ impl Reader<'_, '_> {
     fn several(&self) -> Read<Vec<Choice>> {
         let keys = any_keys![VariableKey: KEY, KEYS];
         if let Some(item) = keys.iter().find_map(|key| self.given(*key)) {
-            return self.refused(item, "does not go together with `choice`".to_owned());
+            return self
+                .refused(item, |path| format!("`{path}` does not go together with `choice`"));
         }
         let item = self.table.given(VariableKey::CHOICE);
         let one = |(label, choice): (&String, Of<'_, _>)| {
@@ -329,15 +335,18 @@ impl Reader<'_, '_> {
     /// Checks that the choices differ, and that at least one choice can be drawn.
     fn checked<V>(&self, choices: Vec<Choice>, item: Entry<'_, V>) -> Read<Vec<Choice>> {
         if choices.is_empty() {
-            return self.refused(item, "is empty".to_owned());
+            return self.refused(item, |path| format!("`{path}` is empty"));
         }
         for (index, choice) in choices.iter().enumerate() {
             if choices[..index].iter().any(|other| other.label == choice.label) {
-                return self.refused(item, format!("has {} twice", quoted(&choice.label)));
+                return self
+                    .refused(item, |path| format!("`{path}` has {} twice", quoted(&choice.label)));
             }
         }
         if !choices.iter().any(|choice| choice.weight > 0.0) {
-            return self.refused(item, "has no weight above 0: nothing can be drawn".to_owned());
+            return self.refused(item, |path| {
+                format!("`{path}` has no weight above 0: nothing can be drawn")
+            });
         }
         Ok(choices)
     }
@@ -345,25 +354,24 @@ impl Reader<'_, '_> {
     fn distribution(&self, plan: PlanKind) -> Read<Draw> {
         let item = self.table.given(VariableKey::DISTRIBUTION);
         if matches!(plan, PlanKind::FullFactorial | PlanKind::Table) {
-            return self.refused(
-                item,
-                "goes with a random plan: \"Monte Carlo\", \"Latin hypercube\" or \"Sobol\""
-                    .to_owned(),
-            );
+            return self.refused(item, |path| {
+                format!(
+                    "`{path}` goes with a random plan: \"Monte Carlo\", \"Latin hypercube\" or \
+                     \"Sobol\""
+                )
+            });
         }
         match item.choice() {
             FamilyKind::Empirical => {
                 if let Some(item) = OF_LAWS.iter().find_map(|key| self.given(*key)) {
-                    return self.refused(
-                        item,
-                        "does not go with an \"empirical\" distribution".to_owned(),
-                    );
+                    return self.refused(item, |path| {
+                        format!("`{path}` does not go with an \"empirical\" distribution")
+                    });
                 }
                 let Some(file) = self.table.item(VariableKey::FILE) else {
-                    return self.refused(
-                        item,
-                        "\"empirical\" needs a `file` of measured values".to_owned(),
-                    );
+                    return self.refused(item, |path| {
+                        format!("`{path}` \"empirical\" needs a `file` of measured values")
+                    });
                 };
                 let column =
                     self.table.item(VariableKey::COLUMN).map_or(self.name, Entry::text).to_owned();
@@ -375,8 +383,9 @@ impl Reader<'_, '_> {
             }
             FamilyKind::Law(family) => {
                 if let Some(file) = self.table.item(VariableKey::FILE) {
-                    return self
-                        .refused(file, "goes with an \"empirical\" distribution alone".to_owned());
+                    return self.refused(file, |path| {
+                        format!("`{path}` goes with an \"empirical\" distribution alone")
+                    });
                 }
                 let mut numbers = Numbers { reader: self, unit: None };
                 let law = numbers.law(item, family)?;
@@ -387,28 +396,31 @@ impl Reader<'_, '_> {
     }
 }
 
-/// The parameters of a law, and their common unit.
+/// Reads the parameters of a law, which have a common unit.
 struct Numbers<'n, 'r, 's> {
     reader: &'n Reader<'r, 's>,
     unit: Option<String>,
 }
 
 impl Numbers<'_, '_, '_> {
-    /// A parameter in the variable's unit.
+    /// Reads a parameter of the law in the variable's unit.
     fn measured(&mut self, item: Entry<'_, Text>) -> Read<f64> {
         let (value, unit) = match number::split(item.text()) {
             Ok(split) => split,
             Err(why) => {
-                return self.reader.refused(item, format!("must be a number with its unit: {why}"));
+                return self.reader.refused(item, |path| {
+                    format!("`{path}` must be a number with its unit: {why}")
+                });
             }
         };
         match &self.unit {
             Some(first) if first != unit => {
                 let (first, unit) = (quoted(first), quoted(unit));
-                self.reader.refused(
-                    item,
-                    format!("is in {unit}, another parameter in {first}: write one unit"),
-                )
+                self.reader.refused(item, |path| {
+                    format!(
+                        "`{path}` is in {unit}, but another parameter is in {first}: write one unit"
+                    )
+                })
             }
             _ => {
                 self.unit = Some(unit.to_owned());
@@ -417,11 +429,13 @@ impl Numbers<'_, '_, '_> {
         }
     }
 
-    /// A parameter without a unit.
+    /// Reads a parameter of the law that has no unit.
     fn plain(&self, item: Entry<'_, Text>) -> Read<f64> {
         match number::split(item.text()) {
             Ok((value, "")) => Ok(value),
-            _ => self.reader.refused(item, "must be a number without a unit".to_owned()),
+            _ => self
+                .reader
+                .refused(item, |path| format!("`{path}` must be a number without a unit")),
         }
     }
 
@@ -487,7 +501,7 @@ impl Numbers<'_, '_, '_> {
                         family.word(),
                         ways.join(", or ")
                     );
-                    return self.reader.refused(item, message);
+                    return self.reader.refused(item, |path| format!("`{path}` {message}"));
                 };
                 Some(*way)
             }
@@ -497,7 +511,9 @@ impl Numbers<'_, '_, '_> {
                 let quantiles = table.given(VariableKey::QUANTILES);
                 let each: Vec<_> = quantiles.list().iter().collect();
                 let [one, other] = each[..] else {
-                    return self.reader.refused(quantiles, "must be two".to_owned());
+                    return self
+                        .reader
+                        .refused(quantiles, |path| format!("`{path}` must be two quantiles"));
                 };
                 let mut read = |table: Of<'_, QuantileKey>| -> Read<(f64, f64)> {
                     Ok((
@@ -547,7 +563,7 @@ impl Numbers<'_, '_, '_> {
     }
 }
 
-/// The changes of a list of KEY=VALUE.
+/// Reads the changes of a list of texts KEY=VALUE.
 pub(super) fn changes(
     sources: &Sources<'_>,
     path: &str,
@@ -570,7 +586,7 @@ pub(super) fn changes(
     item.texts().iter().zip(origins(sources, item)).map(one).collect()
 }
 
-/// Where each text of a list is.
+/// The places of the texts of a list in the file.
 fn origins(sources: &Sources<'_>, item: Entry<'_, Texts>) -> Vec<Origin> {
     let whole = || vec![sources.origin(&item.span); item.texts().len()];
     if item.is_default {

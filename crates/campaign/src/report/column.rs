@@ -15,10 +15,10 @@ use crate::statistics::design::{Asked, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::table::Head;
 
-/// Fits are drawn up to this many times the largest value.
+/// The chart draws fitted laws up to this multiple of the largest value.
 const REACH: f64 = 2.0;
 
-/// Points of a fitted line.
+/// Number of points of the line of a fitted law.
 const LINE: u32 = 120;
 
 /// The page of one column of a table; `source` is the name of the file for the reader, `missing` the number of
@@ -44,11 +44,11 @@ pub fn column_page(
     page(&title, &body)
 }
 
-/// What stays the user's.
+/// Sentence that says which assumptions are the user's own.
 pub(super) const USERS_OWN: &str = "Return periods, percentiles and partial factors were given by \
     the user; the designer must judge whether they meet a guideline.";
 
-/// Number of values, mean, deviation.
+/// Sentence with the number of values, their mean and their standard deviation.
 pub(super) fn counts(head: &Head, missing: usize, findings: &Findings) -> String {
     let (sample, moments) = (&findings.sample, &findings.moments);
     let unit = if head.unit.is_empty() { String::new() } else { format!(" {}", head.unit) };
@@ -66,7 +66,7 @@ pub(super) fn counts(head: &Head, missing: usize, findings: &Findings) -> String
     )
 }
 
-/// Chart, design values and fits of a column.
+/// The sections of a column: chart, design values and fits.
 pub(super) fn sections(
     head: &Head,
     findings: &Findings,
@@ -90,7 +90,8 @@ pub(super) fn sections(
     }
 }
 
-/// Exceedance with its band, fits drawn through, to the rarest level of the design values.
+/// The chart of the exceedance curve with its band and the fitted laws, down to the probability of the rarest design
+/// value.
 fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> Chart {
     let curve = &findings.curve;
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
@@ -140,7 +141,8 @@ pub(super) fn words_of(head: &Head) -> String {
     head.name.replace('_', " ")
 }
 
-/// A fit as a line down to the rarest probability; a fit over a threshold begins at the threshold.
+/// The line of a fitted law, down to the rarest probability; the line of a fit over a threshold begins at the
+/// threshold.
 fn line(fit: &Fit, findings: &Findings, rarest: f64) -> Vec<Point> {
     let most = fit.distribution.threshold().map_or(0.999, |(_, share)| 0.9999 * share);
     let ratio = rarest / most;
@@ -156,7 +158,7 @@ fn line(fit: &Fit, findings: &Findings, rarest: f64) -> Vec<Point> {
         .collect()
 }
 
-/// Design values: a row a source, a column a rarity.
+/// The table of design values: a row for the data and for each law, a column for each return period or probability.
 fn design(findings: &Findings, asked: &Asked) -> Markup {
     let rows = &findings.rows;
     let heads: Vec<(String, String)> =
@@ -190,27 +192,33 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
         p class="note" {
             @match asked.traffic {
                 Some(traffic) => {
-                    "For " (plain(traffic.per_year(), 6)) " berthings a year, independent and with \
-                        the same distribution. "
+                    (format!(
+                        "For {} berthings a year, which are independent and have the same \
+                         distribution. ",
+                        plain(traffic.per_year(), 6),
+                    ))
                     @if rows.iter().any(|row| matches!(row.rarity, Rarity::Period(_))) {
                         "A value of T years is exceeded in a year with a chance of 1/T. "
                     }
                     @if rows.iter().any(|row| matches!(row.rarity, Rarity::Life { .. })) {
                         "“10 % in 50 years”: the largest berthing of 50 years exceeds it with a chance of 10 %. "
                     }
-                    "Below each level: the probability of one berthing. "
+                    "Below each level stands the probability of one berthing. "
                 }
                 None => "The number of berthings a year is not given, so the levels refer to one \
                     berthing. ",
             }
-            "Below each value the " (per_cent) " % band: of the data by order statistics, of a fit \
-                by the delta method. The band of a fit holds if the values follow its law."
+            (format!(
+                "Below each value stands its {per_cent} % band: that of the data by order \
+                 statistics, that of a fit by the delta method. The band of a fit holds if the \
+                 values follow the law of the fit."
+            ))
             @if rows.iter().any(|row| words::by_data(&row.by_data).contains('?')) { " A question mark: the data do not reach there." }
         }
     }
 }
 
-/// What must be known before a design value is used.
+/// The list of warnings to read before a design value is used.
 fn remarks(findings: &Findings) -> Markup {
     let all = words::remarks(findings);
     html! {
@@ -221,7 +229,7 @@ fn remarks(findings: &Findings) -> Markup {
     }
 }
 
-/// A value with its band in small letters below it.
+/// A table cell with a value, and with its band in small letters below the value.
 fn cell(text: &str) -> Markup {
     let (value, band) = text.split_once(" (").unwrap_or((text, ""));
     html! {
@@ -229,7 +237,7 @@ fn cell(text: &str) -> Markup {
     }
 }
 
-/// The fits side by side, the best first.
+/// The table of the fitted laws, the best law first.
 fn fits(findings: &Findings) -> Markup {
     let tail_head =
         findings.tail.map(|tail| format!("of {} above {}", tail.count, words::number(tail.above)));
@@ -276,7 +284,7 @@ fn fits(findings: &Findings) -> Markup {
     }
 }
 
-/// What follows the law's name, with a capital.
+/// The reason why a law was not fitted: what follows the law's name in an error, with a capital letter.
 fn reason(text: &str) -> String {
     let why = text.split_once(": ").map_or(text, |(_, why)| why);
     let mut letters = why.chars();
@@ -285,7 +293,7 @@ fn reason(text: &str) -> String {
     })
 }
 
-/// How numbers were computed, for the end of a page.
+/// The list at the end of a page that says how the numbers were computed.
 pub(super) fn methods(asked: &Asked) -> Markup {
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
     html! {

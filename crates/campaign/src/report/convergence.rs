@@ -1,4 +1,4 @@
-//! How the results settled with the number of runs.
+//! The section of a report that shows how the estimates settled as the number of runs grew.
 
 use fenderline_report::plot::{Axis, Chart, Point, Series, plain};
 use maud::{Markup, html};
@@ -7,13 +7,13 @@ use super::{Output, column};
 use crate::statistics::convergence::{Step, steps};
 use crate::statistics::design::Asked;
 
-/// Numbers of runs at which an estimate is made.
+/// Largest number of points of the chart: so many numbers of runs get an estimate.
 const STEPS: usize = 40;
 
-/// The probability of the quantile in the chart.
+/// Probability with which a run exceeds the quantile that the chart shows.
 const P: f64 = 0.01;
 
-/// Fewest runs of a section.
+/// Smallest number of runs for which the section is shown.
 const FEWEST: usize = 50;
 
 /// A chart for each output.
@@ -29,7 +29,7 @@ pub(super) fn section(outputs: &[Output<'_>], asked: &Asked) -> Markup {
     }
 }
 
-/// Mean and the value that one run of a hundred exceeds, with their bands.
+/// The chart of an output's mean, and of the value that one run of a hundred exceeds, with their bands.
 fn chart(output: &Output<'_>, asked: &Asked) -> Option<Chart> {
     if output.findings.as_ref().ok()?.sample.is_weighted() {
         return None;

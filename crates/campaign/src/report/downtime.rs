@@ -1,4 +1,4 @@
-//! The report of a downtime: hours lost by reason, month and direction, and the error of the states.
+//! The report of a downtime analysis: lost hours by reason, month and direction, and the error of the states.
 
 use fenderline_report::plot::{Stacked, counted, fixed, page, significant};
 use fenderline_report::{Head, table_head};
@@ -14,34 +14,34 @@ use crate::table::{Table, TableError};
 /// Largest number of listed states.
 const LISTED: usize = 25;
 
-/// What the report of a downtime is about.
+/// The contents of the report of a downtime analysis.
 pub struct DowntimeReport<'a> {
     /// Title of the campaign.
     pub title: &'a str,
-    /// Name of the scenario for the reader.
+    /// Name of the scenario, as the report shows it.
     pub scenario: &'a str,
     /// Duration of each run (s).
     pub duration_s: f64,
     /// Weather, states and sample.
     pub plan: &'a DowntimePlan,
-    /// What was counted.
+    /// The counted hours.
     pub counted: &'a DowntimeTable,
     /// The limits: name, and the limited quantity with its value, in words.
     pub limits: &'a [(String, String)],
-    /// The table, a row a run.
+    /// The campaign's table, with a row for each run.
     pub table: &'a Table,
     /// Notices of the scenario.
     pub notices: &'a [String],
-    /// Seed of the phases and of the sample.
+    /// Seed of the random phases and of the sample.
     pub seed: u64,
-    /// The command that runs a row (from 0) again, with its report.
+    /// Gives the command that makes the run of a row (counted from 0) again, with its report.
     pub replay: &'a dyn Fn(usize) -> String,
 }
 
-/// The report of a downtime as a page.
+/// Writes the report of a downtime analysis as a page.
 ///
 /// # Errors
-/// The table cannot be read.
+/// Fails if the table cannot be read.
 pub fn downtime_page(of: &DowntimeReport<'_>) -> Result<String, TableError> {
     let body = html! {
         p class="kicker" { "fenderline campaign" }
@@ -97,20 +97,30 @@ fn headline(of: &DowntimeReport<'_>) -> Markup {
     html! {
         p { strong { (hours(all.lost)) " h of " (hours(all.hours - all.not_run)) " h are lost: " (percent(share)) " %" }
             @if let Some(share) = share {
-                ", or " (hours(share * HOURS_OF_A_YEAR)) " h in a year of 8760 h"
+                (format!(", or {} h in a year of 8760 h", hours(share * HOURS_OF_A_YEAR)))
             }
             "."
         }
         @if let Some((check, own)) = of.counted.check.as_ref().and_then(|check| Some((check, check.disagree.as_ref()?))) {
-            p { "Of " (counted(check.compared as u64, "hour", "hours")) " drawn at random and each \
-                run with its own weather, "
-                (check.as_it_is_alone + check.by_state_alone) " do not agree with their state: " (band(own)) "; " (check.as_it_is_alone)
-                " would be lost more, " (check.by_state_alone) " fewer." }
+            p {
+                (format!(
+                    "Of {} drawn at random and each run with its own weather, {} do not agree with \
+                     their state ({}): with their own weather {} more hours would be lost, and {} \
+                     other hours would not be lost.",
+                    counted(check.compared as u64, "hour", "hours"),
+                    check.as_it_is_alone + check.by_state_alone,
+                    band(own),
+                    check.as_it_is_alone,
+                    check.by_state_alone,
+                ))
+            }
         }
         @if all.not_run > 0.0 {
-            p { strong class="over" { (hours(all.not_run)) " h could not be run" }
-                " and are not counted in any share: the column `error` of the table has the \
-                 reasons." }
+            p {
+                strong class="over" { (format!("{} h could not be run", hours(all.not_run))) }
+                ". These hours are not counted in any share. The column `error` of the table has \
+                 the reasons."
+            }
         }
     }
 }
@@ -146,7 +156,7 @@ fn reasons(of: &DowntimeReport<'_>) -> Markup {
     }
 }
 
-/// Charts and table by month or direction.
+/// The charts and the table of lost hours by month or direction.
 fn group_section(of: &DowntimeReport<'_>, group: &Group) -> Markup {
     let is_direction = group.name.ends_with("direction");
     let own: Vec<usize> = (0..of.counted.reasons.len())
@@ -199,26 +209,45 @@ fn check(of: &DowntimeReport<'_>) -> Markup {
         };
     };
     html! {
-        p { (counted(check.compared as u64, "hour", "hours")) " drawn at random by seed " (of.seed) " \
-            were run singly, each with its own weather and its own phases of waves and gusts, and \
-            compared with their states."
+        p {
+            (format!(
+                "{} drawn at random by seed {} were run singly, each with its own weather and its \
+                 own phases of waves and gusts, and compared with their states.",
+                counted(check.compared as u64, "hour", "hours"),
+                of.seed,
+            ))
             @if check.compared < check.drawn {
-                " " (counted((check.drawn - check.compared) as u64, "further hour", "further hours")) " could not be compared: a run was not made."
+                (format!(
+                    " {} could not be compared: a run was not made.",
+                    counted((check.drawn - check.compared) as u64, "further hour", "further hours"),
+                ))
             }
         }
         (check_table(check))
         ul class="plain" {
             @if let Some(own) = &check.disagree {
-                li { (band(own)) " of the hours do not agree with their state (Wilson's interval, " (fixed(100.0 * check.confidence.level(), 0)) " %)." }
+                li {
+                    (format!(
+                        "{} of the hours do not agree with their state (Wilson's interval, {} %).",
+                        band(own),
+                        fixed(100.0 * check.confidence.level(), 0),
+                    ))
+                }
             }
             @if let Some(own) = &check.lost_as_they_are {
-                li { "Lost as they are: " (band(own)) "; by their states: "
-                    (percent(Some((check.both + check.by_state_alone) as f64 / check.compared as f64))) " % of the same hours, and "
-                    (percent(of.counted.all.share())) " % of all."
+                li {
+                    (format!(
+                        "Share of lost hours with their own weather: {}; by their states: {} % of \
+                         the same hours, and {} % of all hours.",
+                        band(own),
+                        percent(Some((check.both + check.by_state_alone) as f64 / check.compared as f64)),
+                        percent(of.counted.all.share()),
+                    ))
                     @if of.counted.all.share().is_some_and(|share| !own.interval.holds(share)) {
                         " The share of lost hours in the sample differs from the share in all \
                          hours: compare both methods for the same hours, or draw more hours."
-                    } }
+                    }
+                }
             }
             li { "The difference has two causes: the grouping of hours with different weather, and \
                 chance, because an hour near a limit exceeds the limit with some waves and gusts \
@@ -243,7 +272,7 @@ fn check_table(check: &StatesCheck) -> Markup {
     }
 }
 
-/// The lost states, the states with most hours first.
+/// The table of the lost states, the states with most hours first.
 fn states(of: &DowntimeReport<'_>) -> Result<Markup, TableError> {
     let mut lost: Vec<usize> = (0..of.plan.states())
         .filter(|state| of.counted.outcomes[*state] != Outcome::Works)
@@ -263,8 +292,8 @@ fn states(of: &DowntimeReport<'_>) -> Result<Markup, TableError> {
     heads.extend([Head::Text("Lost by", ""), Head::Text("Run it again", "")]);
     Ok(html! {
         p { (counted(all as u64, "state is", "states are")) " lost of " (of.plan.states())
-            @if all > LISTED { "; the " (LISTED) " of the most hours are" }
-            @if all > 0 { @if all > LISTED { " listed." } @else { "." } } @else { "." }
+            @if all > LISTED { (format!("; the {LISTED} states with the most hours are listed")) }
+            "."
         }
         @if all > 0 {
             div class="wide" { table {
@@ -291,8 +320,8 @@ fn methods(of: &DowntimeReport<'_>) -> Markup {
     html! {
         ul class="plain" {
             @if is_series {
-                li { "The hours are grouped into at most " (of.plan.most_states()) " states. At \
-                    first all hours are in one state; then the state with the largest spread in \
+                li { (format!("The hours are grouped into at most {} states. ", of.plan.most_states()))
+                    "At first all hours are in one state; then the state with the largest spread in \
                     one quantity is split at its mean, again and again. The spread is measured in \
                     wave height and in the square of the speeds of wind and current, each over the \
                     spread of the whole series; a change of direction (rad), or a change of period \
@@ -306,8 +335,14 @@ fn methods(of: &DowntimeReport<'_>) -> Markup {
                 rating, a line over its working load, something parts, fails, strikes or grounds, \
                 or the result is in doubt. The ship lies at the berth in every hour; she does not \
                 leave before a storm, but the hours of the storm are lost in either case." }
-            li { "The hours are independent runs: the length of each period of lost hours is in " code { "hours.csv" } "." }
-            li { "Each run has other phases of waves and gusts, by seed " (of.seed) " and its number. The same files give the same bits." }
+            li { "The hours are independent runs: the length of each period of lost hours is in the file " code { "hours.csv" } "." }
+            li {
+                (format!(
+                    "Each run has other phases of waves and gusts, by seed {} and the number of the \
+                     run. The same files give the same bits.",
+                    of.seed,
+                ))
+            }
             @for notice in of.notices { li { "Notice of the scenario: " (notice) } }
         }
     }

@@ -1,4 +1,4 @@
-//! The inputs with their distributions, sources, and drawn values.
+//! The report's table of inputs: their distributions, sources, and drawn values.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use super::{Campaign, column, words};
 use crate::statistics::{Moments, Sample};
 use crate::table::TableError;
 
-/// Largest number of different words of an input that are listed.
+/// Largest number of different words that are listed for an input.
 const WORDS: usize = 6;
 
 /// The table of inputs.
@@ -45,7 +45,7 @@ pub(super) fn section(campaign: &Campaign<'_>) -> Result<Markup, TableError> {
     })
 }
 
-/// What the runs had: mean, deviation and range of numbers, counts of words.
+/// Describes the drawn values of an input: mean, standard deviation and range of numbers, or counts of words.
 fn drawn(campaign: &Campaign<'_>, name: &str) -> Result<String, TableError> {
     let Ok(numbers) = campaign.table.numbers(name) else {
         let texts = campaign.table.texts(name)?;

@@ -22,7 +22,7 @@ pub(super) fn lines<'l>(
     })
 }
 
-/// One row for each limit; nothing without limits.
+/// The table with one row for each limit; empty if there are no limits.
 pub(super) fn section(limits: &[&Limit], unit: &str, findings: &Findings, asked: &Asked) -> Markup {
     let quoted = quote(findings, unit).and_then(|quote| quote.law);
     let fit = quoted.and_then(|law| findings.fits.iter().flatten().find(|fit| fit.law == law));
@@ -69,7 +69,7 @@ fn band(estimate: &Estimate, shown: &dyn Fn(f64) -> String) -> String {
     format!("{} to {}", shown(estimate.interval.low), shown(estimate.interval.high))
 }
 
-/// The return periods of a probability; the longest belongs to the smallest.
+/// The return periods of an estimated probability; the longest period belongs to the smallest probability.
 fn periods(traffic: Traffic, share: &Estimate) -> Estimate {
     let of = |p: f64| traffic.period_of(p);
     let interval = Interval { low: of(share.interval.high), high: of(share.interval.low) };

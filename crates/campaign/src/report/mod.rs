@@ -1,7 +1,7 @@
 //! Pages about the numbers of many runs.
 //!
-//! [`render`] makes the report of a campaign from its table; [`column_page`] the page of one column of any table. Both return
-//! whole pages without outside resources, and hold no more than a few columns in memory.
+//! [`render`] makes the report of a campaign from its table; [`column_page`] makes the page of one column of any table.
+//! Both functions return whole pages without outside resources, and hold no more than a few columns in memory.
 
 mod column;
 mod convergence;
@@ -42,21 +42,21 @@ pub struct Input {
     pub source: String,
 }
 
-/// What a campaign's report is about.
+/// The contents of a campaign's report.
 pub struct Campaign<'a> {
     /// Title of the campaign.
     pub title: &'a str,
-    /// Name of the varied scenario for the reader.
+    /// Name of the varied scenario, as the report shows it.
     pub scenario: &'a str,
     /// How the runs were drawn, such as `Latin hypercube, seed 7`.
     pub plan: &'a str,
-    /// Number of runs that the plan has.
+    /// Number of runs that the campaign's plan has.
     pub planned: u64,
-    /// Notices of the scenario, which are of every run.
+    /// Notices of the scenario, which concern every run.
     pub notices: &'a [String],
-    /// The table, a row a run.
+    /// The campaign's table, with a row for each run.
     pub table: &'a Table,
-    /// The inputs. Two inputs with the columns `wind_speed` and `wind_direction` (degrees) make a rose.
+    /// The inputs. Two inputs with the columns `wind_speed` and `wind_direction` (degrees) are shown as a wind rose.
     pub inputs: &'a [Input],
     /// Columns of numbers that the report shows, the most important first.
     pub outputs: &'a [String],
@@ -66,31 +66,31 @@ pub struct Campaign<'a> {
     pub success: Option<&'a str>,
     /// Limits of outputs.
     pub limits: &'a [Limit],
-    /// Runs whose paths are drawn; empty for a table of unknown runs.
+    /// Runs whose ships' paths are drawn; empty for a table whose runs cannot be made again.
     pub seen: &'a [crate::run::Seen],
-    /// Berthings a year, return periods, laws.
+    /// What is asked of the statistics: berthings a year, return periods, laws.
     pub asked: &'a Asked,
-    /// The command that runs a row (from 0) again, with its report.
+    /// Gives the command that makes the run of a row (counted from 0) again, with its report.
     pub replay: &'a dyn Fn(usize) -> String,
 }
 
-/// An output with its statistics.
+/// An output of the campaign with its statistics.
 struct Output<'a> {
     head: &'a Head,
     /// A value for each run; NaN for a run without a value.
     values: Vec<f64>,
     missing: usize,
-    /// Values of 0, which are in no statistics.
+    /// Number of values of 0, which are left out of the statistics.
     apart: usize,
-    /// Return periods and levels for the other values.
+    /// What is asked of the statistics (such as return periods) for the values other than 0.
     asked: Asked,
     findings: Result<Findings, SampleError>,
 }
 
-/// The report of a campaign as a page.
+/// Writes the report of a campaign as a page.
 ///
 /// # Errors
-/// The table cannot be read, or lacks a column. Return periods that are impossible.
+/// Fails if the table cannot be read or lacks a column, or if a return period is impossible.
 pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
     let weights = campaign.weights.map(|name| campaign.table.numbers(name)).transpose()?;
     let verdicts = verdicts::Verdicts::of(campaign.table)?;
@@ -118,8 +118,8 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
     Ok(page(campaign.title, &body))
 }
 
-/// The number of runs and the scenario. If there are fewer runs than planned, the text says so: the
-/// campaign was interrupted, or its stop rule ended it.
+/// The sentence with the number of runs and the scenario. If there are fewer runs than planned, the sentence says so:
+/// the campaign was interrupted, or its stop rule ended it.
 fn subtitle(campaign: &Campaign<'_>, runs: usize) -> String {
     let (scenario, planned) = (campaign.scenario, campaign.planned);
     match runs as u64 {
@@ -141,10 +141,10 @@ fn provenance(campaign: &Campaign<'_>) -> maud::Markup {
     }
 }
 
-/// Share of the values above the threshold of the law of tails.
+/// Share of the values that lie above the threshold of the tail law (generalised Pareto).
 const TAIL: f64 = 0.1;
 
-/// The statistics of each output, in their order; each is computed on a separate thread.
+/// The statistics of each output, in the order of the outputs; each output is computed on a separate thread.
 fn all_outputs<'a>(
     campaign: &Campaign<'a>,
     weights: Option<&[f64]>,
@@ -210,7 +210,7 @@ fn output<'a>(
     })
 }
 
-/// The section of an output.
+/// The section of the report about one output.
 fn section(output: &Output<'_>, limits: &[Limit]) -> maud::Markup {
     let own: Vec<&Limit> = limits.iter().filter(|limit| limit.output == output.head.name).collect();
     let name = capital(&column::words_of(output.head));
@@ -220,11 +220,18 @@ fn section(output: &Output<'_>, limits: &[Limit]) -> maud::Markup {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
                 @if output.apart > 0 {
-                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or \
-                        the run ended before the ship arrived (a longer time.duration shows \
-                        which). The statistics are of the other runs"
-                        @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
-                        "." }
+                    p class="note" {
+                        (format!(
+                            "{} further runs have 0: nothing was touched, or the run ended before \
+                             the ship arrived (a longer time.duration shows which). ",
+                            output.apart,
+                        ))
+                        "The statistics are of the other runs"
+                        @if let Some(traffic) = output.asked.traffic {
+                            (format!(", of which there are {} a year", words::number(traffic.per_year())))
+                        }
+                        "."
+                    }
                 }
                 (column::sections(output.head, findings, &output.asked, &own))
             }
@@ -242,9 +249,9 @@ fn capital(text: &str) -> String {
 /// Why a report cannot be made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ReportError {
-    /// The table.
+    /// The table cannot be read.
     Table(TableError),
-    /// Berthings a year, return periods or the lifetime.
+    /// The number of berthings a year, a return period or the lifetime is impossible.
     Traffic(crate::statistics::return_value::TrafficError),
 }
 

@@ -1,4 +1,4 @@
-//! Success by wind speed and direction, and the wind up to which runs succeed.
+//! The report's section on operability: success by wind speed and direction, and the wind up to which runs succeed.
 
 use fenderline_report::plot::{
     Axis, Chart, Point, Reference, Ring, Rose, Series, counted, fixed, plain,
@@ -11,7 +11,7 @@ use crate::statistics::operability::{Bin, Edges, Limit, by_one, limit, sector};
 use crate::statistics::{Confidence, binomial};
 use crate::table::TableError;
 
-/// The two inputs that make a rose.
+/// Columns of the two inputs that are shown as a wind rose.
 const SPEED: &str = "wind_speed";
 const DIRECTION: &str = "wind_direction";
 
@@ -19,10 +19,10 @@ const SECTORS: usize = 16;
 const RINGS: usize = 6;
 const BINS: usize = 12;
 
-/// Probabilities of success for which the limit is given.
+/// Probabilities of success for which the report gives the limiting wind speed.
 const REQUIRED: [f64; 2] = [0.95, 0.99];
 
-/// The section; empty if wind speed and direction are no inputs, or the table has no verdicts.
+/// The section on operability; empty if wind speed and direction are no inputs, or if the table has no verdicts.
 pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Markup, TableError> {
     let is_input = |name: &str| campaign.inputs.iter().any(|input| input.column == name);
     let successes = match campaign.success {
@@ -124,7 +124,7 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
     }
 }
 
-/// Success over wind speed with its band.
+/// The chart of the probability of success over wind speed, with its band.
 fn curve(bins: &[Bin], edges: &Edges, unit: &str, confidence: Confidence) -> Chart {
     let known =
         bins.iter().enumerate().filter_map(|(bin, of)| Some((edges.middle(bin), of.success?)));

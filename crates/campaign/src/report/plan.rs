@@ -1,4 +1,4 @@
-//! The plan of many runs: paths and last positions of the ships.
+//! The report's plan view of many runs: paths and last positions of the ships.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::vec2;
@@ -10,10 +10,10 @@ use crate::run::Seen;
 /// Largest number of runs whose ships are drawn at the end of the run: more ships would cover each other.
 const ENDS: usize = 25;
 
-/// Room around them, over the size of the scene.
+/// Room around the ships, as a share of the size of the scene.
 const ROOM: f64 = 0.04;
 
-/// The section; empty without runs.
+/// The section with the plan view; empty if there are no runs.
 pub(super) fn section(seen: &[Seen]) -> Markup {
     let Some(first) = seen.first() else { return html! {} };
     let fixed = first.fixed_m.iter().map(|vertices_m| Outlined {

@@ -6,22 +6,23 @@ use super::words::{self, with_unit};
 use crate::statistics::design::{DesignRow, Findings, Rarity};
 use crate::statistics::fit::{Fit, Law};
 
-/// A law contradicts the data in the tail if its expected number of values there differs from the number in the data by
-/// more than this many standard deviations of a count. For a true law the chance of this is 1 %.
+/// A law contradicts the data in the tail if the number of values that it expects there differs from the number in the
+/// data by more than this many standard deviations of a count. For a true law the chance of such a difference is 1 %.
 const TAIL_DEVIATIONS: f64 = 2.576;
 
-/// What may be quoted of a column.
+/// The value that may be quoted for a column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quote {
-    /// The law to quote; `None` if none may be quoted.
+    /// The law to quote; `None` if no law may be quoted.
     pub law: Option<Law>,
     /// Which law or value to quote and why, in one or two sentences for a report.
     pub sentence: String,
 }
 
-/// The value that may be quoted. Of the laws of all values that the data do not contradict, the law with the smallest
-/// criterion of Akaike; without such a law, the law of the values over the threshold, if the data do not contradict it;
-/// else the data themselves. `unit` is the unit of the column.
+/// The value that may be quoted. The law to quote is, among the laws for all values that the data do not contradict,
+/// the law with the smallest AIC (criterion of Akaike). If there is no such law, it is the law for the values over the
+/// threshold, if the data do not contradict it; otherwise the value of the data themselves is quoted. `unit` is the
+/// unit of the column.
 #[must_use]
 pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     let row = quoted_row(&findings.rows)?;
@@ -39,14 +40,14 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
         }
         let title = fit.law.title();
         let why = match (fit.law, &objections[..]) {
-            (Law::Pareto, []) => "the data do not contradict it".to_owned(),
+            (Law::Pareto, []) => "the data do not contradict this law".to_owned(),
             (Law::Pareto, all) => format!("no law of all values may be quoted ({})", listed(all)),
             (_, []) => {
-                "of the fitted laws it has the smallest AIC, and the data do not contradict it"
+                "it is the law with the smallest AIC, and the data do not contradict this law"
                     .to_owned()
             }
             (_, all) => format!(
-                "it has the smallest AIC of the laws that the data do not contradict ({})",
+                "of the laws that the data do not contradict, this law has the smallest AIC ({})",
                 listed(all)
             ),
         };
@@ -71,7 +72,7 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     Some(Quote { law: None, sentence: format!("{why}. {}", of_data(findings, unit)) })
 }
 
-/// The objections against the laws; laws with the same objection are named together.
+/// Lists the objections against the laws; laws with the same objection are named together.
 fn listed(objections: &[(&str, String)]) -> String {
     let mut kinds: Vec<(Vec<&str>, &String)> = Vec::new();
     for (law, objection) in objections {
@@ -85,14 +86,14 @@ fn listed(objections: &[(&str, String)]) -> String {
     each.join("; ")
 }
 
-/// The rarest return period; the rarest level if there is no period.
+/// The design row to quote: that of the longest return period, or of the rarest level if there is no return period.
 fn quoted_row(rows: &[DesignRow]) -> Option<&DesignRow> {
     let is_period = |row: &&DesignRow| matches!(row.rarity, Rarity::Period(_));
     let rarest = |a: &&DesignRow, b: &&DesignRow| a.exceedance.total_cmp(&b.exceedance);
     rows.iter().filter(is_period).min_by(rarest).or_else(|| rows.iter().min_by(rarest))
 }
 
-/// The value of the data at the rarest level that the data reach.
+/// The sentence with the value of the data at the rarest level that the data reach.
 fn of_data(findings: &Findings, unit: &str) -> String {
     let reached = findings.rows.iter().filter(|row| row.by_data.value.is_some());
     let rarest = reached.min_by(|a, b| a.exceedance.total_cmp(&b.exceedance));
@@ -109,7 +110,8 @@ fn of_data(findings: &Findings, unit: &str) -> String {
     }
 }
 
-/// The reason why a law may not be quoted, in words that follow its name; `None` if the data do not contradict it.
+/// The reason why a law may not be quoted, in words that follow the law's name; `None` if the data do not contradict
+/// the law.
 fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
     if fit.is_rejected() {
         return Some("rejected by the data (Kolmogorov and Smirnov, 1 %)".to_owned());
@@ -122,7 +124,7 @@ fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
             let above = words::number(tail.above);
             let expected = fixed(expected, 0);
             return Some(format!(
-                "it expects {expected} values above {above}, but the data have {count}"
+                "the law expects {expected} values above {above}, but the data have {count}"
             ));
         }
     }

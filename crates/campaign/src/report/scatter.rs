@@ -1,4 +1,4 @@
-//! Energy of each run compared with the energy by the formula with the same inputs.
+//! The chart that compares the energy of each run with the energy by the berthing formula for the same inputs.
 
 use fenderline_contact::number::greater;
 use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, significant};
@@ -10,11 +10,11 @@ use crate::table::{Table, TableError};
 const ENERGY: &str = "energy";
 const FORMULA: &str = "formula_energy";
 
-/// Drawn runs: all of the highest runs, and of the others every n-th.
+/// Number of runs with the highest energies, which are all drawn; of the other runs only every n-th is drawn.
 const HIGHEST: usize = 400;
 const OTHERS: usize = 2000;
 
-/// The section; empty if the table lacks one of the columns.
+/// The section with the chart; empty if the table lacks one of the two columns.
 pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     if !(table.has(ENERGY) && table.has(FORMULA)) {
         return Ok(html! {});
@@ -55,18 +55,26 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     };
     Ok(html! {
         h2 { "Beside the formula" }
-        p { "In " (fixed(100.0 * above as f64 / count as f64, 1)) " % of the runs one fender took \
-            more energy than the formula gives for the whole berthing with the same inputs."
+        p {
+            (format!(
+                "In {} % of the runs one fender took more energy than the formula gives for the \
+                 whole berthing with the same inputs.",
+                fixed(100.0 * above as f64 / count as f64, 1),
+            ))
             @if let Some(median) = ratios.get(ratios.len() / 2) {
-                " Half of the runs had less than " (significant(*median, 3)) " times the formula's energy, the largest ratio is "
-                (significant(ratios[ratios.len() - 1], 3)) "."
+                (format!(
+                    " Half of the runs had less than {} times the formula's energy; the largest \
+                     ratio is {}.",
+                    significant(*median, 3),
+                    significant(ratios[ratios.len() - 1], 3),
+                ))
             }
         }
         (chart.render_tall())
     })
 }
 
-/// The points of the highest energies, and of the other points every n-th.
+/// Thins out the points of the chart: keeps the points of the highest energies, and every n-th of the other points.
 fn thinned(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.y.total_cmp(&a.y));
     let every = points.len().saturating_sub(HIGHEST).div_ceil(OTHERS).max(1);

@@ -1,4 +1,4 @@
-//! Which inputs drive an output: a tornado of rank correlations.
+//! The section that shows which inputs drive an output: a tornado chart of rank correlations.
 
 use fenderline_report::plot::{Tornado, Whisker, plain};
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use super::{Campaign, Output, column};
 use crate::statistics::correlation::spearman;
 use crate::table::TableError;
 
-/// A tornado for each output, of the inputs that are numbers.
+/// A tornado chart for each output, with the inputs that are numbers.
 pub(super) fn section(
     campaign: &Campaign<'_>,
     outputs: &[Output<'_>],
@@ -48,8 +48,9 @@ pub(super) fn section(
             h2 { "Sensitivity" }
             p { "Spearman’s rank correlation of each input with each output: 1 if the output \
                 always rises with the input, −1 if it always falls, near 0 if it neither rises nor \
-                falls steadily. The line across a bar is the " (per_cent) " % interval."
-                @if !words.is_empty() { " Inputs in words have no rank: " (words.join(", ")) "." }
+                falls steadily. "
+                (format!("The line across a bar is the {per_cent} % confidence interval."))
+                @if !words.is_empty() { (format!(" Inputs in words have no rank: {}.", words.join(", "))) }
             }
             @for tornado in tornadoes { (tornado.render()) }
         }

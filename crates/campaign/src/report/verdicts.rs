@@ -8,11 +8,11 @@ use maud::{Markup, html};
 use crate::statistics::{Confidence, binomial};
 use crate::table::{Table, TableError, Texts};
 
-/// Columns of a campaign's table.
+/// Columns of a campaign's table that say how a run ended.
 const VERDICT: &str = "verdict";
 const GRAVITY: &str = "gravity";
 
-/// The verdict of a run that could not be made.
+/// The key that stands as verdict for a run that could not be made.
 const ERROR: &str = "error";
 
 /// The verdicts of all runs.
@@ -24,7 +24,7 @@ pub(super) struct Verdicts {
 }
 
 impl Verdicts {
-    /// Reads them.
+    /// Reads the verdicts of a table.
     pub(super) fn of(table: &Table) -> Result<Verdicts, TableError> {
         if table.has(VERDICT) && table.has(GRAVITY) {
             let columns = [table.texts(VERDICT)?, table.texts(GRAVITY)?];
@@ -35,14 +35,14 @@ impl Verdicts {
         Ok(Verdicts { runs: first.map_or(0, |texts| texts.len()), columns: None })
     }
 
-    /// The verdict of a row in words; empty if the table has none.
+    /// The verdict of a row in words; empty if the table has no verdicts.
     pub(super) fn words(&self, row: usize) -> String {
         let key = self.columns.as_ref().and_then(|[verdict, _]| verdict.get(row));
         key.map_or_else(String::new, in_words)
     }
 
-    /// Whether each run succeeded: no limit exceeded, nothing in doubt. `None` if the table has no verdicts. A run that
-    /// could not be made is neither a success nor a failure: its entry is `None`.
+    /// Whether each run succeeded, that is, no limit was exceeded and nothing is in doubt. `None` if the table has no
+    /// verdicts. A run that could not be made is neither a success nor a failure: its entry is `None`.
     pub(super) fn successes(&self) -> Option<Vec<Option<bool>>> {
         let [verdict, gravity] = self.columns.as_ref()?;
         let one = |(verdict, gravity): (&str, &str)| {
@@ -78,8 +78,10 @@ impl Verdicts {
                 } }
             } }
             @if failed > 0 {
-                p { strong class="over" { (fixed(failed as f64, 0)) " runs could not be made" }
-                    " and are not in the statistics below. The column `error` has the reasons." }
+                p {
+                    strong class="over" { (format!("{} runs could not be made", fixed(failed as f64, 0))) }
+                    ". These runs are not in the statistics below. The column `error` has the reasons."
+                }
             }
         }
     }
@@ -89,7 +91,7 @@ fn percent(share: f64) -> String {
     if share > 0.1 { fixed(100.0 * share, 1) } else { significant(100.0 * share, 2) }
 }
 
-/// A verdict's key in words; a text that is no key is returned unchanged.
+/// Turns a verdict's key into words; a text that is no such key is returned unchanged.
 fn in_words(key: &str) -> String {
     if key == ERROR {
         return "Run could not be made".to_owned();

@@ -1,4 +1,4 @@
-//! Numbers and levels in words.
+//! Writes numbers and levels of design values in words.
 
 use fenderline_contact::number::lesser;
 use fenderline_report::plot::{fixed, plain, significant};
@@ -7,7 +7,7 @@ use crate::statistics::design::{DesignRow, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::statistics::{Estimate, Quantile};
 
-/// `0.0003333` as `1 in 3000`; frequent things as per cent.
+/// The text of a probability: `1 in 3000` for the rare `0.0003333`, per cent for frequent events.
 #[must_use]
 pub fn one_in(p: f64) -> String {
     match p {
@@ -17,7 +17,7 @@ pub fn one_in(p: f64) -> String {
     }
 }
 
-/// How rarely a design value is exceeded.
+/// Words that say how rarely a design value is exceeded.
 #[must_use]
 pub fn rarity(rarity: Rarity) -> String {
     match rarity {
@@ -29,14 +29,14 @@ pub fn rarity(rarity: Rarity) -> String {
     }
 }
 
-/// A value with its band: `28.5 (24.6 to 33.0)`.
+/// The text of a value with its band, such as `28.5 (24.6 to 33.0)`.
 #[must_use]
 pub fn with_band(estimate: &Estimate) -> String {
     let [low, high] = [estimate.interval.low, estimate.interval.high];
     format!("{} ({} to {})", number(estimate.value), number(low), number(high))
 }
 
-/// A quantile of the data; says where the data end.
+/// The text of a quantile of the data; it says if the data do not reach so far.
 #[must_use]
 pub fn by_data(quantile: &Quantile) -> String {
     let Some(value) = quantile.value else {
@@ -55,7 +55,7 @@ pub fn by_data(quantile: &Quantile) -> String {
     }
 }
 
-/// The parameters of a fit with their standard errors.
+/// The text of a fit's parameters with their standard errors.
 #[must_use]
 pub fn parameters(fit: &Fit) -> String {
     let one = |own: &crate::statistics::fit::Parameter| match own.error > 0.0 {
@@ -65,13 +65,13 @@ pub fn parameters(fit: &Fit) -> String {
     fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// A number to three digits; a number of four digits has no space between thousands.
+/// The text of a number to three digits; a number of four digits has no space between thousands.
 #[must_use]
 pub fn number(value: f64) -> String {
     if value.abs() >= 1000.0 { fixed(value, 0) } else { significant(value, 3) }
 }
 
-/// If a band spans a greater factor than this, the data do not decide the value.
+/// If the band of a value spans a greater factor than this, the data do not decide the value.
 const WIDEST: f64 = 10.0;
 
 /// Warnings for the reader of a design value: laws that the data contradict, levels that the data
@@ -140,8 +140,8 @@ fn values(findings: &Findings, place: usize) -> impl Iterator<Item = (&DesignRow
     findings.rows.iter().filter_map(move |row| Some((row, row.by_fit[place].as_ref()?)))
 }
 
-/// The first value of a fit that is rarer than the data reach and yet below the largest value of
-/// the data.
+/// The first design value of a fit that belongs to a rarer level than the data reach and yet lies below the largest
+/// value of the data.
 pub(super) fn contradiction(findings: &Findings, place: usize) -> Option<(&DesignRow, &Estimate)> {
     let sample = &findings.sample;
     let reach = 1.0 / sample.count() as f64;
@@ -149,13 +149,13 @@ pub(super) fn contradiction(findings: &Findings, place: usize) -> Option<(&Desig
         .find(|(row, value)| row.exceedance < reach && value.value < sample.largest())
 }
 
-/// The first value of a fit whose band is so wide that the data do not decide it.
+/// The first design value of a fit whose band is so wide that the data do not decide the value.
 pub(super) fn undecided(findings: &Findings, place: usize) -> Option<(&DesignRow, &Estimate)> {
     values(findings, place)
         .find(|(_, value)| value.value > 0.0 && value.interval.high > WIDEST * value.interval.low)
 }
 
-/// A value with its band, `28.5 (24.6 to 33.0)`, with the unit after the value.
+/// Puts the unit after the value in a text with a band such as `28.5 (24.6 to 33.0)`.
 pub(super) fn with_unit(text: &str, unit: &str) -> String {
     match text.split_once(" (") {
         _ if unit.is_empty() => text.to_owned(),

@@ -1,4 +1,4 @@
-//! The worst runs, each with the command that makes the run again.
+//! The report's table of the worst runs, each with the command that makes the run again.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -6,11 +6,11 @@ use maud::{Markup, html};
 use super::verdicts::Verdicts;
 use super::{Campaign, Output, column, words};
 
-/// Largest number of shown runs, and of columns beside them.
+/// Largest number of runs that the table shows, and of columns beside the output.
 const RUNS: usize = 10;
 const COLUMNS: usize = 4;
 
-/// The runs with the largest values of the first output.
+/// The table of the runs with the largest values of the first output.
 pub(super) fn section(
     campaign: &Campaign<'_>,
     outputs: &[Output<'_>],

@@ -1,4 +1,4 @@
-//! The columns that every campaign has.
+//! The columns of results that the table of every campaign has.
 
 use super::numbers::{Numbers, Peak};
 use crate::row::{Cell, Head};
@@ -15,7 +15,7 @@ fn number(value: Option<f64>) -> Cell {
     value.filter(|value| value.is_finite()).map_or(Cell::Empty, Cell::Number)
 }
 
-/// 0 if no fender was touched.
+/// The cell's value if a fender was touched, else 0.
 fn or_none(of: &Numbers, value: Cell) -> Cell {
     if of.touched == 0 { Cell::Number(0.0) } else { value }
 }
@@ -46,51 +46,65 @@ const fn column(
 }
 
 const COLUMNS: [Column; 28] = [
-    column("verdict", "", "the worst finding of the run: a word", |of| {
+    column("verdict", "", "the worst finding of the run, as a word", |of| {
         Cell::Text(of.verdict.key().to_owned())
     }),
-    column("gravity", "", "how grave it is", |of| {
+    column("gravity", "", "gravity of the worst finding", |of| {
         Cell::Text(of.verdict.gravity().key().to_owned())
     }),
-    column("finding", "", "the same in a sentence", |of| Cell::Text(of.finding.clone())),
+    column("finding", "", "the worst finding of the run, in a sentence", |of| {
+        Cell::Text(of.finding.clone())
+    }),
     column("governing_fender", "", "the most used fender", |of| {
         text(of.governing.as_ref().map(|g| g.0.as_str()))
     }),
-    column("governing_quantity", "", "the quantity that is nearest to its limit", |of| {
-        text(of.governing.as_ref().map(|g| g.1))
-    }),
     column(
-        "governing_share",
-        "%",
-        "the quantity nearest to its limit, over its rated value",
-        |of| or_none(of, number(of.governing.as_ref().map(|g| 100.0 * g.2))),
+        "governing_quantity",
+        "",
+        "the quantity of the most used fender that is nearest to its rated value",
+        |of| text(of.governing.as_ref().map(|g| g.1)),
     ),
+    column("governing_share", "%", "largest share of a fender's rated value", |of| {
+        or_none(of, number(of.governing.as_ref().map(|g| 100.0 * g.2)))
+    }),
     column("energy", "kJ", "largest energy that one fender absorbed", |of| {
         or_none(of, scaled(of.energy.as_ref(), 1e-3))
     }),
-    column("energy_share", "%", "over its rated energy", |of| {
-        or_none(of, share(of.energy.as_ref()))
-    }),
+    column(
+        "energy_share",
+        "%",
+        "largest energy of a fender as a share of its rated energy",
+        |of| or_none(of, share(of.energy.as_ref())),
+    ),
     column("energy_fender", "", "that fender", |of| fender(of.energy.as_ref())),
     column("reaction", "kN", "largest reaction of one fender", |of| {
         or_none(of, scaled(of.reaction.as_ref(), 1e-3))
     }),
-    column("reaction_share", "%", "over its rated reaction", |of| {
-        or_none(of, share(of.reaction.as_ref()))
-    }),
+    column(
+        "reaction_share",
+        "%",
+        "largest reaction of a fender as a share of its rated reaction",
+        |of| or_none(of, share(of.reaction.as_ref())),
+    ),
     column("reaction_fender", "", "that fender", |of| fender(of.reaction.as_ref())),
     column("deflection", "mm", "largest deflection of one fender", |of| {
         or_none(of, scaled(of.deflection.as_ref(), 1e3))
     }),
-    column("deflection_share", "%", "over its rated deflection", |of| {
-        or_none(of, share(of.deflection.as_ref()))
-    }),
+    column(
+        "deflection_share",
+        "%",
+        "largest deflection of a fender as a share of its rated deflection",
+        |of| or_none(of, share(of.deflection.as_ref())),
+    ),
     column("hull_pressure", "kN/m²", "largest pressure of one fender on a hull", |of| {
         or_none(of, scaled(of.pressure.as_ref(), 1e-3))
     }),
-    column("hull_pressure_share", "%", "largest pressure over the permissible pressure", |of| {
-        or_none(of, share(of.pressure.as_ref()))
-    }),
+    column(
+        "hull_pressure_share",
+        "%",
+        "largest pressure on a hull as a share of the permissible pressure",
+        |of| or_none(of, share(of.pressure.as_ref())),
+    ),
     column("fenders_touched", "", "number of fenders that were touched", |of| {
         Cell::Number(of.touched as f64)
     }),
@@ -103,13 +117,16 @@ const COLUMNS: [Column; 28] = [
     column(
         "first_touch_speed",
         "m/s",
-        "speed at which the first fender was touched, normal to its face",
+        "approach speed normal to the fender's face when the first fender was touched",
         |of| number(of.first_touch.map(|touch| touch.0)),
     ),
-    column("first_touch_angle", "deg", "angle between hull and face at the first touch", |of| {
-        number(of.first_touch.map(|t| t.1.to_degrees()))
-    }),
-    column("struck_force", "kN", "largest force on structure that was struck", |of| {
+    column(
+        "first_touch_angle",
+        "deg",
+        "angle between hull and fender face at the first touch",
+        |of| number(of.first_touch.map(|t| t.1.to_degrees())),
+    ),
+    column("struck_force", "kN", "largest force on a structure that was struck", |of| {
         Cell::Number(of.struck_n.unwrap_or(0.0) * 1e-3)
     }),
     column("contact_force", "kN", "largest normal force between two bodies", |of| {
@@ -118,7 +135,7 @@ const COLUMNS: [Column; 28] = [
     column(
         "contact_depth",
         "m",
-        "largest depth of an overlap of two bodies, or deflection of a fender between them",
+        "largest overlap of two bodies, or deflection of a fender between two bodies",
         |of| number(of.contact.map(|(_, depth_m)| depth_m)),
     ),
     column(
@@ -136,7 +153,7 @@ const COLUMNS: [Column; 28] = [
     }),
 ];
 
-/// Columns of words.
+/// Names of the columns that hold words.
 const WORDS: [&str; 7] = [
     "verdict",
     "gravity",
@@ -147,7 +164,7 @@ const WORDS: [&str; 7] = [
     "reaction_fender",
 ];
 
-/// The heads of the numbers of every run.
+/// The heads of the result columns of every run.
 pub(super) fn heads() -> Vec<Head> {
     let head = |column: &Column| Head {
         is_text: WORDS.contains(&column.name),
@@ -156,12 +173,12 @@ pub(super) fn heads() -> Vec<Head> {
     COLUMNS.iter().map(head).collect()
 }
 
-/// The cells of a run.
+/// The cells of the results of a run.
 pub(super) fn cells(numbers: &Numbers) -> impl Iterator<Item = Cell> {
     COLUMNS.iter().map(|column| (column.value)(numbers))
 }
 
-/// The cells of a run that was not made.
+/// The cells of the results of a run that was not made.
 pub(super) fn cells_of_failure() -> impl Iterator<Item = Cell> {
     COLUMNS.iter().map(|column| match column.name {
         "verdict" => Cell::Text("error".to_owned()),

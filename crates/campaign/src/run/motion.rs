@@ -1,4 +1,4 @@
-//! How far bodies move from their place at the start.
+//! Records how far bodies move from their positions at the start.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation};
@@ -14,7 +14,7 @@ pub(super) struct Excursion {
     pub(super) sway_m: f64,
     /// Largest change of heading (rad), without sign.
     pub(super) yaw_rad: f64,
-    /// The last state.
+    /// State of the body at the end of the run.
     pub(super) last: BodyState,
 }
 

@@ -17,7 +17,7 @@ pub(super) enum Named {
     Line(usize, &'static OfLine),
     Body(usize, &'static OfBody),
     Tug(usize, &'static OfTug),
-    /// A limit of the scenario.
+    /// The value of a limit of the scenario, by the limit's index.
     Limit(usize),
 }
 
@@ -26,19 +26,19 @@ type OfLine = Quantity<MooringSetup, LineTotals>;
 type OfBody = Quantity<(), Excursion>;
 type OfTug = Quantity<TugSetup, TugTotals>;
 
-/// Outputs of bodies, which only campaigns have.
+/// Outputs of a body's motion, which only campaigns have.
 static OF_BODIES: [OfBody; 8] = [
     number(
         "largest_surge_m",
         "m",
-        "largest distance from the start along the body's axis at the start",
+        "largest distance from the start, along the body's longitudinal axis at the start",
         |(), of: &Excursion| of.surge_m,
     )
     .output("largest_surge", METRES),
     number(
         "largest_sway_m",
         "m",
-        "largest distance from the start across the body's axis at the start",
+        "largest distance from the start, across the body's longitudinal axis at the start",
         |(), of: &Excursion| of.sway_m,
     )
     .output("largest_sway", METRES),
@@ -63,10 +63,11 @@ static OF_BODIES: [OfBody; 8] = [
 ];
 
 impl Named {
-    /// The output of a text such as `fender.NAME.reaction`.
+    /// Reads the output that a text such as `fender.NAME.reaction` names.
     ///
     /// # Errors
-    /// A text of another form, a part that the scenario does not have, a quantity that it does not have.
+    /// Fails if the text has another form, if the scenario does not have the part, or if the part does not have the
+    /// quantity.
     pub(super) fn parse(text: &str, setup: &Setup) -> Result<Named, String> {
         if let Some(name) = text.strip_prefix("limit.") {
             let limits = setup.world.statistics.limits.iter();
@@ -105,7 +106,7 @@ impl Named {
         }
     }
 
-    /// The body whose motion the output needs.
+    /// The body whose motion the output needs, if it needs one.
     pub(super) fn body(self) -> Option<usize> {
         match self {
             Named::Body(index, _) => Some(index),
@@ -119,7 +120,9 @@ impl Named {
             Named::Line(_, own) => unit_and_meaning(own),
             Named::Body(_, own) => unit_and_meaning(own),
             Named::Tug(_, own) => unit_and_meaning(own),
-            Named::Limit(_) => ("%", "the limited value over the permissible value"),
+            Named::Limit(_) => {
+                ("%", "the limited quantity's largest value as a share of the permissible value")
+            }
         };
         Head::new(name, unit, meaning)
     }
@@ -165,7 +168,7 @@ fn place<'n>(
     })
 }
 
-/// The quantity with this output.
+/// Finds the quantity that has the given output name.
 fn of<S, T>(
     kind: &str,
     name: &str,

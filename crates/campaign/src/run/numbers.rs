@@ -1,4 +1,4 @@
-//! The numbers that are kept of every run.
+//! The numbers that a campaign keeps from every run.
 
 use fenderline_contact::number::greater;
 use fenderline_results::{WorldTotals, worst_first};
@@ -6,7 +6,7 @@ use fenderline_sim::{FenderSummary, Finding, Gravity, Setup, Simulation, Verdict
 
 use crate::downtime::BETWEEN;
 
-/// The numbers of a run.
+/// The result numbers of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Numbers {
     pub(super) verdict: Verdict,
@@ -24,7 +24,7 @@ pub(super) struct Numbers {
     pub(super) energy: Option<Peak>,
     /// Largest pressure on the hull (N/m²).
     pub(super) pressure: Option<Peak>,
-    /// Energy by formula, and energy of the fenders in the first hit (J).
+    /// Berthing energy by formula, and energy of all fenders in the first hit (J).
     pub(super) formula_j: Option<f64>,
     pub(super) first_hit_j: Option<f64>,
     /// Speed (m/s) and angle (rad) of the first touch of a fender.
@@ -43,12 +43,12 @@ pub(super) struct Numbers {
     pub(super) alongside_s: f64,
     /// Lines that parted.
     pub(super) lines_parted: usize,
-    /// Names of the limits that were exceeded, and verdicts of findings that are equally grave, the gravest first;
-    /// empty without such findings.
+    /// Names of the exceeded limits, and verdicts of findings that are at least as grave, the gravest first; empty if
+    /// there are none.
     pub(super) lost_by: String,
 }
 
-/// The largest value among fenders.
+/// The largest value of a quantity among the fenders.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Peak {
     pub(super) value: f64,
@@ -57,8 +57,8 @@ pub(super) struct Peak {
 }
 
 impl Numbers {
-    /// The numbers of a run that has ended. `alongside_s` is the time in which a fender was touched, `notices` the number of the
-    /// scenario's notices.
+    /// Collects the result numbers of a run that has ended. `alongside_s` is the time in which a fender was touched,
+    /// `notices` the number of the scenario's notices.
     pub(super) fn of(
         simulation: &Simulation,
         world: &WorldTotals,
@@ -106,9 +106,9 @@ impl Numbers {
     }
 }
 
-/// The reasons why the ship cannot stay: first graver findings by their verdicts, then limits by their names, the limit
-/// that is exceeded most first. A run that left the range of its data is in doubt, which its verdict says; doubt alone
-/// is no reason to leave.
+/// The reasons why the ship cannot stay at the berth: first graver findings by their verdicts, then exceeded limits by
+/// their names, the most exceeded limit first. A run that left the range of its data is in doubt, as its verdict says;
+/// doubt alone is no reason to leave.
 fn lost_by(setup: &Setup, findings: &[Finding]) -> String {
     let limits = &setup.world.statistics.limits;
     let is_reason = |of: Verdict| of.gravity() >= Gravity::Attention && of != Verdict::OutsideData;

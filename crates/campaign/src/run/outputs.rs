@@ -14,23 +14,25 @@ use crate::draw::Formula;
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
 
-/// The results of a run: columns that all campaigns have, those of named parts, formulas, notices and error.
+/// The results of a run: the columns that all campaigns have, the columns of named parts, formulas, notices and the
+/// error.
 pub(super) struct Outputs {
     named: Vec<Named>,
     formulas: Vec<(Formula, Vec<usize>)>,
-    /// Bodies whose motion is needed.
+    /// Bodies whose motion the outputs need.
     pub(super) bodies: Vec<usize>,
-    /// True for a downtime campaign, which has a column of the reasons of a loss.
+    /// Whether this is a downtime campaign, which has a column with the reasons for lost hours.
     is_downtime: bool,
-    /// Heads of variables and results, in the order of the table, without the number of the run.
+    /// Heads of the table's columns for variables and results, in order, without the column of the run's number.
     pub(super) heads: Vec<Head>,
 }
 
 impl Outputs {
-    /// The outputs of a campaign of this base scenario; `variables` are the heads of its variables.
+    /// The outputs of a campaign with the given base scenario; `variables` are the heads of the campaign's variables.
     ///
     /// # Errors
-    /// An output of an unknown part or quantity, or twice; a formula that cannot be read, or of an unknown or later number.
+    /// Fails if an output names an unknown part or quantity or is given twice, or if a formula cannot be read or uses a
+    /// number that is unknown or stands below it.
     pub(super) fn new(
         campaign: &Campaign,
         setup: &Setup,
@@ -42,7 +44,9 @@ impl Outputs {
             if heads.iter().filter(|head| head.name == variable.name).count() > 1
                 || ["run", "notices", "error"].contains(&variable.name.as_str())
             {
-                let why = "it has the name of a column of the results: choose another".to_owned();
+                let why =
+                    "the variable has the name of a column of the results: choose another name"
+                        .to_owned();
                 return Err(CampaignError::part(format!("variable.{}", variable.name), why));
             }
         }
@@ -78,7 +82,9 @@ impl Outputs {
                 inputs.push(input);
             }
             if heads.iter().any(|head| head.name == output.name) {
-                return Err(refused("there is a column of that name".to_owned()));
+                return Err(refused(
+                    "another column already has the name of this output".to_owned(),
+                ));
             }
             heads.push(Head::new(&output.name, &output.unit, &output.expression));
             formulas.push((formula, inputs));
@@ -97,7 +103,7 @@ impl Outputs {
         Ok(Outputs { named, formulas, bodies, is_downtime, heads })
     }
 
-    /// The cells of a run that has ended, after the cells of its variables.
+    /// The result cells of a run that has ended, which follow the cells of the variables.
     pub(super) fn cells(
         &self,
         variables: Vec<Cell>,
@@ -124,7 +130,7 @@ impl Outputs {
         cells
     }
 
-    /// The cells of a run that was not made, or not to its end.
+    /// The result cells of a run that was not made, or did not reach its end.
     pub(super) fn cells_of_failure(&self, variables: Vec<Cell>, why: String) -> Vec<Cell> {
         let mut cells = variables;
         cells.extend(columns::cells_of_failure());

@@ -18,19 +18,20 @@ use crate::error::CampaignError;
 use crate::limit::Limit;
 use crate::row::{Cell, Head, Row};
 
-/// What all runs of a campaign share.
+/// A campaign with everything that its runs share.
 pub struct Runs {
     campaign: Campaign,
     draws: Draws,
     source: Source,
     base: Scenario,
-    /// The base is the scenario with the changes of all runs, so a run may differ from the base only in its start.
+    /// Whether the base is the scenario with the changes of all runs, so that a run may differ from the base only in
+    /// its start.
     is_common: bool,
     outputs: Outputs,
     limits: Vec<Limit>,
 }
 
-/// The scenario's text and the files that the scenario names, read once.
+/// The scenario's text and the files that the scenario names, which are read only once.
 struct Source {
     name: String,
     text: String,
@@ -48,8 +49,8 @@ impl Source {
         Scenario::parse_among(&self.text, &self.name, overrides, &mut read)
     }
 
-    /// Reads the scenario with the changes of all runs. If this is not a valid scenario, reads it with the changes of
-    /// the run `first` too, and returns false.
+    /// Reads the scenario with the changes that all runs have. If the scenario with these changes is not valid, reads
+    /// it also with the changes of the run `first`, and returns false.
     fn load(
         path: &Path,
         changes: &[Override],
@@ -81,8 +82,8 @@ impl Runs {
     /// Reads the scenario and everything that the campaign names.
     ///
     /// # Errors
-    /// [`CampaignError`] if the campaign or one of its files has a mistake, or the scenario with the changes that are the same in every run. Also if
-    /// none of the first thousand runs can be made from the scenario.
+    /// [`CampaignError`] if there is a mistake in the campaign, in one of its files, or in the scenario with the
+    /// changes that all runs have; or if none of the first thousand runs can be made.
     pub fn new(campaign: Campaign) -> Result<Runs, CampaignError> {
         let draws = Draws::new(&campaign)?;
         let changes: Vec<Override> =
@@ -90,7 +91,7 @@ impl Runs {
         let first = draws.located(&draws.of_run(0), Some(0)).map_err(LoadError::Refused)?;
         let (source, base, is_common) = Source::load(&campaign.scenario, &changes, &first)?;
         if !base.setup.world.providers.is_empty() {
-            let why = "it has a [[provider]], which only `fenderline run` starts";
+            let why = "the scenario has a [[provider]], which only `fenderline run` starts";
             return Err(CampaignError::part("scenario", why));
         }
         let mut campaign = campaign;
@@ -114,7 +115,7 @@ impl Runs {
             let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
             return Err(CampaignError::part(
                 "stop.output",
-                format!("there is no number `{}`{near}", stop.output),
+                format!("the campaign has no number `{}`{near}", stop.output),
             ));
         }
         let limits = Limit::all(&campaign, &outputs.heads)?;
@@ -135,13 +136,13 @@ impl Runs {
         &self.draws
     }
 
-    /// The scenario with the changes of all runs.
+    /// The base: the scenario with the changes that all runs have.
     #[must_use]
     pub fn base(&self) -> &Scenario {
         &self.base
     }
 
-    /// The states and hours of a downtime; `None` for another campaign.
+    /// The states and hours of a downtime campaign; `None` for another campaign.
     #[must_use]
     pub fn downtime(&self) -> Option<&DowntimePlan> {
         self.draws.downtime()
@@ -153,7 +154,7 @@ impl Runs {
         self.draws.runs()
     }
 
-    /// The heads of the table, without the number of the run.
+    /// The heads of the table's columns, without the column of the run's number.
     #[must_use]
     pub fn heads(&self) -> &[Head] {
         &self.outputs.heads
@@ -165,8 +166,8 @@ impl Runs {
         &self.limits
     }
 
-    /// A number that differs if two campaigns may have different rows: a hash of the draws, the scenario with its
-    /// files, and the columns.
+    /// The fingerprint of a campaign: a hash of the draws, the scenario with its files, and the columns. The hashes of
+    /// two campaigns differ if their rows may differ.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let mut hash = Fnv1a::default();
@@ -188,14 +189,15 @@ impl Runs {
         hash.finish()
     }
 
-    /// All settings of a run, written as for `--set`: first the settings of all runs, then those of this run.
+    /// All changes of a run, written as for `--set`: first the changes that all runs have, then those of this run.
     #[must_use]
     pub fn settings(&self, run: u64) -> Vec<String> {
         let common = self.campaign.changes.iter().map(|change| change.text.clone());
         common.chain(self.draws.of_run(run).settings).collect()
     }
 
-    /// Refuses a campaign if none of its first runs can start: the first error then concerns the file, not a run.
+    /// Refuses a campaign if none of its first runs can start: the error then concerns the campaign's file, not a
+    /// single run.
     fn refuse_hopeless(&self) -> Result<(), CampaignError> {
         let mut first = None;
         for run in 0..self.count().min(TRIED) {
@@ -209,11 +211,11 @@ impl Runs {
         first.map_or(Ok(()), |first| Err(CampaignError::Hopeless(Box::new(first))))
     }
 
-    /// The simulation of a run before its first step, and the notices of its scenario; counted from 0.
+    /// Makes the simulation of run `run` (counted from 0) before its first step, and the notices of its scenario.
     ///
     /// # Errors
-    /// The scenario that the run's values make is refused, at its place in the campaign's file, or in the file of the values; or it
-    /// cannot start, or has more than `most_steps` time steps.
+    /// Fails if the scenario with the run's values is refused (the error has a place in the campaign's file, or in the
+    /// file of the values), cannot start, or has more than `most_steps` time steps.
     pub fn begun(&self, run: u64) -> Result<(Simulation, Vec<Notice>), CampaignError> {
         let own =
             self.draws.located(&self.draws.of_run(run), Some(run)).map_err(LoadError::Refused)?;
@@ -234,7 +236,7 @@ impl Runs {
         }
     }
 
-    /// The reason why a scenario was refused, with the file and line of the value if the value came from a file.
+    /// The reason why a run's scenario was refused, with the file and line of the value if the value came from a file.
     fn with_row(&self, drawn: &Drawn, why: String) -> String {
         let refused = match self.draws.located(drawn, None) {
             Ok(overrides) => self.scenario(&overrides).err(),
@@ -250,7 +252,7 @@ impl Runs {
         }
     }
 
-    /// The scenario of a run.
+    /// Reads the scenario with the values of a run.
     fn scenario(&self, own: &[Override]) -> Result<Scenario, ScenarioError> {
         let common = self.campaign.changes.iter().map(|change| change.set.clone());
         let all: Vec<Override> = common.chain(own.iter().cloned()).collect();
@@ -258,8 +260,8 @@ impl Runs {
     }
 }
 
-/// A campaign without the parts that change no row: title, parts for the report, and the folders of its files. The
-/// content of the files counts.
+/// Copies a campaign without the parts that change no row of its table: title, parts for the report, and the folders of
+/// its files. The hash takes the content of the files instead.
 fn rows_of(campaign: &Campaign) -> Campaign {
     let mut campaign = campaign.clone();
     campaign.title = String::new();
@@ -290,21 +292,21 @@ fn rows_of(campaign: &Campaign) -> Campaign {
     campaign
 }
 
-/// Forgets the line of the campaign's file.
+/// Forgets at which place of the campaign's file a key stands.
 fn unplaced(change: &mut Change) {
     change.set = change.set.clone().without_origins();
 }
 
-/// Of this many first runs, at least one must be able to start.
+/// Number of first runs of which at least one must be able to start.
 const TRIED: u64 = 1000;
 
 /// Makes runs one after the other; one for each thread.
 pub struct Runner<'r> {
     runs: &'r Runs,
     start: Start,
-    /// A simulation, which is restarted if runs differ only in their start.
+    /// The simulation of the last run, which is restarted if runs differ only in their start.
     own: Option<Simulation>,
-    /// `own` is a simulation of the base scenario.
+    /// Whether `own` is a simulation of the base scenario.
     is_of_base: bool,
 }
 
@@ -315,13 +317,14 @@ impl<'r> Runner<'r> {
         Runner { runs, start: runs.base.setup.start(), own: None, is_of_base: false }
     }
 
-    /// Makes a run, from 0; `None` if it was stopped before its end. A run that cannot be made is a row with the reason.
+    /// Makes the run of the given number, counted from 0; `None` if the run was stopped before its end. A run that
+    /// cannot be made becomes a row with the reason.
     pub fn run(&mut self, run: u64, is_stopped: &dyn Fn() -> bool) -> Option<Row> {
         let drawn = self.runs.draws.of_run(run);
         self.of(drawn, is_stopped).map(|cells| Row { run, cells })
     }
 
-    /// The cells of a run with these draws; `None` if it was stopped before its end.
+    /// The cells of a run with the given drawn values; `None` if the run was stopped before its end.
     pub fn of(&mut self, drawn: Drawn, is_stopped: &dyn Fn() -> bool) -> Option<Vec<Cell>> {
         let outputs = &self.runs.outputs;
         let failed = |values: Vec<Cell>, why: String| Some(outputs.cells_of_failure(values, why));
@@ -359,7 +362,7 @@ impl<'r> Runner<'r> {
         Some(outputs.cells(drawn.values, simulation, &world, &motions, &numbers))
     }
 
-    /// The simulation of a run before its first step; `None` for one that cannot be made or has too many steps.
+    /// The simulation of a run before its first step; `None` for a run that cannot be made or has too many steps.
     pub(super) fn started(&mut self, run: u64) -> Option<&mut Simulation> {
         let drawn = self.runs.draws.of_run(run);
         self.begin(&drawn).ok()?;
@@ -367,7 +370,7 @@ impl<'r> Runner<'r> {
         self.own.as_mut().filter(|own| own.steps_total() <= most)
     }
 
-    /// Puts the simulation of a run before its first step into `own`; the number of the scenario's notices.
+    /// Puts the simulation of a run before its first step into `own`; returns the number of the scenario's notices.
     fn begin(&mut self, drawn: &Drawn) -> Result<usize, String> {
         let runs = self.runs;
         let overrides = drawn.overrides().map_err(|why| runs.with_row(drawn, why))?;
@@ -394,7 +397,7 @@ impl<'r> Runner<'r> {
     }
 }
 
-/// The message and its help in one line, without the place between them.
+/// Puts the message and the help of an error into one line, without the place that stands between them.
 fn one_line(error: &dyn core::fmt::Display) -> String {
     let text = error.to_string();
     let line = text.lines().next().unwrap_or_default();

@@ -1,26 +1,26 @@
-//! Where the bodies of a run went, for a plan view of many runs.
+//! Records where the bodies of a run went, for a plan view of many runs.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::Simulation;
 
 use super::runner::Runner;
 
-/// Points of a path at most.
+/// Largest number of points of a path.
 const POINTS: u64 = 150;
 
-/// What a plan view shows of a run.
+/// The parts of a run that a plan view shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// Outlines of the fixed bodies (m).
     pub fixed_m: Vec<Vec<Vec2>>,
     /// For each floating body the path of its centre of gravity (m).
     pub paths_m: Vec<Vec<Vec2>>,
-    /// Of each floating body the outline at the end (m).
+    /// Outline of each floating body at the end of the run (m).
     pub ends_m: Vec<Vec<Vec2>>,
 }
 
 impl Runner<'_> {
-    /// Makes a run again to see where its bodies go; `None` for one that cannot be made.
+    /// Makes a run again to record where its bodies go; `None` for a run that cannot be made.
     pub fn see(&mut self, run: u64) -> Option<Seen> {
         let simulation = self.started(run)?;
         let every = simulation.steps_total().div_ceil(POINTS).max(1);

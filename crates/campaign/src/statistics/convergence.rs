@@ -1,4 +1,4 @@
-//! How an estimate settles with the number of runs.
+//! Computes how estimates settle as the number of runs grows.
 
 use super::{Confidence, Moments, Quantile, Sample, value_exceeded};
 
@@ -13,14 +13,14 @@ pub struct Step {
     pub quantile: Quantile,
 }
 
-/// Fewest runs of a step.
+/// Smallest number of runs for which estimates are made.
 const FIRST: usize = 10;
 
-/// Mean and the value that is exceeded with probability `p`, of the first 10 runs, of all runs, and of at most `most` numbers
-/// of runs between, by a constant factor. `values` are in the order of the runs.
+/// The mean and the value that is exceeded with probability `p`, for the first 10 runs, for all runs, and for at most
+/// `most` numbers of runs between, which grow by a constant factor. `values` are in the order of the runs.
 ///
-/// Values that come from a plan with strata, such as a Latin hypercube, are no random sample before its end: the bands are
-/// those of independent runs.
+/// The bands are those of independent runs; the first values of a plan with strata, such as a Latin hypercube, are no
+/// random sample before the plan's end.
 #[must_use]
 pub fn steps(values: &[f64], p: f64, most: usize, confidence: Confidence) -> Vec<Step> {
     let last = values.len();

@@ -2,12 +2,12 @@
 
 use super::{Confidence, Estimate, Interval};
 
-/// Fewest pairs of a correlation with an interval.
+/// Smallest number of pairs for which a correlation has a confidence interval.
 const FEWEST: usize = 4;
 
-/// Spearman's rank correlation of the pairs of which both numbers are finite; ties have their mean rank. The interval is that of
-/// Fisher's transformation with the variance (1 + r²/2)/(n − 3) of Bonett and Wright (Psychometrika 65, 2000). `None` for
-/// fewer than four pairs, or if one side is constant.
+/// Spearman's rank correlation of the pairs whose two numbers are finite; equal values get their mean rank. The
+/// interval is that of Fisher's transformation with the variance (1 + r²/2)/(n − 3) of Bonett and Wright (Psychometrika
+/// 65, 2000). `None` for fewer than four pairs, or if one of the two quantities is constant.
 #[must_use]
 pub fn spearman(x: &[f64], y: &[f64], confidence: Confidence) -> Option<Estimate> {
     let pairs = x.iter().zip(y).filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -47,7 +47,7 @@ fn ranks(values: &[f64]) -> Vec<f64> {
     ranks
 }
 
-/// Pearson's correlation; `None` if one side is constant.
+/// Pearson's correlation of two quantities; `None` if one of them is constant.
 fn pearson(x: &[f64], y: &[f64]) -> Option<f64> {
     let n = x.len() as f64;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / n;

@@ -1,12 +1,12 @@
-//! Everything about one column at once: moments, exceedance, fits and design values. The command `statistics` prints
-//! them and the reports show them.
+//! Computes all statistics of one column: moments, exceedance, fits and design values. The command `statistics` prints
+//! these numbers and the reports show them.
 
 use super::exceedance::{self, Point};
 use super::fit::{Fit, FitError, Law, fit};
 use super::return_value::{Traffic, TrafficError};
 use super::{Confidence, Estimate, Moments, Quantile, Sample, value_exceeded};
 
-/// Points of an exceedance curve.
+/// Number of points of an exceedance curve.
 const CURVE: usize = 160;
 
 /// Chances that the largest berthing of a lifetime exceeds its design value: the median, 10 % and 5 %.
@@ -15,16 +15,16 @@ const LIFE_CHANCES: [f64; 3] = [0.5, 0.1, 0.05];
 /// Probabilities of one berthing, which are shown if no number of berthings a year is given.
 const PER_BERTHING: [f64; 3] = [1e-2, 1e-3, 1.0 / 3000.0];
 
-/// What is asked about a column.
+/// The options for the statistics of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asked {
-    /// Level of all bands.
+    /// Confidence level of all bands.
     pub confidence: Confidence,
-    /// Berthings a year, if known.
+    /// Number of berthings a year, if known.
     pub traffic: Option<Traffic>,
-    /// Return periods (years); they need the traffic.
+    /// Return periods (years); they need the number of berthings a year.
     pub periods_years: Vec<f64>,
-    /// Lifetime (years); needs the traffic.
+    /// Lifetime (years); it needs the number of berthings a year.
     pub life_years: Option<f64>,
     /// Laws to fit.
     pub laws: Vec<Law>,
@@ -37,13 +37,14 @@ pub struct Asked {
 pub enum Rarity {
     /// One berthing exceeds the value with this probability.
     Berthing(f64),
-    /// A year exceeds the value with a chance of one over this number of years.
+    /// The value has a return period of this number of years: in a year it is exceeded with a chance of one divided by
+    /// the period.
     Period(f64),
-    /// In a lifetime with a chance.
+    /// The value is exceeded in a lifetime with a given chance.
     Life {
         /// Lifetime (years).
         years: f64,
-        /// Chance that the largest berthing of the life exceeds the value.
+        /// Chance that the largest berthing of the lifetime exceeds the value.
         chance: f64,
     },
 }
@@ -55,22 +56,22 @@ pub struct DesignRow {
     pub rarity: Rarity,
     /// Probability that one berthing exceeds the value.
     pub exceedance: f64,
-    /// By the data alone.
+    /// The value by the data alone.
     pub by_data: Quantile,
-    /// The value by each fit, in the order of the laws; `None` if the fit failed or has no value there.
+    /// The value by each fit, in the order of the laws; `None` if the fit failed or has no value at this level.
     pub by_fit: Vec<Option<Estimate>>,
 }
 
 /// Number of values that a fit expects in the tail of the data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TailCheck {
-    /// The tail is above this value.
+    /// Value above which the tail begins.
     pub above: f64,
-    /// Number of values above the level.
+    /// Number of values of the data in the tail.
     pub count: usize,
 }
 
-/// What was found about a column.
+/// The statistics of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
     /// The values.
@@ -79,7 +80,7 @@ pub struct Findings {
     pub moments: Moments,
     /// Their exceedance curve.
     pub curve: Vec<Point>,
-    /// A fit for each law, or the reason why there is none.
+    /// A fit for each law, or the reason why the law could not be fitted.
     pub fits: Vec<Result<Fit, FitError>>,
     /// The design values.
     pub rows: Vec<DesignRow>,
@@ -88,10 +89,10 @@ pub struct Findings {
 }
 
 impl Asked {
-    /// The rarities that are asked for.
+    /// The levels of rarity for which design values are asked.
     ///
     /// # Errors
-    /// A period of a year or less, a lifetime that is not positive.
+    /// Fails if a return period is a year or less, or if the lifetime is not positive.
     pub fn rarities(&self) -> Result<Vec<(Rarity, f64)>, TrafficError> {
         let Some(traffic) = self.traffic else {
             return Ok(PER_BERTHING.map(|p| (Rarity::Berthing(p), p)).to_vec());
@@ -110,9 +111,9 @@ impl Asked {
     }
 }
 
-/// How many values are 0, if these are the values of runs in which nothing happened: no value is negative, and fewer
-/// values are 0 than positive. The statistics are then of the other values, with correspondingly fewer events a
-/// year; for rare values this equals the statistics of all values.
+/// How many values of 0 belong to runs in which nothing happened. Zeros are taken for such runs if no value is negative
+/// and fewer values are 0 than positive. The statistics then leave out the zeros and take correspondingly fewer events
+/// a year; for rare values the result equals the statistics of all values.
 #[must_use]
 pub fn zeros_apart(values: &[f64]) -> usize {
     let count = |is: fn(f64) -> bool| values.iter().filter(|value| is(**value)).count();
@@ -147,7 +148,8 @@ pub fn findings(sample: Sample, asked: &Asked) -> Result<Findings, TrafficError>
     })
 }
 
-/// The highest tenth of a small sample, about the highest hundredth of a large sample: at least ten values.
+/// The tail of a sample: the highest tenth of a small sample, about the highest hundredth of a large sample, and at
+/// least ten values.
 fn tail(sample: &Sample) -> Option<TailCheck> {
     let n = sample.count();
     if n < 20 || sample.is_weighted() {
@@ -170,8 +172,8 @@ impl TailCheck {
 }
 
 impl Findings {
-    /// The places of the fits in the order of Akaike's criterion, the best first; fits over a threshold and
-    /// failed fits come last, because their criterion cannot be compared.
+    /// The indices of the fits in the order of Akaike's criterion, the best first; fits over a threshold and failed
+    /// fits come last, because their criterion cannot be compared.
     #[must_use]
     pub fn ranking(&self) -> Vec<usize> {
         let rank = |place: &usize| match &self.fits[*place] {

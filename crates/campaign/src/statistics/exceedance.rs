@@ -1,4 +1,4 @@
-//! Empirical exceedance: the probability to be above a value, with pointwise bands.
+//! Empirical exceedance: the probability that a value is exceeded, with pointwise bands.
 
 use super::{Confidence, Estimate, Sample, share_above};
 
@@ -14,8 +14,9 @@ pub struct Point {
     pub reached: f64,
 }
 
-/// The exceedance curve of a sample at no more than about `most` values: all of the largest values, the other
-/// values at growing distances. Without weights the band is that of Clopper and Pearson, see [`share_above`].
+/// The exceedance curve of a sample, with at most about `most` points: one for each of the largest values, and points
+/// at growing distances for the other values. For a sample without weights the band is that of Clopper and Pearson, see
+/// [`share_above`].
 #[must_use]
 pub fn curve(sample: &Sample, most: usize, confidence: Confidence) -> Vec<Point> {
     let values = sample.values();
@@ -38,7 +39,8 @@ pub fn curve(sample: &Sample, most: usize, confidence: Confidence) -> Vec<Point>
     points
 }
 
-/// Ranks from the top, ascending: first every rank, then by a constant factor up to `n`.
+/// Ranks of the values to draw, counted from the largest value: first every rank, then ranks that grow by a constant
+/// factor up to `n`.
 fn ranks(n: usize, most: usize) -> Vec<usize> {
     if n <= most {
         return (1..=n).collect();

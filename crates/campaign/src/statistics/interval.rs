@@ -1,4 +1,4 @@
-//! An estimate with its interval.
+//! An estimate with its confidence interval.
 
 use core::fmt;
 use core::str::FromStr;
@@ -15,7 +15,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Whether the value is in the interval.
+    /// Whether a value lies in the interval.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         self.low <= value && value <= self.high
@@ -35,7 +35,7 @@ pub struct Estimate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Confidence(f64);
 
-/// A confidence level outside 0.5 to 0.999999.
+/// A confidence level that is not between 0.5 and 0.999999.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotAConfidence;
 
@@ -54,7 +54,7 @@ impl Confidence {
     /// A level.
     ///
     /// # Errors
-    /// It is below 0.5 or above 0.999999.
+    /// Fails if the level is below 0.5 or above 0.999999.
     pub fn new(level: f64) -> Result<Confidence, NotAConfidence> {
         if (0.5..=0.999_999).contains(&level) { Ok(Confidence(level)) } else { Err(NotAConfidence) }
     }
@@ -65,7 +65,7 @@ impl Confidence {
         self.0
     }
 
-    /// Probability outside on each side.
+    /// Probability outside the interval on each side.
     #[must_use]
     pub fn tail(self) -> f64 {
         0.5 * (1.0 - self.0)

@@ -1,8 +1,8 @@
 //! Statistics of the numbers of many runs: exceedance, design values, fits, sensitivity. Pure functions of samples.
 //!
-//! A [`Sample`] holds the values in order, with their weights where the runs were drawn by importance sampling. What is
-//! estimated comes with an [`Interval`]; each function says which. Nothing here draws random numbers: the same values give the
-//! same bits.
+//! A [`Sample`] holds the values in order, with their weights if the runs were drawn by importance sampling. Every
+//! estimate comes with an [`Interval`]; the doc of each function says which kind of interval. No function of this
+//! module draws random numbers: the same values give the same bits.
 
 pub mod convergence;
 pub mod correlation;

@@ -14,10 +14,11 @@ pub struct Measured {
 /// Moments of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// Mean. Its standard error is s/√n; with weights that of the ratio Σwx/Σw by linearisation.
+    /// Mean. The standard error of the mean is s/√n; for weighted values it is that of the ratio Σwx/Σw, by
+    /// linearisation.
     pub mean: Measured,
-    /// Standard deviation, with n − 1. Its standard error is that of the variance, √((m₄ − s⁴(n−3)/(n−1))/n), over 2s; with
-    /// weights n is the effective size.
+    /// Standard deviation, with divisor n − 1. The standard error of the deviation s is that of the variance, √((m₄ −
+    /// s⁴(n−3)/(n−1))/n), divided by 2s; for weighted values n is the effective size.
     pub deviation: Measured,
     /// Skewness m₃/m₂^1.5, without correction of its bias.
     pub skewness: f64,

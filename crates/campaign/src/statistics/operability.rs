@@ -1,4 +1,4 @@
-//! Operability: how often runs succeed, by one or two conditions.
+//! Operability: how often runs succeed, by one or two conditions such as wind speed.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -26,7 +26,7 @@ impl Bin {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edges(Vec<f64>);
 
-/// Edges that do not rise, or fewer than two.
+/// An error: the edges do not rise, or there are fewer than two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EdgesDoNotRise;
 
@@ -34,13 +34,13 @@ impl Edges {
     /// Edges that were chosen.
     ///
     /// # Errors
-    /// They do not rise, or there are fewer than two.
+    /// Fails if the edges do not rise, or if there are fewer than two.
     pub fn new(edges: Vec<f64>) -> Result<Edges, EdgesDoNotRise> {
         let rises = edges.len() > 1 && edges.windows(2).all(|two| two[0] < two[1]);
         if rises { Ok(Edges(edges)) } else { Err(EdgesDoNotRise) }
     }
 
-    /// `count` bins of equal width over the range of the finite values; `None` if they have no range.
+    /// Makes `count` bins of equal width over the range of the finite values; `None` if these values have no range.
     #[must_use]
     pub fn over(values: &[f64], count: usize) -> Option<Edges> {
         let finite = || values.iter().copied().filter(|value| value.is_finite());
@@ -114,7 +114,8 @@ pub fn by_two(
     counts.into_iter().map(|row| row.into_iter().map(bin).collect()).collect()
 }
 
-/// The sector of a direction (degrees, any turn) of `count` equal sectors of which the first one is centred on 0.
+/// The sector in which a direction lies (degrees, also beyond 0 to 360). There are `count` equal sectors; the first
+/// sector is centred on 0.
 #[must_use]
 pub fn sector(direction_deg: f64, count: usize) -> usize {
     let width = 360.0 / count as f64;
@@ -123,15 +124,15 @@ pub fn sector(direction_deg: f64, count: usize) -> usize {
     (libm::floor(share * 360.0 / width + 0.5) as usize) % count
 }
 
-/// How far a condition may go.
+/// The limit of a condition, such as the wind speed, up to which runs succeed often enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     /// The probability of success falls below the required probability at this value, by interpolation
     /// between the middles of two bins.
     At(f64),
-    /// The limit is not met in the first bin with runs, of this middle.
+    /// The required probability is not reached even in the first bin with runs; holds the middle of that bin.
     Below(f64),
-    /// The limit is met in all bins with runs, up to this middle.
+    /// The required probability is reached in all bins with runs; holds the middle of the last bin.
     Beyond(f64),
     /// No bin has runs.
     Unknown,

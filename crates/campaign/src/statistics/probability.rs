@@ -1,4 +1,4 @@
-//! The probability of something that was counted in many runs.
+//! The probability of an event that was counted in many runs.
 
 use fenderline_contact::number::{greater, lesser};
 use statrs::function::beta::beta_reg;
@@ -6,14 +6,14 @@ use statrs::function::beta::beta_reg;
 use super::normal;
 use super::{Confidence, Estimate, Interval, Sample};
 
-/// The probability of an event that happened in `hits` of `runs`, with the interval of Clopper and Pearson (Biometrika 26,
-/// 1934): the level is never less than stated.
+/// The probability of an event that happened in `hits` of `runs`, with the interval of Clopper and Pearson (Biometrika
+/// 26, 1934): the level is never less than stated.
 ///
 /// # Panics
-/// No run, or more hits than runs.
+/// Panics if there is no run, or if there are more hits than runs.
 #[must_use]
 pub fn binomial(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
-    assert!(runs > 0 && hits <= runs, "{hits} hits of {runs} runs");
+    assert!(runs > 0 && hits <= runs, "{hits} hits are not possible in {runs} runs");
     let (k, n) = (hits as f64, runs as f64);
     let tail = confidence.tail();
     let low = if hits == 0 { 0.0 } else { inverse_beta(k, n - k + 1.0, tail) };
@@ -21,16 +21,16 @@ pub fn binomial(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
     Estimate { value: k / n, interval: Interval { low, high } }
 }
 
-/// The probability of an event that happened in `hits` of `runs`, with Wilson's interval (Journal of the American Statistical Association
-/// 22, 1927). The interval holds each probability p for which the observed share of hits lies within z standard deviations, √(p(1 − p)/runs), of p.
-/// Here z is the quantile of the normal distribution for the confidence level. The level holds on the average over all p. The level of [`binomial`]
-/// holds for every p.
+/// The probability of an event that happened in `hits` of `runs`, with Wilson's interval (Journal of the American
+/// Statistical Association 22, 1927). The interval holds each probability p for which the observed share of hits lies
+/// within z standard deviations, √(p(1 − p)/runs), of p. Here z is the quantile of the normal distribution for the
+/// confidence level. The level holds on the average over all p. The level of [`binomial`] holds for every p.
 ///
 /// # Panics
-/// No run, or more hits than runs.
+/// Panics if there is no run, or if there are more hits than runs.
 #[must_use]
 pub fn wilson(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
-    assert!(runs > 0 && hits <= runs, "{hits} hits of {runs} runs");
+    assert!(runs > 0 && hits <= runs, "{hits} hits are not possible in {runs} runs");
     let (n, p) = (runs as f64, hits as f64 / runs as f64);
     let z = confidence.normal_quantile();
     let shrink = 1.0 + z * z / n;
@@ -44,9 +44,11 @@ pub fn wilson(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
 
 /// The probability to exceed `value`.
 ///
-/// Without weights it is the share of the values with the interval of [`binomial`]. With weights it is Σw/n over the values
-/// above, which is unbiased, with a log-normal interval of its standard error: that one is approximate, and too narrow where
-/// few values are above. Where none is, the interval reaches from 0 to the bound of [`binomial`] for the effective size.
+/// For a sample without weights the probability is the share of the values above `value`, with the interval of
+/// [`binomial`]. For a sample with weights the probability is Σw/n over the values above `value`, which is unbiased,
+/// with a log-normal interval from its standard error. The log-normal interval is approximate, and too narrow if few
+/// values are above. If no value of the sample is above `value`, the interval reaches from 0 to the bound of
+/// [`binomial`] for the effective size.
 #[must_use]
 pub fn share_above(sample: &Sample, value: f64, confidence: Confidence) -> Estimate {
     let to = sample.count_to(value);
@@ -73,8 +75,8 @@ pub(super) fn at_most(k: usize, n: usize, p: f64) -> f64 {
     if k >= n { 1.0 } else { beta_below((n - k) as f64, k as f64 + 1.0, 1.0 - p) }
 }
 
-/// Parameters from which the beta distribution is taken by a normal approximation: the continued fraction of the library ends
-/// after 140 terms, which are too few where both are large.
+/// Size of the two parameters above which the beta distribution is computed by a normal approximation: the library's
+/// continued fraction ends after 140 terms, which are too few if both parameters are large.
 const LARGE: f64 = 500.0;
 
 /// The regularised incomplete beta function.
@@ -85,8 +87,8 @@ fn beta_below(a: f64, b: f64, x: f64) -> f64 {
     if a < LARGE || b < LARGE { beta_reg(a, b, x) } else { peizer_pratt(a, b, x) }
 }
 
-/// The normal approximation of Peizer and Pratt (JASA 63, 1968, 1416-1456) to the incomplete beta function, by that of the
-/// binomial distribution of n = a + b − 1 runs: at least a hits.
+/// The normal approximation of Peizer and Pratt (JASA 63, 1968, 1416-1456) to the incomplete beta function, which
+/// equals the binomial probability of at least a hits in n = a + b − 1 runs.
 fn peizer_pratt(a: f64, b: f64, x: f64) -> f64 {
     let (n, k, p, q) = (a + b - 1.0, a - 1.0, x, 1.0 - x);
     let small = q / (k + 1.0) - p / (n - k) + (q - 0.5) / (n + 1.0);
@@ -95,7 +97,7 @@ fn peizer_pratt(a: f64, b: f64, x: f64) -> f64 {
     normal::above(d * libm::sqrt(skew / ((n + 1.0 / 6.0) * p * q)))
 }
 
-/// (1 − x² + 2x ln x)/(1 − x)², by its series about 1.
+/// The function (1 − x² + 2x ln x)/(1 − x)², near x = 1 by its series.
 fn g(x: f64) -> f64 {
     let u = 1.0 - x;
     if u.abs() > 0.1 {
@@ -110,8 +112,8 @@ fn g(x: f64) -> f64 {
     sum
 }
 
-/// The value that a beta variable is below with probability `p`, by bisection of the incomplete beta function: Newton's
-/// method in the library starts at 10⁻⁴ or above, and fails for the rare.
+/// The value that a beta variable does not exceed with probability `p`, by bisection of the incomplete beta function:
+/// the library's Newton method starts at 10⁻⁴ or above, and fails for rare values.
 fn inverse_beta(a: f64, b: f64, p: f64) -> f64 {
     let (mut low, mut high) = (0.0_f64, 1.0_f64);
     for _ in 0..200 {

@@ -1,12 +1,13 @@
-//! Quantiles of a sample with intervals of order statistics.
+//! Quantiles of a sample, with intervals from order statistics.
 
 use super::probability::at_most;
 use super::{Confidence, Sample};
 
-/// A quantile of a sample. What the sample cannot tell is `None`.
+/// A quantile of a sample. A number that the sample cannot give is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantile {
-    /// The estimate; `None` if fewer runs were made than the probability needs: it is beyond the data.
+    /// The estimate of the quantile; `None` if there are too few runs for the probability, so that the quantile lies
+    /// beyond the data.
     pub value: Option<f64>,
     /// Lower end of the interval; `None` if it lies below all values.
     pub low: Option<f64>,
@@ -22,10 +23,10 @@ pub fn quantile(sample: &Sample, p: f64, confidence: Confidence) -> Quantile {
 
 /// The value that is exceeded with probability `p`.
 ///
-/// The estimate interpolates between the order statistics at i/(n + 1), the plotting positions of Weibull, so it exists for p
-/// from 1/(n + 1) to n/(n + 1). The interval lies between two order statistics, whatever the distribution (David and Nagaraja,
-/// Order Statistics, 7.1): the number of values above a quantile is binomial. With weights the estimate is the smallest value
-/// of which the weighted share above is at most p, and there is no interval.
+/// The estimate interpolates between the order statistics at i/(n + 1), the plotting positions of Weibull, so it exists
+/// for p from 1/(n + 1) to n/(n + 1). The interval lies between two order statistics, whatever the distribution (David
+/// and Nagaraja, Order Statistics, 7.1): the number of values above a quantile is binomial. For a sample with weights
+/// the estimate is the smallest value above which the weighted share of values is at most p, and there is no interval.
 #[must_use]
 pub fn value_exceeded(sample: &Sample, p: f64, confidence: Confidence) -> Quantile {
     if let Some(weights) = sample.weights() {
@@ -47,13 +48,14 @@ pub fn value_exceeded(sample: &Sample, p: f64, confidence: Confidence) -> Quanti
     // Of m values above the quantile, the one of rank m + 1 from the top is below the quantile.
     let fewest = first_count(n, |m| at_most(m, n, p) > tail);
     let most = first_count(n, |m| at_most(m, n, p) >= 1.0 - tail);
-    // No more than `most` values are above: the next one is a lower bound. At least `fewest` are: the last of them is an upper one.
+    // No more than `most` values are above: the next one is a lower bound. At least `fewest` are: the last of them is
+    // an upper one.
     let low = (most < n).then(|| values[n - 1 - most]);
     let high = fewest.checked_sub(1).map(|above| values[n - 1 - above]);
     Quantile { value, low, high }
 }
 
-/// The first number from 0 to `n` for which the condition holds; it holds from there on.
+/// The first number from 0 to `n` for which the condition holds; the condition must hold for all greater numbers too.
 fn first_count(n: usize, holds: impl Fn(usize) -> bool) -> usize {
     let (mut low, mut high) = (0, n);
     while low < high {
@@ -63,7 +65,8 @@ fn first_count(n: usize, holds: impl Fn(usize) -> bool) -> usize {
     low
 }
 
-/// The smallest value of which the weighted share above is at most `p`; `None` for the largest, beyond which nothing is known.
+/// The smallest value above which the weighted share of values is at most `p`; `None` if this is the largest value,
+/// beyond which nothing is known.
 fn weighted(sample: &Sample, weights: &[f64], p: f64) -> Option<f64> {
     let n = weights.len() as f64;
     let mut above = 0.0;

@@ -1,11 +1,12 @@
-//! Design values: from a number of berthings a year to the probability of one berthing.
+//! Design values: converts return periods and lifetimes into the probability of one berthing, by the number of
+//! berthings a year.
 //!
-//! Berthings are taken as independent and of one distribution F. The largest of N of them is then at most x with probability
-//! F(x)^N.
+//! Berthings are taken as independent and with the same distribution F. The largest of N berthings is then at most x
+//! with probability F(x)^N.
 
 use core::fmt;
 
-/// The traffic of a berth.
+/// The traffic of a berth: its number of berthings a year.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Traffic {
     per_year: f64,
@@ -14,9 +15,9 @@ pub struct Traffic {
 /// A number that is not a valid traffic, return period or lifetime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrafficError {
-    /// Berthings a year must be a positive number.
+    /// The number of berthings a year must be positive.
     PerYear,
-    /// A return period must be longer than one year: the largest berthing of each year exceeds something each year.
+    /// A return period must be longer than one year: every year has a largest berthing.
     ReturnPeriod,
     /// A lifetime must be a positive number of years.
     Life,
@@ -27,7 +28,7 @@ pub enum TrafficError {
 impl fmt::Display for TrafficError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            TrafficError::PerYear => "berthings a year must be a positive number",
+            TrafficError::PerYear => "the number of berthings a year must be positive",
             TrafficError::ReturnPeriod => "a return period must be a number of years above 1",
             TrafficError::Life => "a lifetime must be a positive number of years",
             TrafficError::Probability => "a probability must lie between 0 and 1",
@@ -41,7 +42,7 @@ impl Traffic {
     /// A number of berthings a year, whole or not.
     ///
     /// # Errors
-    /// It is not a positive number.
+    /// Fails if the number of berthings a year is not positive.
     pub fn new(per_year: f64) -> Result<Traffic, TrafficError> {
         match per_year > 0.0 && per_year.is_finite() {
             true => Ok(Traffic { per_year }),
@@ -55,11 +56,11 @@ impl Traffic {
         self.per_year
     }
 
-    /// The probability p that one berthing exceeds the value of a return period of T years: 1 − (1 − p)^n = 1/T for n berthings
-    /// a year. For long periods it is nearly 1/(nT).
+    /// The probability p that one berthing exceeds the value of a return period of T years: 1 − (1 − p)^n = 1/T for n
+    /// berthings a year. For long return periods p is nearly 1/(nT).
     ///
     /// # Errors
-    /// The period is not above one year.
+    /// Fails if the return period is not longer than one year.
     pub fn exceedance_of_period(self, years: f64) -> Result<f64, TrafficError> {
         match years > 1.0 && years.is_finite() {
             true => Ok(-libm::expm1(libm::log1p(-1.0 / years) / self.per_year)),
@@ -73,17 +74,18 @@ impl Traffic {
         1.0 / self.chance_in(p, 1.0)
     }
 
-    /// The chance that one of the berthings of `years` exceeds the value that each of them exceeds with probability `p`.
+    /// The chance that at least one berthing within `years` exceeds the value that each berthing exceeds with
+    /// probability `p`.
     #[must_use]
     pub fn chance_in(self, p: f64, years: f64) -> f64 {
         -libm::expm1(self.per_year * years * libm::log1p(-p))
     }
 
-    /// The probability that one berthing exceeds the value that the largest one of a lifetime exceeds with probability `chance`:
-    /// 1 − (1 − chance)^(1/N) for N = n × years.
+    /// The probability p that one berthing exceeds the value that the largest berthing of a lifetime exceeds with
+    /// probability `chance`: 1 − (1 − chance)^(1/N) for N = n × years.
     ///
     /// # Errors
-    /// A lifetime that is not positive, a chance not between 0 and 1.
+    /// Fails if the lifetime is not positive, or if the chance is not between 0 and 1.
     pub fn exceedance_of_life(self, years: f64, chance: f64) -> Result<f64, TrafficError> {
         if !(years > 0.0 && years.is_finite()) {
             return Err(TrafficError::Life);

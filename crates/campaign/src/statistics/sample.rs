@@ -1,11 +1,11 @@
-//! Values of many runs in order.
+//! A sample: the values of many runs in order.
 
 use core::fmt;
 
 /// The values of a column, sorted, with weights where runs were drawn by importance sampling.
 ///
-/// A weight is the ratio of the density that a run is to stand for to the density from which the run was
-/// drawn; its mean over many runs is 1. Without weights, all weights are 1.
+/// A weight is the ratio of the density that a run is to stand for to the density from which the run was drawn; its
+/// mean over many runs is 1. In a sample without weights, all weights count as 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     values: Vec<f64>,
@@ -20,10 +20,10 @@ struct Weights {
     sum_of_squares: f64,
 }
 
-/// Values that make no sample.
+/// The reason why values make no sample.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SampleError {
-    /// There are fewer values than are needed.
+    /// There are fewer values than a sample needs.
     TooFew {
         /// How many there are.
         count: usize,
@@ -32,15 +32,15 @@ pub enum SampleError {
     },
     /// A value or weight is not finite.
     NotFinite {
-        /// Place in the column, from 0.
+        /// Place of the value in the column, counted from 0.
         place: usize,
     },
-    /// A weight is negative, or all are zero.
+    /// A weight is negative, or all weights are zero.
     BadWeights {
-        /// Place in the column, from 0; the first place if all weights are zero.
+        /// Place of the negative weight in the column, counted from 0; the first place if all weights are zero.
         place: usize,
     },
-    /// Values and weights are not of one number.
+    /// The numbers of values and weights differ.
     Unequal {
         /// Number of values.
         values: usize,
@@ -53,14 +53,14 @@ impl fmt::Display for SampleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SampleError::TooFew { count, needed } => {
-                write!(f, "at least {needed} values are needed, but it has {count}")
+                write!(f, "at least {needed} values are needed, but there are {count}")
             }
             SampleError::NotFinite { place } => write!(f, "value {} is not finite", place + 1),
             SampleError::BadWeights { place } => {
                 write!(f, "weight {} is negative, or all are zero", place + 1)
             }
             SampleError::Unequal { values, weights } => {
-                write!(f, "{values} values and {weights} weights")
+                write!(f, "{values} values have {weights} weights")
             }
         }
     }
@@ -68,24 +68,24 @@ impl fmt::Display for SampleError {
 
 impl std::error::Error for SampleError {}
 
-/// Fewest values of a sample.
+/// Smallest number of values of a sample.
 const FEWEST: usize = 2;
 
 impl Sample {
-    /// A sample of values with equal weights.
+    /// Makes a sample of values with equal weights.
     ///
     /// # Errors
-    /// Fewer than two values, or one that is not finite.
+    /// Fails if there are fewer than two values, or if a value is not finite.
     pub fn new(mut values: Vec<f64>) -> Result<Sample, SampleError> {
         check(&values)?;
         values.sort_unstable_by(f64::total_cmp);
         Ok(Sample { values, weights: None })
     }
 
-    /// A sample of importance sampling.
+    /// Makes a sample of values from importance sampling, with a weight for each value.
     ///
     /// # Errors
-    /// As [`Sample::new`]; weights of another number, that are negative, or all zero.
+    /// Fails like [`Sample::new`], and if the number of weights differs, a weight is negative, or all weights are zero.
     pub fn weighted(values: &[f64], weights: &[f64]) -> Result<Sample, SampleError> {
         check(values)?;
         if values.len() != weights.len() {
@@ -143,12 +143,13 @@ impl Sample {
         self.weights.as_ref().map(|weights| weights.each.as_slice())
     }
 
-    /// The sum of the weights. A sample that has no weights gives the number of its values.
+    /// The sum of the weights; for a sample without weights, the number of its values.
     pub(super) fn weight_sum(&self) -> f64 {
         self.weights.as_ref().map_or(self.count() as f64, |weights| weights.sum)
     }
 
-    /// Number of runs of equal weight that would give the same variance of a mean (Kish 1965): (Σw)²/Σw².
+    /// Effective size: the number of runs of equal weight that would give the same variance of a mean (Kish 1965),
+    /// (Σw)²/Σw².
     #[must_use]
     pub fn effective_size(&self) -> f64 {
         match &self.weights {

@@ -1,4 +1,4 @@
-//! The folder of a campaign, or of a share of it.
+//! The results folder of a campaign, or of a share of a campaign.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
@@ -18,23 +18,23 @@ const MANIFEST: &str = "campaign.json";
 const JOURNAL: &str = "rows.journal";
 const LOCK: &str = ".fenderline.lock";
 
-/// A share of a campaign's runs: every n-th.
+/// A share (shard) of a campaign's runs: every n-th run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Number of the shard, from 1.
+    /// Number of the shard, counted from 1.
     pub number: u64,
-    /// How many shards there are.
+    /// Number of shards into which the runs are divided.
     pub of: u64,
 }
 
 impl Shard {
-    /// All runs.
+    /// The share that is the whole campaign: all runs.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
     /// A share.
     ///
     /// # Errors
-    /// A number that is not between 1 and `of`.
+    /// Fails if the number is not between 1 and `of`.
     pub fn new(number: u64, of: u64) -> Result<Shard, String> {
         if (1..=of).contains(&number) {
             Ok(Shard { number, of })
@@ -56,14 +56,14 @@ impl Shard {
     }
 }
 
-/// How a folder is opened.
+/// How the results folder is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opened {
     /// The folder must not hold a campaign.
     New,
-    /// The folder goes on with what it holds.
+    /// The campaign that the folder holds is continued.
     Resumed,
-    /// What the folder holds is removed first.
+    /// The campaign that the folder holds is removed first.
     Replaced,
 }
 
@@ -80,8 +80,8 @@ impl<'r> Store<'r> {
     /// Opens the folder and reads its rows; `visit` gets each row.
     ///
     /// # Errors
-    /// Another program works in it; it holds a campaign and `opened` is new; it is resumed, and holds no
-    /// campaign or another campaign; it cannot be written.
+    /// Fails if another program works in the folder, if a new folder already holds a campaign, if a resumed folder
+    /// holds no campaign or another campaign, or if the folder cannot be written.
     pub fn open(
         folder: &Path,
         runs: &'r Runs,
@@ -95,11 +95,12 @@ impl<'r> Store<'r> {
         let there = read_manifest(&manifest)?;
         match (opened, there) {
             (Opened::New, Some(_)) => {
-                let why = "it holds a campaign already; add --resume to go on with it, or --replace to begin again";
+                let why = "the folder holds a campaign already; add --resume to go on with it, or \
+                           --replace to begin again";
                 return Err(CampaignError::folder(folder, why));
             }
             (Opened::Resumed, None) => {
-                let why = "there is no campaign to go on with; leave out --resume to begin it";
+                let why = "the folder has no campaign to go on with; leave out --resume to begin the campaign";
                 return Err(CampaignError::folder(folder, why));
             }
             (Opened::Resumed, Some(own)) => own.check(runs, shard, folder)?,
@@ -118,7 +119,7 @@ impl<'r> Store<'r> {
         }
         let columns = runs.heads().len();
         if has_finished(folder) {
-            let why = "its campaign is finished; use --replace to make it again";
+            let why = "the campaign in this folder is finished; use --replace to make it again";
             return Err(CampaignError::folder(folder, why));
         }
         let journal = Journal::open(&folder.join(JOURNAL), runs.count(), columns, visit)?;
@@ -141,7 +142,7 @@ impl<'r> Store<'r> {
         self.journal.done()
     }
 
-    /// Adds the row of a run; a run that has its row keeps it.
+    /// Adds the row of a run; if the run already has a row, that row is kept.
     ///
     /// # Errors
     /// The disk.
@@ -152,7 +153,7 @@ impl<'r> Store<'r> {
     /// Calls `use_row` for each row in the order of the runs below `most`.
     ///
     /// # Errors
-    /// The disk, or what `use_row` returns.
+    /// Fails with an error of the disk, or with the error that `use_row` returns.
     pub fn each(
         &self,
         most: u64,
@@ -161,11 +162,11 @@ impl<'r> Store<'r> {
         self.journal.each(most, use_row)
     }
 
-    /// Writes the tables of the runs below `most`, and removes the journal. A share keeps its journal for [`super::merge()`] and gets no
-    /// tables.
+    /// Writes the tables of the runs below `most`, and removes the journal of rows. A share keeps its journal for
+    /// [`super::merge()`] and gets no tables.
     ///
     /// # Errors
-    /// The disk; the rows are then still there.
+    /// Fails with an error of the disk; the rows are then still in the journal.
     pub fn finish(self, most: u64) -> Result<(), CampaignError> {
         if self.shard != Shard::WHOLE {
             return Ok(());
@@ -178,7 +179,7 @@ impl<'r> Store<'r> {
         fs::remove_file(&path).map_err(|error| CampaignError::disk(&path, &error))
     }
 
-    /// Writes the tables of the runs so far; the journal stays, so that the campaign can go on.
+    /// Writes the tables of the runs so far; the journal of rows is kept, so that the campaign can go on.
     ///
     /// # Errors
     /// The disk.
@@ -190,24 +191,24 @@ impl<'r> Store<'r> {
     }
 }
 
-/// Refuses a folder that holds no campaign, or another campaign: the wrong file would describe its
-/// table.
+/// Refuses a folder that holds no campaign, or another campaign than the file describes.
 ///
 /// # Errors
-/// What the folder holds.
+/// Says what the folder holds instead.
 pub fn check(folder: &Path, runs: &Runs) -> Result<(), CampaignError> {
     match read_manifest(&folder.join(MANIFEST))? {
         Some(manifest) => manifest.check(runs, Shard::WHOLE, folder),
-        None => {
-            Err(CampaignError::folder(folder, "it holds no campaign: there is no campaign.json"))
-        }
+        None => Err(CampaignError::folder(
+            folder,
+            "the folder holds no campaign: there is no campaign.json",
+        )),
     }
 }
 
-/// Whether a folder holds the whole table of this campaign, with nothing left to make.
+/// Whether a folder holds the whole table of this campaign, so that no run is left to make.
 ///
 /// # Errors
-/// It holds another campaign.
+/// Fails if the folder holds another campaign.
 pub fn is_finished(folder: &Path, runs: &Runs, shard: Shard) -> Result<bool, CampaignError> {
     match read_manifest(&folder.join(MANIFEST))? {
         Some(manifest) if has_finished(folder) => {
@@ -217,12 +218,12 @@ pub fn is_finished(folder: &Path, runs: &Runs, shard: Shard) -> Result<bool, Cam
     }
 }
 
-/// The journal is removed last.
+/// Whether the campaign in a folder has finished: the journal, which is removed last, is gone.
 fn has_finished(folder: &Path) -> bool {
     folder.join(TABLE_PARQUET).exists() && !folder.join(JOURNAL).exists()
 }
 
-/// Takes the lock of a folder. The lock ends with the program, however it ends; the file stays.
+/// Takes the lock of a folder. The lock ends with the program, however the program ends; the lock file stays.
 fn lock(folder: &Path) -> Result<File, CampaignError> {
     let path = folder.join(LOCK);
     let file = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
@@ -231,13 +232,13 @@ fn lock(folder: &Path) -> Result<File, CampaignError> {
         Ok(()) => Ok(file),
         Err(fs::TryLockError::WouldBlock) => Err(CampaignError::folder(
             folder,
-            "another program writes here; give each shard another folder",
+            "another program writes in this folder; give each shard another folder",
         )),
         Err(fs::TryLockError::Error(error)) => Err(CampaignError::disk(&path, &error)),
     }
 }
 
-/// The manifest of a folder: a description of its campaign.
+/// The manifest of a results folder: a description of the campaign that the folder holds.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Manifest {
     pub(super) fingerprint: String,
@@ -271,18 +272,22 @@ impl Manifest {
     ) -> Result<(), CampaignError> {
         let now = Manifest::of(runs, shard);
         if self.runs != now.runs {
-            let why = format!("its campaign has {} runs, this one {}", self.runs, now.runs);
+            let why = format!(
+                "the folder's campaign has {} runs, but this campaign has {}",
+                self.runs, now.runs
+            );
             return Err(CampaignError::folder(folder, why));
         }
         if self.fingerprint != now.fingerprint {
-            let why = "its campaign differs from this one: the campaign's file, the scenario, a file that they name or the program has \
-                       changed; use another --out, or --replace to begin again";
+            let why = "the folder's campaign differs from this campaign: the campaign's file, the \
+                       scenario, a file that they name or the program has changed; use another \
+                       --out, or --replace to begin again";
             return Err(CampaignError::folder(folder, why));
         }
         if self.shard != shard {
             let (own, other) = (self.shard, shard);
             let why = format!(
-                "it holds shard {}/{}, not {}/{}",
+                "the folder holds shard {}/{}, not {}/{}",
                 own.number, own.of, other.number, other.of
             );
             return Err(CampaignError::folder(folder, why));
@@ -291,7 +296,7 @@ impl Manifest {
     }
 }
 
-/// The manifest of a folder; `None` if there is none.
+/// Reads the manifest of a folder; `None` if the folder has no manifest.
 fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
@@ -307,12 +312,12 @@ fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
         })
     };
     let manifest = serde_json::from_str(&text).ok().and_then(|json: Json| read(&json));
-    manifest
-        .map(Some)
-        .ok_or_else(|| CampaignError::folder(path, "it is not the file of a campaign's folder"))
+    manifest.map(Some).ok_or_else(|| {
+        CampaignError::folder(path, "this campaign.json is not a manifest of a campaign")
+    })
 }
 
-/// The manifest and the journal of a share, to be merged.
+/// Opens the manifest and the journal of a share, which is to be merged.
 pub(super) fn open_share(folder: &Path, runs: &Runs) -> Result<(Shard, Journal), CampaignError> {
     let Some(manifest) = read_manifest(&folder.join(MANIFEST))? else {
         return Err(CampaignError::folder(folder, "the folder holds no share of a campaign"));
@@ -339,7 +344,7 @@ pub(super) fn begin_merged(folder: &Path, runs: &Runs) -> Result<File, CampaignE
     if read_manifest(&manifest)?.is_some() {
         return Err(CampaignError::folder(
             folder,
-            "it holds a campaign already; merge into another folder",
+            "the folder holds a campaign already; merge into another folder",
         ));
     }
     Manifest::of(runs, Shard::WHOLE).write(&manifest)?;

@@ -1,4 +1,5 @@
-//! Rows in a file that is appended to, and in messages between processes: each record has its length and a check sum.
+//! Writes rows as records to a growing file (the journal), and to messages between processes. Each record has its
+//! length and a check sum.
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
@@ -14,7 +15,7 @@ const TEXT: u8 = 2;
 /// Longest record that is read (bytes): more than any row has.
 const LONGEST: u32 = 1 << 24;
 
-/// The record of a row.
+/// Writes the record of a row.
 #[must_use]
 pub fn encode(row: &Row) -> Vec<u8> {
     let mut body = Vec::with_capacity(8 + 9 * row.cells.len());
@@ -40,7 +41,7 @@ pub fn encode(row: &Row) -> Vec<u8> {
     record
 }
 
-/// The row of a record's body.
+/// Reads a row from the body of its record.
 fn decode(body: &[u8]) -> Option<Row> {
     fn take<'b, const N: usize>(rest: &mut &'b [u8]) -> Option<&'b [u8; N]> {
         let (first, others) = rest.split_first_chunk()?;
@@ -67,7 +68,7 @@ fn decode(body: &[u8]) -> Option<Row> {
     Some(Row { run, cells })
 }
 
-/// The next record of a stream; `None` at the end of the stream, and if the record is torn or damaged.
+/// Reads the next record of a stream; `None` at the end of the stream, or if the record is torn or damaged.
 fn next(stream: &mut impl Read) -> std::io::Result<Option<(Row, u64)>> {
     let mut head = [0; 8];
     if !filled(stream, &mut head)? {
@@ -85,7 +86,7 @@ fn next(stream: &mut impl Read) -> std::io::Result<Option<(Row, u64)>> {
     Ok(decode(&body).map(|row| (row, 8 + u64::from(length))))
 }
 
-/// Fills the buffer; false if the stream ends before the buffer is full.
+/// Fills the buffer from the stream; returns false if the stream ends before the buffer is full.
 fn filled(stream: &mut impl Read, buffer: &mut [u8]) -> std::io::Result<bool> {
     match stream.read_exact(buffer) {
         Ok(()) => Ok(true),
@@ -94,10 +95,10 @@ fn filled(stream: &mut impl Read, buffer: &mut [u8]) -> std::io::Result<bool> {
     }
 }
 
-/// The rows of a message.
+/// Reads the rows of a message.
 ///
 /// # Errors
-/// A message that is torn or damaged.
+/// Fails if the message is torn or damaged.
 pub fn decode_all(message: &[u8]) -> Result<Vec<Row>, CampaignError> {
     let mut rest = message;
     let mut rows = Vec::new();
@@ -120,8 +121,8 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Opens a journal, or makes a new journal. A torn record at the end is cut off; a run with two records counts
-    /// once.
+    /// Opens a journal, or makes a new journal. A torn record at the end of the journal is cut off; a run with two
+    /// records counts once.
     pub(super) fn open(
         path: &Path,
         runs: u64,
@@ -141,7 +142,7 @@ impl Journal {
             BufReader::with_capacity(1 << 20, journal.file.try_clone().map_err(failed)?);
         while let Some((row, length)) = next(&mut reader).map_err(failed)? {
             if row.run >= runs || row.cells.len() != columns {
-                let why = "it has rows of another campaign";
+                let why = "the journal has rows of another campaign";
                 return Err(CampaignError::folder(path, why));
             }
             if !journal.has(row.run) {
@@ -156,7 +157,7 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Whether a run has its row.
+    /// Whether the journal has the row of a run.
     pub(super) fn has(&self, run: u64) -> bool {
         self.places.of_run(run).is_some()
     }
@@ -166,7 +167,7 @@ impl Journal {
         self.done
     }
 
-    /// Appends a row: in one call, so that it survives the end of the program.
+    /// Appends a row to the journal, in one call of the system, so that the row survives if the program ends.
     pub(super) fn append(&mut self, row: &Row) -> Result<(), CampaignError> {
         if self.has(row.run) {
             return Ok(());
@@ -184,7 +185,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Reads the rows in the order of the runs.
+    /// Starts reading the journal's rows in the order of the runs.
     pub(super) fn reader(&self) -> Result<Reader<'_>, CampaignError> {
         let file =
             File::open(&self.path).map_err(|error| CampaignError::folder(&self.path, error))?;
@@ -214,7 +215,7 @@ pub(super) struct Reader<'j> {
 }
 
 impl Reader<'_> {
-    /// The row of the next run that has a row.
+    /// Reads the row of the next run that has a row.
     pub(super) fn next(&mut self) -> Result<Option<Row>, CampaignError> {
         let path = &self.journal.path;
         let failed = |error: std::io::Error| CampaignError::folder(path, error);
@@ -223,7 +224,10 @@ impl Reader<'_> {
         // Runs end nearly in order: most jumps stay within the buffer.
         self.file.seek_relative(start as i64 - self.at as i64).map_err(failed)?;
         let Some((row, length)) = next(&mut self.file).map_err(failed)? else {
-            return Err(CampaignError::folder(path, "a record that was intact is now damaged"));
+            return Err(CampaignError::folder(
+                path,
+                "a record of the journal that was intact is now damaged",
+            ));
         };
         self.at = start + length;
         Ok(Some(row))

@@ -1,4 +1,4 @@
-//! Shares of a campaign into one table.
+//! Merges the shares of a campaign into one table.
 
 use std::path::{Path, PathBuf};
 
@@ -13,8 +13,8 @@ use crate::run::Runs;
 /// byte.
 ///
 /// # Errors
-/// A folder that holds no share of this campaign; a share that is missing, there twice, or not finished; a folder that cannot be
-/// written.
+/// Fails if a folder holds no share of this campaign, if a share is missing, given twice or not finished, or if a
+/// folder cannot be written.
 pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), CampaignError> {
     let mut shares: Vec<Option<(Journal, &PathBuf)>> = Vec::new();
     for folder in folders {
@@ -34,7 +34,7 @@ pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), Campaig
         let wanted = shard.count(runs.count());
         if journal.done() < wanted {
             let why = format!(
-                "shard {}/{} has {} of its {wanted} runs: go on with it by --resume",
+                "shard {}/{} has only {} of its {wanted} runs: make the others with --resume",
                 shard.number,
                 shard.of,
                 journal.done()
@@ -63,7 +63,8 @@ pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), Campaig
     write_tables(out, runs, runs.count(), &mut |use_row| in_turn(&journals, use_row))
 }
 
-/// The rows of all shares in the order of the runs: every n-th run belongs to the same share, so the shares take turns.
+/// Reads the rows of all shares in the order of the runs. Every n-th run belongs to the same share, so the shares take
+/// turns.
 fn in_turn(
     journals: &[Journal],
     use_row: &mut dyn FnMut(&Row) -> Result<(), CampaignError>,

@@ -1,9 +1,9 @@
 //! The folder of a campaign's results.
 //!
-//! While a campaign runs, each run that has ended is appended to a journal (`rows.journal`). A record is whole or absent, so that a
-//! killed program loses the runs under way at most. At the end the rows are written in the order of the runs, as `cases.parquet`
-//! and, where there are not too many, `cases.csv`; the journal is then removed. The table does not depend on the order in which the
-//! runs ended, on the threads or on interruptions.
+//! While a campaign runs, each run that has ended is appended to a journal (`rows.journal`). A record of the journal is
+//! whole or absent, so that a killed program loses at most the runs under way. At the end the rows are written in the
+//! order of the runs, as `cases.parquet` and, where there are not too many, `cases.csv`; the journal is then removed.
+//! The table does not depend on the order in which the runs ended, on the threads or on interruptions.
 
 mod folder;
 mod journal;

@@ -1,10 +1,10 @@
-//! Where the record of each run stands in a journal. The numbers of runs are known before their rows; memory is used
-//! only for runs that have rows.
+//! The places of the runs' records in a journal. The number of runs is known in advance; memory is used only for runs
+//! that have rows.
 
-/// Runs of a page: 128 KiB of places.
+/// Number of runs of a page of places (a page takes 128 KiB).
 const PAGE: usize = 1 << 14;
 
-/// Places of records by the number of their run.
+/// The places of the records in a journal, by the number of the run.
 pub(super) struct Places {
     runs: u64,
     /// For each run of a page the place where its record begins, plus 1; 0 for a run without a record. A page without
@@ -13,7 +13,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// No run has a row yet.
+    /// Makes the places for a number of runs, none of which has a row yet.
     pub(super) fn of(runs: u64) -> Places {
         let pages = usize::try_from(runs.div_ceil(PAGE as u64)).unwrap_or(usize::MAX);
         Places { runs, pages: vec![None; pages] }
@@ -22,7 +22,7 @@ impl Places {
     /// The place where the record of a run begins; `None` for a run without a record.
     ///
     /// # Panics
-    /// If there is no such run.
+    /// Panics if there is no run of this number.
     pub(super) fn of_run(&self, run: u64) -> Option<u64> {
         let (page, place) = self.split(run);
         self.pages[page].as_ref()?[place].checked_sub(1)
@@ -31,7 +31,7 @@ impl Places {
     /// Notes where the record of a run begins.
     ///
     /// # Panics
-    /// If there is no such run.
+    /// Panics if there is no run of this number.
     pub(super) fn set(&mut self, run: u64, start: u64) {
         let (page, place) = self.split(run);
         let page = self.pages[page].get_or_insert_with(|| vec![0; PAGE].into_boxed_slice());

@@ -1,4 +1,4 @@
-//! The tables of a campaign: a row a run.
+//! Writes the tables of a campaign, with a row for each run.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -19,24 +19,25 @@ use crate::error::CampaignError;
 use crate::row::{Cell, Head, Row};
 use crate::run::Runs;
 
-/// The table of all runs.
+/// File name of the table of all runs.
 pub const TABLE_PARQUET: &str = "cases.parquet";
-/// The same as text.
+/// File name of the table of all runs as text.
 pub const TABLE_CSV: &str = "cases.csv";
-/// Most rows of the table as text.
+/// Largest number of rows of the table as text.
 pub const MOST_CSV_ROWS: u64 = 100_000;
-/// Rows of a row group, which is held in memory.
+/// Number of rows of a row group, which is held in memory.
 const ROWS_PER_GROUP: usize = 1 << 15;
 
-/// Calls the given function with each row in order.
+/// A function that calls the given function with each row in order.
 pub type EachRow<'a> = &'a mut dyn FnMut(
     &mut dyn FnMut(&Row) -> Result<(), CampaignError>,
 ) -> Result<(), CampaignError>;
 
-/// Writes the tables of `count` rows into a folder; `each` gives them in the order of the runs, as often as it is called.
+/// Writes the tables of `count` rows into a folder; `each` gives the rows in the order of the runs, as often as it is
+/// called.
 ///
 /// # Errors
-/// The disk, or what `each` returns.
+/// Fails with an error of the disk, or with the error that `each` returns.
 pub fn write_tables(
     folder: &Path,
     runs: &Runs,
@@ -146,8 +147,8 @@ fn write_parquet(
     Ok(())
 }
 
-/// The schema: `case`, then a column for each head. Names may have any characters, so the schema is not written as
-/// text.
+/// The schema of the Parquet file: the column `case`, then a column for each head. Names may have any characters, so
+/// the schema is not written as text.
 fn schema(heads: &[Head]) -> Result<TypePtr, ParquetError> {
     let plain = parse_message_type(
         "message m { REQUIRED INT64 case; REQUIRED DOUBLE number; REQUIRED BYTE_ARRAY text (STRING); }",

@@ -1,4 +1,4 @@
-//! Files that are complete or absent.
+//! Writes files that are either complete or absent.
 
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};

@@ -1,9 +1,9 @@
-//! One cell of a text as a number.
+//! Reads one cell of a text table as a number.
 
-/// The number of a cell; NaN for a missing number. With `decimal_comma` a comma is the decimal point.
+/// The number of a cell; NaN for a missing number. With `decimal_comma` a comma stands for the decimal point.
 ///
 /// # Errors
-/// The cell is neither a finite number nor missing.
+/// Fails if the cell is neither a finite number nor missing.
 pub(super) fn number(cell: &str, decimal_comma: bool) -> Result<f64, ()> {
     let cell = cell.trim();
     match cell {

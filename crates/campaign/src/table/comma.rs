@@ -1,4 +1,4 @@
-//! Tables as text with separators.
+//! Reads tables that are text with separators, such as csv files.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -11,10 +11,10 @@ use super::error::{TableError, TableFault};
 use super::head::Head;
 use super::{LARGEST_BYTES, Numbers, Texts, cell};
 
-/// Number of bytes in which the line of heads must end.
+/// Number of bytes within which the head line of a file must end.
 const HEAD_BYTES: u64 = 1 << 20;
 
-/// The mark that some programs put before a text.
+/// The byte order mark that some programs put before a text.
 const BYTE_ORDER_MARK: &str = "\u{feff}";
 
 /// The heads of a table and its separator.
@@ -39,7 +39,7 @@ pub(super) fn heads(path: &Path) -> Result<(Vec<Head>, u8), TableError> {
     Ok((cells.iter().map(|cell| Head::of_text(cell)).collect(), separator))
 }
 
-/// A column as numbers; the error names the first refused line.
+/// Reads a column as numbers; the error names the first line that is refused.
 pub(super) fn numbers(
     path: &Path,
     separator: u8,
@@ -59,7 +59,7 @@ pub(super) fn numbers(
     Ok(numbers)
 }
 
-/// A column as texts.
+/// Reads a column as texts.
 pub(super) fn texts(path: &Path, separator: u8, place: usize) -> Result<Texts, TableError> {
     let mut texts = Texts::default();
     each(path, separator, place, |_, text| {
@@ -92,16 +92,17 @@ fn each(
 
 /// A line of a text, and the place of a cell in the line.
 pub(super) struct Line {
-    /// From 1.
+    /// Number of the line, counted from 1.
     pub(super) number: usize,
     pub(super) text: String,
-    /// Of the cell, from 1, in characters.
+    /// Place of the cell in the line, counted from 1 in characters.
     pub(super) column: usize,
-    /// Of the cell, in characters.
+    /// Length of the cell in characters.
     pub(super) length: usize,
 }
 
-/// The line of a row, from 0, and the cell of a column in it; `None` if the file cannot be read any more or has no such row.
+/// Finds the line of a row (counted from 0) and the cell of a column in this line; `None` if the file cannot be read
+/// any more or has no such row.
 pub(super) fn line_of_row(path: &Path, separator: u8, place: usize, row: usize) -> Option<Line> {
     let mut reader = reader(path, separator).ok()?;
     let record = reader.byte_records().nth(row)?.ok()?;
@@ -133,7 +134,7 @@ fn text_of(cell: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// What the reader found, in words for a line with another number of cells.
+/// Turns an error of the csv reader into ours; a line with a wrong number of cells gets its own words.
 fn damaged(path: &Path, why: &csv::Error) -> TableError {
     match why.kind() {
         csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {

@@ -1,4 +1,4 @@
-//! What is wrong with a table.
+//! Errors of table files.
 
 use core::fmt;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ pub struct TableError {
     pub fault: TableFault,
 }
 
-/// What is wrong with a table.
+/// What is wrong with a table file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TableFault {
     /// The file cannot be opened.
@@ -24,9 +24,9 @@ pub enum TableFault {
         /// The reader's text.
         why: String,
     },
-    /// The first line is not a line of names.
+    /// The first line of the file is not a line of column names.
     NoHead {
-        /// The first cell of the first line that is a number; `None` for an empty file.
+        /// The first cell of the first line that is a number; `None` if the file is empty.
         number: Option<String>,
     },
     /// Two columns have this name.
@@ -34,7 +34,7 @@ pub enum TableFault {
         /// The name.
         name: String,
     },
-    /// There is no such column.
+    /// The table has no column of the requested name.
     NoColumn {
         /// The requested name.
         name: String,
@@ -43,20 +43,20 @@ pub enum TableFault {
         /// All columns.
         columns: Vec<String>,
     },
-    /// A line has another number of cells than there are heads.
+    /// The number of cells in a line differs from the number of heads.
     UnequalLines {
         /// Line, from 1.
         line: u64,
-        /// Its cells.
+        /// Number of cells of the line.
         cells: u64,
-        /// The heads.
+        /// Number of heads.
         heads: u64,
     },
-    /// A cell of a column of numbers holds something else.
+    /// A cell of a column of numbers does not hold a number.
     NotANumber {
         /// Column.
         column: String,
-        /// Line of a text, from 1; row of a Parquet file, from 1.
+        /// Line of a text file or row of a Parquet file, counted from 1.
         line: u64,
         /// The cell.
         text: String,

@@ -5,14 +5,14 @@
 pub struct Head {
     /// Name without unit.
     pub name: String,
-    /// Unit as printed; empty without a unit.
+    /// Unit of the column as printed; empty if it has none.
     pub unit: String,
     /// What the column holds; empty if the file does not say.
     pub meaning: String,
 }
 
 impl Head {
-    /// The head from the head line of a text: `energy [kJ]` is `energy` in kJ, and so is `energy (kJ)`.
+    /// Reads a head from the head line of a text file: `energy [kJ]` or `energy (kJ)` means the column `energy` in kJ.
     pub(super) fn of_text(text: &str) -> Head {
         let text = text.trim();
         let within = |open, close| text.strip_suffix(close).and_then(|rest| rest.split_once(open));
@@ -21,7 +21,7 @@ impl Head {
         Head { name: name.to_owned(), unit: unit.to_owned(), meaning: String::new() }
     }
 
-    /// The name with the unit, as in `energy [kJ]`.
+    /// The name of the column with its unit, as in `energy [kJ]`.
     #[must_use]
     pub fn title(&self) -> String {
         match self.unit.as_str() {

@@ -1,7 +1,8 @@
-//! Tables of many runs in files, read by columns.
+//! Reads tables of many runs from files, column by column.
 //!
-//! [`Table::open`] reads the heads only; [`Table::numbers`] and [`Table::texts`] read one column each, so that a table of
-//! any length takes the memory of one column. Files are comma-separated text with a head line, or Apache Parquet.
+//! [`Table::open`] reads the heads only; [`Table::numbers`] and [`Table::texts`] read one column each, so that a table
+//! of any length takes the memory of one column. Table files are comma-separated text with a head line, or Apache
+//! Parquet.
 
 mod cell;
 mod comma;
@@ -18,7 +19,7 @@ pub use error::{TableError, TableFault};
 pub use head::Head;
 pub use texts::Texts;
 
-/// Largest file that is read (bytes): 64 GiB, more than 10⁸ rows of a campaign.
+/// Largest table file that is read (bytes): 64 GiB, more than 10⁸ rows of a campaign.
 const LARGEST_BYTES: u64 = 64 << 30;
 
 /// A table in a file whose heads are known.
@@ -29,7 +30,7 @@ pub struct Table {
     form: Form,
 }
 
-/// How the file is written.
+/// The format in which the table file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     /// Text with this separator.
@@ -38,7 +39,7 @@ enum Form {
     Parquet,
 }
 
-/// A column of numbers, a value a row.
+/// A column of numbers, with one value for each row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers {
     /// One value for each row; NaN for an empty cell.
@@ -57,11 +58,11 @@ impl Numbers {
 
 impl Table {
     /// Opens a table and reads its heads. A file whose name ends in `.parquet` is Parquet, every other file is text.
-    /// The separator of a text is the separator of its head line: a tab, a semicolon, or a comma. With semicolons a
-    /// comma in a number is its decimal point.
+    /// The separator of a text file is that of its head line: a tab, a semicolon, or a comma. If semicolons separate
+    /// the cells, a comma in a number is the decimal point.
     ///
     /// # Errors
-    /// A file that cannot be read, has no head line, or has two columns of one name.
+    /// Fails if the file cannot be read, has no head line, or has two columns of the same name.
     pub fn open(path: &Path) -> Result<Table, TableError> {
         let is_parquet = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
         let (heads, form) = match is_parquet {
@@ -92,7 +93,7 @@ impl Table {
         &self.heads
     }
 
-    /// Whether there is a column of this name.
+    /// Whether the table has a column of this name.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
         self.heads.iter().any(|head| head.name == name)
@@ -101,7 +102,7 @@ impl Table {
     /// A column's head. The unit may stand in the name, as in `energy [kJ]`.
     ///
     /// # Errors
-    /// There is no such column; the error names the nearest one.
+    /// Fails if the table has no such column; the error names the column with the nearest name.
     pub fn head(&self, name: &str) -> Result<&Head, TableError> {
         self.place(name).map(|place| &self.heads[place])
     }
@@ -110,8 +111,8 @@ impl Table {
     /// 0.
     ///
     /// # Errors
-    /// The table has no column `name`, the file cannot be read, or a cell holds a text that is no number, or a number that is not
-    /// finite.
+    /// Fails if the table has no column `name`, if the file cannot be read, or if a cell holds a text that is no
+    /// number, or a number that is not finite.
     pub fn numbers(&self, name: &str) -> Result<Numbers, TableError> {
         let place = self.place(name)?;
         match self.form {
@@ -122,10 +123,10 @@ impl Table {
         }
     }
 
-    /// A column of texts; an empty cell is an empty text.
+    /// Reads a column of texts; an empty cell gives an empty text.
     ///
     /// # Errors
-    /// There is no such column, or the file cannot be read.
+    /// Fails if the table has no such column, or if the file cannot be read.
     pub fn texts(&self, name: &str) -> Result<Texts, TableError> {
         let place = self.place(name)?;
         match self.form {
@@ -134,7 +135,8 @@ impl Table {
         }
     }
 
-    /// Where a row is, from 0, for errors about its value of this column: the line of a text; a Parquet file as a whole, with no line.
+    /// The place of a row (counted from 0) for errors about its value in a column: the line of a text file, or a
+    /// Parquet file as a whole, without a line.
     #[must_use]
     pub fn origin(&self, column: &str, row: usize) -> Origin {
         let name = self.path.display().to_string();

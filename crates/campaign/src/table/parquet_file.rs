@@ -1,4 +1,4 @@
-//! Tables as Apache Parquet files.
+//! Reads tables that are Apache Parquet files.
 
 use std::fs::File;
 use std::path::Path;
@@ -13,13 +13,13 @@ use super::error::{TableError, TableFault};
 use super::head::Head;
 use super::{LARGEST_BYTES, Numbers, Texts};
 
-/// Rows that are read at once.
+/// Number of rows that are read at once.
 const BATCH: usize = 1 << 14;
 
-/// Key of the metadata of a column in fenderline's tables: unit and meaning.
+/// Key in the metadata of fenderline's tables that holds the units and meanings of the columns.
 const COLUMN_KEY: &str = "fenderline.column.";
 
-/// The heads of a table, with the units that its metadata give; else of its names, as in `energy [kJ]`.
+/// The heads of a table, with the units from its metadata, or else from the column names, as in `energy [kJ]`.
 pub(super) fn heads(path: &Path) -> Result<Vec<Head>, TableError> {
     let reader = reader(path)?;
     let metadata = reader.metadata().file_metadata();
@@ -151,7 +151,7 @@ fn each(
     Ok(())
 }
 
-/// All cells of a column in a row group.
+/// Reads all cells of a column in a row group.
 fn read<T: DataType>(
     mut column: ColumnReaderImpl<T>,
     is_optional: bool,

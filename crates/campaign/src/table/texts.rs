@@ -1,4 +1,4 @@
-//! A column of texts, each different text once.
+//! A column of texts, in which each different text is stored once.
 
 use std::collections::BTreeMap;
 
@@ -32,7 +32,7 @@ impl Texts {
         self.of_row.len()
     }
 
-    /// Whether there is no row.
+    /// Whether the column has no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.of_row.is_empty()
@@ -49,7 +49,8 @@ impl Texts {
         self.of_row.iter().map(|number| self.distinct[*number as usize].as_str())
     }
 
-    /// Each different text with the number of rows that have it, the most frequent first, then by the alphabet.
+    /// Each different text with the number of rows that have it: the most frequent text first, equally frequent texts
+    /// by the alphabet.
     #[must_use]
     pub fn counts(&self) -> Vec<(&str, usize)> {
         let mut counts = vec![0; self.distinct.len()];

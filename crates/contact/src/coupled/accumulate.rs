@@ -15,20 +15,21 @@ use crate::report::{
 };
 use crate::touch::{Scene, Touch, arms_m};
 
-/// A memory with more energy than this cannot be restored from a snapshot (J).
+/// Largest energy that a contact's memory may hold (J); a larger energy could not be restored from a snapshot.
 const MOST_TAKEN_J: f64 = 1e29;
 
-/// The totals of a step.
+/// The wrenches of a step, summed over its sub-steps.
 pub(crate) struct Totals<'w> {
-    /// Mean wrenches of the step up to this sub-step, by id.
+    /// Mean wrenches on the bodies over the sub-steps that were added so far, by the ids of the bodies.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// The sub-step that is added. Reported forces are means over the sub-steps, weighted by their time. At rest the
-    /// mean is the force, however the lengths of the sub-steps change.
+    /// The sub-step that is added to the totals. Reported forces are means over the sub-steps, weighted by the lengths
+    /// of the sub-steps. While the bodies are at rest, this mean equals the force, however the lengths of the sub-steps
+    /// change.
     pub(crate) sub_step: SubStep,
 }
 
 impl Totals<'_> {
-    /// Adds a solved contact to the wrenches of its bodies A and B, and updates its memory.
+    /// Adds a solved contact to the wrenches of its bodies A and B, and updates the memory of the contact.
     #[inline(always)]
     pub(crate) fn add(
         &mut self,
@@ -67,7 +68,7 @@ impl Totals<'_> {
         slip
     }
 
-    /// Does as [`Totals::add`]. Returns what the report of the contact needs.
+    /// Does as [`Totals::add`]. Returns the data that the report of the contact needs.
     #[inline(always)]
     fn entry<'w>(
         &mut self,
@@ -82,7 +83,7 @@ impl Totals<'_> {
     }
 }
 
-/// The contacts of a solved sub-step, each list with one entry per patch.
+/// The contacts of a solved sub-step; each list has one entry per patch.
 pub(crate) struct Solved<'w> {
     pub(crate) patches: &'w [Patch],
     pub(crate) constraints: &'w [Constraint],
@@ -93,14 +94,14 @@ pub(crate) struct Solved<'w> {
 /// The contact reports of a step.
 pub(crate) struct Reports<'w> {
     pub(crate) contacts: &'w mut Vec<Contact>,
-    /// The first contact of the present group of islands.
+    /// Index of the first contact of the present group of islands in `contacts`.
     pub(crate) first: usize,
-    /// Set to false when a later sub-step appends a contact at the end of the list.
+    /// Set to false when a later sub-step appends a contact at the end of the list of reports.
     pub(crate) in_order: &'w mut bool,
 }
 
 impl Reports<'_> {
-    /// Adds solved contacts to the totals and reports them.
+    /// Adds the solved contacts of a sub-step to the totals, and reports the contacts.
     #[inline(never)]
     pub(crate) fn add_all(
         &mut self,
@@ -127,8 +128,8 @@ impl Reports<'_> {
         }
     }
 
-    /// Adds an entry to the step's report of this patch. Returns false if the patch has no report yet. The report is at
-    /// index `guess` as long as the patches are those of the first sub-step.
+    /// Adds an entry of a sub-step to the step's report of the patch. Returns false if the patch has no report yet. The
+    /// report is at index `guess` as long as the patches are the patches of the first sub-step.
     #[inline(never)]
     fn has_added(
         &mut self,
@@ -151,9 +152,10 @@ impl Reports<'_> {
     }
 }
 
-/// How a contact's bodies moved at the contact while the forces acted, and the shear spring afterwards.
+/// The motion of a contact's bodies at the contact while the forces acted, and the state of the shear spring
+/// afterwards.
 pub(crate) struct Slip {
-    /// Way along the normal by the mean speeds of the sub-step, over the time κ (m).
+    /// Way that the bodies moved along the normal in the time κ, by the mean of the speeds before and after (m).
     closing_m: f64,
     slip_m: f64,
     /// Δs (m).
@@ -162,7 +164,8 @@ pub(crate) struct Slip {
 }
 
 impl Slip {
-    /// Computes the slip of a contact. `shear_m` is Δs at the start of the sub-step.
+    /// Computes the slip of a contact in a sub-step. `shear_m` is the deflection Δs of the shear spring at the start of
+    /// the sub-step.
     #[inline(always)]
     fn of(constraint: &Constraint, shear_m: f64, h: f64) -> Slip {
         let Constraint { shear, after, forces, kick_s, .. } = constraint;
@@ -204,13 +207,13 @@ impl Entry<'_> {
         }
     }
 
-    /// The parts of N: the parts of the law's force f, less what the solve took off.
+    /// The parts of the normal force N: the parts of the law's force f, less the force that the solve took off.
     fn parts(&self) -> ForceParts {
         let limiter_n = self.constraint.law_n - self.constraint.forces.normal_n;
         ForceParts { limiter_n, ..self.diagnostics.parts }
     }
 
-    /// The report of a contact that begins with this sub-step.
+    /// The report of a contact that is new in this sub-step.
     #[inline(always)]
     fn contact(&self, scene: &Scene<'_>, patch: &Patch, share: f64) -> Contact {
         let Entry { constraint, diagnostics, slip, ids, memory } = self;
@@ -254,7 +257,7 @@ impl Entry<'_> {
         }
     }
 
-    /// Adds a later sub-step. The length of this sub-step is this `share` of the step.
+    /// Adds a later sub-step. `share` is the length of the sub-step as a share of the step.
     fn add_to(&self, contact: &mut Contact, share: f64) {
         let Entry { constraint, diagnostics, slip, .. } = self;
         let Forces { normal_n, tangential_n, friction } = constraint.forces;

@@ -1,4 +1,4 @@
-//! Stages 4 and 5 of the coupled method: the laws of one contact of a sub-step, written as a constraint for the solver.
+//! Stages 4 and 5 of the coupled method: write the laws of one contact of a sub-step as a constraint for the solver.
 
 use alloc::vec::Vec;
 
@@ -33,32 +33,34 @@ pub(crate) struct Diagnostics {
     /// Depth of the contact, as in [`Touch`] (m).
     pub(crate) depth_m: f64,
     pub(crate) tilt_rad: f64,
-    /// The parts of the law's force f.
+    /// The parts of the normal law's force f: spring, stop and damper.
     pub(crate) parts: ForceParts,
-    /// Energy stored in a fender's spring and stop, with its factor (J); with an unloading law, only the part that the
-    /// fender can return.
+    /// Energy stored in a fender's spring and stop, multiplied by the factor of the fender (J); with an unloading law,
+    /// only the part that the fender can return.
     pub(crate) stored_j: f64,
-    /// Energy that loads spring and stop to their deflection by the loading curve, with the fender's factor (J).
+    /// Energy that loads the fender's spring and stop to their deflection by the loading curve, multiplied by the
+    /// factor of the fender (J).
     pub(crate) absorbed_j: f64,
-    /// Heat that a fender's unloading law has made since the last step or sub-step, with the fender's factor (J).
+    /// Heat that a fender's unloading law has made since the last step or sub-step, multiplied by the factor of the
+    /// fender (J).
     pub(crate) hysteresis_j: f64,
 }
 
-/// The bodies at the start of a sub-step, as the contacts need them. Lists are by rank.
+/// The data of the bodies at the start of a sub-step that the contacts need. Lists are by rank.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'w> {
     pub(crate) scene: Scene<'w>,
     pub(crate) inverses: &'w [InverseMatrix],
     pub(crate) roles: &'w [Role],
-    /// Velocity lag of each body (s), as in [`crate::coupled::dynamics::Dynamics`].
+    /// Velocity lag of each body (s), as defined in [`crate::coupled::dynamics::Dynamics`].
     pub(crate) velocity_lags_s: &'w [f64],
     /// Length of the sub-step (s).
     pub(crate) h: f64,
 }
 
 impl Start<'_> {
-    /// The part of a floating body in the inverse effective mass of a contact, along the contact's normal n. `levers`
-    /// are the levers of n and t.
+    /// The share of a floating body in the inverse effective mass of a contact, along the contact's normal n. `levers`
+    /// are the levers of the normal n and the tangent t about the body's centre of gravity.
     #[inline(always)]
     fn response(&self, rank: u32, n: Vec2, levers: Levers) -> Response {
         let body = &self.scene.model.ranked[rank as usize];
@@ -70,8 +72,8 @@ impl Start<'_> {
         }
     }
 
-    /// Does as [`Start::response`] for both bodies of a contact, of which one may be fixed. Also returns whether each
-    /// body floats.
+    /// Does for both bodies of a contact what [`Start::response`] does for one; one of the bodies may be fixed. The
+    /// function also returns, for each of the two bodies, whether the body floats.
     #[inline(never)]
     fn response_of_both(
         &self,
@@ -92,7 +94,7 @@ impl Start<'_> {
     }
 }
 
-/// Buffers beside those of a contact that the laws write to.
+/// Buffers that the contact laws write to, besides the data of the contact.
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) clip: &'w mut ClipBuffers,
@@ -101,23 +103,24 @@ pub(crate) struct Aside<'w> {
     pub(crate) parted: &'w mut Vec<u32>,
 }
 
-/// The memory that a patch inherits from the last step or sub-step.
+/// The memory that a patch of contact inherits from the last step or sub-step.
 #[derive(Clone, Copy)]
 pub(crate) struct Heritage<'m> {
     pub(crate) inherited: Inherited,
     pub(crate) old: Option<&'m PatchMemory>,
-    /// Number of contacts between the two bodies, if the host displaced one of them before this sub-step; else 0.
+    /// Number of contacts that the two bodies have if the host displaced one of them before this sub-step; else 0.
     pub(crate) displaced: u32,
 }
 
-/// The place to which a contact of a sub-step is written.
+/// The place to which the constraint of a contact is written.
 pub(crate) struct Target<'w> {
     pub(crate) constraint: &'w mut Constraint,
     /// `None` if contacts are not reported.
     pub(crate) diagnostics: Option<&'w mut Diagnostics>,
 }
 
-/// Computes laws and effective masses of a patch into `target`. Returns the patch's memory before the solve.
+/// Computes the laws and the effective masses of a patch of contact, and writes them into `target`. Returns the memory
+/// of the patch before the solve.
 #[inline(always)]
 pub(crate) fn assemble(
     start: &Start<'_>,
@@ -274,7 +277,8 @@ pub(crate) fn assemble(
     }
 }
 
-/// Up to which area the damper has answered a contact, one of whose bodies has this velocity lag.
+/// The area of overlap to which the damper of a contact has already responded; `lag_s` is the velocity lag of one of
+/// the two bodies.
 #[inline(always)]
 fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered {
     match old {
@@ -286,21 +290,21 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
     }
 }
 
-/// The value of γ v_ref for a fender with an unloading law (m/s). This value is so large that no speed reduces the
-/// reaction: only the unloading law does.
+/// The rebound speed γ v_ref for a fender with an unloading law (m/s). This rebound speed is so large that it never
+/// limits the reaction: only the unloading law reduces the reaction.
 const UNBOUNDED_MPS: f64 = 1e12;
 
-/// The state of a fender's unloading law: the tops of its plays, and the energy lost (J).
+/// The state of a fender's unloading law: the tops of its play elements, and the energy lost (J).
 #[derive(Clone, Copy)]
 struct Unloaded {
     tops_j: [f64; PLAYS],
     lost_j: f64,
-    /// Force by the unloading law, over the force of the loading curve.
+    /// Force by the unloading law, divided by the force of the loading curve.
     share: f64,
 }
 
-/// Replaces the forces and the stored energy of a touch. They are those for loading; the new ones follow from the
-/// fender's unloading law.
+/// Replaces the forces and the stored energy of a touch by those of the fender's unloading law. The touch has the
+/// forces and the energy of loading; the fender's unloading law gives the new values.
 #[inline(never)]
 fn apply_unloading(
     model: &Model,
@@ -323,7 +327,7 @@ fn apply_unloading(
     Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j, share: unloaded.share })
 }
 
-/// The chains of the panel pressed last that part in this sub-step; `None` in most sub-steps.
+/// The chains of the fender panel pressed last that part in this sub-step; `None` in most sub-steps.
 #[inline(never)]
 fn breaking(face: &RankedFender, aside: &Aside<'_>) -> Option<Broken> {
     let tensions_n = aside.clip.panel.pressed.tensions_n;
@@ -331,7 +335,7 @@ fn breaking(face: &RankedFender, aside: &Aside<'_>) -> Option<Broken> {
     (broken.chains != 0).then_some(broken)
 }
 
-/// Reports the panel pressed last. `factor` is the factor of its reaction.
+/// Reports the motion of the fender panel that was pressed last. `factor` is the factor of the fender's reaction.
 #[inline(never)]
 fn note_panel(
     model: &Model,
@@ -345,7 +349,7 @@ fn note_panel(
     PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
 }
 
-/// Adds the force and the energy that the fender of a touch holds.
+/// Adds the force and the energy that the fender of a touch holds to `held`.
 pub(crate) fn add_held(
     held: &mut Held,
     model: &Model,
@@ -367,8 +371,8 @@ pub(crate) fn add_held(
     held.force_n += (touch.spring_n + touch.stop_n) * factor;
 }
 
-/// The energy that a contact stores beyond what the last force of the contact balances (J). Between outlines a third of
-/// f δ counts as stored: a flat side stores half of f δ, a wedge a third.
+/// The energy that a contact stores beyond the energy that balances the last force of the contact (J). Between outlines
+/// a third of f δ (force times depth) counts as stored: a flat side stores half of f δ, a wedge a third.
 fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -> f64 {
     let Some(memory) = old else { return 0.0 };
     if memory.normal_force_n >= law_n {
@@ -382,13 +386,13 @@ fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory
     stored_j * share * share
 }
 
-/// The most energy that a contact may give to the bodies: the energy that it has taken from them (J).
+/// The most energy that a contact may give to the bodies: the energy that the contact has taken from the bodies (J).
 ///
-/// A spring acts through a whole sub-step with the force of its start, so it returns up to ωh/2 more energy than it
-/// took. If the spring returns nearly all energy (γ near 1), or if the first touch fell deep into a sub-step, the
-/// bodies would leave faster than they came. If the host displaced the bodies into one another, the host has compressed
-/// the spring, and the bodies get all the energy that the spring stores. Contacts between outlines have no potential: f
-/// δ bounds their stored energy.
+/// A spring acts through a whole sub-step with the force that it has at the start, so it returns up to ωh/2 more energy
+/// than it took. If the spring returns nearly all energy (γ near 1), or if the first touch fell deep into a sub-step,
+/// the bodies would leave each other faster than they came. If the host displaced the bodies into one another, the host
+/// has compressed the spring, and the bodies get all the energy that the spring stores. Contacts between outlines have
+/// no potential: force times depth, f δ, bounds their stored energy.
 fn available_j(
     touch: &Touch,
     factor: f64,
@@ -407,8 +411,9 @@ fn available_j(
     greater(taken_j, stored_j)
 }
 
-/// Returns v_ref, the largest approach speed since V_n last changed sign, and whether the contact approaches. If v_ref
-/// stayed at the speed of the first touch, a ship that starts at rest would never settle at her static depth.
+/// Returns v_ref, the largest approach speed since the normal speed V_n last changed sign, and whether the bodies
+/// approach. If v_ref stayed at the speed of the first touch, a ship that starts at rest would never settle at her
+/// static depth.
 fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) {
     let approaching = v_normal_mps > 0.0;
     let before = old.map_or(0.0, |m| m.v_normal_0_mps);

@@ -1,44 +1,47 @@
-//! Sparse Cholesky factors of symmetric positive definite matrices of 3 × 3 blocks. Each block row is a floating body.
+//! Sparse Cholesky factors of symmetric positive definite matrices of 3 × 3 blocks. Each row of blocks belongs to one
+//! floating body.
 //!
-//! The matrix of an island of a hundred barges has 300 rows. A row has entries only for its own body and for the bodies
-//! that this body touches. The blocks are eliminated in the order of minimum degree (Tinney and Walker 1967; George and
-//! Liu 1989): next is the body with the fewest neighbours left, and among equals the first in the island. The graph of
-//! the contacts alone determines this order and the places of the factor's blocks ([`Pattern`]), so both are kept while
-//! the graph stays. The same graph gives the same order, kept or found again, so the bits do not depend on it.
+//! The matrix of an island of a hundred barges has 300 rows. A row of the matrix has entries only for its own body and
+//! for the bodies that this body touches. The blocks are eliminated in the order of minimum degree (Tinney and Walker
+//! 1967; George and Liu 1989): next is the body with the fewest neighbours left, and among equal bodies the first in
+//! the island. The graph of the contacts alone determines the order of elimination and the places of the factor's
+//! blocks ([`Pattern`]), so both are kept while the graph stays the same. The same graph gives the same order of
+//! elimination, whether the order was kept or found again, so the bits of the result do not depend on keeping it.
 
 use alloc::vec::Vec;
 
-/// A 3 × 3 block: of surge, sway and yaw of one body by those of another.
+/// A 3 × 3 block of the matrix: its rows are surge, sway and yaw of one body, its columns those of another body.
 pub(crate) type Block = [[f64; 3]; 3];
 
-/// Surge, sway and yaw of one body.
+/// Three numbers for surge, sway and yaw of one body.
 pub(crate) type Triple = [f64; 3];
 
-/// The places of the blocks in the factor of a graph's matrix. Nodes are numbered by their place in the order of
-/// elimination.
+/// The places of the blocks in the Cholesky factor of the matrix that belongs to a graph of contacts. The nodes of the
+/// graph are numbered by their place in the order of elimination.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pattern {
-    /// The graph: number of nodes, and edges between nodes, as they were given.
+    /// The graph of contacts: number of nodes, and edges between nodes, as the caller gave them.
     nodes: usize,
     edges: Vec<[u32; 2]>,
     /// Place of each node in the order of elimination.
     place_of: Vec<u32>,
-    /// Where each column's blocks below the diagonal begin in `rows`; one more entry than columns.
+    /// The place in `rows` where each column's blocks below the diagonal begin; the list has one more entry than
+    /// columns.
     first: Vec<u32>,
-    /// Row of each block below the diagonal, ascending within a column.
+    /// Row of each block below the diagonal, in ascending order within a column.
     rows: Vec<u32>,
-    /// For each column, and for each pair of its rows i ≥ k: the block (i, k) that the elimination of this column
-    /// changes.
+    /// For each column, and for each pair of its rows i ≥ k: the index of the block (i, k) that the elimination of this
+    /// column changes.
     targets: Vec<u32>,
     search: Search,
 }
 
-/// Buffers of the search for the order.
+/// Buffers for the search for the order of elimination.
 #[derive(Clone, Debug, Default)]
 struct Search {
-    /// Neighbours of each node that are not yet eliminated, ascending.
+    /// Neighbours of each node that are not yet eliminated, in ascending order.
     neighbours: Vec<Vec<u32>>,
-    /// The nodes that are not yet eliminated, ascending.
+    /// The nodes that are not yet eliminated, in ascending order.
     left: Vec<u32>,
     /// The eliminated nodes, in the order of elimination.
     order: Vec<u32>,
@@ -48,7 +51,8 @@ struct Search {
 const NOT_YET: u32 = u32::MAX;
 
 impl Pattern {
-    /// The pattern of a graph. If the graph is the same as in the last call, this costs only a comparison.
+    /// Updates the pattern of the factor for a graph of contacts. If the graph is the same as in the last call, the
+    /// update costs only a comparison.
     pub(crate) fn update(&mut self, nodes: usize, edges: &[[u32; 2]]) {
         if self.nodes == nodes && self.edges == edges {
             return;
@@ -61,7 +65,7 @@ impl Pattern {
         self.write();
     }
 
-    /// Writes the order and the columns that the search has found.
+    /// Writes the order of elimination and the columns that the search has found.
     fn write(&mut self) {
         let Search { neighbours, order, .. } = &self.search;
         self.place_of.clear();
@@ -91,7 +95,7 @@ impl Pattern {
         }
     }
 
-    /// A column's blocks below the diagonal, as a range of `rows`.
+    /// The blocks of a column below the diagonal, as a range of `rows`.
     fn column(&self, column: usize) -> core::ops::Range<usize> {
         self.first[column] as usize..self.first[column + 1] as usize
     }
@@ -102,13 +106,13 @@ impl Pattern {
         self.place_of[node as usize]
     }
 
-    /// Number of blocks on and below the diagonal.
+    /// Number of blocks of the factor on and below the diagonal.
     pub(crate) fn blocks(&self) -> usize {
         self.nodes + self.rows.len()
     }
 
-    /// The index of the block that couples two places. `row` is not the smaller place. The blocks of the diagonal come
-    /// first.
+    /// The index of the block that couples the nodes at two places. `row` must not be smaller than `column`. The blocks
+    /// on the diagonal come first in the list of blocks.
     pub(crate) fn block(&self, row: u32, column: u32) -> u32 {
         if row == column {
             return row;
@@ -118,7 +122,8 @@ impl Pattern {
         (self.nodes + own.start + index) as u32
     }
 
-    /// Replaces a matrix by its Cholesky factor. Returns false if the matrix is not positive definite to rounding.
+    /// Replaces a matrix, given by its blocks, by its Cholesky factor. Returns false if the matrix is not positive
+    /// definite within rounding.
     #[inline(never)]
     pub(crate) fn factorise(&self, blocks: &mut [Block]) -> bool {
         let mut targets = self.targets.iter();
@@ -134,7 +139,7 @@ impl Pattern {
                 let right = blocks[k];
                 for i in k..own.end {
                     let left = blocks[i];
-                    let target = targets.next().expect("one a pair of rows");
+                    let target = targets.next().expect("one target for each pair of rows");
                     subtract_product(&mut blocks[*target as usize], &left, &right);
                 }
             }
@@ -142,7 +147,7 @@ impl Pattern {
         true
     }
 
-    /// Solves L Lᵀ x = b in place, with the factor L. Unknowns are by place.
+    /// Solves L Lᵀ x = b in place, where L is the Cholesky factor; the unknowns are ordered by place.
     #[inline(never)]
     pub(crate) fn solve(&self, factor: &[Block], b: &mut [Triple]) {
         for column in 0..self.nodes {
@@ -189,7 +194,7 @@ impl Search {
         self.order.clear();
     }
 
-    /// Finds the order. Afterwards `neighbours` has the neighbours that each node had when it was eliminated.
+    /// Finds the order. Afterwards `neighbours` holds the neighbours that each node had when it was eliminated.
     fn eliminate(&mut self) {
         let Search { neighbours, left, order, merged } = self;
         while !left.is_empty() {
@@ -210,7 +215,7 @@ impl Search {
     }
 }
 
-/// Merges two ascending lists into one that has each number once and none of the numbers in `omitted`.
+/// Merges two ascending lists into one list that has each number once and none of the numbers in `omitted`.
 fn merge(one: &[u32], two: &[u32], omitted: [u32; 2], merged: &mut Vec<u32>) {
     let (mut one, mut two) = (one.iter().peekable(), two.iter().peekable());
     loop {
@@ -233,8 +238,8 @@ fn dot(p: &Triple, q: &Triple) -> f64 {
     p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 }
 
-/// The lower Cholesky factor of a block, from the lower part of the block. The diagonal of the factor is inverted,
-/// because solves multiply by it.
+/// Computes the lower Cholesky factor of a block from the lower part of the block. The diagonal of the block's factor
+/// is stored inverted, because the solves multiply by it.
 #[inline(always)]
 fn cholesky(a: &Block) -> Option<Block> {
     let inverse_root = |square: f64| (square > 0.0).then(|| 1.0 / libm::sqrt(square));
@@ -246,7 +251,7 @@ fn cholesky(a: &Block) -> Option<Block> {
     Some([[l00, 0.0, 0.0], [l10, l11, 0.0], [l20, l21, l22]])
 }
 
-/// Solves L x = b for x.
+/// Solves L x = b for x, where L is the lower Cholesky factor of a block.
 #[inline(always)]
 fn forward(l: &Block, b: Triple) -> Triple {
     let x = b[0] * l[0][0];
@@ -255,7 +260,7 @@ fn forward(l: &Block, b: Triple) -> Triple {
     [x, y, z]
 }
 
-/// Solves Lᵀ x = b for x.
+/// Solves Lᵀ x = b for x, where L is the lower Cholesky factor of a block.
 #[inline(always)]
 fn backward(l: &Block, b: Triple) -> Triple {
     let z = b[2] * l[2][2];
@@ -264,7 +269,7 @@ fn backward(l: &Block, b: Triple) -> Triple {
     [x, y, z]
 }
 
-/// Subtracts b cᵀ from a.
+/// Subtracts the product b cᵀ of two blocks from the block a.
 #[inline(always)]
 fn subtract_product(a: &mut Block, b: &Block, c: &Block) {
     for (a, b) in a.iter_mut().zip(b) {

@@ -1,7 +1,8 @@
-//! A contact constraint: one contact as the solver sees it.
+//! A contact constraint: one contact between two bodies in the form that the solver uses.
 //!
 //! The normal force N lies between 0 and the law's force f, and the tangential force T follows the shear spring within
-//! Coulomb's limit ([`crate::law::friction`]). Velocities are those of A relative to B along n and t.
+//! Coulomb's limit ([`crate::law::friction`]). Velocities in a constraint are those of body A relative to body B along
+//! the normal n and the tangent t.
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
 use crate::levers::Levers;
@@ -13,46 +14,49 @@ use crate::state::Velocity;
 use crate::touch::{Movers, Touch};
 use crate::vec2::Vec2;
 
-/// Sweeps over a sliding contact are damped if they would overshoot by more than this factor. With less overshoot the
-/// sweeps settle by themselves, in less than 50 sweeps.
+/// The solver damps the sweeps over a sliding contact if they would overshoot by more than this factor. With less
+/// overshoot the sweeps converge without damping, in less than 50 sweeps.
 const OVERSHOOT: f64 = 0.5;
 
-/// A contact's forces and all that a sweep needs of it. A sweep reads only constraints and the bodies' velocities.
+/// The forces of a contact and all data of the contact that a solver sweep needs. A solver sweep reads only constraints
+/// and the velocities of the bodies.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Constraint {
-    /// Ranks of bodies A and B.
+    /// Ranks of the two bodies A and B of the contact.
     pub(crate) a: u32,
     pub(crate) b: u32,
-    /// Whether A floats, and whether B floats. Forces act on floating bodies only.
+    /// Whether body A floats, and whether body B floats. Contact forces change the motion of floating bodies only.
     a_floats: bool,
     b_floats: bool,
     pub(crate) movers: Movers,
-    /// n, and the levers of n and t about each body's centre of gravity (m).
+    /// Normal n of the contact, and the levers of n and of the tangent t about each body's centre of gravity (m).
     pub(crate) normal: Vec2,
     levers_a: Levers,
     levers_b: Levers,
-    /// n·K n, t·K n and t·K t: the inverse of the effective mass (1/kg).
+    /// The inverse of the effective mass at the contact: n·K n, t·K n and t·K t (1/kg).
     pub(crate) inverse_mass: Response,
-    /// κ: the time for which the contact's forces act on the velocities in this sub-step (s).
+    /// The time κ for which the contact's forces act on the velocities in this sub-step (s).
     pub(crate) kick_s: f64,
-    /// V_n at the start of the sub-step (m/s).
+    /// Normal speed V_n of the two bodies at the start of the sub-step (m/s).
     pub(crate) normal_before_mps: f64,
-    /// f, the normal law's force: the upper bound of N (N).
+    /// Force f of the normal law, the upper bound of the normal force N (N).
     pub(crate) law_n: f64,
-    /// γ v_ref: V_n⁺ may not fall below −γ v_ref (m/s).
+    /// Rebound speed γ v_ref: after the solve, the normal speed V_n⁺ may not be below −γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most energy that N may give the bodies in this sub-step (J).
+    /// The most energy that the normal force N may give to the bodies in this sub-step (J).
     pub(crate) available_j: f64,
-    /// Stored energy that no load balances (J): see [`super::release`].
+    /// Energy stored in the contact that no load balances (J): see [`super::release`].
     pub(crate) unbalanced_j: f64,
     pub(crate) shear: ShearSpring,
-    /// N was less than its law's force in the last step or sub-step.
+    /// Whether the normal force was less than the force of its law in the last step or sub-step.
     pub(crate) was_limited: bool,
-    /// The bound that the direct solve takes to decide N, while the solve includes bounds other than the law's force.
+    /// The bound that decides the normal force N in the direct solve, while this solve includes bounds other than the
+    /// law's force.
     pub(crate) bound: NormalBound,
-    /// The forces that sweeps begin with. After the solve, the resulting forces.
+    /// The forces of the contact with which the sweeps begin. After the solve, these are the resulting forces of the
+    /// contact.
     pub(crate) forces: Forces,
-    /// V_n⁺ and V_t⁺ after the solve (m/s).
+    /// Normal speed V_n⁺ and tangential speed V_t⁺ after the solve (m/s).
     pub(crate) after: Speeds,
 }
 
@@ -68,7 +72,7 @@ pub(crate) enum NormalBound {
     Open,
 }
 
-/// N and T of a contact (N), and whether it slips.
+/// Normal force N and tangential force T of a contact (N), and whether the contact slips.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Forces {
     pub(crate) normal_n: f64,
@@ -77,7 +81,7 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// The change of N and T from the forces `other` to these forces.
+    /// The change of the normal and the tangential force from the forces `other` to these forces.
     #[inline]
     pub(crate) fn minus(&self, other: &Forces) -> Change {
         Change {
@@ -92,7 +96,7 @@ impl Forces {
     }
 }
 
-/// A change of N and T (N).
+/// A change of the normal force N and the tangential force T of a contact (N).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Change {
     pub(crate) normal_n: f64,
@@ -103,14 +107,14 @@ impl Change {
     pub(crate) const NONE: Change = Change { normal_n: 0.0, tangential_n: 0.0 };
 }
 
-/// V_n and V_t of a contact (m/s).
+/// Normal speed V_n and tangential speed V_t of a contact (m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Speeds {
     pub(crate) normal_mps: f64,
     pub(crate) tangential_mps: f64,
 }
 
-/// The results of the laws for a contact.
+/// The results of the contact laws for one contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Laws<'m> {
     pub(crate) material: &'m Material,
@@ -118,20 +122,21 @@ pub(crate) struct Laws<'m> {
     pub(crate) law_n: f64,
     /// γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most energy that N may give to the bodies in this sub-step (J), and the same for T.
+    /// The most energy that the normal force may give to the bodies in this sub-step (J), and the same for the
+    /// tangential force.
     pub(crate) available_j: f64,
     pub(crate) shear_available_j: f64,
-    /// Stored energy that no load balances (J).
+    /// Energy stored in the contact that no load balances (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) slide: Slide,
-    /// N was less than its law's force in the last step or sub-step.
+    /// Whether the normal force was less than the force of its law in the last step or sub-step.
     pub(crate) was_limited: bool,
-    /// Length h of the sub-step, and the time κ (s).
+    /// Length h of the sub-step, and the time κ for which the contact's forces act (s).
     pub(crate) h: f64,
     pub(crate) kick_s: f64,
 }
 
-/// One of a contact's two bodies.
+/// One of the two bodies of a contact, A or B.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     A,
@@ -147,7 +152,7 @@ impl Side {
         }
     }
 
-    /// 1 for A, −1 for B: velocities and forces are those of A relative to B.
+    /// The sign of the side: 1 for A and −1 for B, because velocities and forces are those of A relative to B.
     #[inline(always)]
     pub(crate) fn sign(self) -> f64 {
         match self {
@@ -157,7 +162,7 @@ impl Side {
     }
 }
 
-/// One body's part of a constraint's Jacobian: n and the levers of n and t.
+/// One body's part of the Jacobian of a constraint: the normal n, and the levers of n and of the tangent t.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jacobian {
     pub(crate) normal: Vec2,
@@ -165,7 +170,7 @@ pub(crate) struct Jacobian {
 }
 
 impl Jacobian {
-    /// V_n and V_t if only this body moves, as A.
+    /// Normal and tangential speed of the contact if only this body moves, in the role of body A.
     #[inline(always)]
     pub(crate) fn speeds(&self, (velocity_mps, turn_radps): Velocity) -> Speeds {
         Speeds {
@@ -175,7 +180,7 @@ impl Jacobian {
         }
     }
 
-    /// −N n + T t and its moment, on A.
+    /// The force −N n + T t of the contact on body A, and the moment of this force.
     #[inline(always)]
     pub(crate) fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
         (
@@ -186,7 +191,8 @@ impl Jacobian {
 }
 
 impl Constraint {
-    /// A contact between two bodies of these ranks and inverse masses, with the forces that the solve begins with.
+    /// Makes the constraint of a contact between two bodies, given by rank and inverse mass; `forces` are the forces
+    /// with which the solve begins.
     #[cfg(test)]
     pub(crate) fn new(
         a: (u32, &InverseMatrix),
@@ -205,7 +211,7 @@ impl Constraint {
         constraint
     }
 
-    /// Sets bodies, Jacobian and V_n.
+    /// Sets the bodies, the Jacobian and the normal speed V_n of the constraint.
     // The constraint is set in three steps, each in place, as soon as the inputs are known.
     #[inline(always)]
     pub(crate) fn set_kinematics(&mut self, [a, b]: [u32; 2], movers: Movers, touch: &Touch) {
@@ -215,14 +221,14 @@ impl Constraint {
         self.normal_before_mps = touch.v_normal_mps;
     }
 
-    /// Sets the effective mass, and whether A and B float.
+    /// Sets the effective mass of the contact, and whether A and B float.
     #[inline(always)]
     pub(crate) fn set_masses(&mut self, inverse_mass: Response, [a_floats, b_floats]: [bool; 2]) {
         (self.a_floats, self.b_floats) = (a_floats, b_floats);
         self.inverse_mass = inverse_mass;
     }
 
-    /// Sets the bounds by the laws, and the forces that sweeps begin with.
+    /// Sets the bounds that the contact laws give, and the forces with which the sweeps begin.
     #[inline(always)]
     pub(crate) fn set_laws(&mut self, touch: &Touch, laws: &Laws<'_>, forces: Forces) {
         let start = ShearStart {
@@ -243,7 +249,7 @@ impl Constraint {
         self.forces = forces;
     }
 
-    /// V_n and V_t of the two bodies at these velocities.
+    /// The normal and the tangential speed of the contact for these velocities of the bodies.
     #[inline]
     pub(crate) fn speeds(&self, velocities: &[Velocity]) -> Speeds {
         let (normal_mps, tangential_mps) = self.movers.speeds(
@@ -254,7 +260,7 @@ impl Constraint {
         Speeds { normal_mps, tangential_mps }
     }
 
-    /// Changes the velocities of the constraint's two bodies by the impulse of the constraint's forces over the sub-step h.
+    /// Changes the velocities of the two bodies by the impulse of the contact's forces over the sub-step h.
     #[inline(always)]
     pub(crate) fn apply_impulse(
         &self,
@@ -280,7 +286,7 @@ impl Constraint {
         }
     }
 
-    /// Change of velocity and yaw rate of a floating body of the contact by an impulse and its moment.
+    /// The change of velocity and yaw rate that an impulse and its moment give to a floating body of the contact.
     #[inline(always)]
     fn response(
         &self,
@@ -296,7 +302,7 @@ impl Constraint {
         }
     }
 
-    /// The speeds after a change of the forces.
+    /// The speeds of the contact after a change of its forces.
     #[inline]
     pub(crate) fn speeds_after(&self, speeds: Speeds, more: Change, h: f64) -> Speeds {
         let k = &self.inverse_mass;
@@ -308,11 +314,12 @@ impl Constraint {
         }
     }
 
-    /// The contact's forces if the forces of all other contacts stay as they are. `speeds` are the speeds with the
-    /// present forces of all contacts.
+    /// Computes the forces of the contact for the case that the forces of all other contacts stay as they are. `speeds`
+    /// are the speeds of the contact under the present forces of all contacts.
     ///
-    /// N = mid(0, N at which V_n⁺ = −γ v_ref, f), or less if this N would give more energy than is available. Then T
-    /// follows from the implicit shear spring within Coulomb's limit.
+    /// The normal force N is the middle one of three: 0, the N at which V_n⁺ = −γ v_ref, and the law's force f; N is
+    /// less if it would give more energy than is available. The tangential force T of the contact then follows from the
+    /// implicit shear spring within Coulomb's limit.
     #[inline]
     pub(crate) fn relaxed(&self, speeds: Speeds, h: f64) -> Forces {
         let (now, k) = (&self.forces, &self.inverse_mass);
@@ -332,12 +339,14 @@ impl Constraint {
         Forces { normal_n, tangential_n, friction }
     }
 
-    /// N of a sliding contact. `normal_n` is the N that would result if T stayed constant.
+    /// Computes the normal force N of a sliding contact. `normal_n` is the normal force that would result if the
+    /// tangential force T stayed constant.
     ///
-    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. With ρ = μ_k |t·K n| / n·K n, V_n changes
-    /// by friction ρ times as much as the change by N itself. The two changes are opposed if T drives the bodies apart.
-    /// Undamped sweeps would then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact
-    /// where V_n⁺ = −γ v_ref decides N.
+    /// T = ±μ_k N follows each change of N, and a change of T changes the normal speed V_n through t·K n. With ρ = μ_k
+    /// |t·K n| / n·K n, a change of N changes V_n through friction by ρ times as much as directly. The change of V_n
+    /// through friction is opposed to the direct change if T drives the bodies apart. Sweeps without damping would
+    /// overshoot by ρ, and would never converge if ρ > 1. A change of N that is divided by 1 + ρ is exact where the
+    /// bound V_n⁺ = −γ v_ref decides N.
     #[inline]
     fn damped_by_friction(&self, normal_n: f64) -> f64 {
         let k = &self.inverse_mass;
@@ -355,10 +364,10 @@ impl Constraint {
         1.0 / (h * self.inverse_mass.normal)
     }
 
-    /// Returns `normal_n`, or less if `normal_n` would give the bodies more energy than is available.
+    /// Returns `normal_n`, or a smaller normal force if `normal_n` would give the bodies more energy than is available.
     ///
-    /// The work of N on the bodies is N h (½ N h n·K n − s), where s is the mean of V_n before the sub-step and V_n⁺ at
-    /// N = 0.
+    /// The work of the normal force N on the bodies is N h (½ N h n·K n − s), where s is the mean of two normal speeds:
+    /// V_n before the sub-step, and V_n⁺ at N = 0.
     #[inline]
     fn passive_normal_n(&self, normal_mps: f64, normal_n: f64, h: f64) -> f64 {
         let k_n = self.inverse_mass.normal;
@@ -372,8 +381,8 @@ impl Constraint {
         greater((mean_mps + root) * self.force_per_speed(h), 0.0)
     }
 
-    /// T and the speeds of a contact that sticks, with N = f and no other contact. `free` are the speeds without
-    /// contact.
+    /// Tangential force T and speeds of a contact that sticks, if N = f and no other contact acts. `free` are the
+    /// speeds of the contact without contact forces.
     #[inline]
     pub(crate) fn sticking(&self, free: Speeds, h: f64) -> (f64, Speeds) {
         let k = &self.inverse_mass;
@@ -388,15 +397,16 @@ impl Constraint {
         (tangential_n, speeds)
     }
 
-    /// Do N = f and this T keep within all bounds? `speeds` are the speeds that the forces of all contacts give.
+    /// Returns true if N = f and this tangential force keep within all bounds of the contact. `speeds` are the speeds
+    /// of the contact under the forces of all contacts.
     #[inline]
     pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
         speeds.normal_mps >= -self.rebound_mps
             && self.has_energy_and_holds(speeds, (self.law_n, tangential_n), h)
     }
 
-    /// Do N and this T of the sticking spring keep within the available energies and Coulomb's limit? `speeds` are the
-    /// speeds that the forces of all contacts give.
+    /// Returns true if this normal force, and this tangential force of the sticking spring, keep within the available
+    /// energies and Coulomb's limit. `speeds` are the speeds of the contact under the forces of all contacts.
     #[inline(always)]
     pub(crate) fn has_energy_and_holds(
         &self,
@@ -409,20 +419,20 @@ impl Constraint {
             && self.shear.is_within_bounds(tangential_n, normal_n, speeds.tangential_mps, h)
     }
 
-    /// Sets the solution to N = f and this T of the sticking spring.
+    /// Sets the forces of the contact to N = f and to this tangential force of the sticking spring.
     #[inline(always)]
     pub(crate) fn set_sticking(&mut self, speeds: Speeds, tangential_n: f64) {
         self.forces = Forces { normal_n: self.law_n, tangential_n, friction: Friction::Stick };
         self.after = speeds;
     }
 
-    /// The ranks of the contact's floating bodies: A's, then B's.
+    /// The ranks of the contact's floating bodies: first A's rank, then B's rank.
     #[inline(always)]
     pub(crate) fn floating(&self) -> [Option<u32>; 2] {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
-    /// The rank of the contact's floating body, if exactly one of the two floats.
+    /// The rank of the contact's floating body, if exactly one of its two bodies floats.
     #[inline(always)]
     pub(crate) fn only_floating(&self) -> Option<u32> {
         match (self.a_floats, self.b_floats) {
@@ -438,20 +448,20 @@ impl Constraint {
         if self.a_floats { self.a } else { self.b }
     }
 
-    /// The side of the contact's floating body, if exactly one of the two floats.
+    /// The side of the contact's floating body, if exactly one of its two bodies floats.
     #[inline(always)]
     pub(crate) fn floating_side(&self) -> Side {
         if self.a_floats { Side::A } else { Side::B }
     }
 
-    /// The Jacobian of the contact's only floating body, and the sign of its side.
+    /// The part of the Jacobian that belongs to the contact's only floating body, and the sign of its side.
     #[inline]
     pub(crate) fn floating_jacobian(&self) -> (Jacobian, f64) {
         let side = self.floating_side();
         (self.jacobian(side), side.sign())
     }
 
-    /// The Jacobian of one body, with the sign of A.
+    /// The part of the Jacobian that belongs to the body on this side, with the sign of body A.
     #[inline(always)]
     pub(crate) fn jacobian(&self, side: Side) -> Jacobian {
         Jacobian {
@@ -463,7 +473,8 @@ impl Constraint {
         }
     }
 
-    /// The largest change of the contact's speeds by a change of the contact's forces (m/s).
+    /// The larger of the changes that a change of the contact's forces makes to the normal and the tangential speed
+    /// (m/s).
     #[inline]
     pub(crate) fn change_mps(&self, more: Change, h: f64) -> f64 {
         let k = &self.inverse_mass;

@@ -1,4 +1,4 @@
-//! The contacts of a sub-step: their laws, and the solve of each island.
+//! Computes the contacts of a sub-step: the laws of each contact, and the solve of each island.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,9 +22,10 @@ use crate::room::room_for;
 /// The contact constraints of a sub-step, and the solver's buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Constraints {
-    /// One constraint per patch; the list has room for more. Computed by [`Assembly`] and [`solve_islands`].
+    /// One constraint per patch of contact; the list may be longer than the number of patches. [`Assembly`] and
+    /// [`solve_islands`] compute the constraints.
     list: Vec<Constraint>,
-    /// Diagnostics of each patch if contacts are reported.
+    /// Diagnostics of each patch of contact; used only if contacts are reported.
     diagnostics: Vec<Diagnostics>,
     pub(crate) solver: SolverBuffers,
 }
@@ -32,12 +33,12 @@ pub(crate) struct Constraints {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SolverBuffers {
     newton: NewtonBuffers,
-    /// Buffer for release: unbalanced stored energy of each body's contacts with fixed bodies, by rank (J).
+    /// Buffer for [`release`]: the unbalanced stored energy of each body's contacts with fixed bodies, by rank (J).
     unbalanced_j: Vec<f64>,
 }
 
 impl Constraints {
-    /// Buffers with room for this number of contacts and bodies.
+    /// Makes buffers with room for this number of contacts and bodies.
     pub(crate) fn with_room(contacts: usize, bodies: usize) -> Constraints {
         Constraints {
             list: vec![Constraint::default(); contacts],
@@ -46,7 +47,7 @@ impl Constraints {
         }
     }
 
-    /// Constraints and diagnostics of `patches` contacts.
+    /// Returns the constraints and the diagnostics of `patches` contacts, and the solver's buffers.
     pub(crate) fn of(
         &mut self,
         patches: usize,
@@ -74,7 +75,7 @@ pub(crate) struct Assembly<'w> {
     pub(crate) start: Start<'w>,
     pub(crate) aside: Aside<'w>,
     pub(crate) patches: &'w [Patch],
-    /// The islands of these patches, and the number of the first island's first patch.
+    /// The islands to which the patches belong, and the number of the first patch of the first island.
     pub(crate) islands: (&'w [Island], usize),
     /// One constraint per patch.
     pub(crate) constraints: &'w mut [Constraint],
@@ -84,11 +85,11 @@ pub(crate) struct Assembly<'w> {
 }
 
 impl Assembly<'_> {
-    /// Adds the laws of the first contacts, as long as each contact continues the old contact at the same place in the
-    /// list. Returns the number of contacts added.
+    /// Adds the laws of the contacts at the front of the list, as long as each contact continues the old contact at the
+    /// same place in the list. Returns the number of contacts added.
     ///
-    /// In most sub-steps these are all contacts, and no search for what each contact inherits is needed. If the host
-    /// displaced bodies, no contact is added here.
+    /// In most sub-steps `add_matched` adds all contacts, and no search for what each contact inherits is needed. If
+    /// the host displaced bodies, `add_matched` adds no contact.
     #[inline(always)]
     pub(crate) fn add_matched(&mut self, past: Past<'_>) -> usize {
         if !past.displaced.all.is_empty() {
@@ -112,8 +113,8 @@ impl Assembly<'_> {
         count
     }
 
-    /// Adds the laws of the contacts from number `from` on: new contacts, and contacts that inherit from several old
-    /// contacts or from a part of one.
+    /// Adds the laws of the contacts from number `from` on: new contacts, contacts that inherit from several old
+    /// contacts, and contacts that inherit from a part of an old contact.
     #[inline(never)]
     pub(crate) fn add_others(&mut self, past: Past<'_>, inheritance: &Inheritance, from: usize) {
         let (islands, first) = self.islands;
@@ -121,7 +122,7 @@ impl Assembly<'_> {
         let mut island = 0..0;
         for (index, &inherited) in (from..self.patches.len()).zip(&inheritance.inherited) {
             while island.end <= index {
-                island = islands.next().expect("every patch is of an island");
+                island = islands.next().expect("every patch belongs to an island");
             }
             let candidate = self.patches[index].candidate;
             let displaced =
@@ -135,8 +136,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// The number of contacts that a contact's floating bodies have, this contact included. All these contacts are in
-    /// its island.
+    /// Counts the contacts of the floating bodies of this contact, this contact included. All the counted contacts are
+    /// in the island of this contact.
     #[cold]
     fn contacts_beside(&self, index: usize, island: Range<usize>) -> u32 {
         let floats = |rank: u32| !self.start.scene.model.ranked[rank as usize].is_fixed();
@@ -146,7 +147,7 @@ impl Assembly<'_> {
         (self.patches[island].iter().filter(beside).count() as u32).max(1)
     }
 
-    /// Adds the law of a contact between two outlines.
+    /// Adds the laws of a contact between two outlines.
     #[inline(always)]
     fn add_outline(&mut self, index: usize, heritage: Heritage<'_>) {
         let target = Target {
@@ -158,7 +159,7 @@ impl Assembly<'_> {
         self.next_patches.push(memory);
     }
 
-    /// Adds the law of any contact.
+    /// Adds the laws of a contact of any kind.
     #[inline(never)]
     fn add(&mut self, index: usize, heritage: Heritage<'_>) {
         let target = Target {
@@ -172,14 +173,15 @@ impl Assembly<'_> {
     }
 }
 
-/// The contacts of a group, each list with one entry per patch.
+/// The contacts of a group of islands; each list has one entry per patch.
 pub(crate) struct Contacts<'w> {
     pub(crate) patches: &'w [Patch],
     pub(crate) constraints: &'w mut [Constraint],
     pub(crate) memories: &'w mut [PatchMemory],
 }
 
-/// Solves the contacts of each island of a group. Writes the new velocities, and the forces in the constraints.
+/// Solves the contacts of each island in a group. Writes the new velocities of the bodies, and the forces of the
+/// contacts into the constraints.
 pub(crate) fn solve_islands(
     model: &Model,
     group: &Group,

@@ -1,23 +1,22 @@
-//! The direct solve: computes all forces at once, for an island with one floating body whose contacts stick. Most
-//! islands are of this kind in most sub-steps.
+//! The direct solve: computes all forces at once, for an island with one floating body whose contacts stick. In most
+//! sub-steps most islands have one floating body whose contacts stick.
 //!
-//! The normal force is N_i = f_i. The force T_i of the implicit shear spring is linear in V_t⁺ while the contact
-//! sticks:
+//! In the direct solve, the normal force N_i equals the force f_i of its law. The force of the implicit shear spring is
+//! linear in the tangential speed V_t⁺ while the contact sticks: T_i = T_i(V_t⁺ = 0) − c_i V_t,i⁺ with the slope c_i =
+//! ϑ² k_s h.
 //!
-//! T_i = T_i(V_t⁺ = 0) − c_i V_t,i⁺,  c_i = ϑ² k_s h,
+//! Three equations then give the body's velocity v⁺, whatever the number of contacts. If the fixed bodies are at rest,
+//! the equations for v⁺ are (1 + h M⁻¹ Σ c_i j_t j_tᵀ) v⁺ = v_free + h M⁻¹ Σ (−f_i j_n + T_i(0) j_t).
 //!
-//! The body's velocity v⁺ then follows from three equations, whatever the number of contacts. If the fixed bodies are
-//! at rest, the equations are
+//! When a ship comes off her fenders, the normal force N of some contacts is at a bound for many steps. Most of these
+//! contacts are open, which means N = 0. One or two contacts are tight, which means V_n⁺ = −γ v_ref, and each tight
+//! contact adds an equation ([`hold`]). The solver first assumes that each contact has the bound that it had in the
+//! last sub-step. If the solution contradicts an assumed bound, the bound is corrected, and the equations are solved
+//! again.
 //!
-//! (1 + h M⁻¹ Σ c_i j_t j_tᵀ) v⁺ = v_free + h M⁻¹ Σ (−f_i j_n + T_i(0) j_t).
-//!
-//! When a ship comes off her fenders, some contacts are at a bound of N for many steps. Most of these are open, N = 0.
-//! One or two are tight, V_n⁺ = −γ v_ref, and each tight contact adds an equation ([`hold`]). The solver first assumes
-//! the bounds of the last sub-step. If the solution contradicts a bound, the bound is corrected, and the equations are
-//! solved again.
-//!
-//! If the solution reaches no other bound on N and T, it is the answer that the sweeps would give. Each contact is
-//! tested for this. If one contact fails, the sweeps take over and find the bounds.
+//! If the solution reaches no other bound on N and T, it is the same as the result of the iterative sweeps. The direct
+//! solve tests each contact for a bound that the solution reaches. If one contact fails this test, the iterative sweeps
+//! take over and find the bounds.
 
 use crate::coupled::constraint::{Constraint, Forces, NormalBound, Side, Speeds};
 use crate::coupled::direct_system::{Push, Stiffness, System};
@@ -26,26 +25,27 @@ use crate::report::Friction;
 use crate::state::Velocity;
 use crate::touch::Movers;
 
-/// The bounds are corrected this many times at most.
+/// Largest number of corrections of the assumed bounds in one solve.
 const CORRECTIONS: u32 = 6;
 
-/// Most tight contacts. More tight contacts, at fenders in a line, would not determine N of each.
+/// Most tight contacts. More tight contacts, for example at fenders in a line, would not determine N of each contact.
 const MOST_TIGHT: usize = 2;
 
 /// The result of checking the assumed bounds against a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
-    /// The assumed bounds are right.
+    /// All assumed bounds on the contact forces are right.
     Right,
-    /// Other bounds are right; the constraints have them now.
+    /// Some assumed bounds were wrong; the constraints now have the right bounds.
     Corrected,
-    /// The direct solve cannot find the solution, as a contact with a second floating body. The sweeps must solve the contacts.
+    /// The direct solve cannot find the solution, for example because a contact has a second floating body. The
+    /// iterative sweeps must then solve the contacts.
     Beyond,
 }
 
-/// Computes the new velocity in `bodies` and the forces in `constraints`, from velocities without contact. Returns
-/// false if sweeps are needed, or if more than one body floats. Then `bodies` are unchanged and the forces are
-/// undefined.
+/// Computes the new velocity of the body in `bodies` and the forces in `constraints`, from the velocities without
+/// contact. Returns false if the iterative sweeps are needed, or if more than one body floats. If the function returns
+/// false, `bodies` are unchanged and the forces are undefined.
 #[inline]
 pub(crate) fn solve(
     bodies: &mut [Velocity],
@@ -65,7 +65,7 @@ pub(crate) fn solve(
     solve_below_law(bodies, body, &response, constraints, h)
 }
 
-/// Does as [`solve`] where some contacts are below their law's force.
+/// Does the same as [`solve`] for the case that some contacts are below their law's force.
 #[inline(never)]
 fn solve_below_law(
     bodies: &mut [Velocity],
@@ -91,8 +91,8 @@ fn solve_below_law(
     false
 }
 
-/// Solves the contacts of a body at their [`Constraint::bound`]s; without `BELOW_LAW`, all contacts at their law's
-/// force.
+/// Solves the contacts of a body at the bounds in [`Constraint::bound`]; without `BELOW_LAW`, all contacts have their
+/// law's force.
 // Not inlined: it needs all registers.
 #[inline(never)]
 fn solve_at_bounds<const BELOW_LAW: bool>(
@@ -151,8 +151,8 @@ fn solve_at_bounds<const BELOW_LAW: bool>(
     verdict
 }
 
-/// Finds the contact whose law's force drives its bodies apart fastest beyond γ v_ref, and makes it tight. Only this
-/// one contact: with its force reduced, the others may be right.
+/// Finds the contact whose law's force drives the bodies apart fastest beyond γ v_ref, and makes this contact tight.
+/// Only this one contact is made tight, because with its force reduced the other contacts may be right.
 fn tighten(constraints: &mut [Constraint]) {
     let mut fastest = None;
     let mut least_mps = 0.0;
@@ -168,8 +168,8 @@ fn tighten(constraints: &mut [Constraint]) {
     }
 }
 
-/// Adds a contact: its forces if both bodies stood still, and the slope of its shear spring. N of a tight contact is
-/// added later.
+/// Adds a contact to the equations: its forces if both bodies stood still, and the slope of its shear spring. The
+/// normal force of a tight contact is added later, by [`hold`].
 #[inline(always)]
 fn add<const BELOW_LAW: bool>(
     constraint: &Constraint,
@@ -187,11 +187,11 @@ fn add<const BELOW_LAW: bool>(
     stiffness.add(&jacobian, constraint.shear.slope);
 }
 
-/// Sets N of the tight contacts so that V_n⁺ = −γ v_ref at each, and adds these forces to the body's velocity and push.
-/// Returns false if the equations do not determine N.
+/// Sets the normal force of each tight contact so that V_n⁺ = −γ v_ref there, and adds these forces to the body's
+/// velocity and push. Returns false if the equations do not determine these normal forces.
 ///
-/// A force N changes the velocity by N w, where w is the change by a unit force. The sums Σ_k (j_i·w_k) N_k must bring
-/// each V_n,i⁺ to −γ v_ref.
+/// A normal force N changes the velocity of the body by N w, where w is the change by a unit force. The sums Σ_k
+/// (j_i·w_k) N_k must bring the normal speed V_n,i⁺ of each tight contact to −γ v_ref.
 #[inline(never)]
 fn hold(
     constraints: &mut [Constraint],
@@ -247,7 +247,7 @@ fn hold(
     true
 }
 
-/// Adds the shear that the motion of fixed bodies, such as lock gates, causes.
+/// Adds the shear of the contacts that the motion of fixed bodies, such as lock gates, causes.
 #[cold]
 #[inline(never)]
 fn add_moving_fixed<const BELOW_LAW: bool>(
@@ -271,9 +271,9 @@ fn add_moving_fixed<const BELOW_LAW: bool>(
     }
 }
 
-/// Sets forces and speeds for this velocity of the floating body; `of_fixed` is what the fixed body's motion adds to
-/// the speeds. Corrects the bound on N if another bound is right. A contact at its law's force is not corrected here:
-/// see [`tighten`].
+/// Sets the forces and speeds of the contact for this velocity of the floating body; `of_fixed` is the part of the
+/// speeds that the fixed body's motion adds. Corrects the bound on the normal force N if another bound is right. The
+/// bound of a contact at its law's force is corrected elsewhere, by [`tighten`].
 #[inline(always)]
 fn settle<const BELOW_LAW: bool>(
     constraint: &mut Constraint,
@@ -309,7 +309,7 @@ fn settle<const BELOW_LAW: bool>(
     Verdict::Right
 }
 
-/// Does as [`settle`] for a contact that is tight or open. A tight contact has its N already.
+/// Does the same as [`settle`] for a contact that is tight or open. The normal force of a tight contact is already set.
 #[inline(never)]
 fn settle_below_law(constraint: &mut Constraint, speeds: Speeds, h: f64) -> Verdict {
     constraint.after = speeds;

@@ -1,22 +1,23 @@
-//! The equations of the direct solve: the forces of contacts on a body, and the stiffness with which shear springs hold
-//! the body.
+//! The equations of the direct solve: the contact forces on a body, and the stiffness with which shear springs hold the
+//! body.
 
 use crate::coupled::constraint::{Constraint, Jacobian};
 use crate::mass::InverseMatrix;
 use crate::state::Velocity;
 use crate::vec2::{Vec2, vec2};
 
-/// Σ (−N n + T t) and its moment on the floating body. N and T are the forces on the floating body.
+/// Sum of the contact forces −N n + T t on the floating body, and the moment of this sum. N and T are the normal and
+/// the tangential force on the floating body.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Push {
-    /// Σ N n and Σ T n: the quarter turn from n to t is applied once, to the sum.
+    /// The sums Σ N n and Σ T n: the quarter turn from n to t is applied only once, to the sum.
     pub(super) normal_n: Vec2,
     tangential_n: Vec2,
     pub(super) moment_nm: f64,
 }
 
 impl Push {
-    /// The push of this N alone.
+    /// The force and moment that the normal force N of this contact alone exerts on the floating body.
     pub(super) fn of_normal(constraint: &Constraint, normal_n: f64) -> Push {
         let (jacobian, sign) = constraint.floating_jacobian();
         Push {
@@ -45,7 +46,7 @@ impl Push {
         self.moment_nm -= jacobian.levers.t_m * tangential_n;
     }
 
-    /// The change of velocity and yaw rate by the push; `response` is h M⁻¹.
+    /// The change of velocity and yaw rate that the push causes; `response` is h M⁻¹.
     #[inline(always)]
     pub(super) fn response(&self, response: &InverseMatrix) -> Velocity {
         let force_n = self.tangential_n.quarter_turn() - self.normal_n;
@@ -53,7 +54,7 @@ impl Push {
     }
 }
 
-/// C = Σ c j_t j_tᵀ, symmetric: columns of x, y and yaw.
+/// Symmetric stiffness matrix C = Σ c j_t j_tᵀ of the shear springs, for x, y and yaw.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Stiffness {
     xx: f64,
@@ -78,7 +79,7 @@ impl Stiffness {
         self.rr += of_r * lever_m;
     }
 
-    /// The matrix 1 + h M⁻¹ C: M + h C is positive definite.
+    /// The matrix 1 + h M⁻¹ C of the equations; it can be inverted because M + h C is positive definite.
     #[inline]
     pub(super) fn system(&self, response: &InverseMatrix) -> System {
         let column = |x: f64, y: f64, r: f64| {
@@ -101,13 +102,13 @@ pub(super) struct System {
     a: [f64; 3],
     b: [f64; 3],
     c: [f64; 3],
-    /// b × c, and 1 over the determinant.
+    /// The cross product b × c of two columns, and 1 over the determinant of the matrix.
     b_c: [f64; 3],
     scale: f64,
 }
 
 impl System {
-    /// Solves (a b c) v = `free` for v, by Cramer's rule.
+    /// Solves the system (a b c) v = `free` for v by Cramer's rule.
     #[inline]
     pub(super) fn solve(&self, (dv, dr): Velocity) -> Velocity {
         let System { a, b, c, b_c, scale } = *self;

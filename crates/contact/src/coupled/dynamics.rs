@@ -1,9 +1,10 @@
-//! The bodies' dynamics in the coupled method: the state at the start of a step, and the motion in it.
+//! The dynamics of the bodies in the coupled method: their state at the start of a step, and their motion in the step.
 //!
-//! Sub-steps are a leapfrog: x⁺ = x + h v⁺ with v⁺ = v + κ M⁻¹ (W + contact). So v⁺ belongs to the middle of its
-//! sub-step, and v to the middle of the sub-step before. The time between v and v⁺ is κ = (h_before + h)/2. While all
-//! sub-steps have the same length, κ = h. Loads and contacts have the same κ, so that at rest they cancel, whatever the
-//! sub-steps.
+//! The sub-steps are a leapfrog scheme: x⁺ = x + h v⁺ with v⁺ = v + κ M⁻¹ (W + contact). So the velocity v⁺ belongs to
+//! the middle of its own sub-step, and the velocity v to the middle of the sub-step before. The time between the
+//! velocities v and v⁺ is κ = (h_before + h)/2. While all sub-steps have the same length, the time κ equals the length
+//! h. Loads and contact forces act for the same time κ, so that they cancel for bodies at rest, whatever the lengths of
+//! the sub-steps.
 
 use alloc::vec::Vec;
 
@@ -26,39 +27,39 @@ use crate::results::Results;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
-/// The data of the bodies for the coupled method. Lists are by rank.
+/// The data of the bodies that the coupled method needs. Lists are by rank.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dynamics {
-    /// Layout of the model that all lists are valid for. `None` if the last step used another method, or failed.
+    /// Layout of the model for which all lists are valid. `None` if the last step used another method, or failed.
     pub(crate) layout: Option<u64>,
     /// Ranks of the fixed bodies with a velocity, such as lock gates.
     pub(crate) moving_fixed: Vec<u32>,
     pub(crate) roles: Vec<Role>,
-    /// Time by which each velocity is older than the position (s). Negative if the host gave the velocity: then half of
-    /// this step is taken as the lag.
+    /// Time by which the velocity of each body is older than its position (s). The velocity lag of a body is negative
+    /// if the host gave the velocity: then half of this step is taken as the lag.
     pub(crate) velocity_lags_s: Vec<f64>,
     pub(crate) speed_bounds: Vec<SpeedBound>,
     /// M⁻¹, earth-fixed.
     pub(crate) inverses: Vec<InverseMatrix>,
-    /// States at the start of the sub-step.
+    /// States of the bodies at the start of the sub-step.
     pub(crate) states: Vec<BodyState>,
-    /// Before the solve of a sub-step, v_free: the velocities without contact. After the solve, v⁺.
+    /// Before the solve of a sub-step these are v_free, the velocities without contact. After the solve, v⁺.
     pub(crate) velocities: Vec<Velocity>,
-    /// The bodies on piles, as in [`Model::piles`].
+    /// The bodies on piles, in the order of [`Model::piles`].
     pub(crate) piles: Vec<MovingPile>,
-    /// A sum over all states that the step has computed: the sum is finite if all states are, except for states near
-    /// the largest number.
+    /// Sum over all states that the step has computed: the sum is finite if all states are finite, except for states
+    /// near the largest number.
     state_sum: f64,
 }
 
-/// The input of the host for a step.
+/// What the host gives to the engine for a step: states, loads and the length of the step.
 #[derive(Clone, Copy)]
 pub(crate) struct HostInput<'a> {
     /// States by id.
     pub(crate) states: &'a [BodyState],
     pub(crate) loads: &'a [Wrench],
     pub(crate) step_s: f64,
-    /// The bodies still have the velocities of the engine's last step, which lag behind their positions.
+    /// True if the bodies still have the velocities of the engine's last step, which lag behind their positions.
     pub(crate) velocities_continue: bool,
 }
 
@@ -78,7 +79,8 @@ impl Dynamics {
     /// Settled bodies, such as quays, are skipped while their state stays the same.
     ///
     /// # Errors
-    /// Input with a number that is not finite or too large. Then nothing has changed that a later step needs.
+    /// Returns an error if a number of the input is not finite or too large. If the function returns an error, nothing
+    /// has changed that a later step needs.
     pub(crate) fn begin(
         &mut self,
         model: &Model,
@@ -171,7 +173,7 @@ impl Dynamics {
         Ok(())
     }
 
-    /// Resets the lists to the right length for a model, with nothing known of it yet.
+    /// Resets the lists to the right length for a model, with nothing known about the model's bodies yet.
     #[cold]
     #[inline(never)]
     fn forget(&mut self, model: &Model) {
@@ -186,8 +188,8 @@ impl Dynamics {
         self.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
     }
 
-    /// Begins a sub-step of a group: computes v_free under these loads, by id. `islands` are the group's islands, if
-    /// one of them has more than one floating body.
+    /// Begins a sub-step of a group: computes the velocities v_free without contact under `loads`, which are listed by
+    /// id. `islands` are the islands of the group, if one of them has more than one floating body.
     pub(crate) fn begin_sub_step(
         &mut self,
         model: &Model,
@@ -214,8 +216,9 @@ impl Dynamics {
         }
     }
 
-    /// Gives bodies that touch each other the same κ, the least of theirs. Otherwise a contact would push one body and
-    /// not the other. The loads of these bodies act for the same time. Returns whether any κ has changed.
+    /// Gives bodies that touch each other the same time κ, the least of their times. With different times κ, a contact
+    /// would give its two bodies different impulses. The loads of bodies that touch each other then act for the same
+    /// time κ too. Returns true if a time κ has changed.
     #[inline(never)]
     fn agree(
         &mut self,
@@ -240,7 +243,7 @@ impl Dynamics {
         changed
     }
 
-    /// Computes v_free = v + κ M⁻¹ W for the bodies of a group.
+    /// Computes the velocities without contact, v_free = v + κ M⁻¹ W, for the bodies of a group.
     fn free_velocities(&mut self, model: &Model, loads: &[Wrench], group: &Group, h: f64) {
         for &rank in &group.bodies {
             let rank = rank as usize;
@@ -251,8 +254,9 @@ impl Dynamics {
         }
     }
 
-    /// Moves the bodies of a group: x⁺ = x + h v⁺, with poses and inverse masses. Also computes the displacement of
-    /// each body by the mean velocity of the sub-step: a force times this displacement is exactly the force's work.
+    /// Moves the bodies of a group by x⁺ = x + h v⁺, and updates their poses and inverse masses. The function also
+    /// computes the displacement of each body by the mean velocity of the sub-step: a force times this displacement is
+    /// exactly the work of the force.
     pub(crate) fn advance_positions(
         &mut self,
         model: &Model,
@@ -297,8 +301,8 @@ impl Dynamics {
         }
     }
 
-    /// Marks the fixed bodies that a group has moved through the step. Such a fixed body may be in other groups as
-    /// well.
+    /// Marks the fixed bodies that a group of islands has moved through the step. A fixed body with a velocity may be
+    /// in other groups as well.
     pub(crate) fn mark_moved_fixed(&mut self) {
         for &rank in &self.moving_fixed {
             let role = &mut self.roles[rank as usize];
@@ -306,7 +310,8 @@ impl Dynamics {
         }
     }
 
-    /// Returns the moving fixed bodies of these candidates to their input states: each group moves them through the step.
+    /// Returns the moving fixed bodies of these candidates to their input states, because each group moves them through
+    /// the step.
     pub(crate) fn reset_moving_fixed(&mut self, bodies: &mut Bodies, candidates: &[Pairing]) {
         for &rank in &self.moving_fixed {
             let is_of =
@@ -319,10 +324,10 @@ impl Dynamics {
         }
     }
 
-    /// Moves the bodies that no island contains.
+    /// Moves the bodies that are in no island through the step.
     ///
     /// Returns true if all states at the end of the step are finite, except for states near the largest number. A
-    /// wrench that is not finite makes a state not finite.
+    /// wrench that is not finite makes the state of its body not finite.
     pub(crate) fn drift(
         &mut self,
         model: &Model,
@@ -348,8 +353,8 @@ impl Dynamics {
         self.state_sum.is_finite()
     }
 
-    /// Moves a body through a step with the velocity that `begin` gave it. A floating body moves by its load alone, a
-    /// fixed body as the host says.
+    /// Moves a body through a step with the velocity that `begin` gave the body. A floating body moves by its load
+    /// alone, and a fixed body moves as the host says.
     #[inline(never)]
     fn drift_one(
         &mut self,
@@ -374,7 +379,7 @@ impl Dynamics {
     }
 }
 
-/// Calls with the rank of each floating body of these patches, once per patch.
+/// Calls the function `call` with the rank of each floating body of the patches, once per patch.
 #[inline(always)]
 fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usize)) {
     for patch in patches {
@@ -386,20 +391,21 @@ fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usiz
     }
 }
 
-/// The sum of a state's numbers. The sum is not finite if one of the numbers is not finite.
+/// Adds up all numbers of a body's state. The sum is not finite if one number of the state is not finite.
 #[inline(always)]
 fn sum_of(state: &BodyState) -> f64 {
     let linear = state.position_m + state.velocity_mps;
     linear.x + linear.y + state.heading_rad + state.yaw_rate_radps
 }
 
-/// Returns v_free = v + κ M⁻¹ W.
+/// Returns the velocity of a body without contact, v_free = v + κ M⁻¹ W.
 #[inline(always)]
 fn free_velocity(state: &BodyState, (way, turn): Velocity, kick_s: f64) -> Velocity {
     (state.velocity_mps + way * kick_s, state.yaw_rate_radps + turn * kick_s)
 }
 
-/// Adds another sub-step to a displacement, by the mean of the velocities before and after that sub-step.
+/// Adds the way in another sub-step to a body's displacement, by the mean of the velocities before and after the
+/// sub-step.
 #[inline(always)]
 fn moved(so_far: Displacement, before: Velocity, after: Velocity, kick_s: f64) -> Displacement {
     let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
@@ -409,7 +415,7 @@ fn moved(so_far: Displacement, before: Velocity, after: Velocity, kick_s: f64) -
     }
 }
 
-/// Moves a body with its new velocity.
+/// Moves the state of a body by its new velocity.
 #[inline(always)]
 fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     (state.velocity_mps, state.yaw_rate_radps) = velocity;
@@ -417,7 +423,7 @@ fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
-/// Moves a body's pose with the body, and turns the body's momentum.
+/// Moves a body's pose with the body's state, and turns the body's momentum.
 fn turn_with(body: &Rest, state: &mut BodyState, pose: &mut Pose, h: f64) {
     let before = core::mem::replace(pose, state.pose()).rotation;
     if let Some(kirchhoff) = &body.kirchhoff {

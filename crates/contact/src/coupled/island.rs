@@ -1,5 +1,5 @@
-//! Islands: bodies that may touch each other in this step, directly or through others. Each island is solved by itself,
-//! and has its own number of sub-steps. Fixed bodies do not connect islands.
+//! Islands: groups of bodies that may touch each other in this step, directly or through other bodies. Each island is
+//! solved by itself, and has its own number of sub-steps. Fixed bodies do not connect islands to each other.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -15,32 +15,32 @@ use crate::room::room_for;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
     pub(crate) list: Vec<Island>,
-    /// Whether the candidates are in the order of their keys, although they are sorted by island.
+    /// True if the candidates are in the order of their keys, although they are sorted by island.
     pub(crate) in_order: bool,
-    /// Whether some islands have more than one floating body.
+    /// True if some islands have more than one floating body.
     joined: bool,
-    /// One body of each body's island, by rank; used while islands are joined.
+    /// For each body, by rank, one body of its island; used while islands are joined.
     root: Vec<u32>,
 }
 
-/// Bodies that may touch each other: a range of `Candidates::pairings`.
+/// Bodies that may touch each other, with their candidates as a range of `Candidates::pairings`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
     candidates: Range<u32>,
-    /// Patches of the island: a range of the overlap of its sub-step.
+    /// Patches of the island, as a range of the list of patches that its sub-step computes.
     patches: Range<u32>,
     pub(crate) sub_steps: u32,
 }
 
-/// Neighbouring islands that take the same number of sub-steps and go through them together ([`groups`]). Set by
-/// [`Group::enter`].
+/// Neighbouring islands that take the same number of sub-steps, and go through the sub-steps together ([`groups`]). Set
+/// by [`Group::enter`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Group {
-    /// Candidates of the group: a range of `Candidates::pairings`.
+    /// Candidates of the group, as a range of `Candidates::pairings`.
     pub(crate) candidates: Range<usize>,
-    /// Patches of the group: a range of the overlap of the sub-step.
+    /// Patches of the group, as a range of the list of patches that the sub-step computes.
     pub(crate) patches: Range<usize>,
-    /// Ranks of the group's moving bodies, ascending.
+    /// Ranks of the group's moving bodies, in ascending order.
     pub(crate) bodies: Vec<u32>,
     /// The indices at which the group's patches, places and hints begin in the memory of the next step.
     pub(crate) first: [usize; 3],
@@ -51,15 +51,15 @@ pub(crate) struct Group {
 /// How islands are ordered in the list of candidates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Order {
-    /// By the ranks of their bodies: then the candidates are in the order of their keys.
+    /// The islands are ordered by the ranks of their bodies: then the candidates are in the order of their keys.
     Ranked,
     Mixed,
-    /// Some candidates' islands are not known yet.
+    /// The islands of some candidates are not known yet.
     Unknown,
 }
 
 impl Islands {
-    /// Islands, with room for `count` of them.
+    /// Makes an empty list of islands with room for `count` islands.
     pub(crate) fn with_room(count: usize) -> Islands {
         Islands { list: room_for(count), ..Islands::default() }
     }
@@ -80,7 +80,7 @@ impl Islands {
         }
     }
 
-    /// Parts candidates where one island ends and the next begins.
+    /// Cuts the list of candidates where one island ends and the next begins.
     #[inline(never)]
     fn part(&mut self, candidates: &[Pairing]) -> Order {
         self.list.clear();
@@ -103,8 +103,8 @@ impl Islands {
         if in_order { Order::Ranked } else { Order::Mixed }
     }
 
-    /// Finds the islands if floating bodies may touch each other (union–find). The lowest rank of a body in an island
-    /// identifies the island.
+    /// Finds the islands if floating bodies may touch each other, by the union–find method. The lowest rank of a body
+    /// in an island identifies the island.
     fn join(&mut self, model: &Model, candidates: &mut [Pairing]) {
         let root = &mut self.root;
         root.clear();
@@ -120,7 +120,7 @@ impl Islands {
         }
     }
 
-    /// True if some islands have more than one floating body.
+    /// Returns true if some islands have more than one floating body.
     pub(crate) fn joined(&self) -> bool {
         self.joined
     }
@@ -139,7 +139,7 @@ impl Island {
         Island { candidates, patches: 0..0, sub_steps: 0 }
     }
 
-    /// The island's range of `Candidates::pairings`.
+    /// The candidates of the island, as a range of `Candidates::pairings`.
     #[inline(always)]
     pub(crate) fn candidates(&self) -> Range<usize> {
         self.candidates.start as usize..self.candidates.end as usize
@@ -150,14 +150,14 @@ impl Island {
         self.patches = patches.start as u32..patches.end as u32;
     }
 
-    /// The island's patches in the overlap of its sub-step, counted from patch number `first`.
+    /// The patches of the island in its sub-step, as a range of numbers counted from patch number `first`.
     #[inline(always)]
     pub(crate) fn patches_from(&self, first: usize) -> Range<usize> {
         self.patches.start as usize - first..self.patches.end as usize - first
     }
 }
 
-/// Finds each island's patches in an overlap that has only these islands.
+/// Finds the patches of each island in a list of patches that belong to these islands only.
 pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
     let mut from = 0;
     for island in islands {
@@ -168,8 +168,8 @@ pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
     }
 }
 
-/// Most islands that go through a sub-step together. With so few islands, what one stage writes is still in the
-/// processor's cache when the next stage reads it.
+/// Largest number of islands that go through a sub-step together. With so few islands in a group, the data that one
+/// stage writes are still in the processor's cache when the next stage reads them.
 const MOST_TOGETHER: usize = 64;
 
 /// Divides islands into groups. Islands that take several sub-steps stay in one group, because a fixed body's peak
@@ -182,12 +182,13 @@ pub(crate) fn groups(islands: &mut [Island]) -> impl Iterator<Item = &mut [Islan
 }
 
 impl Group {
-    /// A group with room for this number of bodies.
+    /// Makes a group of islands with room for this number of bodies.
     pub(crate) fn with_room(bodies: usize) -> Group {
         Group { bodies: room_for(bodies), ..Group::default() }
     }
 
-    /// Sets the group to these islands and their moving bodies. Marks these bodies as being in an island.
+    /// Makes the group consist of these islands and their moving bodies. Marks the bodies of these islands as being in
+    /// an island.
     pub(crate) fn enter(&mut self, islands: &[Island], candidates: &[Pairing], roles: &mut [Role]) {
         self.begin(islands);
         for Pairing { candidate, .. } in &candidates[self.candidates.clone()] {
@@ -204,7 +205,8 @@ impl Group {
         }
     }
 
-    /// Does as [`Group::enter`], if each island has one moving body. This saves 0.7 % of a coupled step of `ship`.
+    /// Does the same as [`Group::enter`] for the case that each island has one moving body. This special function saves
+    /// 0.7 % of the time of a coupled step of the benchmark `ship`.
     pub(crate) fn enter_alone(
         &mut self,
         islands: &[Island],

@@ -1,18 +1,20 @@
 //! The coupled method: solves all contacts of an island together with the external loads, in sub-steps if the step is
-//! too long for the contact.
+//! too long for the contacts.
 //!
-//! The method mends three faults of the paper's method. There, the limits of several contacts add up. The limiter does
-//! not know the loads, so bodies creep through it. And a step can be longer than the contact itself.
+//! The coupled method mends three faults of the paper's method. In the paper's method, the limits of several contacts
+//! add up. The limiter of the paper's method does not know the external loads, so bodies creep through it. In the
+//! paper's method, a step can be longer than the contact itself.
 //!
-//! One sub-step of length h of an island (bodies that may touch each other, directly or through others):
+//! The list has the stages of one sub-step of length h of an island (bodies that may touch each other, directly or
+//! through other bodies):
 //!
-//! 1. overlap and kinematics, as in the paper's method ([`crate::overlap`], [`crate::touch`]);
-//! 2. v_free = v + κ M⁻¹ W, with M the full mass matrix and W all forces but contact ([`dynamics`]);
-//! 3. the laws of each contact as a constraint ([`assemble`]);
-//! 4. N and T of all contacts together ([`solve`]);
-//! 5. positions with the new velocities ([`dynamics`]).
+//! 1. compute overlap and kinematics, as in the paper's method ([`crate::overlap`], [`crate::touch`]);
+//! 2. compute v_free = v + κ M⁻¹ W, with M the full mass matrix and W all forces but contact ([`dynamics`]);
+//! 3. write the laws of each contact as a constraint ([`assemble`]);
+//! 4. solve for the normal forces N and tangential forces T of all contacts together ([`solve`]);
+//! 5. advance the positions of the bodies with the new velocities ([`dynamics`]).
 //!
-//! Islands do not affect each other.
+//! Islands do not affect each other in a step.
 
 mod accumulate;
 mod assemble;

@@ -1,17 +1,17 @@
-//! The data that decide how a body moves in a step of the coupled method.
+//! The data that decide how a body moves in a step of the coupled method: its role and the bounds on its speed.
 
 use crate::mass::InverseMatrix;
 use crate::ranked::RankedBody;
 use crate::report::Wrench;
 use crate::state::{BodyState, Velocity};
 
-/// How a body takes part in a step. Kept apart from [`SpeedBound`] and the like, because the stages that need the role
-/// of every body of every contact read little else.
+/// The role of a body in a step of the coupled method. `Role` is kept apart from [`SpeedBound`] and other data, because
+/// the stages that need the role of every body of every contact read little else.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Role {
-    /// True for all but fixed bodies at rest.
+    /// True for all bodies but fixed bodies at rest.
     pub(crate) moves: bool,
-    /// A fixed body at rest whose state was the same twice.
+    /// True for a fixed body at rest whose state was the same in two steps.
     pub(crate) settled: bool,
     /// Whether the present group of islands contains the body; for a floating body, also whether an earlier group does.
     pub(crate) in_island: bool,
@@ -32,13 +32,13 @@ impl Role {
 pub(crate) struct SpeedBound {
     /// Largest speed of any point of the body (m/s).
     pub(crate) fastest_mps: f64,
-    /// How much faster than the body's reference point at the start of the step a point of the body may be: by the yaw rate, and by the acceleration
-    /// during the step (m/s).
+    /// How much faster than the body's reference point at the start of the step any point of the body may be, because
+    /// of the yaw rate and of the acceleration during the step (m/s).
     pub(crate) room_mps: f64,
 }
 
 impl SpeedBound {
-    /// The bounds for a body on which this acceleration acts for this time.
+    /// Computes the bounds for a body on which this acceleration acts for `time_s`.
     #[inline(always)]
     pub(crate) fn of(
         body: &RankedBody,
@@ -52,7 +52,7 @@ impl SpeedBound {
     }
 }
 
-/// M⁻¹ W of a body (m/s², rad/s²). `inverse` is M⁻¹, earth-fixed.
+/// Acceleration of a body by its load, M⁻¹ W (m/s², rad/s²). `inverse` is M⁻¹, earth-fixed.
 #[inline(always)]
 pub(crate) fn acceleration(body: &RankedBody, inverse: &InverseMatrix, load: &Wrench) -> Velocity {
     if body.is_alike {
@@ -62,7 +62,7 @@ pub(crate) fn acceleration(body: &RankedBody, inverse: &InverseMatrix, load: &Wr
     }
 }
 
-/// κ for a sub-step of length h and a body whose velocity lags by `lag_s`.
+/// The time κ for which forces act in a sub-step of length h on a body whose velocity lags by `lag_s`.
 #[inline(always)]
 pub(crate) fn kick_s(lag_s: f64, h: f64) -> f64 {
     lag_s.abs() + 0.5 * h

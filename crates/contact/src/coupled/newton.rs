@@ -1,17 +1,20 @@
-//! Newton acceleration: finds in one go the forces at which the sweeps of an island would end.
+//! Newton acceleration: finds at once the contact forces to which the sweeps over an island would converge.
 //!
 //! A ship that comes to rest on many fenders has more tight contacts than degrees of freedom, and the sweeps pass the
-//! load from one contact to the next for hundreds of rounds. In a raft of barges they pass it from barge to barge. The
-//! velocities, however, have only three unknowns per body. So the acceleration makes each N a very stiff line through
-//! the present force, N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f). The line is right where N no longer changes (the method
-//! of multipliers; Hestenes 1969, Powell 1969). The velocities wanted are those at which the forces balance. These
-//! velocities are the minimum of a convex, piecewise quadratic function. Newton's method with a line search finds it
-//! (Castro et al. 2022, IEEE Trans. Robotics 38(2)). Each Newton step solves
+//! load from one contact to the next hundreds of times. In a raft of barges the sweeps pass the load from barge to
+//! barge. The velocities, however, have only three unknowns per body, whatever the number of contacts. So the
+//! acceleration replaces each normal force N by a very stiff line through the present force, N = mid(0, N_now +
+//! κ(V_n⁺ + γ v_ref), f). This stiff line is exact where the normal force N no longer changes (the method of
+//! multipliers; Hestenes 1969, Powell 1969). The wanted velocities are those at which the forces balance. The wanted
+//! velocities are the minimum of a convex, piecewise quadratic function. Newton's method with a line search finds this
+//! minimum (Castro et al. 2022, IEEE Transactions on Robotics 38(2)).
 //!
-//! (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j times the forces that are not yet balanced),
+//! Each Newton step solves the linear system (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j times the forces that
+//! are not yet balanced).
 //!
-//! The matrix is positive definite, however many contacts there are, and sparse: see [`super::block_cholesky`]. The
-//! sweeps check the result. The acceleration affects how fast the sweeps settle, not where they settle.
+//! The matrix of the Newton step is positive definite, however many contacts there are, and sparse: see
+//! [`super::block_cholesky`]. The sweeps check the result of the acceleration. The acceleration affects how fast the
+//! sweeps converge, not the forces to which they converge.
 
 use alloc::vec::Vec;
 
@@ -22,33 +25,34 @@ use crate::mass::InverseMatrix;
 use crate::number::{greater, lesser};
 use crate::state::Velocity;
 
-/// The stiff lines that replace the forces in an acceleration.
+/// The stiff lines that replace the contact forces in a Newton acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lines {
-    /// Length over which forces act (s).
+    /// Length of the sub-step, over which the forces act (s).
     pub(crate) h: f64,
-    /// κ h n·K n: each acceleration divides the remaining error by about this.
+    /// Stiffness of the lines, κ h n·K n: each acceleration divides the remaining error by about this number.
     pub(crate) stiffness: f64,
-    /// Newton ends after a step that changes no speed at a contact by more than this (m/s).
+    /// Newton's method ends after a step that changes the speeds of every contact by no more than this (m/s).
     pub(crate) settled_mps: f64,
 }
 
-/// Most Newton steps, and most trials in each line search. A line search ends when the share changes by less than
-/// `NEAR`.
+/// Largest number of Newton steps, and largest number of trials in each line search. A line search ends when the share
+/// of the Newton step changes by less than `NEAR`.
 const NEWTON_STEPS: u32 = 40;
 const SEARCHES: u32 = 40;
 const NEAR: f64 = 1e-4;
 
-/// A contact within a Newton solve.
+/// The state of a contact within a Newton solve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
     speeds: Speeds,
-    /// Change of the speeds along the Newton step.
+    /// Change of the contact's speeds along the Newton step.
     along: Speeds,
     bounds: Bounds,
-    /// κ of the stiff line (N·s/m).
+    /// Slope κ of the stiff line of the normal force (N·s/m).
     stiffness: f64,
-    /// Whether the energy that the shear spring stores limits T. Then T stays as it is until the next sweep.
+    /// True if the energy that the shear spring stores limits the tangential force T. Then T stays as it is until the
+    /// next sweep.
     limited: bool,
 }
 
@@ -61,7 +65,7 @@ impl Trial {
     }
 }
 
-/// The bounds that decide a contact's forces.
+/// The bounds that decide the normal and the tangential force of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Bounds {
     normal: NormalBound,
@@ -75,12 +79,12 @@ enum ShearBound {
     Sticks,
     /// Friction.
     Slides,
-    /// Neither: T stays as it is.
+    /// Neither the spring nor friction decides T: the force T stays as it is.
     Held,
 }
 
-/// A contact's forces as lines: their change from the present forces, and their slopes (N·s/m). The forces act against
-/// the speeds.
+/// The forces of a contact as linear functions of its speeds: their change from the present forces, and their slopes
+/// (N·s/m). The forces of a contact act against its speeds.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     change: Change,
@@ -88,19 +92,20 @@ struct Line {
     tangential_slope: f64,
 }
 
-/// Buffers of the solve of an island.
+/// Buffers for the Newton solve of an island.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NewtonBuffers {
     pub(crate) unknowns: Unknowns,
-    /// One trial per contact of the island.
+    /// One [`Trial`] per contact of the island.
     trials: Vec<Trial>,
-    /// For each contact by its place: the last Newton step, and the change of the velocities by all Newton steps.
+    /// For each floating body by its place: the last Newton step, and the change of the velocity by all Newton steps so
+    /// far.
     pub(crate) step: Vec<Triple>,
     moved: Vec<Triple>,
 }
 
-/// Changes the forces in `constraints` and the bodies' `velocities` to the values to which the sweeps converge. The
-/// island is the one set in `buffers.unknowns`.
+/// Changes the forces in `constraints` and the `velocities` of the bodies to the values to which the sweeps would
+/// converge. `buffers.unknowns` must be set to the island before.
 pub(crate) fn accelerate(
     velocities: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -157,12 +162,12 @@ pub(crate) fn accelerate(
     }
 }
 
-/// N of a tight contact, on the stiff line through the present force.
+/// The normal force N of a tight contact, on the stiff line through the present force.
 fn on_stiff_line_n(constraint: &Constraint, normal_mps: f64, stiffness: f64) -> f64 {
     constraint.forces.normal_n + stiffness * (normal_mps + constraint.rebound_mps)
 }
 
-/// The bounds that decide the forces at these speeds.
+/// The bounds that decide the forces of the contact at these speeds.
 fn bounds_at(constraint: &Constraint, speeds: Speeds, limited: bool, stiffness: f64) -> Bounds {
     let normal = match on_stiff_line_n(constraint, speeds.normal_mps, stiffness) {
         n if n >= constraint.law_n => NormalBound::Full,
@@ -179,14 +184,15 @@ fn bounds_at(constraint: &Constraint, speeds: Speeds, limited: bool, stiffness: 
     Bounds { normal, shear }
 }
 
-/// T within Coulomb's limit for the present N. With a limit that follows N, the function would not be convex. The
-/// sweeps and the next acceleration use the new N.
+/// The tangential force T within Coulomb's limit for the present normal force N. With a limit that follows N, the
+/// function that Newton's method minimises would not be convex. The sweeps and the next acceleration use Coulomb's
+/// limit for the new N.
 fn clamped_n(constraint: &Constraint, spring_n: f64) -> f64 {
     let Forces { normal_n, friction, .. } = constraint.forces;
     constraint.shear.coulomb.clamped(spring_n, normal_n, friction)
 }
 
-/// The change of the forces at these speeds, and the slope of that change.
+/// The change of the contact's forces at these speeds, and the slope of this change.
 fn line(constraint: &Constraint, speeds: Speeds, bounds: Bounds, stiffness: f64) -> Line {
     let now = &constraint.forces;
     let (normal_n, normal_slope) = match bounds.normal {
@@ -206,7 +212,7 @@ fn line(constraint: &Constraint, speeds: Speeds, bounds: Bounds, stiffness: f64)
     Line { change: forces.minus(now), normal_slope, tangential_slope }
 }
 
-/// The forces at a trial's speeds, on the trial's lines and within all bounds.
+/// The forces of the contact at the speeds of a trial, on the stiff lines of the trial and within all bounds.
 fn forces_at(constraint: &Constraint, trial: &Trial) -> Forces {
     let change = line(constraint, trial.speeds, trial.bounds, trial.stiffness).change;
     let now = &constraint.forces;
@@ -216,8 +222,8 @@ fn forces_at(constraint: &Constraint, trial: &Trial) -> Forces {
     Forces { normal_n, tangential_n, friction: now.friction }
 }
 
-/// Writes Newton's `step`, from the velocities that the bodies have `moved` to. Returns false if the matrix is not
-/// positive definite to rounding.
+/// Computes the Newton `step` from the velocities to which the bodies have `moved`, and writes it. Returns false if the
+/// matrix of the step is not positive definite within rounding.
 fn newton_step(
     unknowns: &mut Unknowns,
     constraints: &[Constraint],
@@ -242,7 +248,7 @@ fn newton_step(
     unknowns.solve(step)
 }
 
-/// The fraction of a Newton step, at most 1, at which the function has its minimum along the step.
+/// The fraction of a Newton step, at most 1, at which the minimised function is least along the step.
 fn line_search(
     unknowns: &Unknowns,
     constraints: &[Constraint],

@@ -1,8 +1,8 @@
-//! The greatest contact wrench on each body within a step of several sub-steps.
+//! Finds the greatest contact wrench on each body within a step of several sub-steps.
 //!
-//! The wrenches of a step are means over the step, so that the impulse is right. If a force falls off within a long
-//! step, its mean is much less than its peak. In a step of one sub-step mean and peak are equal, and nothing is
-//! recorded here.
+//! The reported wrenches of a step are means over the step, so that the impulse is right. If a force falls off within a
+//! long step, the mean of the force is much less than its peak. In a step of one sub-step the mean and the peak of a
+//! wrench are equal, and no peak is recorded.
 
 use alloc::vec::Vec;
 
@@ -11,19 +11,19 @@ use crate::model::Model;
 use crate::report::Wrench;
 
 /// The greatest wrench of one body in a group of islands that take the step together. A fixed body may be in several
-/// groups.
+/// groups of islands.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PeakWrench {
     id: u32,
-    /// The accumulated mean wrench before the group's first sub-step, and the same after the group's last sub-step so
-    /// far.
+    /// The mean wrench accumulated before the group's first sub-step, and the mean wrench accumulated after the group's
+    /// last sub-step so far.
     at_start: Wrench,
     so_far: Wrench,
     greatest: Wrench,
 }
 
-/// Adds an entry for each body of a group, before the group's first sub-step: for the floating bodies among `bodies`,
-/// and for the fixed bodies of the group's candidates.
+/// Adds an entry for each body of a group before the first sub-step of the group: for the floating bodies among
+/// `bodies`, and for the fixed bodies of the group's candidates.
 pub(crate) fn begin(
     model: &Model,
     bodies: &[u32],
@@ -48,7 +48,7 @@ pub(crate) fn begin(
     remove_duplicates(peaks, first_fixed);
 }
 
-/// Removes duplicates: leaves one entry per body from index `from` on.
+/// Removes duplicates from index `from` on, so that each body has one entry.
 fn remove_duplicates(peaks: &mut Vec<PeakWrench>, from: usize) {
     peaks[from..].sort_unstable_by_key(|peak| peak.id);
     let mut kept = from;
@@ -61,8 +61,8 @@ fn remove_duplicates(peaks: &mut Vec<PeakWrench>, from: usize) {
     peaks.truncate(kept);
 }
 
-/// Updates a group's entries after one of the group's sub-steps. The length of the sub-step is this `share` of the
-/// step.
+/// Updates the peak wrenches of a group after one of its sub-steps. `share` is the length of the sub-step as a share of
+/// the step.
 pub(crate) fn update(peaks: &mut [PeakWrench], wrenches: &[Wrench], share: f64) {
     for peak in peaks {
         let wrench = wrenches[peak.id as usize];
@@ -74,7 +74,7 @@ pub(crate) fn update(peaks: &mut [PeakWrench], wrenches: &[Wrench], share: f64) 
     }
 }
 
-/// Writes the greatest wrench of the step for each body. `means` are the mean wrenches.
+/// Writes the greatest wrench of the step for each body. `means` are the mean wrenches of the step.
 pub(crate) fn write(peaks: &[PeakWrench], means: &[Wrench], into: &mut Vec<Wrench>) {
     into.clear();
     into.extend_from_slice(means);

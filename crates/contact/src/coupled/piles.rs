@@ -1,8 +1,8 @@
 //! Bodies on piles in the coupled method.
 //!
-//! A sub-step treats such a body as any other, but with the mass m′ and with the pile's force in v_free: see
-//! [`crate::pile`]. The deflection is kept for the time to which the velocity belongs, so that the midpoint rule holds
-//! to the bit. The position follows from deflection and velocity.
+//! A sub-step treats a body on a pile as any other body, but with the mass m′ and with the pile's force in v_free: see
+//! [`crate::pile`]. The pile's deflection is kept for the time to which the velocity belongs, so that the midpoint rule
+//! holds to the last bit. The position of a body on a pile follows from the pile's deflection and the body's velocity.
 
 use crate::bodies::{Bodies, Displaced};
 use crate::coupled::dynamics::{Dynamics, HostInput};
@@ -20,14 +20,15 @@ use crate::report::{Displacement, Wrench};
 use crate::results::Results;
 use crate::vec2::Vec2;
 
-/// Largest ωh of a body on a pile that touches nothing. The relative error of the period is 3e-5 at this ωh.
+/// Largest ωh, natural frequency times sub-step, of a body on a pile that touches nothing. At this value of ωh the
+/// relative error of the pile's period is 3e-5.
 const TURN_WHEN_FREE: f64 = 0.02;
 
-/// A pile whose swing would be smaller than this counts as still (m).
+/// Least swing of a pile (m): a pile with a smaller swing counts as still.
 const STILL_M: f64 = 1e-9;
 
 impl Dynamics {
-    /// Begins the reports of the piles.
+    /// Begins the reports on the piles for this step.
     #[inline(never)]
     pub(crate) fn begin_pile_motions(&self, model: &Model, results: &mut Results) {
         let both = model.piles.iter().zip(&self.piles);
@@ -35,7 +36,7 @@ impl Dynamics {
         results.piles.extend(both.map(|(of, moving)| PileMotion::begin(&of.pile, &moving.state)));
     }
 
-    /// Stores the permanent deflections for the next step.
+    /// Stores the permanent deflections of the piles for the next step.
     pub(crate) fn store_offsets(&self, memory: &mut Memory) {
         memory.pile_offsets_m.clear();
         memory.pile_offsets_m.extend(self.piles.iter().map(|moving| moving.state.offset_m));
@@ -87,7 +88,8 @@ impl Dynamics {
         }
     }
 
-    /// Computes v_free and M⁻¹ of a body on a pile for a sub-step of length h.
+    /// Computes the velocity v_free without contact and the inverse mass M⁻¹ of a body on a pile for a sub-step of
+    /// length h.
     fn free_pile(&mut self, model: &Model, index: usize, load: &Wrench, h: f64) {
         let ranked = &model.piles[index];
         let (rank, pile, moving) = (ranked.rank as usize, &ranked.pile, &mut self.piles[index]);
@@ -149,8 +151,8 @@ impl Dynamics {
 
     /// Moves the bodies on piles that no island contains, after [`Dynamics::drift`] for all bodies.
     ///
-    /// The sub-steps begin at the time to which the velocity belongs, and have one length. So a long step before this
-    /// one costs nothing.
+    /// The sub-steps of the piles begin at the time to which the velocity belongs, and all have the same length. With
+    /// sub-steps of one length, a long step before the present step costs no accuracy.
     #[inline(never)]
     pub(crate) fn drift_piles(
         &mut self,

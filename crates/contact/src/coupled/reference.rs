@@ -1,13 +1,11 @@
-//! Compares islands of several floating bodies with a dense reference: a quadratic programme that a library solves.
+//! Compares the solver, for islands of several floating bodies, with a reference: a quadratic programme that a library
+//! solves.
 //!
-//! Without friction the solver's velocities are the minimum of
-//!
-//! ½ (v − v*)ᵀ M (v − v*) + κ Σ f max(0, V_n + γ v_ref),
-//!
-//! The gradient of this function is the balance of momentum with N = mid(0, N at which the bound is tight, f). With a
-//! variable for each max the minimum is a quadratic programme.
+//! Without friction the velocities v that the solver finds are the minimum of ½ (v − v*)ᵀ M (v − v*) + κ Σ f max(0,
+//! V_n + γ v_ref). The gradient of the minimised function is the balance of momentum with N = mid(0, N at which the
+//! bound is tight, f). With a variable for each max, finding the minimum is a quadratic programme.
 
-#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
+#![allow(clippy::disallowed_methods, reason = "these are expected values, not results")]
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -32,12 +30,12 @@ use crate::vec2::{Vec2, vec2};
 const H: f64 = 0.05;
 const MASS_KG: f64 = 1e6;
 const YAW_INERTIA_KGM2: f64 = 1.4e8;
-/// Lengths of a barge (m).
+/// Length and width of a barge (m).
 const LONG_M: f64 = 40.0;
 const WIDE_M: f64 = 11.0;
 
-/// A raft of barges between a quay ahead and a quay to starboard. The two quays are one body, the last. Neighbouring
-/// barges touch at two places.
+/// A raft of barges between a quay ahead and a quay to starboard. The two quays are one body, which is the last body in
+/// the lists. Neighbouring barges of the raft touch at two places.
 struct Raft {
     before: Vec<Velocity>,
     inverses: Vec<InverseMatrix>,
@@ -121,7 +119,7 @@ impl Raft {
         self.before.len() - 1
     }
 
-    /// Solves the raft by the engine: velocities and forces.
+    /// Solves the raft by the engine, and returns velocities and forces.
     fn solved(&self) -> (Vec<Velocity>, Vec<Constraint>) {
         let (mut bodies, mut constraints) = (self.before.clone(), self.constraints.clone());
         let memories = vec![PatchMemory::default(); constraints.len()];
@@ -132,7 +130,7 @@ impl Raft {
         (bodies, constraints)
     }
 
-    /// Rows of the Jacobian of V_n and V_t over all velocities.
+    /// The rows of the Jacobian, which give V_n and V_t of the contacts from all velocities.
     fn rows(&self, constraint: &Constraint) -> [Vec<f64>; 2] {
         let mut rows = [vec![0.0; 3 * self.bodies()], vec![0.0; 3 * self.bodies()]];
         for side in [Side::A, Side::B] {
@@ -152,7 +150,8 @@ impl Raft {
         rows
     }
 
-    /// The minimum: velocities, and N of each contact. Units are m, s and 1,000 t.
+    /// The minimum that the library finds: the velocities, and the normal force N of each contact. The units in this
+    /// calculation are m, s and 1,000 t.
     fn by_quadratic_programme(&self) -> (Vec<f64>, Vec<f64>) {
         const UNIT_KG: f64 = 1e6;
         let (count, contacts) = (3 * self.bodies(), self.constraints.len());
@@ -202,7 +201,7 @@ impl Raft {
         (solver.solution.x[..count].to_vec(), normal_n)
     }
 
-    /// Momentum that these contact forces give each body, in the direction of each velocity component.
+    /// The momentum that these contact forces give to each body, in the direction of each velocity component.
     fn momenta(&self, forces: &[[f64; 2]]) -> Vec<f64> {
         let mut momenta = vec![0.0; 3 * self.bodies()];
         for (constraint, [normal_n, tangential_n]) in self.constraints.iter().zip(forces) {
@@ -219,8 +218,8 @@ fn flat(velocities: &[Velocity]) -> Vec<f64> {
     velocities.iter().flat_map(|(velocity, turn)| [velocity.x, velocity.y, *turn]).collect()
 }
 
-/// Velocities and the sums of forces on each body agree within 1e-6. Where two bodies touch at two places and other
-/// contacts hold them too, a single N need not be unique, but the sums are.
+/// The velocities and the sums of forces on each body must agree within 1e-6. Where two bodies touch at two places and
+/// other contacts hold the bodies too, a single normal force N need not be unique, but the sums are.
 #[test]
 fn rafts_have_the_forces_of_a_quadratic_programme() {
     for (side, seed) in [(2, 1), (3, 2), (4, 3), (5, 4), (6, 5)] {
@@ -229,7 +228,10 @@ fn rafts_have_the_forces_of_a_quadratic_programme() {
         let (wanted, wanted_n) = raft.by_quadratic_programme();
         let fastest = wanted.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         for (is, wanted) in flat(&bodies).iter().zip(&wanted) {
-            assert!((is - wanted).abs() < 1e-7 * fastest, "{side}: {is} for {wanted} m/s");
+            assert!(
+                (is - wanted).abs() < 1e-7 * fastest,
+                "side {side}: speed {is} m/s instead of {wanted} m/s"
+            );
         }
         let own: Vec<[f64; 2]> =
             constraints.iter().map(|c| [c.forces.normal_n, c.forces.tangential_n]).collect();
@@ -248,7 +250,7 @@ fn rafts_have_the_forces_of_a_quadratic_programme() {
     }
 }
 
-/// With friction that slides, the solution is no minimum, since Coulomb's limit follows N. But each contact can be
+/// With friction that slides, the solution is no minimum, because Coulomb's limit follows N. But each contact can be
 /// checked by itself: the balance of momentum, N against its bounds, T against spring and Coulomb.
 #[test]
 fn rafts_that_slide_fulfil_the_law_of_each_contact() {

@@ -1,4 +1,4 @@
-//! Release: contacts come apart if they store more energy than balances their load.
+//! Release: lets contacts come apart if they store more energy than balances their load.
 
 use crate::coupled::constraint::Constraint;
 use crate::memory::PatchMemory;
@@ -6,19 +6,20 @@ use crate::model::Model;
 use crate::number::greater;
 use crate::patch::Patch;
 
-/// Fraction used of the speed that unbalanced energy would give. The fraction keeps this speed below v_ref in a hit,
-/// where the stored energy has an error of a few per cent because of the time step.
+/// Fraction of the speed that the unbalanced energy would give, used as the release speed. The fraction keeps the
+/// release speed below v_ref in a hit, where the stored energy has an error of a few per cent because of the time step.
 const SHARE: f64 = 0.8;
 
-/// Raises v_ref of each contact of an island to the speed that the unbalanced stored energy would give.
-/// `unbalanced_j` has room for one number a body.
+/// Raises the reference speed v_ref of each contact of an island to the speed that the unbalanced stored energy would
+/// give the bodies. `unbalanced_j` has room for one number for each body.
 ///
-/// v_ref alone forgets. If the relative velocity changes sign by a small amount, v_ref starts again from almost
-/// nothing. This happens when a ship on several fenders yaws a little while she comes back. The ship would then rest
-/// deeper than her load holds her, for ever, or stay pressed on after the wind has died. A spring with deflection δ
-/// that is held by N < f stores about U (1 − N/f)² more than N balances (exactly, if it is linear). All contacts
-/// between the same two bodies release together, and so do all contacts of one body with fixed bodies. N ≤ f still
-/// holds, and N < f only while the contact opens, so release creates no energy.
+/// v_ref alone forgets. If the relative velocity of two bodies changes sign by a small amount, their v_ref starts again
+/// from almost nothing. A small change of the velocity's sign happens when a ship on several fenders yaws a little
+/// while she comes back. Without release, the ship would then rest deeper than her load holds her, for ever, or stay
+/// pressed on after the wind has died. A spring with deflection δ and energy U that is held by a force N < f stores
+/// about U (1 − N/f)² more than N balances (exactly, if the spring is linear). All contacts between the same two bodies
+/// release together, and so do all contacts of one body with fixed bodies. N ≤ f still holds after a release, and N < f
+/// only while the contact opens, so release creates no energy.
 #[inline]
 pub(crate) fn release_island(
     model: &Model,
@@ -35,7 +36,7 @@ pub(crate) fn release_island(
     }
 }
 
-/// Does as [`release_island`] for the only contact of an island.
+/// Does the same as [`release_island`] for the only contact of an island.
 #[inline(always)]
 pub(crate) fn release_single(
     model: &Model,
@@ -53,15 +54,15 @@ fn rises(unbalanced_j: f64, memory: &PatchMemory, constraint: &Constraint) -> bo
     speed_squared(unbalanced_j, constraint) > memory.v_normal_0_mps * memory.v_normal_0_mps
 }
 
-/// Square of the speed that unbalanced energy would give the two bodies of a contact (m²/s²). Rotation is left out:
-/// contacts at both ends of a ship do not turn her.
+/// Square of the speed that the unbalanced energy would give the two bodies of a contact (m²/s²). Rotation is left out,
+/// because contacts at both ends of a ship do not turn her.
 #[inline(always)]
 fn speed_squared(unbalanced_j: f64, constraint: &Constraint) -> f64 {
     SHARE * SHARE * 2.0 * unbalanced_j * constraint.inverse_mass.linear
 }
 
-/// Raises v_ref. The memory keeps the new v_ref until the contact closes again; otherwise the bound would come and go
-/// with N.
+/// Raises v_ref. The memory keeps the raised v_ref until the contact closes again; otherwise the bound would come and
+/// go with N.
 #[cold]
 #[inline(never)]
 fn raise(
@@ -78,7 +79,7 @@ fn raise(
     memory.v_normal_0_mps = greater(memory.v_normal_0_mps, speed_mps);
 }
 
-/// Sums the unbalanced energy of all contacts that release together, and raises their v_ref by it.
+/// Sums the unbalanced energy of all contacts that release together, and raises the v_ref of these contacts by the sum.
 #[cold]
 #[inline(never)]
 fn release_together(

@@ -1,18 +1,21 @@
-//! The solver: computes normal and tangential forces of all contacts of an island together.
+//! The solver: computes the normal and tangential forces of all contacts of an island together.
 //!
-//! The unknowns are N_i and T_i. V⁺ is the relative velocity at a contact after *all* forces of the sub-step:
+//! The unknowns of the solve are the normal force N_i and the tangential force T_i of each contact. V⁺ is the relative
+//! velocity of the two bodies at a contact after *all* forces of the sub-step:
 //!
-//! - 0 ≤ N_i ≤ f_i, V_n,i⁺ + γ v_ref,i ≥ 0, and N_i < f_i only where the bound on V_n,i⁺ is tight: a boxed linear
-//!   complementarity problem, N_i = mid(0, N at which the bound is tight, f_i). With one contact and no load this is
-//!   the paper's limiter (eq. 26).
-//! - T_i = −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺: the shear spring, taken implicitly, within Coulomb's limit
-//!   (eq. 4–8). See [`crate::law::friction`].
-//! - N_i gives the bodies no more energy than N_i has taken from them, and T_i no more than T_i has taken.
+//! - The normal forces satisfy 0 ≤ N_i ≤ f_i and V_n,i⁺ + γ v_ref,i ≥ 0, and N_i < f_i only where the bound on V_n,i⁺
+//!   is tight. This is a boxed linear complementarity problem with the solution N_i = mid(0, N at which the bound is
+//!   tight, f_i). With one contact and no load, this solution is the paper's limiter (eq. 26).
+//! - The tangential force T_i = −k_s(Δs + ϑ h V̄), with V̄ = (1 − ϑ) V_t + ϑ V_t⁺, is the force of the shear spring,
+//!   taken implicitly and within Coulomb's limit (eq. 4–8). See [`crate::law::friction`].
+//! - The normal force N_i gives the bodies no more energy than N_i has taken from them, and the tangential force T_i no
+//!   more than T_i has taken.
 //!
-//! If an island with one floating body reaches no bound, the forces follow directly ([`super::direct`]). Otherwise the
-//! solver uses projected Gauss–Seidel sweeps on the bodies' velocities. The sweeps start with the last forces and run
-//! in the fixed order of the contacts. Where sweeps converge slowly, Newton acceleration ([`super::newton`]) helps. The
-//! work is bounded: if the forces have not settled after [`SWEEPS`] sweeps, this is reported.
+//! If an island has one floating body and no contact reaches a bound, the forces follow directly ([`super::direct`]).
+//! For other islands the solver uses projected Gauss–Seidel sweeps on the velocities of the bodies. The sweeps start
+//! with the forces of the last sub-step and run in the fixed order of the contacts. Where sweeps converge slowly,
+//! Newton acceleration ([`super::newton`]) helps. The work of the solver is bounded: if the forces have not settled
+//! after [`SWEEPS`] sweeps, the engine reports this.
 
 use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
 use crate::coupled::direct;
@@ -23,26 +26,28 @@ use crate::number::greater;
 use crate::report::Friction;
 use crate::state::Velocity;
 
-/// Most sweeps over the contacts.
+/// Largest number of sweeps over the contacts of an island.
 const SWEEPS: u32 = 400;
-/// Most accelerations of an island, and sweeps before each acceleration. The first number of sweeps is for islands with
-/// one floating body, whose sweeps mostly settle by themselves; the second is for islands with several.
+/// Largest number of Newton accelerations of an island, and number of sweeps before each acceleration. The first number
+/// of sweeps is for islands with one floating body, whose sweeps mostly converge by themselves; the second number is
+/// for islands with several floating bodies.
 const ACCELERATIONS: usize = 20;
 const SWEEPS_PER_ACCELERATION: [u32; 2] = [6, 2];
-/// Stiffnesses of the lines ([`Lines`]), one for each acceleration in turn. For several floating bodies the stiffness
-/// rises: the soft lines of the first accelerations find the reached bounds in few steps, and the stiff lines of later
-/// ones find the exact forces. In a raft of 10 × 10 barges stiff lines alone take ten times as many steps.
+/// Stiffnesses of the lines in the Newton accelerations ([`Lines`]), one for each acceleration in turn. For several
+/// floating bodies the stiffness rises: the soft lines of the first accelerations find the reached bounds in few steps,
+/// and the stiff lines of later accelerations find the exact forces. In a raft of 10 × 10 barges stiff lines alone
+/// would take ten times as many steps.
 const STIFFNESSES: [f64; 3] = [1e2, 1e3, 1e4];
-/// The sweeps have settled when a sweep changes no velocity at a contact by more than this share of the island's
+/// The sweeps have converged when a sweep changes no velocity at a contact by more than this share of the island's
 /// speeds, or by more than `SETTLED_MPS`.
 const SETTLED: f64 = 1e-9;
 const SETTLED_MPS: f64 = 1e-13;
-/// A larger change in the last sweep is reported to the user (m/s).
+/// Largest change of velocity in the last sweep that is not reported to the user (m/s).
 pub(crate) const REPORTED_MPS: f64 = 1e-6;
 
-/// Computes the new velocities of an island's `bodies`, from those without contact, and the forces in its
-/// `constraints`. The sweeps begin with the forces in `memories`. Returns the last sweep's largest change of velocity
-/// (m/s).
+/// Computes the new velocities of the `bodies` of an island from their velocities without contact, and the forces in
+/// the island's `constraints`. The sweeps begin with the forces in `memories`. Returns the largest change of velocity
+/// in the last sweep (m/s).
 #[inline]
 pub(crate) fn solve_island(
     bodies: &mut [Velocity],
@@ -78,26 +83,26 @@ pub(crate) fn solve_island(
     change_mps
 }
 
-/// The equations of the Newton acceleration.
+/// The state of the equations for the Newton acceleration of an island.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Equations {
-    /// None: a mass matrix cannot be inverted.
+    /// There are no equations, because a mass matrix cannot be inverted.
     None,
-    /// The equations of one floating body. These equations are set up when the first acceleration needs them, because
-    /// most sweeps settle before.
+    /// The equations of one floating body. The equations of one floating body are set up when the first acceleration
+    /// needs them, because most sweeps converge before.
     OfOne,
     /// The equations of several floating bodies, already set up.
     Joined,
 }
 
-/// Does more than one floating body touch something?
+/// Returns true if the contacts touch more than one floating body.
 fn is_joined(constraints: &[Constraint]) -> bool {
     let first = constraints.first().and_then(Constraint::only_floating);
     first.is_none() || constraints.iter().any(|constraint| constraint.only_floating() != first)
 }
 
-/// Sweeps over all contacts until they have settled, with Newton acceleration. Returns the last sweep's largest change of
-/// velocity (m/s).
+/// Sweeps over all contacts of an island until the forces have settled, with Newton acceleration. Returns the largest
+/// change of velocity in the last sweep (m/s).
 fn sweep_until_settled(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -133,8 +138,8 @@ fn sweep_until_settled(
     change_mps
 }
 
-/// The change of velocity at which an island counts as settled (m/s), from the speeds at the contacts and the speeds
-/// that their forces could give.
+/// The change of velocity below which an island counts as settled (m/s), computed from the speeds at the contacts and
+/// from the speeds that the contact forces could give.
 fn settled_mps(constraints: &[Constraint], h: f64) -> f64 {
     let speed_mps = |of: &Constraint| {
         greater(of.normal_before_mps.abs(), of.law_n * h * of.inverse_mass.normal)
@@ -142,7 +147,7 @@ fn settled_mps(constraints: &[Constraint], h: f64) -> f64 {
     greater(SETTLED * constraints.iter().map(speed_mps).fold(0.0, greater), SETTLED_MPS)
 }
 
-/// Applies the impulses of the forces with which the sweeps begin.
+/// Applies the impulses of the forces with which the sweeps begin to the velocities of the bodies.
 fn warm_start(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -154,7 +159,8 @@ fn warm_start(
     }
 }
 
-/// Solves each contact in turn, given the forces of all others. Returns the largest change of velocity (m/s).
+/// Solves each contact in turn, with the forces of all other contacts given. Returns the largest change of velocity in
+/// this sweep (m/s).
 fn sweep(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -174,8 +180,8 @@ fn sweep(
     change_mps
 }
 
-/// Does as [`solve_island`] for an island with one contact. The two speeds of this contact are the only unknowns. If
-/// the contact reaches no bound, its forces follow directly.
+/// Does the same as [`solve_island`] for an island with one contact. The normal and the tangential speed of the
+/// island's only contact are the only unknowns. If the contact reaches no bound, its forces follow directly.
 #[inline(always)]
 pub(crate) fn solve_single(
     bodies: &mut [Velocity],
@@ -195,7 +201,7 @@ pub(crate) fn solve_single(
     change_mps
 }
 
-/// Sweeps over one contact, from the speeds without it.
+/// Sweeps over the only contact of an island, from its speeds without contact forces.
 #[inline(never)]
 fn sweep_single(constraint: &mut Constraint, free: Speeds, h: f64) -> f64 {
     let mut speeds = constraint.speeds_after(free, constraint.forces.change(), h);

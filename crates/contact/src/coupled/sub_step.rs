@@ -1,25 +1,25 @@
-//! One of the sub-steps of a step.
+//! Describes one of the sub-steps of a step.
 
-/// Length and place of a sub-step.
+/// Length of a sub-step, and its place in the step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SubStep {
-    /// Number of the sub-step, from 0.
+    /// Number of the sub-step in the step, counted from 0.
     number: u32,
-    /// Number of sub-steps of the step.
+    /// Number of sub-steps into which the step is divided.
     count: u32,
     /// Length of the sub-step (s).
     pub(crate) h: f64,
-    /// Length of the sub-step over the length of the step.
+    /// Length of the sub-step, divided by the length of the step.
     pub(crate) share: f64,
 }
 
 impl SubStep {
-    /// The only sub-step of a step.
+    /// The sub-step of a step that has only one sub-step.
     pub(crate) fn whole(step_s: f64) -> SubStep {
         SubStep { number: 0, count: 1, h: step_s, share: 1.0 }
     }
 
-    /// All `count` sub-steps of a step.
+    /// All `count` sub-steps of a step, in their order.
     pub(crate) fn all(count: u32, step_s: f64) -> impl Iterator<Item = SubStep> {
         let (h, share) = (step_s / f64::from(count), 1.0 / f64::from(count));
         (0..count).map(move |number| SubStep { number, count, h, share })
@@ -33,7 +33,7 @@ impl SubStep {
         self.number + 1 == self.count
     }
 
-    /// Is this sub-step the whole step?
+    /// Returns true if this sub-step is the whole step.
     pub(crate) fn is_only(&self) -> bool {
         self.count == 1
     }

@@ -1,5 +1,5 @@
-//! The number of sub-steps that an island needs in a step. The number follows from bounds on the island's natural
-//! frequencies and on the travel of its bodies.
+//! Computes the number of sub-steps that an island needs in a step. The number of sub-steps follows from bounds on the
+//! natural frequencies of the island and on the travel of its bodies.
 
 use alloc::vec::Vec;
 
@@ -23,40 +23,44 @@ use crate::ranked::RankedBody;
 use crate::reaction::FenderLaw;
 use crate::vec2::{Pose, Vec2};
 
-/// Largest ωh of a sub-step. A contact that begins within a sub-step acts up to h late. This costs at most (ωh)²/2 of
-/// the depth: 0.5 % here, and less because the bounds on ω below are wide.
+/// Largest ωh, natural frequency times length, of a sub-step. The force of a contact that begins within a sub-step acts
+/// up to h late. The late force costs at most (ωh)²/2 of the depth of the contact: 0.5 % for this limit, and less
+/// because the bounds on ω are wide.
 pub(crate) const TURN_PER_SUB_STEP: f64 = 0.1;
 
-/// Largest ωh for the springs of an existing contact. The sub-steps are a leapfrog: its oscillation on a linear spring
-/// has an amplitude error of (ωh)²/8 and a frequency error of (ωh)²/24. Here these are 0.3 % and 0.1 %.
+/// Largest ωh, natural frequency times length of the sub-step, for the springs of an existing contact. The sub-steps
+/// are a leapfrog scheme: its oscillation on a linear spring has an amplitude error of (ωh)²/8 and a frequency error of
+/// (ωh)²/24. For the limit ωh = 0.15 the amplitude error is 0.3 %, and the frequency error 0.1 %.
 const TURN_IN_CONTACT: f64 = 0.15;
 
-/// Weight of ω² of an existing contact, relative to the ω² of a contact that may begin.
+/// Weight of the ω² of an existing contact, relative to the ω² of a contact that may begin.
 const EXISTING: f64 = (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP / TURN_IN_CONTACT);
 
-/// Largest distance that two bodies may close in a sub-step, as a fraction of the thinner body's half-width.
+/// Largest distance by which two bodies may approach each other in a sub-step, as a fraction of the thinner body's
+/// half-width.
 const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 
-/// Most sub-steps of a step. This limit bounds the work, whatever the host asks for.
+/// Largest number of sub-steps in a step. This largest number of sub-steps bounds the work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// The demands of an island's candidates on its sub-steps.
+/// What the candidates of an island demand of its sub-steps.
 #[derive(Clone, Copy, Default)]
 struct Demand {
-    /// A bound on the largest ω² of their springs and dampers (1/s²): see [`Sums`].
+    /// A bound on the largest ω² of the candidates' springs and dampers (1/s²): see [`Sums`].
     rate_squared: f64,
-    /// The distance that the candidates may close in the step, over the largest travel of a sub-step.
+    /// The distance by which the bodies may approach each other in the step, divided by the largest travel in a
+    /// sub-step.
     travel: f64,
 }
 
-/// For each floating body, by rank, the sum of ω² over its contacts (1/s²). Used if islands have several floating
-/// bodies.
+/// For each floating body, by rank, the sum of ω² over its contacts (1/s²). The sums are used if islands have several
+/// floating bodies.
 ///
-/// The largest of these sums bounds the ω² of the whole island. For a contact of stiffness k and Jacobian j = (j_a,
-/// j_b), k j jᵀ is at most the block diagonal of k (1 + w_b/w_a) j_a j_aᵀ and k (1 + w_a/w_b) j_b j_bᵀ, with the
-/// inverse masses w of the two bodies at the contact. In M^(−1/2) K M^(−1/2) the largest eigenvalue of a body's block
-/// is at most the block's trace. Each contact of the body adds k (w_a + w_b) to this trace, which is the contact's own
-/// ω². So a chain of a hundred barges needs no more sub-steps than a chain of three.
+/// The largest of the bodies' sums bounds the ω² of the whole island. For a contact of stiffness k and Jacobian j =
+/// (j_a, j_b), k j jᵀ is at most the block diagonal of k (1 + w_b/w_a) j_a j_aᵀ and k (1 + w_a/w_b) j_b j_bᵀ, where w_a
+/// and w_b are the inverse masses of the two bodies at the contact. In M^(−1/2) K M^(−1/2) the largest eigenvalue of a
+/// body's block is at most the block's trace. Each contact of the body adds k (w_a + w_b) to this trace, which is the
+/// contact's own ω². So a chain of a hundred barges needs no more sub-steps than a chain of three.
 pub(crate) type Sums = Vec<f64>;
 
 impl Demand {
@@ -67,7 +71,7 @@ impl Demand {
         self.rate_squared += one.rate_squared;
     }
 
-    /// Does as [`Demand::add`] if the island may have several floating bodies.
+    /// Does the same as [`Demand::add`] for an island that may have several floating bodies.
     fn add_joined(&mut self, one: Demand, candidate: &Candidate, model: &Model, sums: &mut Sums) {
         self.travel = greater(self.travel, one.travel);
         for rank in [candidate.a, candidate.b] {
@@ -97,13 +101,14 @@ pub(crate) struct Bounded<'w> {
     pub(crate) bodies: &'w Bodies,
     pub(crate) dynamics: &'w Dynamics,
     pub(crate) candidates: &'w Candidates,
-    /// Hints of the first overlap.
+    /// The hints that the overlap at the start of the step left.
     pub(crate) hints: &'w [HintMemory],
     pub(crate) step_s: f64,
 }
 
 impl Bounded<'_> {
-    /// Sets the number of sub-steps of each island, and each island's patches in the first overlap.
+    /// Sets the number of sub-steps of each island, and the patches that each island has in the first overlap of the
+    /// step.
     #[inline(never)]
     pub(crate) fn set_sub_steps(
         &self,
@@ -131,7 +136,7 @@ impl Bounded<'_> {
         }
     }
 
-    /// Raises the number of sub-steps to what bodies on piles need that move or touch something.
+    /// Raises the number of sub-steps to the number that bodies on piles need if they move or touch something.
     #[inline(never)]
     fn add_piles(&self, islands: &mut [Island], turn: f64) {
         for island in islands {
@@ -155,9 +160,10 @@ impl Bounded<'_> {
         }
     }
 
-    /// Tests whether the island is a single contact of two outlines whose ω² is at most `share`, and which closes by no
-    /// more than one sub-step may. For such an island, returns the patches of the islands after it. Such an island
-    /// needs no sums over candidates: this saves 2.5 % of a step of `pairs-1000`.
+    /// Tests whether the island is a single contact of two outlines whose ω² is at most `share`, and whose bodies
+    /// approach by no more than one sub-step allows. If the test is passed, returns the patches of the islands after
+    /// this island. An island that passes the test needs no sums over candidates: this saves 2.5 % of a step of the
+    /// benchmark `pairs-1000`.
     #[inline(always)]
     fn slow<'p>(&self, island: &Island, left: &'p [Patch], share: f64) -> Option<&'p [Patch]> {
         let [Pairing { candidate, pair, .. }] = &self.candidates.pairings[island.candidates()]
@@ -176,7 +182,8 @@ impl Bounded<'_> {
         is_slow.then_some(others)
     }
 
-    /// The number of sub-steps of an island. Removes the island's patches from the front of the list of patches.
+    /// Computes the number of sub-steps of an island. Removes the patches of the island from the front of the list of
+    /// patches.
     #[inline(never)]
     fn sub_steps(
         &self,
@@ -220,9 +227,9 @@ impl Bounded<'_> {
         demand.sub_steps(turn)
     }
 
-    /// The demand of a candidate with these patches, and false; or a bound on this demand, and true. If a fender is not
-    /// touched, the bound saves the computation of the gap to the hull: a quarter of a step of a ship before eight
-    /// fenders.
+    /// Returns the demand of a candidate with these patches, and false; or a bound on this demand, and true. If a
+    /// fender is not touched, the bound saves the computation of the gap to the hull: a quarter of the time of a step
+    /// of a ship before eight fenders.
     #[inline(always)]
     fn demand_at_most(&self, pairing: &Pairing, own: &[Patch], share: f64) -> (Demand, bool) {
         let Pairing { candidate, .. } = pairing;
@@ -238,13 +245,13 @@ impl Bounded<'_> {
         (self.demand_of(pairing, own, share), false)
     }
 
-    /// Does as [`Bounded::demand_of`], but is not inlined.
+    /// Does the same as [`Bounded::demand_of`], but the compiler does not inline this function.
     #[inline(never)]
     fn demand_of_joined(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         self.demand_of(pairing, own, share)
     }
 
-    /// The demand of a candidate with these patches.
+    /// Computes what a candidate with these patches demands.
     #[inline(always)]
     fn demand_of(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         let Pairing { candidate, pair, .. } = pairing;
@@ -267,8 +274,8 @@ impl Bounded<'_> {
         }
     }
 
-    /// A bound on ω² of an existing contact of two outlines in one patch (1/s²). A rate of `share` or less needs no
-    /// further sub-step.
+    /// A bound on the ω² of an existing contact of two outlines in one patch (1/s²). A contact whose ω² is `share` or
+    /// less needs no further sub-step.
     #[inline(always)]
     fn existing_rate_squared(
         &self,
@@ -295,13 +302,13 @@ impl Bounded<'_> {
         lesser(rate_squared_of_patch(bounds, material, only, closing_m), by_lever)
     }
 
-    /// May two outlines close by more than the largest travel of a sub-step?
+    /// Returns true if two outlines may approach each other by more than the largest travel of a sub-step.
     #[inline(always)]
     fn may_travel(&self, candidate: &Candidate, bounds: &Bounds) -> bool {
         self.fastest_m(candidate) > TRAVEL_PER_SUB_STEP * bounds.half_width_m
     }
 
-    /// The demand of a candidate that is not two outlines that touch in one patch.
+    /// Computes what a candidate demands that is not two outlines in contact in one patch.
     #[inline(never)]
     fn demand_of_other(&self, pairing: &Pairing, own: &[Patch]) -> Demand {
         let model = self.model;
@@ -320,7 +327,8 @@ impl Bounded<'_> {
         }
     }
 
-    /// The demand of a fender if its hull touches it or may touch it. `counts` is the weight of the fender's spring.
+    /// Computes what a fender demands if its hull touches the fender or may touch it. `counts` is the weight of the
+    /// fender's spring.
     #[inline(never)]
     fn demand_of_face(
         &self,
@@ -338,14 +346,16 @@ impl Bounded<'_> {
         }
     }
 
-    /// The distance that two outlines may close in the step, over the largest travel of a sub-step.
+    /// The distance by which two outlines may approach each other in the step, divided by the largest travel of a
+    /// sub-step.
     #[cold]
     fn travel(&self, candidate: &Candidate, bounds: &Bounds) -> f64 {
         self.closing_mps(candidate) * self.step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
     }
 
-    /// A bound on ω² of a fender in contact in one patch (1/s²). `None` if the bound exceeds `share`, if the fender may
-    /// reach its stop in this step, or if the contact may close by more than one sub-step allows.
+    /// A bound on the ω² of a fender that touches a hull in one patch (1/s²). Returns `None` if the bound exceeds
+    /// `share`, if the fender may reach its stop in this step, or if the bodies may approach by more than one sub-step
+    /// allows.
     #[inline(always)]
     fn slow_rate_squared(
         &self,
@@ -379,8 +389,8 @@ impl Bounded<'_> {
         (rate_squared <= share).then_some(rate_squared)
     }
 
-    /// Bounds on ω² of a fender and its hull (1/s²). The first is by spring and stop, for all deflections that this
-    /// step can reach; the second is by the damper.
+    /// Bounds on the ω² of the contact of a fender and its hull (1/s²). The first bound is for spring and stop, for all
+    /// deflections that this step can reach; the second bound is for the damper.
     #[inline(never)]
     fn rates_squared_of_face(
         &self,
@@ -424,7 +434,7 @@ impl Bounded<'_> {
         (spring, damping_rate * damping_rate)
     }
 
-    /// The deepest point of a hull behind a panel's face (m).
+    /// Depth of the deepest point of a hull behind the face of a panel (m).
     #[inline(never)]
     fn deepest_m(&self, candidate: &Candidate, face: &RankedFender) -> f64 {
         let model = self.model;
@@ -437,7 +447,8 @@ impl Bounded<'_> {
         deepest_m(edges, to_face, face.panel_reach())
     }
 
-    /// Could the candidate touch in this step? The test compares boxes, and then gaps between convex pieces.
+    /// Returns true if the bodies of the candidate could touch in this step. The test whether bodies could touch
+    /// compares bounding boxes first, and then the gaps between convex pieces.
     #[inline(never)]
     fn may_touch(&self, candidate: &Candidate) -> bool {
         if are_apart(self.model, self.bodies, candidate) {
@@ -462,7 +473,7 @@ impl Bounded<'_> {
         }
     }
 
-    /// A bound on the speed at which any two points of the candidate approach each other in this step (m/s).
+    /// A bound on the speed at which any two points of the candidate's bodies approach each other in this step (m/s).
     fn closing_mps(&self, candidate: &Candidate) -> f64 {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let apart =
@@ -470,7 +481,8 @@ impl Bounded<'_> {
         apart + self.dynamics.speed_bounds[a].room_mps + self.dynamics.speed_bounds[b].room_mps
     }
 
-    /// A bound on the distance that closes in this step (m). Cheaper than `closing_mps`, and wider.
+    /// A bound on the distance by which the bodies approach each other in this step (m). This bound on the distance is
+    /// cheaper to compute than a bound by `closing_mps`, and larger.
     #[inline(always)]
     fn fastest_m(&self, candidate: &Candidate) -> f64 {
         let [a, b] = [candidate.a, candidate.b]
@@ -479,9 +491,9 @@ impl Bounded<'_> {
     }
 }
 
-/// Bounds on ω² of a contact of two outlines in one patch while the bodies close by `closing_m` (1/s²): for the spring
-/// along the normal together with the shear spring, and for the damper. The wider bounds by the longest chord leave the
-/// shear spring out; so far no test has needed it there.
+/// Bounds on the ω² of a contact of two outlines in one patch while the bodies approach by `closing_m` (1/s²): one for
+/// the spring along the normal together with the shear spring, and one for the damper. The larger bounds by the longest
+/// chord leave the shear spring out; so far no test has needed the shear spring there.
 fn rate_squared_of_patch(
     bounds: &Bounds,
     material: &Material,
@@ -500,12 +512,13 @@ fn rate_squared_of_patch(
     EXISTING * larger + damping_rate * damping_rate
 }
 
-/// A bound on half of a patch's chord while the bodies close by `closing_m` (m), at most that of the pair.
+/// A bound on half the length of a patch's chord while the bodies approach by `closing_m` (m), at most the bound of the
+/// pair.
 ///
-/// The chord c is the derivative of the area A along the normal. For convex outlines √A is a concave function of the
-/// depth (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)). The chord of a corner
-/// grows at exactly this rate. The bound is exact for motion along the normal; for turning it uses the way of the
-/// points that move most.
+/// The chord c of a patch is the derivative of its area A along the normal. For convex outlines √A is a concave
+/// function of the depth (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)). The
+/// chord of a corner grows exactly as fast as the bound c (1 + δ c/(2A)). The bound on the chord is exact for motion
+/// along the normal; for turning it uses the way of the points that move most.
 #[inline(always)]
 fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
     let half_m = 0.5 * patch.chord_m.length_squared() * patch.per_chord_m;
@@ -513,7 +526,7 @@ fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
     lesser(grown_m, bounds.half_chord_m)
 }
 
-/// Removes the patches of candidate number `index` from the front of `patches`, and returns them.
+/// Removes the patches of the candidate with the number `index` from the front of `patches`, and returns them.
 #[inline(always)]
 fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     let is_own = |patch: &&Patch| patch.of as usize == index;
@@ -527,11 +540,12 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
 }
 
 /// Bounds on the inverse effective mass of a contact (1/kg): along the normal, along the chord, and the coupling of the
-/// two.
+/// two directions.
 ///
-/// Along the normal, the bound is twice the value without rotation, which allows for a contact off the centre. The
-/// lever may show that rotation adds less. The patch lies on the chord, so its place varies by half the chord at most.
-/// The patch also lies within the smaller body, so it comes no farther from that body's centre of gravity.
+/// Along the normal, the bound is twice the inverse mass without rotation, which allows for a contact off the centre.
+/// The lever of the contact may show that rotation adds less. The patch lies on the chord, so the place of the patch
+/// varies by at most half the chord. The patch also lies within the smaller body, so it is no farther from that body's
+/// centre of gravity than the body reaches.
 #[inline(always)]
 fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3] {
     let chord = patch.chord_m * patch.per_chord_m;
@@ -550,7 +564,8 @@ fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3]
     core::array::from_fn(|part| of_a[part] + of_b[part])
 }
 
-/// The bounds for one body, from the levers of forces along the normal and along the chord (m).
+/// The bounds on the inverse effective mass for one body, from the levers of forces along the normal and along the
+/// chord (m).
 #[inline(always)]
 fn inverse_masses_of(body: &InverseMassBound, normal_m: f64, chord_m: f64) -> [f64; 3] {
     let linear = body.lightest_inverse_mass;

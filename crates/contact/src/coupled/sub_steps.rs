@@ -1,4 +1,4 @@
-//! The sub-steps of islands, stage by stage.
+//! Moves islands through their sub-steps, stage by stage.
 
 use alloc::vec::Vec;
 
@@ -30,7 +30,7 @@ pub(crate) struct SubSteps<'w> {
     /// Loads by id.
     pub(crate) loads: &'w [Wrench],
     pub(crate) candidates: &'w Candidates,
-    /// Whether some islands have more than one floating body.
+    /// True if some islands have more than one floating body.
     pub(crate) joined: bool,
     pub(crate) bodies: &'w mut Bodies,
     pub(crate) dynamics: &'w mut Dynamics,
@@ -47,14 +47,14 @@ pub(crate) struct SubSteps<'w> {
 /// Buffers that are kept while islands go through their sub-steps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// The hints that the step's first overlap leaves.
+    /// The hints that the overlap at the start of the step leaves.
     first_hints: Vec<HintMemory>,
     rate_sums: Sums,
     later: Later,
 }
 
 impl Kept {
-    /// Buffers with room for the hints of this number of contacts.
+    /// Makes buffers with room for the hints of this number of contacts.
     pub(crate) fn with_room(contacts: usize) -> Kept {
         Kept { first_hints: room_for(contacts), ..Kept::default() }
     }
@@ -63,18 +63,18 @@ impl Kept {
 /// Buffers that are kept between the sub-steps of a group.
 #[derive(Clone, Debug, Default)]
 struct Later {
-    /// The memory that the group's last sub-step left.
+    /// The memory of contacts that the group's last sub-step left.
     last: ContactMemory,
-    /// The overlap of a later sub-step.
+    /// The overlap that is computed in a later sub-step.
     overlap: Overlap,
 }
 
 impl SubSteps<'_> {
-    /// Moves islands through the step. The islands are in the order of their memories in `past`. `first` receives the
-    /// overlap of each island at the start of the step.
+    /// Moves all islands through the step. The islands must be in the order of their memories in `past`. `first`
+    /// receives the overlap of each island at the start of the step.
     ///
-    /// The islands of a group go through their sub-steps together: each stage handles all their contacts. Returns true
-    /// if all hints in `past` stay unchanged; they are not added to the next memory then.
+    /// The islands of a group go through their sub-steps together: each stage handles all contacts of the group.
+    /// Returns true if all hints in `past` stay unchanged; unchanged hints are not added to the next memory.
     pub(crate) fn advance(
         &mut self,
         past: Past<'_>,
@@ -123,7 +123,7 @@ impl SubSteps<'_> {
         all_stay
     }
 
-    /// Begins a group of islands.
+    /// Begins the step for a group of islands.
     fn enter(&mut self, islands: &[Island]) {
         let pairings = self.candidates.pairings.as_slice();
         let Dynamics { roles, moving_fixed, .. } = &mut *self.dynamics;
@@ -138,7 +138,7 @@ impl SubSteps<'_> {
         self.dynamics.reset_moving_fixed(self.bodies, own);
     }
 
-    /// Moves a group that takes several sub-steps. `first` is the overlap of the first sub-step.
+    /// Moves a group that takes several sub-steps through the step. `first` is the overlap of the first sub-step.
     fn several(
         &mut self,
         past: Past<'_>,
@@ -177,7 +177,7 @@ impl SubSteps<'_> {
         }
     }
 
-    /// One sub-step of a group, after its overlap (stage 3).
+    /// Computes one sub-step of a group, after its overlap (stage 3).
     fn sub_step(
         &mut self,
         past: Past<'_>,
@@ -199,7 +199,8 @@ impl SubSteps<'_> {
         self.dynamics.advance_positions(model, self.group, self.bodies, self.results, sub_step);
     }
 
-    /// Stages 4 to 6 of a sub-step: laws, forces and sums. Called if something touches, or touched before.
+    /// Stages 4 to 6 of a sub-step: the contact laws, the solve for the forces, and the sums over the sub-steps. The
+    /// function is called if contacts exist in this sub-step, or existed in the last one.
     #[inline(always)]
     fn solve_contacts(
         &mut self,

@@ -1,4 +1,5 @@
-//! The unknowns of an island: the velocities of its floating bodies. Also lists the bodies that each contact moves.
+//! The unknowns of the equations of an island: the velocities of its floating bodies. The module also lists the bodies
+//! that each contact moves.
 
 use alloc::vec::Vec;
 
@@ -7,7 +8,7 @@ use crate::coupled::constraint::{Constraint, Jacobian, Side, Speeds};
 use crate::mass::InverseMatrix;
 use crate::vec2::Vec2;
 
-/// The floating bodies of an island and its contacts, with the matrix of its equations. Lists of bodies are by place in the
+/// The floating bodies and the contacts of an island, with the matrix of the equations. Lists of bodies follow the
 /// order of elimination.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Unknowns {
@@ -15,27 +16,29 @@ pub(crate) struct Unknowns {
     masses: Vec<Block>,
     /// One seat per contact.
     seats: Vec<Seat>,
-    /// Index in `patterns` of the present island's pattern.
+    /// Index in `patterns` of the pattern that belongs to the present island.
     pattern: usize,
-    /// One pattern for each island that there has been; and by rank, the pattern of the island whose first body has
-    /// that rank.
+    /// `patterns` has one pattern for each island that was solved so far; `pattern_of` has, by rank, the pattern of the
+    /// island whose first body has this rank.
     patterns: Vec<Pattern>,
     pattern_of: Vec<u32>,
     graph: Graph,
     matrix: Vec<Block>,
 }
 
-/// The floating bodies, and the pairs of them that touch. Nodes are numbered in the order of the contacts.
+/// The graph of an island: its floating bodies as nodes, and the pairs of these bodies that touch as edges. The nodes
+/// of the graph are numbered in the order of the contacts.
 #[derive(Clone, Debug, Default)]
 struct Graph {
     /// Rank of each node.
     ranks: Vec<u32>,
     edges: Vec<[u32; 2]>,
-    /// Node of each body by rank; [`NOWHERE`] for a body of another island.
+    /// Node of each body, by rank; [`NOWHERE`] for a body of another island.
     node_of: Vec<u32>,
 }
 
-/// Places of a contact's two bodies ([`NOWHERE`] for a fixed body), and the block of the matrix that couples them.
+/// Places of the two bodies of a contact ([`NOWHERE`] for a fixed body), and the block of the matrix that couples these
+/// bodies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seat {
     a: u32,
@@ -45,7 +48,8 @@ pub(crate) struct Seat {
 
 const NOWHERE: u32 = u32::MAX;
 
-/// A row of a contact's Jacobian: derivatives of a speed by surge, sway and yaw velocity of A and of B, earth-fixed.
+/// A row of the Jacobian of a contact: derivatives of a speed of the contact by the surge, sway and yaw velocity of
+/// bodies A and B, earth-fixed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     of_a: Triple,
@@ -53,13 +57,13 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// The row j for the normal speed: V_n = j·v.
+    /// The row j of the Jacobian for the normal speed: V_n = j·v.
     #[inline(always)]
     pub(crate) fn normal(constraint: &Constraint) -> Row {
         Row::of(constraint, |of| (of.normal, of.levers.n_m))
     }
 
-    /// The row j for the tangential speed: V_t = j·v.
+    /// The row j of the Jacobian for the tangential speed: V_t = j·v.
     #[inline(always)]
     pub(crate) fn tangential(constraint: &Constraint) -> Row {
         Row::of(constraint, |of| (of.normal.quarter_turn(), of.levers.t_m))
@@ -74,7 +78,8 @@ impl Row {
 }
 
 impl Unknowns {
-    /// Sets the island that has these contacts. Returns false if a mass matrix cannot be inverted to rounding.
+    /// Sets the unknowns to the island that has these contacts. Returns false if a mass matrix cannot be inverted
+    /// within rounding.
     pub(crate) fn set(&mut self, inverses: &[InverseMatrix], constraints: &[Constraint]) -> bool {
         let Unknowns { masses, seats, pattern, patterns, pattern_of, graph, matrix } = self;
         if pattern_of.len() < inverses.len() {
@@ -115,7 +120,7 @@ impl Unknowns {
         &self.seats
     }
 
-    /// Begins new equations: the matrix is M.
+    /// Begins new equations, whose matrix is at first the mass matrix M.
     pub(crate) fn begin(&mut self) {
         let (diagonal, others) = self.matrix.split_at_mut(self.masses.len());
         diagonal.copy_from_slice(&self.masses);
@@ -123,7 +128,7 @@ impl Unknowns {
         others.as_flattened_mut().as_flattened_mut().fill(0.0);
     }
 
-    /// Adds slope · j jᵀ to the matrix, and force · j to the right side.
+    /// Adds slope · j jᵀ to the matrix of the equations, and force · j to the right side.
     #[inline(always)]
     pub(crate) fn add(&mut self, seat: Seat, row: &Row, force: f64, slope: f64, b: &mut [Triple]) {
         for (place, j) in [(seat.a, &row.of_a), (seat.b, &row.of_b)] {
@@ -144,7 +149,8 @@ impl Unknowns {
         }
     }
 
-    /// Solves the equations in place. Returns false if the matrix is not positive definite to rounding.
+    /// Solves the equations in place: the right side becomes the solution. Returns false if the matrix is not positive
+    /// definite within rounding.
     pub(crate) fn solve(&mut self, b: &mut [Triple]) -> bool {
         let pattern = &self.patterns[self.pattern];
         let definite = pattern.factorise(&mut self.matrix);
@@ -163,7 +169,7 @@ impl Unknowns {
         of_each.sum()
     }
 
-    /// Subtracts M v from b.
+    /// Subtracts the product M v from the right side b.
     pub(crate) fn subtract_momentum(&self, v: &[Triple], b: &mut [Triple]) {
         for ((mass, v), b) in self.masses.iter().zip(v).zip(b) {
             for (row, b) in mass.iter().zip(b) {
@@ -172,7 +178,7 @@ impl Unknowns {
         }
     }
 
-    /// The change of a contact's speeds by a change of the bodies' velocities.
+    /// The change of the speeds of a contact for a change of the velocities of the bodies.
     #[inline(always)]
     pub(crate) fn speeds(seat: Seat, constraint: &Constraint, change: &[Triple]) -> Speeds {
         let dot = |row: Row| {
@@ -203,7 +209,7 @@ impl Graph {
         }
     }
 
-    /// The node of a body. If the body has none yet, it gets a new one.
+    /// Returns the node of a body in the graph. A body without a node gets a new node.
     fn node(&mut self, rank: u32) -> u32 {
         let node = &mut self.node_of[rank as usize];
         if *node == NOWHERE {
@@ -222,7 +228,7 @@ impl Graph {
         Seat { a, b, between: if both { pattern.block(a.max(b), a.min(b)) } else { NOWHERE } }
     }
 
-    /// Forgets the bodies of this island.
+    /// Forgets the nodes of the bodies of this island.
     fn leave(&mut self) {
         for &rank in &self.ranks {
             self.node_of[rank as usize] = NOWHERE;
@@ -230,7 +236,7 @@ impl Graph {
     }
 }
 
-/// Adds s b cᵀ to a.
+/// Adds the product s b cᵀ to the block a.
 #[inline(always)]
 fn add_product(a: &mut Block, scale: f64, b: &Triple, c: &Triple) {
     for (a, b) in a.iter_mut().zip(b) {

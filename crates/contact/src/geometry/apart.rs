@@ -1,29 +1,32 @@
-//! Finds the edge that separates two convex polygons best, without a hint. Used in the first step of a pair, and where
-//! the edge of the last step no longer separates the polygons.
+//! Finds the edge that separates two convex polygons best, without a hint from the last step. The search is used in the
+//! first step of a pair of bodies, and where the edge of the last step no longer separates the polygons.
 //!
-//! The search is by Gilbert, Johnson and Keerthi (1988). The difference of the two polygons is all points of B less all
-//! points of A. The search finds the point of the difference nearest to the origin, from the corners of the difference
-//! in better and better directions. The edges of a convex polygon are sorted by angle, so bisection finds the corner in
-//! a direction.
+//! The search uses the method of Gilbert, Johnson and Keerthi (1988). The difference of two polygons A and B is the set
+//! of all vectors from a point of A to a point of B. The search finds the point of the difference nearest to the
+//! origin, from the corners of the difference in better and better directions. The edges of a convex polygon are sorted
+//! by angle, so bisection finds the farthest corner in a direction.
 //!
-//! The gap along a direction is at most the distance of the polygons. The gap equals the distance along the line
-//! between their nearest points, and falls off to both sides. So the best edge is one that meets the nearest corners.
+//! The gap along a direction is at most the distance between the two polygons. The gap equals the distance of the
+//! polygons along the line between their nearest points, and is smaller along other directions. So the edge that
+//! separates best is one that meets a corner nearest to the other polygon.
 
 use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};
 use super::ring::{before, climb};
 use crate::vec2::Vec2;
 
-/// Polygons nearer to each other than this, or overlapping, are left to the cold path (m).
+/// Least gap of two polygons for this search (m); nearer or overlapping polygons are left to the cold path.
 const LEAST_GAP_M: f64 = 1e-9;
 
-/// Most guesses. Each guess at least halves the error, so more guesses are needed only where rounding decides.
+/// Most guesses. Each guess at least halves the error of the search, so more guesses are needed only where rounding
+/// decides.
 const MOST_GUESSES: usize = 24;
 
-/// The search ends when the next guess would be nearer by less than this fraction of the squared distance.
+/// The search ends when the next guess would be nearer to the origin by less than this fraction of the squared
+/// distance.
 const NEAR_ENOUGH: f64 = 1e-12;
 
-/// A corner of the difference of two polygons.
+/// A corner of the difference of two polygons, with the corners of both polygons that give it.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     at_m: Vec2,
@@ -31,17 +34,17 @@ pub(super) struct Corner {
     of_b: usize,
 }
 
-/// Where the difference of two polygons is nearest to the origin.
+/// The part of the difference of two polygons that is nearest to the origin.
 enum Nearest {
-    /// A corner of the nearest edge.
+    /// The origin is outside the difference; the field is a corner of the edge nearest to the origin.
     Outside(Corner),
-    /// The origin is in a triangle of three corners: the polygons overlap.
+    /// The origin is in a triangle of three corners of the difference: the polygons overlap.
     Within,
     Unsure,
 }
 
 impl Corner {
-    /// The corner of the difference that is least far in a direction.
+    /// The corner of the difference that is least far in the direction `direction`.
     #[inline]
     fn least(a: &ConvexPolygon, b: &Placed<'_>, direction: Vec2) -> Corner {
         let of_a = a.farthest(direction);
@@ -50,8 +53,8 @@ impl Corner {
     }
 }
 
-/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`]. `None` if the polygons
-/// overlap, or if the search is not certain.
+/// The axis of greatest separation of two polygons, if their gap is more than [`LEAST_GAP_M`]. Returns `None` if the
+/// polygons overlap, or if the search is not certain.
 pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
     match nearest(a, b) {
         Nearest::Outside(corner) => {
@@ -62,7 +65,7 @@ pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
     }
 }
 
-/// The axis of greatest gap among the edges that meet a corner of the difference.
+/// The axis with the greatest gap among the edges that meet a corner of the difference.
 fn best_beside(a: &ConvexPolygon, b: &Placed<'_>, corner: Corner) -> BestAxis {
     let (n, m) = (a.count(), b.count());
     // Among equal gaps, the gap of the first polygon is taken, and of this polygon's edges the first, as in
@@ -79,22 +82,22 @@ fn greater(best: BestAxis, next: BestAxis) -> BestAxis {
     if next.gap_m > best.gap_m { next } else { best }
 }
 
-/// The axis of an edge of A.
+/// The axis along the normal of an edge of polygon A.
 #[inline(always)]
 fn axis_of_a(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
     let ends = [a.corner(edge), a.corner(edge + 1)];
     gap(edge, ends, |k| b.vertex(k), b.count(), corner.of_b).axis(true)
 }
 
-/// The axis of an edge of B.
+/// The axis along the normal of an edge of polygon B.
 #[inline(always)]
 fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
     let ends = [b.vertex(edge), b.vertex(edge + 1)];
     gap(edge, ends, |k| a.corner(k), a.count(), corner.of_a).axis(false)
 }
 
-/// The gap behind an edge, found from a corner near the deepest corner behind the edge. The corners are those of the
-/// other polygon, which has `count` of them.
+/// The gap between an edge and the other polygon; the search for the deepest corner behind the edge begins at a corner
+/// near it. `corner` gives the corners of the other polygon, which has `count` corners.
 #[inline(always)]
 fn gap(
     edge: usize,
@@ -112,7 +115,8 @@ fn in_order(i: usize, j: usize) -> [usize; 2] {
     if i < j { [i, j] } else { [j, i] }
 }
 
-/// A corner of the difference's edge nearest to the origin; or, if the origin is within, the corners around it.
+/// Finds a corner of that edge of the difference which is nearest to the origin; or finds that the origin is within the
+/// difference.
 fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
     let mut one = Corner::least(a, b, b.pose.apply(b.polygon.center_m()) - a.center_m());
     let mut two = one;
@@ -144,14 +148,15 @@ fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
     Nearest::Unsure
 }
 
-/// Is the origin in a triangle? A triangle without area holds nothing.
+/// Returns true if the origin is in the triangle. A triangle without area contains no point.
 #[inline]
 fn is_within([p, q, r]: [Vec2; 3]) -> bool {
     let sides = [p.cross(q), q.cross(r), r.cross(p)];
     sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
 }
 
-/// The point of a line nearest to the origin, and how far along the line it is: 0 at its start, 1 at its end.
+/// The point of a line segment nearest to the origin, and how far along the segment it is: 0 at the start, 1 at the
+/// end.
 #[inline]
 fn nearest_of_line(start: Vec2, end: Vec2) -> (f64, Vec2) {
     let along = end - start;

@@ -1,26 +1,26 @@
-//! The axis of greatest separation, or least penetration, of two convex polygons.
+//! Finds the axis of greatest separation, or of least penetration, of two convex polygons.
 
 use super::convex::ConvexPolygon;
 use super::ring::climb;
 use crate::vec2::Vec2;
 
-/// The edge of one polygon whose outward normal separates best from the other polygon.
+/// The edge of one polygon whose outward normal separates it best from the other polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BestAxis {
-    /// Gap along the normal (m); if negative, the least penetration.
+    /// Gap between the polygons along the normal (m); if negative, the least penetration.
     pub(crate) gap_m: f64,
-    /// True where the edge is the first polygon's.
+    /// True if the edge belongs to the first polygon.
     pub(crate) on_a: bool,
     /// The edge.
     pub(crate) edge: u32,
-    /// The other polygon's vertex deepest behind the edge.
+    /// The vertex of the other polygon that is deepest behind the edge.
     pub(crate) support: u32,
-    /// Outward normal of the first polygon along the axis, in the first polygon's frame.
+    /// Outward normal of the first polygon along the axis, in the frame of the first polygon.
     pub(crate) normal: Vec2,
 }
 
-/// Searches the edges of both polygons by rotating callipers: O(n + m).
-/// `b_m` are the second polygon's closed vertices in the first one's frame.
+/// Searches the edges of both polygons by rotating callipers, with O(n + m) work. `b_m` are the vertices of the second
+/// polygon as a closed list, in the frame of the first polygon.
 pub(crate) fn best_axis(a: &ConvexPolygon, b_m: &[Vec2]) -> BestAxis {
     let from_a = best_edge(a.closed(), b_m);
     let from_b = best_edge(b_m, a.closed());
@@ -28,19 +28,20 @@ pub(crate) fn best_axis(a: &ConvexPolygon, b_m: &[Vec2]) -> BestAxis {
     if on_a { from_a } else { from_b }.axis(on_a)
 }
 
-/// The gap between a polygon's edge and another polygon.
+/// The gap between an edge of a polygon and another polygon.
 #[derive(Clone, Copy)]
 pub(super) struct EdgeGap {
-    /// The gap along the edge's outward normal (m).
+    /// The gap along the outward normal of the edge (m).
     gap_m: f64,
     edge: usize,
-    /// The other polygon's corner deepest behind the edge.
+    /// The corner of the other polygon that is deepest behind the edge.
     support: usize,
     outward: Vec2,
 }
 
 impl EdgeGap {
-    /// The gap of an edge with this number, start and direction; `support` is the corner deepest behind the edge.
+    /// Computes the gap of the edge with this number, start and direction; `support` is the corner of the other polygon
+    /// deepest behind the edge.
     #[inline(always)]
     pub(super) fn new(
         edge: usize,
@@ -51,7 +52,7 @@ impl EdgeGap {
         EdgeGap { gap_m: outward.dot(support_m - start), edge, support, outward }
     }
 
-    /// The gap as an axis. `on_a` tells whether the edge is the first polygon's.
+    /// Returns this gap as a separating axis. `on_a` tells whether the edge belongs to the first polygon.
     #[inline(always)]
     pub(super) fn axis(&self, on_a: bool) -> BestAxis {
         let EdgeGap { gap_m, edge, support, outward } = *self;
@@ -60,8 +61,8 @@ impl EdgeGap {
     }
 }
 
-/// The edge of `p` with the largest gap to `q`, both closed rings. The deepest corner moves round in the same sense as
-/// the edge, so one turn of the edges costs one turn of the corners.
+/// The edge of `p` with the largest gap to `q`; both are closed lists of corners. The deepest corner moves round in the
+/// same sense as the edge, so a full turn of the edges needs only one full turn of the corners.
 fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
     let count = q.len() - 1;
     let mut best = EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };

@@ -1,45 +1,45 @@
-//! A tree of boxes over the convex pieces of an outline. The tree finds the pieces near a place without testing each
+//! A tree of boxes over the convex pieces of an outline. The tree finds the pieces near a place without a test of each
 //! piece.
 //!
 //! The pieces are in the order of their first corners along the outline, so that neighbours in the list are mostly
-//! neighbours in the plane. The tree halves the list again and again. A walk through the tree finds pieces in the order
-//! of the list.
+//! neighbours in the plane. The tree halves the list of pieces again and again. A walk through the tree finds pieces in
+//! the order of the list.
 
 use alloc::vec::Vec;
 
 use super::convex::ConvexPolygon;
 use super::extent::Extent;
 
-/// Stands in place of a piece's number: the node has other nodes below it.
+/// Marks a node that has other nodes below it; stands in place of the number of a piece.
 const INNER: u32 = u32::MAX;
 
-/// Boxes around pieces, and around runs of pieces.
+/// A tree of bounding boxes around convex pieces, and around runs of pieces.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BoxTree {
-    /// The nodes. A node comes before the nodes below it.
+    /// The nodes. In the list a node comes before the nodes below it.
     nodes: Vec<Node>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    /// The box around all pieces below the node, in the body's frame.
+    /// The bounding box of all pieces below the node, in the frame of the body.
     extent: Extent,
-    /// Index of the first node after all nodes below this one.
+    /// Index of the first node after all nodes below this node.
     after: u32,
-    /// Number of the piece if no nodes are below, else [`INNER`].
+    /// Number of the piece if the node has no nodes below it, else [`INNER`].
     piece: u32,
 }
 
 impl BoxTree {
-    /// A tree over at least one piece.
+    /// Makes a tree over a list of at least one piece.
     pub(crate) fn new(pieces: &[ConvexPolygon]) -> BoxTree {
         let mut tree = BoxTree { nodes: Vec::with_capacity(2 * pieces.len() - 1) };
         tree.add(pieces, 0);
         tree
     }
 
-    /// Adds the node of a run of pieces, and the nodes below it. `first` is the number of the run's first piece.
-    /// Returns the box around the run.
+    /// Adds the node for a run of pieces, and the nodes below it. `first` is the number of the first piece of the run.
+    /// Returns the bounding box of the run.
     fn add(&mut self, run: &[ConvexPolygon], first: u32) -> Extent {
         let own = self.nodes.len();
         self.nodes.push(Node { extent: Extent::EMPTY, after: 0, piece: INNER });
@@ -55,18 +55,18 @@ impl BoxTree {
         extent
     }
 
-    /// The box around all pieces.
+    /// The bounding box of all pieces.
     pub(crate) fn extent(&self) -> Extent {
         self.nodes[0].extent
     }
 
-    /// The pieces whose boxes meet a place, ascending, with their boxes.
+    /// Finds the pieces whose bounding boxes meet a place, in ascending order, with their boxes.
     pub(crate) fn meeting(&self, place: Extent) -> Meeting<'_> {
         Meeting { nodes: &self.nodes, next: 0, place }
     }
 }
 
-/// A walk through a tree.
+/// A walk through a tree that finds the pieces near a place.
 pub(crate) struct Meeting<'t> {
     nodes: &'t [Node],
     next: usize,

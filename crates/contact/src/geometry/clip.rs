@@ -1,4 +1,4 @@
-//! The overlap of two convex polygons: warm, from the last step's result, or cold.
+//! Computes the overlap of two convex polygons, from the result of the last step (warm) or without it (cold).
 
 use alloc::vec::Vec;
 
@@ -14,8 +14,8 @@ use crate::number::lesser;
 use crate::panel::press::PanelPress;
 use crate::vec2::{Pose, Vec2};
 
-/// The result of the last step: the start of the search in this step. A hint changes the speed of the clip, never the
-/// result.
+/// The result of the last clip of two polygons, from which the search starts in this step. A hint changes the speed of
+/// the clip of two polygons, never its result.
 // The tag is a whole word: a one-byte tag would be copied apart from the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
@@ -23,21 +23,21 @@ pub(crate) enum Hint {
     /// Nothing is known.
     #[default]
     None,
-    /// The boundaries crossed at these edges.
+    /// The boundaries of the two polygons crossed at these edges.
     Lens(Stretch),
-    /// This edge separated the two polygons.
+    /// The edge `edge` separated the two polygons from each other.
     Apart {
-        /// True where the edge is the first polygon's.
+        /// True if the separating edge belongs to the first polygon.
         on_a: bool,
         /// The separating edge.
         edge: u32,
-        /// The other polygon's deepest vertex behind the edge.
+        /// The vertex of the other polygon that is deepest behind the separating edge.
         support: u32,
     },
 }
 
 impl Hint {
-    /// The hint as five words, for snapshots.
+    /// Encodes the hint as five words for snapshots.
     pub(crate) fn to_words(self) -> [u32; 5] {
         match self {
             Hint::None => [0, 0, 0, 0, 0],
@@ -46,7 +46,7 @@ impl Hint {
         }
     }
 
-    /// The reverse of [`Hint::to_words`]; `None` for words that are not a hint.
+    /// Decodes a hint from the words of [`Hint::to_words`]; returns `None` for words that are not a hint.
     pub(crate) fn from_words(words: [u32; 5]) -> Option<Hint> {
         match words {
             [0, 0, 0, 0, 0] => Some(Hint::None),
@@ -62,7 +62,8 @@ impl Hint {
     }
 }
 
-/// Buffers of the clip, kept between calls so that a warm step allocates nothing.
+/// Buffers of the clip of two polygons, kept between calls so that a step that starts from the last result allocates no
+/// memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClipBuffers {
     cold: Buffers,
@@ -71,51 +72,53 @@ pub(crate) struct ClipBuffers {
 }
 
 impl ClipBuffers {
-    /// Buffers with room for polygons of this number of corners.
+    /// Makes buffers with room for polygons with this number of corners.
     pub(crate) fn with_room(corners: usize) -> ClipBuffers {
         ClipBuffers { cold: Buffers::with_room(corners), panel: PanelPress::default() }
     }
 }
 
-/// The overlap of two convex polygons in the first polygon's frame.
+/// The overlap of two convex polygons, in the frame of the first polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip {
     pub(crate) lens: Lens,
-    /// One polygon lies wholly within the other.
+    /// True if one polygon lies wholly within the other.
     pub(crate) contained: bool,
 }
 
 impl Clip {
-    /// S, the overlap area (m²).
+    /// Area S of the overlap (m²).
     #[must_use]
     pub fn area_m2(&self) -> f64 {
         self.lens.area_m2
     }
 
-    /// C, the centroid, in the first polygon's frame (m).
+    /// Centroid C of the overlap, in the frame of the first polygon (m).
     #[must_use]
     pub fn centroid_m(&self) -> Vec2 {
         self.lens.centroid_m
     }
 
-    /// d = Σ (P_out − P_in) over the stretches of the first polygon's boundary inside the second, in the first
-    /// polygon's frame (m). The normal n is d turned by −90°. Zero if one polygon contains the other.
+    /// Chord vector d = Σ (P_out − P_in): the sum from entry to exit over the stretches of the first polygon's boundary
+    /// inside the second polygon, in the first polygon's frame (m). The normal n of the contact is the chord vector d,
+    /// turned by −90°. The chord vector is zero if one polygon contains the other.
     #[must_use]
     pub fn chord_m(&self) -> Vec2 {
         self.lens.chord_m
     }
 }
 
-/// Whether the caller needs the corners of an overlap.
+/// Tells whether the caller needs the corners of an overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Corners {
     Always,
-    /// Only where the overlap has no usable chord.
+    /// The caller needs the corners only if the overlap has no usable chord.
     WithoutChord,
 }
 
-/// The overlap of `a` and `b`; `None` if they have no area in common. The pose of `b` is given in `a`'s frame. `hint`
-/// is updated for the next step. The overlap's vertices are appended to the list if the caller wants them.
+/// Computes the overlap of the polygons `a` and `b`; returns `None` if they have no area in common. The pose of `b` is
+/// given in the frame of `a`. The clip updates `hint` for the next step. The vertices of the overlap are appended to
+/// the list if the caller wants them.
 // Always inlined, so that arguments and result stay in registers.
 #[inline(always)]
 pub(crate) fn clip(
@@ -132,7 +135,7 @@ pub(crate) fn clip(
     }
 }
 
-/// The fast path, by [`through`]. The hint stays valid.
+/// The fast path of the clip, by [`through`]. The hint stays valid.
 #[inline(always)]
 pub(crate) fn clip_through(
     a: &ConvexPolygon,
@@ -143,7 +146,7 @@ pub(crate) fn clip_through(
     if let Hint::Lens(stretch) = hint { through::find(a, b, b_in_a, stretch) } else { None }
 }
 
-/// The rest of [`clip`], for polygons in which [`clip_through`] finds no overlap.
+/// The part of [`clip`] for polygons in which [`clip_through`] finds no overlap.
 // A function of its own, so that the fast path needs no room on the stack for it.
 #[inline(never)]
 pub(crate) fn clip_otherwise(
@@ -189,7 +192,7 @@ pub(crate) fn clip_otherwise(
 }
 
 impl Through {
-    /// The clip. The corners are appended to the list if the caller wants them.
+    /// The clip. The corners of the overlap are appended to the list if the caller wants them.
     #[inline(always)]
     pub(crate) fn clip(
         &self,
@@ -211,7 +214,8 @@ fn trace_through(a: &ConvexPolygon, b: &Placed<'_>, found: &Located, outline_m: 
     trace(a, b, found, found.at.enter.b, outline_m);
 }
 
-/// The axis of least penetration of two overlapping polygons: the first body's outward normal, in that body's frame.
+/// The axis of least penetration of two overlapping polygons, as the outward normal of the first body in the frame of
+/// the first body.
 pub(crate) fn least_penetration(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
@@ -232,7 +236,7 @@ fn accept(lens: Lens, contained: bool) -> Option<Clip> {
     (lens.area_m2 > 0.0).then_some(Clip { lens, contained })
 }
 
-/// True where the bounding circles do not meet.
+/// Returns true if the bounding circles of the two polygons do not meet.
 #[inline]
 pub(crate) fn circles_apart(a: &ConvexPolygon, b: &Placed<'_>) -> bool {
     let reach = a.radius_m() + b.polygon.radius_m();
@@ -299,21 +303,21 @@ fn cold(
     (None, hint)
 }
 
-/// Is the point in both polygons? If the polygons touch without area, rounding can make the sweep find an overlap that
-/// does not exist.
+/// Returns true if the point lies in both polygons. If the polygons touch without a common area, rounding can make the
+/// sweep find an overlap that does not exist.
 fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -> bool {
     [a.closed(), b_m].iter().all(|ring| {
         ring.windows(2).all(|edge| (edge[1] - edge[0]).cross(point_m - edge[0]) >= -slack_m2)
     })
 }
 
-/// Largest error of an overlap's area that rounding of the vertices can cause (m²).
+/// Largest error of the area of an overlap that rounding of the vertices can cause (m²).
 fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
     256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
 }
 
-/// Does the cached edge still separate the polygons? Returns the new support.
+/// Finds out whether the edge of the last step still separates the polygons. Returns the new support.
 #[inline]
 fn still_apart(
     a: &ConvexPolygon,
@@ -354,7 +358,8 @@ fn deepest_outside(
     (depth < 0.0).then_some(deepest as u32)
 }
 
-/// Clips a pair of convex polygons again and again while they move. For callers that need the geometry alone.
+/// Clips a pair of convex polygons again and again while they move. The type `PairClip` is for callers that need only
+/// the geometry of overlaps.
 ///
 /// ```
 /// use fenderline_contact::{ConvexPolygon, PairClip, Pose, vec2};
@@ -375,7 +380,8 @@ pub struct PairClip {
 }
 
 impl PairClip {
-    /// The overlap of `a` and `b` at their poses, in `a`'s frame; `None` if they have no area in common.
+    /// Computes the overlap of the polygons `a` and `b` at their poses, in the frame of `a`; returns `None` if they
+    /// have no area in common.
     #[inline]
     pub fn clip(
         &mut self,
@@ -390,13 +396,13 @@ impl PairClip {
         clip(a, b, b_in_a, &mut self.hint, &mut self.buffers, wanted)
     }
 
-    /// Vertices of the last overlap, in the first polygon's frame (m).
+    /// Vertices of the last overlap, in the frame of the first polygon (m).
     #[must_use]
     pub fn outline_m(&self) -> &[Vec2] {
         &self.outline_m
     }
 
-    /// Forgets the last result, so that the next call takes the cold path.
+    /// Forgets the last result, so that the next call starts without a hint.
     pub fn forget(&mut self) {
         self.hint = Hint::None;
     }

@@ -8,34 +8,38 @@ use super::ring::after;
 use crate::number::greater;
 use crate::vec2::{Pose, Vec2};
 
-/// Vertices with a smaller turn (sine of the angle) count as straight and are dropped. The sine has a rounding error of
-/// about 1e-15. The limit is well above this, and moves the boundary of a 300 m hull by less than 1e-10 m.
+/// A vertex at which the boundary turns by less than this (sine of the angle) counts as straight and is dropped. The
+/// computed sine of a turn has a rounding error of about 1e-15. The limit for a straight vertex is well above this
+/// rounding error, and moves the boundary of a 300 m hull by less than 1e-10 m.
 const STRAIGHT: f64 = 1e-12;
 
-/// A convex polygon in the body's frame, walked in the positive sense.
+/// A convex polygon in the frame of its body, with its vertices in the positive sense of turning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConvexPolygon {
-    /// The vertices with the first repeated at the end, so that edge `i` runs from `i` to `i + 1`.
+    /// The vertices, with the first vertex repeated at the end, so that edge `i` runs from vertex `i` to vertex `i +
+    /// 1`.
     closed: Vec<Vec2>,
-    /// Both ends of each edge, for one look-up.
+    /// Start and end of each edge, so that one look-up gives both.
     ends: Vec<[Vec2; 2]>,
-    /// Edge `i` starts at corner `i`.
+    /// The edges of the polygon; edge `i` starts at corner `i`.
     edges: Vec<Edge>,
-    /// Index of the edge whose direction has the smallest angle in [0, 2π).
+    /// Index of the edge whose direction has the smallest angle in the range [0, 2π).
     first_by_angle: u32,
-    /// Number of edges whose direction has an angle in [0, π).
+    /// Number of edges whose direction has an angle in the range [0, π).
     upper: u32,
-    /// Centre of the bounding box and radius about it (m).
+    /// Centre of the bounding box, and radius of the polygon about this centre (m).
     center_m: Vec2,
     radius_m: f64,
     area_m2: f64,
 }
 
 impl ConvexPolygon {
-    /// Makes a polygon from the vertices of a convex polygon in the positive sense. Straight vertices are dropped.
+    /// Makes a polygon from the vertices of a convex polygon, which must be in the positive sense of turning. Straight
+    /// vertices are dropped.
     ///
     /// # Panics
-    /// `corners` has fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
+    /// Panics if fewer than three corners are left. No piece of an [`Outline`](crate::outline::Outline) has so few
+    /// corners.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
         let corners = without_straight_vertices(vertices_m);
@@ -77,31 +81,31 @@ impl ConvexPolygon {
         self.ends.len()
     }
 
-    /// The corners in the positive sense (m).
+    /// The corners of the polygon in the positive sense of turning (m).
     #[must_use]
     pub fn vertices(&self) -> &[Vec2] {
         &self.closed[..self.count()]
     }
 
-    /// The corners with the first repeated at the end (m).
+    /// The corners of the polygon, with the first corner repeated at the end (m).
     #[inline]
     pub(crate) fn closed(&self) -> &[Vec2] {
         &self.closed
     }
 
-    /// A corner by its index; the index `count` is the first corner again (m).
+    /// A corner of the polygon by its index; the index `count` gives the first corner again (m).
     #[inline]
     pub(crate) fn corner(&self, index: usize) -> Vec2 {
         self.closed[index]
     }
 
-    /// Start and end of an edge; `None` beyond the last edge (m).
+    /// Start and end of an edge of the polygon (m); `None` beyond the last edge.
     #[inline(always)]
     pub(crate) fn ends(&self, edge: u32) -> Option<&[Vec2; 2]> {
         self.ends.get(edge as usize)
     }
 
-    /// The corners between the end of an edge and the start of a later one of the ring (m).
+    /// The corners of the ring from the end of one edge to the start of a later edge (m).
     #[inline(always)]
     pub(crate) fn between(&self, first: u32, last: u32) -> impl Iterator<Item = Vec2> {
         let (last, count) = (last as usize, self.count());
@@ -112,7 +116,7 @@ impl ConvexPolygon {
         })
     }
 
-    /// The edges, with their frames.
+    /// The edges of the polygon, each with its own frame.
     #[inline]
     pub(crate) fn edges(&self) -> &[Edge] {
         &self.edges
@@ -123,8 +127,8 @@ impl ConvexPolygon {
         self.first_by_angle as usize
     }
 
-    /// The corner farthest in a direction. The edges before this corner turn by less than a quarter turn from the
-    /// direction, the edges after it by more.
+    /// The corner of the polygon that is farthest in a direction. The edges before the farthest corner are turned by
+    /// less than a quarter turn from the direction, and the edges after it by more.
     #[inline]
     pub(crate) fn farthest(&self, direction: Vec2) -> usize {
         let along = direction.quarter_turn();
@@ -146,14 +150,14 @@ impl ConvexPolygon {
         edge(from)
     }
 
-    /// Centre of the bounding circle (m).
+    /// Centre of the bounding circle of the polygon (m).
     #[must_use]
     #[inline]
     pub fn center_m(&self) -> Vec2 {
         self.center_m
     }
 
-    /// Radius of the bounding circle (m).
+    /// Radius of the bounding circle of the polygon (m).
     #[must_use]
     #[inline]
     pub fn radius_m(&self) -> f64 {
@@ -167,13 +171,13 @@ impl ConvexPolygon {
     }
 }
 
-/// True for directions with an angle in [0, π): the first half of a walk by angle.
+/// Returns true for a direction with an angle in the range [0, π), the first half of a walk through the edges by angle.
 #[inline]
 pub(crate) fn upper_half(direction: Vec2) -> bool {
     direction.y > 0.0 || (direction.y == 0.0 && direction.x > 0.0)
 }
 
-/// The edge of a closed ring whose direction has the smallest angle in [0, 2π).
+/// Finds the edge of a closed ring of corners whose direction has the smallest angle in the range [0, 2π).
 pub(crate) fn first_by_angle(closed: &[Vec2]) -> usize {
     let count = closed.len() - 1;
     let upper = |i: usize| upper_half(closed[i + 1] - closed[i]);
@@ -188,8 +192,8 @@ pub(crate) fn first_by_angle(closed: &[Vec2]) -> usize {
     0
 }
 
-/// Does a convex polygon of these vertices have three corners left when straight vertices are dropped? A needle whose
-/// width is below 1e-12 of its length does not.
+/// Returns true if a convex polygon of these vertices has three corners left when straight vertices are dropped. A
+/// needle whose width is below 1e-12 of its length has fewer than three corners left.
 pub(crate) fn has_width(vertices_m: &[Vec2]) -> bool {
     without_straight_vertices(vertices_m).len() >= 3
 }
@@ -208,15 +212,15 @@ fn without_straight_vertices(vertices: &[Vec2]) -> Vec<Vec2> {
     kept
 }
 
-/// The signed area, by the shoelace formula about the first vertex (m²).
+/// The signed area of a polygon (m²), by the shoelace formula about the first vertex.
 pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     let origin = vertices[0];
     let twice: f64 = vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();
     0.5 * twice
 }
 
-/// The second polygon of a pair. The polygon's vertices are transformed into the first polygon's frame one by one, as
-/// needed.
+/// The second polygon of a pair, placed in the frame of the first polygon. The vertices of the second polygon are
+/// transformed into the frame of the first polygon one by one, when they are needed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed<'a> {
     pub(crate) polygon: &'a ConvexPolygon,
@@ -224,7 +228,7 @@ pub(crate) struct Placed<'a> {
 }
 
 impl Placed<'_> {
-    /// Vertex `i` of the closed list, in the first polygon's frame.
+    /// Vertex `i` of the second polygon's closed list, in the frame of the first polygon.
     #[inline]
     pub(crate) fn vertex(&self, i: usize) -> Vec2 {
         self.pose.apply(self.polygon.corner(i))

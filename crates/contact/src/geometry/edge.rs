@@ -1,4 +1,4 @@
-//! An edge of a convex polygon with a frame of its own.
+//! An edge of a convex polygon, with a frame of its own.
 
 use alloc::vec::Vec;
 
@@ -6,18 +6,18 @@ use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
-/// An edge of a convex polygon, and a trapezoid inscribed in the polygon behind it.
+/// An edge of a convex polygon, with a trapezoid behind the edge that lies within the polygon.
 ///
-/// In the edge's frame x runs along the edge and y into the polygon. x is measured from the polygon's origin, not from
-/// the edge's start, so that a contact amidships loses no digits to the length of the ship.
+/// In the frame of the edge, x runs along the edge and y into the polygon. x is measured from the polygon's origin, not
+/// from the edge's start, so that a contact amidships loses no digits to the length of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
     pub(super) frame: Frame,
-    /// x of the edge's start and end (m).
+    /// Coordinate x of the edge's start and of its end (m).
     from_m: f64,
     to_m: f64,
-    /// How far the two slanted sides of the trapezoid lean inwards, for each metre of y above the edge (m/m). A point of the trapezoid has
-    /// x ≥ from_m + y · from_start and x ≤ to_m − y · from_end.
+    /// How far the two slanted sides of the trapezoid lean inwards, for each metre of y above the edge (m/m). A point
+    /// (x, y) of the trapezoid has x ≥ from_m + y · from_start and x ≤ to_m − y · from_end.
     from_start: f64,
     from_end: f64,
     /// Height of the trapezoid (m).
@@ -25,7 +25,7 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
-    /// Makes the edges of a ring of corners.
+    /// Makes the edges of a polygon from its ring of corners.
     pub(crate) fn of_all(corners_m: &[Vec2]) -> Vec<Edge> {
         (0..corners_m.len()).map(|index| Edge::of(corners_m, index)).collect()
     }
@@ -59,8 +59,8 @@ impl Edge {
         }
     }
 
-    /// Is the part of another convex polygon behind this edge within the trapezoid? The part behind the edge lies
-    /// between the lines through the two crossings, and reaches down to `deepest_m`.
+    /// Returns true if the part of another convex polygon behind this edge is within the trapezoid. The part of the
+    /// other polygon behind the edge lies between the lines through the two crossings, and reaches down to `deepest_m`.
     #[inline(always)]
     pub(super) fn holds(&self, [first, last]: [&Crosses; 2], deepest_m: f64) -> bool {
         let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
@@ -71,11 +71,11 @@ impl Edge {
     }
 }
 
-/// The map from a polygon's frame to the edge's frame.
+/// The map from the frame of a polygon to the frame of one of its edges.
 // Stored by columns, so that the processor multiplies two numbers at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    /// Unit vectors and origin (m) of the polygon's frame, in the edge's frame.
+    /// Unit vectors and origin (m) of the polygon's frame, expressed in the edge's frame.
     of_x: Vec2,
     of_y: Vec2,
     origin_m: Vec2,
@@ -92,20 +92,20 @@ impl Frame {
         self.turned(corner_m) + self.origin_m
     }
 
-    /// Maps a point from the edge's frame back to the polygon's frame.
+    /// Maps a point from the frame of the edge back to the frame of the polygon.
     #[inline(always)]
     pub(super) fn back(&self, at_m: Vec2) -> Vec2 {
         let v = at_m - self.origin_m;
         vec2(self.of_x.dot(v), self.of_y.dot(v))
     }
 
-    /// Unit vector along the edge.
+    /// Unit vector along the edge, in the frame of the polygon.
     #[inline(always)]
     pub(super) fn along(&self) -> Vec2 {
         vec2(self.of_x.x, self.of_y.x)
     }
 
-    /// The map from the frame of another polygon at `pose`.
+    /// The map to the edge's frame from the frame of another polygon at `pose`.
     #[inline(always)]
     pub(super) fn seen_by(&self, pose: Pose) -> Frame {
         let Rotation { cos, sin } = pose.rotation;
@@ -116,7 +116,7 @@ impl Frame {
         }
     }
 
-    /// The map from a frame in which the edge's polygon is at `pose`.
+    /// The map to the edge's frame from a frame in which the edge's polygon is at `pose`.
     #[inline(always)]
     pub(super) fn placed_at(&self, pose: Pose) -> Frame {
         let Rotation { cos, sin } = pose.rotation;
@@ -125,22 +125,23 @@ impl Frame {
         Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
     }
 
-    /// This map, with x measured from `x_m`.
+    /// The same map from the polygon's frame to the edge's frame, but with x measured from `x_m`.
     #[inline(always)]
     pub(super) fn measured_from(&self, x_m: f64) -> Frame {
         Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }
     }
 }
 
-/// The place where another polygon's edge crosses this edge's line, and the slope dx/dy of that edge.
+/// The place where an edge of another polygon crosses the line of this edge, and the slope dx/dy of the crossing edge.
 pub(super) struct Crosses {
     pub(super) x_m: f64,
     pub(super) slope: f64,
 }
 
 impl Crosses {
-    /// The crossing of an edge from a corner outside the line to a corner behind it. The caller checks that the corners
-    /// are so, and that the edge is not nearly parallel to the line. Coincident edges are left to the cold path.
+    /// Computes where an edge crosses the line, from its corner outside the line to its corner behind the line. The
+    /// caller must check that the two corners lie on both sides of the line, and that the edge is not nearly parallel
+    /// to the line. Edges that coincide are left to the cold path of the clip.
     #[inline(always)]
     pub(super) fn between(outside: Vec2, inside: Vec2) -> Crosses {
         let along = inside - outside;

@@ -1,9 +1,9 @@
-//! Boxes along the axes of a frame.
+//! Bounding boxes whose sides are parallel to the axes of a frame.
 
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A box along the axes of a frame.
+/// A box whose sides are parallel to the axes of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) low_m: Vec2,
@@ -17,18 +17,18 @@ impl Extent {
         high_m: vec2(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
 
-    /// The box around some points.
+    /// The smallest box around some points.
     pub(crate) fn of(points_m: &[Vec2]) -> Extent {
         points_m.iter().fold(Extent::EMPTY, |extent, v| extent.and_point(*v))
     }
 
-    /// The box around a circle.
+    /// The smallest box around a circle.
     pub(crate) fn of_circle(center_m: Vec2, radius_m: f64) -> Extent {
         let half_m = vec2(radius_m, radius_m);
         Extent { low_m: center_m - half_m, high_m: center_m + half_m }
     }
 
-    /// The box around this box and a point.
+    /// The smallest box around this box and a point.
     #[inline]
     fn and_point(self, v: Vec2) -> Extent {
         Extent {
@@ -37,13 +37,13 @@ impl Extent {
         }
     }
 
-    /// The box around both boxes.
+    /// The smallest box around this box and another box.
     #[inline]
     pub(crate) fn and(self, other: Extent) -> Extent {
         self.and_point(other.low_m).and_point(other.high_m)
     }
 
-    /// The box with sides this much farther out (m).
+    /// This box with each side moved outwards by `by_m` (m).
     #[inline]
     pub(crate) fn widened(self, by_m: f64) -> Extent {
         let by_m = vec2(by_m, by_m);
@@ -69,19 +69,20 @@ impl Extent {
         (self.high_m - self.low_m) * 0.5
     }
 
-    /// The box in A's frame around this box, which is in B's frame.
+    /// The box in the frame of body A around this box, which is given in the frame of body B.
     #[inline]
     pub(crate) fn placed(&self, b_in_a: Pose) -> Extent {
         self.turned(b_in_a.apply(self.center_m()), b_in_a)
     }
 
-    /// The box in B's frame around this box, which is in A's frame.
+    /// The box in the frame of body B around this box, which is given in the frame of body A.
     #[inline]
     pub(crate) fn seen_from(&self, b_in_a: Pose) -> Extent {
         self.turned(b_in_a.apply_inverse(self.center_m()), b_in_a)
     }
 
-    /// The box around this box turned about this centre. The result is the same for a turn to either side.
+    /// The smallest box around this box when it is turned and its centre placed at `center_m`. The turned box is the
+    /// same for a turn to either side.
     #[inline]
     fn turned(&self, center_m: Vec2, b_in_a: Pose) -> Extent {
         let half = self.half_m();
@@ -90,7 +91,7 @@ impl Extent {
         Extent { low_m: center_m - half, high_m: center_m + half }
     }
 
-    /// Largest absolute value of a coordinate (m).
+    /// Largest absolute value of a coordinate of the box's corners (m).
     #[inline]
     pub(crate) fn farthest_m(&self) -> f64 {
         [self.low_m, self.high_m]

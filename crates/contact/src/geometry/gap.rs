@@ -1,12 +1,12 @@
-//! A lower bound on the gap between two polygons.
+//! Computes a lower bound on the gap between two polygons.
 
 use super::clip::Hint;
 use super::convex::{ConvexPolygon, Placed};
 use crate::number::greater;
 use crate::vec2::Pose;
 
-/// A lower bound on the gap between two polygons, from the hint of the last clip (m). The bound is 0 unless the hint
-/// shows that they are apart.
+/// A lower bound on the gap between two polygons, from the hint of the last clip (m). The lower bound on the gap is 0
+/// unless the hint shows that the two polygons are apart.
 pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hint) -> f64 {
     let placed = Placed { polygon: b, pose: b_in_a };
     match hint {

@@ -1,8 +1,8 @@
-//! The cold path of the clip: the overlap of two convex polygons as an intersection of half-planes.
+//! The cold path of the clip: computes the overlap of two convex polygons as an intersection of half-planes.
 //!
-//! The edges of a convex polygon are already sorted by direction. So merging the two rings, and one pass with a
-//! double-ended queue, solves every case in O(n + m): any number of crossings, one polygon within the other, no
-//! overlap.
+//! The edges of a convex polygon are already sorted by direction. So the cold path merges the two lists of edges and
+//! makes one pass with a double-ended queue, which solves every case in O(n + m): any number of crossings, one polygon
+//! within the other, no overlap.
 
 use alloc::vec::Vec;
 
@@ -11,58 +11,60 @@ use super::lens::{Crossing, Stretch};
 use super::ring::after;
 use crate::vec2::Vec2;
 
-/// Edges within this sine of parallel and within this distance count as coincident (–, m). A chord between closer edges
-/// would follow rounding, not shape.
+/// Edges count as coincident if the sine of the angle between them is below this limit (–) and their distance is below
+/// this limit (m). A chord between edges closer than this would follow rounding, not the shape of the polygons.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
-/// The crossing of edges within this sine of parallel has no digit that rounding leaves right.
+/// The computed crossing of two edges has no digit that rounding leaves right if the sine of their angle is below this
+/// limit.
 const PARALLEL: f64 = 1e-14;
 
-/// The result of the cold path.
+/// The result of the cold path of the clip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Found {
     /// No common area.
     Nothing,
-    /// The first polygon lies within the second.
+    /// The first polygon lies wholly within the second polygon.
     FirstInside,
-    /// The second polygon lies within the first.
+    /// The second polygon lies wholly within the first polygon.
     SecondInside,
-    /// The boundaries cross; the stretches are in the buffers.
+    /// The boundaries of the polygons cross, and the buffers hold the stretches between the crossings.
     Crossings {
-        /// Some edges of the two polygons coincide.
+        /// True if some edges of the two polygons coincide.
         collinear: bool,
     },
 }
 
-/// A half-plane to the left of an edge.
+/// The half-plane to the left of an edge of a polygon.
 #[derive(Clone, Copy, Debug)]
 struct HalfPlane {
     start: Vec2,
     along: Vec2,
     edge: u32,
     of_a: bool,
-    /// Whether an edge of the other polygon coincides with this edge.
+    /// True if an edge of the other polygon coincides with the edge of this half-plane.
     doubled: bool,
 }
 
-/// Buffers of the cold path, kept between calls.
+/// Buffers of the cold path of the clip, kept between calls.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Buffers {
-    /// The second polygon's closed vertices in the first polygon's frame (m).
+    /// The vertices of the second polygon as a closed list, in the frame of the first polygon (m).
     pub(crate) b_m: Vec<Vec2>,
-    /// Stretches of the first polygon's boundary inside the second, in the order of the walk.
+    /// Stretches of the first polygon's boundary inside the second polygon, in the order in which the boundary is
+    /// walked.
     pub(crate) stretches: Vec<Stretch>,
     queue: Vec<HalfPlane>,
-    /// `corners[k]` is where `queue[k]` meets `queue[k − 1]`.
+    /// `corners[k]` is the point where `queue[k]` meets `queue[k − 1]`.
     corners: Vec<Vec2>,
-    /// Index of the first bounding half-plane in `queue`, and of its corner in `corners`. The first corner is where the
-    /// last half-plane meets the first.
+    /// Index of the first bounding half-plane in `queue`, and of the first corner in `corners`. The first corner is the
+    /// point where the last half-plane meets the first half-plane.
     front: usize,
 }
 
 impl Buffers {
-    /// Buffers with room for two polygons of this number of corners. Few clips use the cold path, and the first such
-    /// clip may come long after the start: the room is made beforehand so that a step does not allocate.
+    /// Makes buffers with room for two polygons with this number of corners. Few clips use the cold path, and the first
+    /// of them may come long after the start: the room is made beforehand so that a step does not allocate memory.
     pub(crate) fn with_room(corners: usize) -> Buffers {
         Buffers {
             b_m: Vec::with_capacity(corners + 1),
@@ -73,12 +75,12 @@ impl Buffers {
         }
     }
 
-    /// The corners that the sweep found, in the positive sense (m).
+    /// The corners of the overlap that the sweep found, in the positive sense of turning (m).
     pub(crate) fn swept_m(&self) -> &[Vec2] {
         &self.corners[self.front..]
     }
 
-    /// Sum of the overlap's edges that belong to the first polygon (m).
+    /// Vector sum of those edges of the overlap that belong to the first polygon (m).
     pub(crate) fn swept_chord_m(&self) -> Vec2 {
         let corners = self.swept_m();
         let ends = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -87,7 +89,7 @@ impl Buffers {
     }
 }
 
-/// Finds all crossings of `a` with the polygon in `buffers.b_m`.
+/// Finds all crossings of the boundary of `a` with the boundary of the polygon in `buffers.b_m`.
 pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     let Some(front) = sweep(a, buffers) else { return Found::Nothing };
     buffers.front = front;
@@ -126,7 +128,8 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     Found::Crossings { collinear }
 }
 
-/// One pass over all half-planes, by direction. Leaves the bounding half-planes in `queue[front..]`.
+/// Makes one pass over all half-planes in the order of their directions. After the sweep, `queue[front..]` holds the
+/// half-planes that bound the overlap.
 fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
     let Buffers { b_m, queue, corners, .. } = buffers;
     queue.clear();
@@ -196,8 +199,8 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
     if queue.len() < front + 3 { None } else { Some(front) }
 }
 
-/// Is the turn (the cross product of two edges) below [`SAME_DIRECTION`]? The first test needs no square root, and
-/// decides for nearly all edges.
+/// Returns true if the turn between two edges (their cross product) is below [`SAME_DIRECTION`]. The first test for a
+/// flat turn needs no square root, and decides for nearly all edges.
 #[inline]
 fn is_flat(turn: f64, last: &HalfPlane, new: &HalfPlane) -> bool {
     turn * turn
@@ -215,8 +218,9 @@ fn outside(h: HalfPlane, point: Vec2) -> bool {
 /// The point at which the lines of two half-planes meet. Neighbouring edges of one polygon meet in a vertex of the
 /// polygon.
 ///
-/// `from` is where the first half-plane's part of the boundary begins. The second half-plane meets that part ahead of
-/// `from`. By rounding, nearly parallel lines may seem to meet behind `from`; the result is then `from`.
+/// `from` is the point where the first half-plane's part of the boundary begins. The second half-plane meets the
+/// boundary part of the first half-plane ahead of `from`. Because of rounding, nearly parallel lines may seem to meet
+/// behind `from`; the result is then `from`.
 #[inline]
 fn corner(
     a: &ConvexPolygon,
@@ -240,13 +244,13 @@ fn corner(
     }
 }
 
-/// The edges of both polygons in one order by direction.
+/// The edges of both polygons, merged into one order by direction.
 struct Merge<'a> {
     a: Ring<'a>,
     b: Ring<'a>,
 }
 
-/// The edges of one polygon by direction; `head` is the next edge.
+/// The edges of one polygon in the order of their directions; `head` is the next edge.
 struct Ring<'a> {
     closed: &'a [Vec2],
     of_a: bool,
@@ -262,7 +266,7 @@ impl<'a> Ring<'a> {
         ring
     }
 
-    /// Returns the head and replaces it by the edge after it.
+    /// Returns the head of the list and replaces it by the next edge.
     #[inline(always)]
     fn pop(&mut self) -> Option<HalfPlane> {
         let following = (self.left > 0).then(|| {
@@ -295,7 +299,7 @@ impl<'a> Merge<'a> {
     }
 }
 
-/// True where the angle of `u`, in [0, 2π), is not larger than the angle of `v`.
+/// Returns true if the angle of `u`, in the range [0, 2π), is not larger than the angle of `v`.
 #[inline]
 fn not_after(u: Vec2, v: Vec2) -> bool {
     match (upper_half(u), upper_half(v)) {

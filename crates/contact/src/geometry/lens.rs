@@ -1,4 +1,4 @@
-//! The overlap of two convex polygons, assembled from the crossings of their boundaries.
+//! Assembles the overlap of two convex polygons from the crossings of their boundaries.
 
 use alloc::vec::Vec;
 
@@ -7,40 +7,41 @@ use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// A crossing of the two boundaries: an edge of the first polygon and an edge of the second.
+/// A crossing of the boundaries of two polygons: the number of an edge of the first polygon, and of an edge of the
+/// second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Crossing {
     pub(crate) a: u32,
     pub(crate) b: u32,
 }
 
-/// A stretch of the first polygon's boundary inside the second, between two crossings.
+/// A stretch of the first polygon's boundary inside the second polygon, from one crossing to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Stretch {
     pub(crate) enter: Crossing,
     pub(crate) leave: Crossing,
 }
 
-/// The overlap of one convex piece with another, in the first piece's frame.
+/// The overlap of two convex pieces, in the frame of the first piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lens {
     /// Area S (m²).
     pub(crate) area_m2: f64,
     /// Centroid C (m).
     pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) (m); zero if one piece contains the other.
+    /// Chord vector d = Σ (P_out − P_in) (m); zero if one piece contains the other.
     pub(crate) chord_m: Vec2,
-    /// 1/|d| (1/m). 0 if the chord is unusable: there is none, or edges coincide.
+    /// 1/|d| (1/m). `per_chord_m` is 0 if the chord is unusable: there is no chord, or edges coincide.
     // Computed here because other work hides the time that root and quotient take.
     pub(crate) per_chord_m: f64,
-    /// Extent along the normal of the chord, times the length of the chord (m²).
+    /// Extent of the overlap along the normal of the chord, times the length of the chord (m²).
     pub(crate) spread_m2: f64,
-    /// True where edges coincide, so that the chord is ambiguous.
+    /// True if edges of the two pieces coincide, so that the chord is ambiguous.
     pub(crate) collinear: bool,
 }
 
-/// The point at a share of an edge (m): 0 is the start, 1 the end. A share outside 0 to 1, which rounding can cause,
-/// gives the nearer end.
+/// The point of an edge at the fraction `share` of its length (m): 0 is the start, 1 the end. A fraction outside 0 to
+/// 1, which rounding can cause, gives the nearer end of the edge.
 #[inline(always)]
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     // Computed from the nearer end, so that both ends are exact.
@@ -51,7 +52,7 @@ pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     }
 }
 
-/// A stretch with its end points P_in and P_out (m).
+/// A stretch of boundary, with the points P_in and P_out where it begins and ends (m).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Located {
     pub(crate) at: Stretch,
@@ -59,8 +60,8 @@ pub(crate) struct Located {
     pub(crate) leaves_m: Vec2,
 }
 
-/// Walks the boundary of the overlap and appends the overlap's vertices to `outline_m`. `stretches` are in the order of
-/// the walk.
+/// Walks the boundary of the overlap and appends the overlap's vertices to `outline_m`. `stretches` must be in the
+/// order in which the boundary is walked.
 pub(crate) fn assemble(
     a: &ConvexPolygon,
     b: &Placed<'_>,
@@ -79,8 +80,8 @@ pub(crate) fn assemble(
     measure(&outline_m[start..], chord_m, false)
 }
 
-/// Appends a part of the overlap's boundary: from where a stretch enters, along the first polygon to where it leaves,
-/// and then along the second polygon up to its edge `until_b`, where the next stretch enters.
+/// Appends a part of the overlap's boundary: from the start of a stretch along the first polygon to its end, and then
+/// along the second polygon up to edge `until_b`, where the next stretch begins.
 #[inline(always)]
 pub(crate) fn trace(
     a: &ConvexPolygon,
@@ -104,7 +105,7 @@ pub(crate) fn trace(
     }
 }
 
-/// The point where the boundaries of the two polygons cross, on the two edges of `crossing` (m).
+/// The point where the boundaries of the two polygons cross, given the two edges in `crossing` (m).
 fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
     let (i, j) = (crossing.a as usize, crossing.b as usize);
     let (a0, a1) = (a.corner(i), a.corner(i + 1));
@@ -114,7 +115,7 @@ fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 
     point_along(a0, a1, side_start / (side_start - side_end))
 }
 
-/// Area, centroid and spread of a polygon, relative to its first vertex, so that small overlaps are accurate.
+/// Computes area, centroid and spread of a polygon relative to its first vertex, so that small overlaps are accurate.
 #[inline(always)]
 pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
     let origin = outline_m[0];
@@ -144,10 +145,11 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
 }
 
-/// A shorter chord is a rounding error: seams cancel to about 1e-13 m.
+/// Least length of a chord (m): a shorter chord is a rounding error, because the sum over closed stretches cancels to
+/// about 1e-13 m.
 const SHORTEST_CHORD_M: f64 = 1e-11;
 
-/// 1/|d|, or 0 if the chord is unusable: see [`Lens::per_chord_m`].
+/// 1/|d|, the inverse length of the chord vector d, or 0 if the chord is unusable: see [`Lens::per_chord_m`].
 #[inline]
 pub(crate) fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
     let length_m = chord_m.length();

@@ -1,7 +1,7 @@
-//! Geometry of one contact (docs/contact_model.md, section 1; §3.1 of the paper).
+//! Geometry of a single contact (docs/contact_model.md, section 1; §3.1 of the paper).
 //!
-//! All coordinates are in the frame of a pair's first body, so that no digits are lost far from the
-//! chart's origin.
+//! All coordinates are in the frame of the first body of a pair, so that no digits are lost far from the chart's
+//! origin.
 
 pub(crate) mod apart;
 pub(crate) mod axis;

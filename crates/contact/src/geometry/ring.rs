@@ -1,19 +1,19 @@
-//! Indices of a closed ring.
+//! Index arithmetic for the corners of a closed ring.
 
-/// Index before `i` in a ring of `count`.
+/// Index before index `i` in a ring of `count` corners.
 #[inline]
 pub(crate) fn before(i: usize, count: usize) -> usize {
     if i == 0 { count - 1 } else { i - 1 }
 }
 
-/// Index after `i` in a ring of `count`.
+/// Index after index `i` in a ring of `count` corners.
 #[inline]
 pub(crate) fn after(i: usize, count: usize) -> usize {
     if i + 1 == count { 0 } else { i + 1 }
 }
 
 /// The corner of a convex ring of `count` corners that is deepest behind a line, and its depth. The search climbs from
-/// corner `from`: the depth has a single maximum over the ring.
+/// corner `from`, because the depth has a single maximum over the ring.
 #[inline(always)]
 pub(crate) fn climb(depth: impl Fn(usize) -> f64, from: usize, count: usize) -> (usize, f64) {
     let (mut here, mut deepest) = (from, depth(from));
@@ -31,7 +31,7 @@ pub(crate) fn climb(depth: impl Fn(usize) -> f64, from: usize, count: usize) -> 
     (here, deepest)
 }
 
-/// Number of vertices between an edge and a later edge of a ring of `count`.
+/// Number of vertices between an edge and a later edge in a ring of `count` edges.
 #[inline(always)]
 pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
     let (from, to) = (from as usize, to as usize);

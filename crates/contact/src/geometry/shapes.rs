@@ -7,30 +7,30 @@ use super::convex::ConvexPolygon;
 use super::extent::Extent;
 use crate::vec2::Pose;
 
-/// Outlines with fewer pieces than this have no tree: all their pieces count as near.
+/// Least number of pieces of an outline with a tree: of an outline with fewer pieces, all pieces count as near.
 pub(crate) const LEAST_WITH_TREE: usize = 8;
 
-/// Rounding error of a box in another frame, relative to the coordinates.
+/// Rounding error of a box that is turned into another frame, relative to the coordinates.
 const ROUNDING: f64 = 1e-13;
 
-/// The convex pieces of one side of a pair.
+/// The convex pieces of the outline of one body of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shapes<'m> {
     pub(crate) pieces: &'m [ConvexPolygon],
-    /// The tree over these pieces, if there are many.
+    /// The tree over the convex pieces; `None` if there are few pieces.
     pub(crate) tree: Option<&'m BoxTree>,
 }
 
-/// A piece and its number.
+/// A convex piece, and its number in the outline.
 pub(crate) type Piece<'m> = (u32, &'m ConvexPolygon);
 
 impl<'m> Shapes<'m> {
-    /// Makes shapes of pieces without a tree.
+    /// Makes the shapes of an outline with few pieces, which needs no tree.
     pub(crate) fn few(pieces: &'m [ConvexPolygon]) -> Shapes<'m> {
         Shapes { pieces, tree: None }
     }
 
-    /// A box around all pieces.
+    /// A bounding box around all pieces.
     fn extent(&self) -> Extent {
         match self.tree {
             Some(tree) => tree.extent(),
@@ -38,7 +38,7 @@ impl<'m> Shapes<'m> {
         }
     }
 
-    /// The pieces near a place, ascending, with boxes around them. Without a tree these are all pieces.
+    /// The pieces near a place, in ascending order, with boxes around them. Without a tree the result is all pieces.
     #[inline]
     fn near(self, place: impl FnOnce() -> Extent) -> Near<'m> {
         match self.tree {
@@ -52,8 +52,8 @@ fn circled(piece: &ConvexPolygon) -> Extent {
     Extent::of_circle(piece.center_m(), piece.radius_m())
 }
 
-/// The pairs of pieces of `a` and `b` that may be `apart_m` or less apart, in the order of `a`'s pieces, then of `b`'s.
-/// The test compares boxes, so some pairs may be farther apart.
+/// The pairs of a piece of `a` and a piece of `b` that may be `apart_m` or less apart, in the order of the pieces of
+/// `a`, then of the pieces of `b`. The test compares bounding boxes, so some of the pairs may be farther apart.
 #[inline]
 pub(crate) fn near_pairs<'m>(
     a: Shapes<'m>,

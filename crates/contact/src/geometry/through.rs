@@ -1,11 +1,11 @@
-//! The fast path for the most common overlap: some corners of one polygon have passed through a single edge of the
-//! other, as the corners of a fender pass through a hull's side.
+//! The fast path of the clip for the most common overlap: some corners of one polygon have passed through a single edge
+//! of the other polygon, as the corners of a fender pass through a hull's side.
 //!
-//! The overlap is then the part of the first polygon behind the line of the edge. The boundary of a convex polygon
-//! crosses a line at most twice. So two crossings and the corners between them are the whole part, if this part lies
-//! within the polygon that has the edge. Two tests are enough for that: the crossings are on the edge, and the region
-//! between the two crossing lines, down to the deepest corner, is within a trapezoid inscribed behind the edge.
-//! Otherwise [`super::warm`] is used.
+//! If the overlap passes through one edge, it is the part of the first polygon behind the line of this edge. The
+//! boundary of a convex polygon crosses a line at most twice. So two crossings, and the corners between them, bound the
+//! whole part behind the edge, if this part lies within the polygon that has the edge. Two tests show that the part
+//! lies within the polygon: the crossings are on the edge, and the region between the two crossing lines, down to the
+//! deepest corner, is within a trapezoid inscribed behind the edge. Otherwise [`super::warm`] is used.
 
 use super::convex::ConvexPolygon;
 use super::edge::{Crosses, Edge, Frame};
@@ -14,21 +14,22 @@ use super::warm::FLAT;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A shorter chord has no meaningful direction (m).
+/// Least length of a chord with a meaningful direction (m).
 const SHORTEST_M: f64 = 1e-9;
 
-/// An overlap through one edge.
+/// An overlap of two polygons through a single edge.
 pub(crate) struct Through {
     pub(crate) lens: Lens,
     at: Stretch,
-    /// The map from A's frame to the edge's frame, and x where A's boundary enters and leaves the overlap (m).
+    /// The map from the frame of polygon A to the frame of the edge, and the coordinate x at which the boundary of A
+    /// enters and leaves the overlap (m).
     of_a: Frame,
     enters_m: f64,
     leaves_m: f64,
 }
 
 impl Through {
-    /// The points where A's boundary enters and leaves the overlap, in A's frame.
+    /// The points where the boundary of polygon A enters and leaves the overlap, in the frame of A.
     #[inline(always)]
     pub(crate) fn located(&self) -> Located {
         let [enters_m, leaves_m] =
@@ -37,8 +38,8 @@ impl Through {
     }
 }
 
-/// The overlap of `a` and `b`, if it passes through one edge in this step, as in the last. `b` is placed in `a`'s
-/// frame.
+/// Finds the overlap of `a` and `b` if it passes through one edge in this step, as in the last step. `b` is placed in
+/// the frame of `a`.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -62,19 +63,20 @@ pub(crate) fn find(
     }
 }
 
-/// The part of a polygon behind an edge, in the edge's frame. x is measured from where the boundary enters.
+/// The part of a polygon behind an edge, in the frame of the edge. The coordinate x is measured from the place where
+/// the boundary enters the part.
 struct Behind {
-    /// Place at which the boundary enters, with x as in [`Edge`] (m).
+    /// Place at which the boundary enters the part behind the edge, with x measured as in [`Edge`] (m).
     first_m: f64,
-    /// Place at which the boundary leaves (m); negative.
+    /// Place at which the boundary leaves the part behind the edge (m); negative.
     last_m: f64,
     twice_m2: f64,
     centroid_m: Vec2,
     deepest_m: f64,
 }
 
-/// The part of `polygon` behind the edge. `None` unless the boundary enters by edge `first`, leaves by edge `last`, and
-/// stays within the edge's polygon in between.
+/// Computes the part of `polygon` behind the edge. Returns `None` unless the boundary enters by edge `first`, leaves by
+/// edge `last`, and stays within the edge's polygon in between.
 #[inline(always)]
 fn behind(
     edge: &Edge,
@@ -113,7 +115,7 @@ fn behind(
     Some(Behind { first_m: first.x_m, last_m, twice_m2, centroid_m, deepest_m })
 }
 
-/// Sums of a walk round an area, from the origin.
+/// Sums for area and centroid over a walk round an area, which begins at the origin.
 struct Sums {
     from: Vec2,
     twice_m2: f64,
@@ -121,7 +123,7 @@ struct Sums {
 }
 
 impl Sums {
-    /// Goes on to another corner.
+    /// Continues the walk round the area to another corner.
     #[inline(always)]
     fn add(&mut self, to: Vec2) {
         let cross = self.from.cross(to);
@@ -130,7 +132,7 @@ impl Sums {
         self.from = to;
     }
 
-    /// Closes the walk at the point x = `x_m`, y = 0.
+    /// Closes the walk round the area at the point x = `x_m`, y = 0.
     #[inline(always)]
     fn closed(mut self, x_m: f64) -> Sums {
         let cross = -(self.from.y * x_m);
@@ -141,7 +143,7 @@ impl Sums {
 }
 
 impl Behind {
-    /// The overlap in A's frame. A's boundary enters and leaves at the given x.
+    /// Converts the overlap into the frame of A's polygon, whose boundary enters and leaves the overlap at the given x.
     #[inline(always)]
     fn through(&self, at: Stretch, of_a: Frame, [enters_m, leaves_m]: [f64; 2]) -> Through {
         let of_a = of_a.measured_from(self.first_m);

@@ -1,18 +1,21 @@
-//! The warm path of the clip. Contacts move little from step to step. So the warm path walks from the edges that
-//! crossed in the last step, reads only the vertices near them, and certifies that the lens found there is the whole
-//! overlap. If the certificate fails, the cold path is used.
+//! The warm path of the clip: computes the overlap of two polygons from the result of the last step. Contacts move
+//! little from step to step. So the warm path walks from the edges that crossed in the last step, reads only the
+//! vertices near these edges, and certifies that the overlap found there is the whole overlap. If this certificate
+//! fails, the cold path of the clip is used.
 //!
-//! Proof of the certificate. Let the first polygon's boundary enter the second at P_in and leave it at P_out. Let Q be
-//! bounded by the first polygon's chain from P_in to P_out and the second polygon's chain back. Q turns left at every
-//! corner. If neither chain turns by more than half a turn, Q turns by one full turn: so Q is convex and lies to the
-//! left of all its edges. It remains to show that the vertices of each chain lie within the *far* part of the other
-//! polygon: the part whose edges are not edges of Q. It is enough that they lie within a polygon of three or four
-//! vertices inscribed in that far part. Then Q's boundary is part of the overlap's boundary. Both boundaries are simple
-//! closed curves, so they are the same.
+//! Proof of the certificate. Let the first polygon's boundary enter the second polygon at P_in and leave it at P_out.
+//! Let Q be the region bounded by the first polygon's chain from P_in to P_out and by the second polygon's chain back.
+//! The boundary of the region Q turns left at every corner. If neither chain turns by more than half a turn, the
+//! boundary of Q turns by one full turn: so Q is convex and lies to the left of all its edges. It remains to show that
+//! the vertices of each chain lie within the *far* part of the other polygon: the part whose edges are not edges of Q.
+//! It is enough that the vertices lie within a polygon of three or four vertices inscribed in that far part. If the
+//! vertices lie in the far part, the boundary of Q is part of the boundary of the overlap. The boundaries of Q and of
+//! the overlap are simple closed curves, so they are the same.
 //!
-//! A chain may turn by more than half a turn if the other chain is on a single edge. This happens at a fender of which
-//! all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line twice at most, so Q is
-//! all of the polygon behind the line, and convex. The rest of the proof is the same.
+//! One of the two chains may turn by more than half a turn if the other chain is on a single edge. A chain turns so far
+//! at a fender of which all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line
+//! twice at most, so the region Q is all of the polygon behind the line, and convex. For a chain that turns by more
+//! than half a turn, the rest of the proof is the same.
 
 use alloc::vec::Vec;
 
@@ -21,17 +24,17 @@ use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
 use crate::vec2::Vec2;
 
-/// Largest number of steps in the walk from the last step's crossing to this step's crossing. Beyond this number the
-/// cold path is cheaper.
+/// Largest number of steps in the walk from the crossing of the last step to the crossing of this step. Beyond this
+/// number of steps the cold path of the clip is cheaper.
 const WALK: usize = 8;
-/// Chains longer than this (in vertices) are left to the cold path.
+/// Largest length of a chain, in vertices; longer chains are left to the cold path of the clip.
 const CHAIN: usize = 32;
-/// Crossing edges within this sine of parallel are left to the cold path, which treats coincident edges.
+/// Crossing edges whose angle has a smaller sine than this are left to the cold path, which treats coincident edges.
 pub(super) const FLAT: f64 = 1e-9;
-/// Rounding of the sine between two edges; far below [`FLAT`].
+/// Rounding error of the sine of the angle between two edges; far below [`FLAT`].
 const ROUNDING: f64 = 1e-13;
 
-/// A crossing with the geometry that found it.
+/// A crossing of two edges, with the geometry that gave the crossing.
 struct Edges {
     at: Crossing,
     a_start: Vec2,
@@ -42,7 +45,7 @@ struct Edges {
     b_along: Vec2,
     /// b_along × a_along.
     turn: f64,
-    /// Position of the crossing along the first polygon's edge, 0 to 1.
+    /// Place of the crossing along the first polygon's edge, from 0 at its start to 1 at its end.
     share: f64,
 }
 
@@ -59,8 +62,8 @@ impl Edges {
     }
 }
 
-/// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the only one. Appends the
-/// vertices of the overlap to `outline_m`.
+/// Finds the stretch of the boundary of `a` inside `b`, if it lies near `hint` and is certified to be the only stretch.
+/// Appends the vertices of the overlap to `outline_m`.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -104,7 +107,7 @@ pub(crate) fn find(
     Some(found)
 }
 
-/// Walks to the crossing where `a` enters (or leaves) `b`.
+/// Walks to the crossing where the boundary of `a` enters (or leaves) `b`.
 #[inline(always)]
 fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) -> Option<Edges> {
     let (n, m) = (a.count(), b.count());
@@ -155,15 +158,15 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
     None
 }
 
-/// For a chain on one edge of `b`: does the walk back reach P_out before P_in?
+/// For a chain on a single edge of `b`: returns true if the walk back reaches P_out before P_in.
 #[inline(always)]
 fn b_order(enter: &Edges, found: &Located) -> bool {
     enter.b_along.dot(found.enters_m - found.leaves_m) > 0.0
 }
 
-/// Does a chain turn by at most half a turn, to rounding? Opposite sides of a box are exactly half a turn apart. For a
-/// chain on one edge: are the points in order? The corners at P_in and P_out are not [`FLAT`], which leaves more room
-/// than this rounding.
+/// Returns true if a chain turns by at most half a turn, within rounding. The tolerance is needed because opposite
+/// sides of a box are exactly half a turn apart. For a chain on a single edge, returns true if its points are in order.
+/// The corners at P_in and P_out turn by more than [`FLAT`], which leaves more room than the rounding of a half turn.
 #[inline(always)]
 fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> bool {
     if chain == 0 {
@@ -175,7 +178,8 @@ fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> 
             && turn * turn <= ROUNDING * ROUNDING * first.length_squared() * last.length_squared())
 }
 
-/// The far part of `b`: from the end of the edge where `a` enters to the start of the edge where `a` leaves.
+/// The far part of the boundary of `b`: from the end of the edge where `a` enters to the start of the edge where `a`
+/// leaves.
 #[inline(always)]
 fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     let count = b.count();
@@ -184,7 +188,8 @@ fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: enter.b_end, end: leave.b_start }
 }
 
-/// The far part of `a`: from the end of `a`'s edge where it leaves to the start of the edge where it enters.
+/// The far part of the boundary of `a`: from the end of the edge at which `a` leaves `b` to the start of the edge at
+/// which `a` enters `b`.
 #[inline(always)]
 fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     let count = a.count();
@@ -193,7 +198,7 @@ fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: leave.a_end, end: enter.a_start }
 }
 
-/// The edges of a polygon that are not in the lens: `edges` of them, from vertex `from` on.
+/// The edges of a polygon that do not bound the overlap: `edges` edges, from vertex `from` on.
 struct FarPart {
     from: usize,
     edges: usize,
@@ -203,8 +208,8 @@ struct FarPart {
 }
 
 impl FarPart {
-    /// Are all vertices of a chain within the far part? Tests a polygon inscribed in the far part first, then the far
-    /// part itself. `vertex` gives the polygon's vertices.
+    /// Returns true if all vertices of a chain are within the far part. The test tries a polygon inscribed in the far
+    /// part first, and then the far part itself. `vertex` gives the vertices of the polygon with the far part.
     #[inline(always)]
     fn holds(&self, vertex: impl Fn(usize) -> Vec2, chain: &[Vec2]) -> bool {
         if chain.is_empty() {
@@ -222,7 +227,8 @@ impl FarPart {
         })
     }
 
-    /// [`FarPart::holds`] with an inscribed polygon of four corners, for cases in which three corners are not enough.
+    /// Does the test of [`FarPart::holds`] with an inscribed polygon of four corners, for cases in which three corners
+    /// are not enough.
     #[inline(never)]
     fn holds_in_thirds(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
         let third = self.edges / 3;
@@ -244,7 +250,7 @@ impl FarPart {
         })
     }
 
-    /// Index of the `k`th vertex of the far part.
+    /// Index in the polygon of the `k`th vertex of the far part.
     #[inline(always)]
     fn index(&self, k: usize) -> usize {
         let index = self.from + k;
@@ -252,7 +258,7 @@ impl FarPart {
     }
 }
 
-/// Is `p` to the left of the line from `start` to `end`, or on it?
+/// Returns true if `p` is to the left of the line from `start` to `end`, or on this line.
 #[inline(always)]
 fn is_left(start: Vec2, end: Vec2, p: Vec2) -> bool {
     (end - start).cross(p - start) >= 0.0

@@ -1,4 +1,4 @@
-//! A co-simulation host: its memory, and one step from start to end.
+//! A co-simulation host: the memory of the host, and one step of it from start to end.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,18 +22,18 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The coupled method for a co-simulation host. Such a host integrates the bodies itself, with a step that may vary.
-/// The host may pass states that are some steps old, and need not report its loads.
+/// Contact by the coupled method for a co-simulation host. A co-simulation host integrates the bodies itself, with a
+/// step that may vary. A co-simulation host may pass states that are some steps old, and need not report its loads.
 ///
-/// The host integrates M(v′ − v)/Δt = W + load. W is the wrench from the engine, and M the model's mass matrix in the
+/// The host integrates M(v′ − v)/Δt = W + load. W is the wrench from the engine, and M the model's mass matrix at the
 /// body's heading at the start of the step. The wrenches of [`CoSimHost::step`] make the host's positions follow the
-/// engine's sub-stepped motion for any Δt: the same rebound, the same depth at rest. With a constant step, the host's
-/// positions during a contact are those of the engine, and the host's velocities are means over a step. If the step
-/// changes during a contact, the velocities are those of the engine, and the positions differ by up to ½ a Δt². This
-/// difference decays in some 10 s.
+/// engine's motion in sub-steps for any Δt: the same rebound, and the same depth at rest. With a constant step, the
+/// host's positions during a contact are the engine's positions, and the host's velocities are means over a step. If
+/// the step changes during a contact, the host's velocities are the engine's velocities, and the host's positions
+/// differ by up to ½ a Δt². The difference of the positions decays in some 10 s.
 ///
-/// All state is plain data, as in [`Memory`]: copy it to branch a run, compare it, save it with
-/// [`CoSimHost::snapshot`] and restore it with [`CoSimHost::restore`].
+/// All state of the host is plain data, as in [`Memory`]: copy the host to branch a run, compare it, save it with
+/// [`CoSimHost::snapshot`], and restore it with [`CoSimHost::restore`].
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -69,15 +69,15 @@ pub struct CoSimHost {
     pub(super) memory: Memory,
     /// One record per body, in the order in which bodies were added.
     pub(super) bodies: Vec<BodyRecord>,
-    /// Wrenches and loads of the last steps, at most `delay_steps` + 1 of them. The oldest step comes first; within a
-    /// step they are body by body.
+    /// Wrenches and loads of the last steps, for at most `delay_steps` + 1 steps. The oldest step comes first, and each
+    /// step has one entry per body.
     pub(super) past_steps: Vec<PastStep>,
-    /// Length of the last step that was not a pause; 0 before the first (s).
+    /// Length of the last step that was not a pause (s); 0 before the first step.
     pub(super) last_step_s: f64,
 }
 
 impl CoSimHost {
-    /// A host whose bodies have never touched.
+    /// Makes a host whose bodies have never touched.
     #[must_use]
     pub fn new(model: &Model, settings: HostSettings) -> CoSimHost {
         CoSimHost {
@@ -94,7 +94,7 @@ impl CoSimHost {
         *self = CoSimHost::new(model, self.settings);
     }
 
-    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
+    /// Makes this host a copy of the host `other`. Memory is allocated only if a buffer is too small.
     pub fn copy_from(&mut self, other: &CoSimHost) {
         self.settings = other.settings;
         self.memory.copy_from(&other.memory);
@@ -107,7 +107,7 @@ impl CoSimHost {
     /// displacement, and the body is pushed slowly out of any other body. See [`Memory::mark_teleported`].
     ///
     /// # Panics
-    /// If the model has no such body.
+    /// Panics if the model has no such body.
     pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         self.memory.mark_teleported(model, body);
         self.bodies[body.0 as usize].placed = true;
@@ -125,34 +125,36 @@ impl CoSimHost {
         &self.memory
     }
 
-    /// Does one step of the host. Takes the states that the host passes, `delay_steps` old. Returns the wrench on each
-    /// body for the step of `step_s` seconds that begins now: earth-fixed, about the centre of gravity, in the order in
-    /// which bodies were added.
+    /// Does one step of the host. The host passes states that are `delay_steps` steps old. Returns the wrench on each
+    /// body for the step of `step_s` seconds that begins now: in earth-fixed axes, about the centre of gravity, in the
+    /// order in which bodies were added.
     ///
-    /// `reported_loads` are all other forces of this step, as in [`crate::advance`]. With `None` the engine uses the
-    /// load that it last observed: M Δv/Δt of the host minus the wrench given to the host, Coriolis and centripetal
-    /// terms included. This load is zero until two states are known. A sudden load becomes known one step later, plus
-    /// `delay_steps`.
+    /// `reported_loads` are all forces of this step except contact, as in [`crate::advance`]. If `reported_loads` is
+    /// `None`, the engine uses the load that it observed last: M Δv/Δt of the host minus the wrench given to the host,
+    /// Coriolis and centripetal terms included. The observed load is zero until two states are known. A sudden load
+    /// becomes known one step later, plus the `delay_steps` of the host.
     ///
     /// The wrench on a fixed body is the mean contact wrench of the step. The wrench on a floating body comes up to one
-    /// step later, so that positions agree. The impulse over the whole contact is the same.
+    /// step late, so that the positions of host and engine agree. Although the wrench comes late, its impulse over the
+    /// whole contact is the same.
     ///
     /// The next position of a forward Euler host does not depend on the wrench. If a body starts nearer to a contact
-    /// than it moves in a step, it will be inside the contact after the step. A load that is not yet known cannot be
-    /// balanced: with a long Δt and a delay, a sudden load may push a body deep into a contact.
+    /// than it moves in a step, the body will be inside the contact after the step. The wrench cannot balance a load
+    /// that is not yet known: with a long Δt and a delay, a sudden load may push a body deep into a contact.
     ///
-    /// A step of 0 s is a pause: nothing changes, and the wrenches are those of the last step.
+    /// A step of 0 s is a pause: nothing changes, and the returned wrenches are those of the last step.
     ///
     /// A body whose response to a hit does not match its mass in the model is reported once
-    /// ([`crate::EventKind::MassMismatch`]). The rebound of such a body is right nevertheless; its depth at rest is
-    /// right within a tenth.
+    /// ([`crate::EventKind::MassMismatch`]). The rebound of a body with a wrong mass is right nevertheless, and its
+    /// depth at rest is right within a tenth.
     ///
-    /// If a body's position is not where its velocity leads, the host has teleported the body. No load is inferred from
-    /// the displacement, and the body's contacts begin anew ([`crate::EventKind::Teleported`]).
+    /// If a body is not where its velocity leads, the host has teleported the body. After a teleport no load is
+    /// inferred from the displacement, and the contacts of the body begin anew ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step()`], for states, loads and Δt, and if values computed from them are out of the engine's range.
-    /// This host is then unchanged, and `work` keeps the results of the last good step.
+    /// Returns the errors of [`crate::step()`] for states, loads and Δt, and an error if values computed from them are
+    /// out of the engine's range. After an error this host is unchanged, and `work` keeps the results of the last good
+    /// step.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -179,12 +181,12 @@ impl CoSimHost {
         Ok(&work.wrenches)
     }
 
-    /// Number of past steps that are remembered.
+    /// Number of past steps that the host remembers.
     pub(super) fn past_step_count(&self) -> usize {
         self.past_steps.len() / self.bodies.len().max(1)
     }
 
-    /// Computes the loads observed from the input states, into `work.next`.
+    /// Computes the loads that follow from the input states, and writes them into `work.next`.
     fn observe(&self, model: &Model, work: &mut HostWorkspace, delayed_states: &[BodyState]) {
         work.next.clone_from(&self.bodies);
         work.mass_mismatches.clear();
@@ -224,7 +226,7 @@ impl CoSimHost {
         }
     }
 
-    /// Does a step of 0 s. This step counts as a step of the host's delay.
+    /// Does a step of 0 s, which is a pause. A step of 0 s counts as one of the host's `delay_steps`.
     fn pause_step(
         &mut self,
         model: &Model,
@@ -238,7 +240,7 @@ impl CoSimHost {
         Ok(())
     }
 
-    /// Computes the host's present states and loads, into `work.present_now` and `work.loads_now`.
+    /// Computes the host's present states and loads, and writes them into `work.present_now` and `work.loads_now`.
     fn predict(&self, model: &Model, work: &mut HostWorkspace, reported_loads: Option<&[Wrench]>) {
         let bodies = self.bodies.len();
         let delay_steps = self.settings.delay_steps as usize;
@@ -259,7 +261,7 @@ impl CoSimHost {
         }
     }
 
-    /// Computes the states from which the engine starts, into `work.starts` and `work.leads`.
+    /// Computes the states from which the engine starts, and writes them into `work.starts` and `work.leads`.
     fn compute_starts(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         let is_steady = is_steady(self.last_step_s, step_s);
         let integration = self.settings.integration;
@@ -292,9 +294,9 @@ impl CoSimHost {
         }
     }
 
-    /// The velocity change that shifts the time to which a velocity belongs. Without contact, a host with steady steps
-    /// has the mean velocity of its last step. The engine expects the velocity at the middle of the engine's last
-    /// sub-step or, before any sub-step, at the time of the position.
+    /// The change of a body's velocity that shifts it from the host's time of velocities to the engine's. Without
+    /// contact, the velocity of a host with steady steps is the mean velocity of its last step. The engine expects the
+    /// velocity at the middle of its last sub-step or, before any sub-step, at the time of the position.
     fn to_engine_time(
         &self,
         model: &Model,
@@ -309,7 +311,7 @@ impl CoSimHost {
         inertia::kick(inverse, present, load, 0.5 * step_s - left_s)
     }
 
-    /// Remembers a step that succeeded.
+    /// Remembers a step that ended without an error.
     fn remember(
         &mut self,
         work: &mut HostWorkspace,
@@ -332,8 +334,8 @@ impl CoSimHost {
         }
     }
 
-    /// Computes the wrenches for the host from the engine's displacement, into `work.wrenches`. Updates how far the
-    /// engine is ahead of the host.
+    /// Computes the wrenches for the host from the engine's displacement of the bodies, and writes them into
+    /// `work.wrenches`. Also updates how far the engine is ahead of the host.
     fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         for (index, next) in work.next.iter_mut().enumerate() {
             let inverse = model.inverse_of(index);
@@ -362,7 +364,8 @@ impl CoSimHost {
         }
     }
 
-    /// The velocity at which a host with a varying step should end the step. Updates how far the engine is then ahead.
+    /// The velocity at which a host with a varying step should end the step. Also updates how far the engine is ahead
+    /// of the host after the step.
     fn follow(
         &self,
         next: &mut BodyRecord,

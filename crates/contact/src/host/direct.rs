@@ -1,4 +1,4 @@
-//! Hosts that pass present states and all loads, and may integrate the bodies themselves.
+//! Hosts that pass the present states and all loads, and may integrate the bodies themselves.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -16,50 +16,51 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Largest deviation of a body's position from the path that the velocities give, as a share of the body's radius. The
-/// engine's contact memory uses the same share.
+/// Largest deviation of a body's position from the path that its velocities give, as a share of the body's radius. The
+/// engine's contact memory uses the same share of the radius.
 const ALLOWANCE: f64 = 0.1;
 
-/// Largest deviation of a host's velocity change from the change that the wrench gives, as a share of that change. If
-/// the deviation is larger, the host does not move the body by the wrench.
+/// Largest deviation of the velocity change of a body in the host from the change that the wrench gives, as a share of
+/// this change. If the deviation is larger, the host does not move the body by the wrench of the engine.
 const UNANSWERED: f64 = 0.5;
 
-/// The coupled method for a host that passes the states at the start of each step, and all loads.
+/// Contact by the coupled method for a host that passes the states at the start of each step, and all loads.
 ///
-/// The host may let the engine move the bodies, by passing [`HostWorkspace::states_after`] unchanged. A step is then
-/// the same as [`crate::advance_from_engine_states`]. Or the host integrates the bodies itself with the wrenches, by
-/// any method and in steps of any length. While bodies touch, the engine then continues its own motion and not the
-/// host's. The two differ by up to ½ a Δt²; with the host's motion stiff contacts would chatter.
+/// The host may let the engine move the bodies, by passing [`HostWorkspace::states_after`] unchanged. With a host that
+/// lets the engine move the bodies, a step is the same as [`crate::advance_from_engine_states`]. A host may also
+/// integrate the bodies itself with the wrenches, by any method and in steps of any length. While bodies touch, the
+/// engine then continues its own motion of the bodies and not the host's motion. The host's motion and the engine's
+/// motion differ by up to ½ a Δt²; if the engine took the host's motion, stiff contacts would chatter.
 ///
-/// If the host moves a body regardless of the wrench, such as a body on a prescribed path, the engine computes the
-/// contact forces at the states passed.
+/// If the host moves a body regardless of the wrench, for example on a prescribed path, the engine computes the contact
+/// forces at the states that the host passes.
 ///
-/// All state is plain data, as in [`Memory`].
+/// All state of the host is plain data, as in [`Memory`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectHost {
     pub(super) memory: Memory,
     /// One record per body, in the order in which bodies were added.
     pub(super) bodies: Vec<DirectRecord>,
-    /// Length of the last step that was not a pause; 0 before the first (s).
+    /// Length of the last step that was not a pause (s); 0 before the first step.
     pub(super) last_step_s: f64,
 }
 
-/// The memory of a direct host for one body.
+/// What a direct host remembers about one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct DirectRecord {
-    /// The last input state, and the engine's state at the end of that step.
+    /// The state of the body at the start of the last step, and the engine's state at the end of this step.
     pub(super) input: BodyState,
     pub(super) after: BodyState,
-    /// Sum of the wrench returned and the load.
+    /// Sum of the returned wrench and the load of the last step.
     pub(super) sum: Wrench,
     /// The wrench returned.
     pub(super) wrench: Wrench,
-    /// How far the engine's velocity is ahead of the host's; `None` if the body had no contact.
+    /// How far the engine's velocity of the body is ahead of the host's velocity; `None` if the body had no contact.
     pub(super) ahead: Option<Lead>,
 }
 
 impl DirectHost {
-    /// A host whose bodies have never touched.
+    /// Makes a host whose bodies have never touched.
     #[must_use]
     pub fn new(model: &Model) -> DirectHost {
         DirectHost {
@@ -69,7 +70,7 @@ impl DirectHost {
         }
     }
 
-    /// Becomes a copy of `other`. Allocates only if a buffer is too small.
+    /// Makes this host a copy of the host `other`. Memory is allocated only if a buffer is too small.
     pub fn copy_from(&mut self, other: &DirectHost) {
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
@@ -85,17 +86,17 @@ impl DirectHost {
     /// Marks a body as teleported, as [`Memory::mark_teleported`] does.
     ///
     /// # Panics
-    /// If the model has no such body.
+    /// Panics if the model has no such body.
     pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         self.memory.mark_teleported(model, body);
         self.bodies[body.0 as usize].ahead = None;
     }
 
-    /// Does one step, as [`crate::advance_from_engine_states`]. Returns the wrench that the host adds to its forces on
-    /// each body.
+    /// Does one step, like [`crate::advance_from_engine_states`]. Returns, for each body, the wrench that the host adds
+    /// to its forces on the body.
     ///
     /// # Errors
-    /// As [`crate::advance_from_engine_states`]; this host is then unchanged.
+    /// Returns the errors of [`crate::advance_from_engine_states`]; after an error this host is unchanged.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -118,7 +119,7 @@ impl DirectHost {
         Ok(&work.wrenches)
     }
 
-    /// Computes the states from which the engine starts, into `work.starts` and `work.leads`.
+    /// Computes the states from which the engine starts, and writes them into `work.starts` and `work.leads`.
     fn compute_starts(&self, model: &Model, work: &mut HostWorkspace, states: &[BodyState]) {
         work.starts.clear();
         work.leads.clear();
@@ -135,7 +136,8 @@ impl DirectHost {
         }
     }
 
-    /// The engine's offset from a host that integrates the body itself; `None` if the engine starts from the input.
+    /// The offset of the engine from a host that integrates the body itself; `None` if the engine starts from the input
+    /// state.
     fn apart(
         &self,
         model: &Model,
@@ -162,7 +164,7 @@ impl DirectHost {
         Some(Start { exact: false, velocity: lead.velocity, offset })
     }
 
-    /// Computes the wrenches of the step, into `work.wrenches`, and updates the records.
+    /// Computes the wrenches of the step, writes them into `work.wrenches`, and updates the records of the bodies.
     fn compute_wrenches(
         &mut self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! A body's mass matrix at its heading, as the host integrates with it.
+//! The mass matrix of a body at its heading, in the form in which the host integrates with it.
 
 use crate::body::Mobility;
 use crate::host::velocity::Velocity;
@@ -7,7 +7,8 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// M v in earth-fixed axes (N·s, N·m·s), for a body at the heading of `state`. Zero for a fixed body.
+/// The momentum M v of a body with the heading of `state`, in earth-fixed axes (N·s, N·m·s). The momentum is zero for a
+/// fixed body.
 pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
     match mobility {
         // A host does not move bodies on piles.
@@ -26,8 +27,8 @@ pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -
     }
 }
 
-/// M⁻¹ W Δt: the velocity change by a wrench in `step_s`. M⁻¹ is given in the body's own axes; the body has the heading
-/// of `state`.
+/// The velocity change M⁻¹ W Δt that a wrench gives to a body in `step_s`. The inverse mass matrix M⁻¹ is given in the
+/// body's own axes; the body has the heading of `state`.
 pub(super) fn kick(
     inverse: &InverseMatrix,
     state: &BodyState,

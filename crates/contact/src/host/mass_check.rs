@@ -1,9 +1,9 @@
-//! Checks whether a body accelerates under the wrenches as its mass in the model says.
+//! Checks whether a body in the host accelerates under the wrenches as its mass in the model says.
 //!
-//! Over a whole contact M Δv equals the impulse of the wrenches, if the impulse of the loads is small. A contact is
-//! evaluated if a step without a wrench comes before and after it, it takes less than a minute, it changes the body's
-//! speed noticeably, and the loads are a small share of its impulse. A ship at rest, or a ship whose load changes
-//! suddenly, gives no information about her mass.
+//! Over a whole contact, the momentum change M Δv of a body equals the impulse of the wrenches, if the impulse of the
+//! other loads is small. A contact is evaluated under four conditions: a step without a wrench comes before and after
+//! the contact, the contact takes less than a minute, it changes the body's speed noticeably, and the loads are a small
+//! share of its impulse. A ship at rest, or a ship whose load changes suddenly, gives no information about her mass.
 
 use crate::body::{Body, Mobility};
 use crate::host::inertia;
@@ -14,28 +14,30 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::Vec2;
 
-/// Longest contact that is evaluated (s), and smallest change of speed (m/s).
+/// Longest contact that is evaluated (s), and smallest change of the body's speed in it (m/s).
 const LONGEST_S: f64 = 60.0;
 const LEAST_MPS: f64 = 0.02;
 
-/// Largest share of the loads in the contact's impulse, and largest relative error of the body's response.
+/// Largest share of the loads in the impulse of a contact, and largest relative error of the body's response.
 const LOADS: f64 = 0.1;
 const OFF: f64 = 0.2;
 
-/// The response of a body to the wrenches since it was last free of contact.
+/// The response of a body to the wrenches since the body was last free of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Answers {
-    /// Velocity and load at the end of the last step without a wrench, if there was one.
+    /// Velocity of the body and load on it at the end of the last step without a wrench; `None` if there was no such
+    /// step.
     pub(super) began: Option<(Velocity, Vec2)>,
-    /// Impulse Σ W Δt (N·s) and time Σ Δt (s) since then.
+    /// Impulse Σ W Δt (N·s) and time Σ Δt (s) of the wrenches since the last step without a wrench.
     pub(super) impulse_ns: Vec2,
     pub(super) time_s: f64,
-    /// Whether a mismatch was reported.
+    /// True if a mismatch of the mass was reported.
     pub(super) reported: bool,
 }
 
 impl Answers {
-    /// Adds a step of the host, from one input state to the next. Returns true if a mismatch is found, at most once.
+    /// Adds a step of the host, given by the input states before and after the step. Returns true if the step shows a
+    /// wrong mass, at most once for a body.
     pub(super) fn note(
         &mut self,
         body: &Body,
@@ -61,7 +63,7 @@ impl Answers {
         reported
     }
 
-    /// Evaluates a contact that has ended: does the response differ from the mass?
+    /// Evaluates a contact that has ended: returns true if the body's response does not match its mass.
     fn differs(&self, body: &Body, now: &BodyState, load_n: Vec2) -> bool {
         let Some((velocity, load_before_n)) = self.began else { return false };
         let impulse_ns = self.impulse_ns.length();
@@ -75,7 +77,7 @@ impl Answers {
         change.linear_mps.length() > LEAST_MPS && (share - 1.0).abs() > OFF
     }
 
-    /// Starts anew, after the host has teleported the body.
+    /// Starts the check anew, after the host has teleported the body.
     pub(super) fn forget(&mut self) {
         *self = Answers { reported: self.reported, ..Answers::default() };
     }

@@ -1,5 +1,5 @@
-//! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two input states and the wrench of the step between
-//! them. W_ext contains all forces except contact.
+//! The load observer computes the load W_ext = M (v_n − v_{n−1})/Δt − W_{n−1} on a body from two input states and the
+//! wrench of the step between them. The load W_ext contains all forces on the body except contact.
 
 use crate::admit::is_sound_load;
 use crate::body::{Body, Mobility};
@@ -10,12 +10,12 @@ use crate::host::velocity::Velocity;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Largest deviation of a body's position from the path that the velocity gives, as a share of the body's radius. The
-/// engine's contact memory uses the same share.
+/// Largest deviation of a body's position from the path that its velocity gives, as a share of the body's radius. The
+/// engine's contact memory uses the same share of the radius.
 const ALLOWANCE: f64 = 0.1;
 
-/// The load between two states; zero for a fixed body. `None` if the load is larger than any load that the engine
-/// accepts: then the host has set the velocity, and no load can be observed.
+/// Computes the load on a body between two states; zero for a fixed body. Returns `None` if the load is larger than any
+/// load that the engine accepts: then the host has set the velocity, and no load can be observed.
 pub(super) fn load(
     body: &Body,
     before: &BodyState,
@@ -31,7 +31,7 @@ pub(super) fn load(
     is_sound_load(&load).then_some(load)
 }
 
-/// Whether the host teleported the body between two states.
+/// Returns true if the host teleported the body between the two states.
 pub(super) fn was_teleported(
     integration: HostIntegration,
     body: &Body,

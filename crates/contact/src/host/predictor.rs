@@ -1,4 +1,4 @@
-//! The predictor: integrates an old input state to the present, in the same way as the host.
+//! The predictor integrates an old input state of a body to the present time, in the same way as the host.
 
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
@@ -8,7 +8,7 @@ use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Applies one past step of the host, with the wrench and the load of that step.
+/// Computes the state of a body after one past step of the host, with the wrench and the load of this step.
 pub(super) fn next(
     integration: HostIntegration,
     inverse: &InverseMatrix,

@@ -1,21 +1,22 @@
-//! The memory of a co-simulation host for one body.
+//! What a co-simulation host remembers about one body.
 
 use crate::host::lead::Lead;
 use crate::host::mass_check::Answers;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The memory of a co-simulation host for one body.
+/// What a co-simulation host remembers about one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BodyRecord {
     /// The last input state.
     pub(super) input: BodyState,
     /// The last observed load.
     pub(super) observed: Wrench,
-    /// The body's response to the wrenches, for the check of its mass.
+    /// The response of the body to the wrenches, for the check of the body's mass.
     pub(super) answers: Answers,
-    /// Whether the host has marked the body's next input state as a teleport.
+    /// True if the host has marked the next input state of the body as a teleport.
     pub(super) placed: bool,
-    /// How far the engine's motion is ahead of the host's because of a contact; `None` without a contact.
+    /// How far the engine's motion of the body is ahead of the host's motion because of a contact; `None` without a
+    /// contact.
     pub(super) ahead: Option<Lead>,
 }

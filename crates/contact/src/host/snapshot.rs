@@ -1,17 +1,17 @@
-//! Hosts as bytes: versioned, little-endian, with a checksum. A co-simulation host:
+//! Writes and reads hosts as bytes, in little-endian order, with a version number and a checksum. A co-simulation host:
 //!
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `fndrhost` |
 //! | 4 | version |
-//! | 4, 4 | delay in steps; integration: 0 forward Euler, 1 semi-implicit |
-//! | 4, 8 | number of past steps; length of the last step |
-//! | 4 + that many | length and bytes of the contacts' [`Memory::snapshot`] |
-//! | 236 each | bodies: input state, observed load, answers, 1 or 0: teleported, 1 or 0 and lead: velocity, half kick, offset, 1 or 0, time |
-//! | 60 each | past steps, body by body: Δt, wrench, 1 or 0 and reported load |
-//! | 8 | FNV-1a of all before |
+//! | 4, 4 | delay in steps; integration method: 0 forward Euler, 1 semi-implicit |
+//! | 4, 8 | number of past steps; length of the last step (s) |
+//! | 4 + that many | length of the contacts' [`Memory::snapshot`], and its bytes |
+//! | 236 each | bodies by key: input state, observed load, mass check, teleport mark (0, 1), lead (0, 1, fields) |
+//! | 60 each | past steps, body by body: Δt, wrench, 1 or 0: load reported, and the reported load |
+//! | 8 | FNV-1a hash of all bytes before |
 //!
-//! Bodies are in the order of their keys.
+//! The bodies in the snapshot are in the order of their keys.
 
 use alloc::vec::Vec;
 
@@ -43,14 +43,18 @@ records! {
 }
 
 impl CoSimHost {
-    /// This host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` is the model for which the host was
-    /// built.
+    /// Returns this host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` must be the model for which the
+    /// host was made.
     ///
     /// # Panics
-    /// If `model` has another number of bodies.
+    /// Panics if `model` has another number of bodies.
     #[must_use]
     pub fn snapshot(&self, model: &Model) -> Vec<u8> {
-        assert_eq!(self.bodies.len(), model.bodies().len(), "the model that the host was made for");
+        assert_eq!(
+            self.bodies.len(),
+            model.bodies().len(),
+            "the host was made for a model with another number of bodies"
+        );
         let mut out = Writer::new(MAGIC);
         out.put(self.settings.delay_steps);
         out.put(self.settings.integration == HostIntegration::SemiImplicit);
@@ -64,11 +68,11 @@ impl CoSimHost {
         out.sealed()
     }
 
-    /// Restores what [`CoSimHost::snapshot`] saved, settings included, for the same model.
+    /// Restores a host that [`CoSimHost::snapshot`] saved, settings included, for the same model.
     ///
     /// # Errors
-    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
-    /// then unchanged.
+    /// Returns a [`RestoreError`] if the bytes are not a whole, unchanged snapshot for this model; the host is then
+    /// unchanged.
     pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut input = open(bytes, MAGIC)?;
         let delay_steps = input.get();
@@ -106,19 +110,23 @@ impl CoSimHost {
 /// | bytes | content |
 /// |---|---|
 /// | 8 | `fndrpres` |
-/// | 4, 8 | version; length of the last step |
+/// | 4, 8 | version; length of the last step (s) |
 /// | 4 + that many | length and bytes of the contacts' [`Memory::snapshot`] |
-/// | 232 each | bodies, in the order of their keys: input state, state after, wrench and load, wrench, lead |
+/// | 232 each | bodies by key: input state, engine's state after the step, wrench + load, wrench, lead |
 /// | 8 | FNV-1a of all before |
 impl DirectHost {
-    /// This host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` is the model for which the host was
-    /// built.
+    /// Returns this host as bytes, in the version [`crate::SNAPSHOT_VERSION`]. `model` must be the model for which the
+    /// host was made.
     ///
     /// # Panics
-    /// If `model` has another number of bodies.
+    /// Panics if `model` has another number of bodies.
     #[must_use]
     pub fn snapshot(&self, model: &Model) -> Vec<u8> {
-        assert_eq!(self.bodies.len(), model.bodies().len(), "the model that the host was made for");
+        assert_eq!(
+            self.bodies.len(),
+            model.bodies().len(),
+            "the host was made for a model with another number of bodies"
+        );
         let mut out = Writer::new(DIRECT_MAGIC);
         out.put(self.last_step_s);
         put_memory(&mut out, &self.memory);
@@ -126,11 +134,11 @@ impl DirectHost {
         out.sealed()
     }
 
-    /// Restores what [`DirectHost::snapshot`] saved, for the same model.
+    /// Restores a host that [`DirectHost::snapshot`] saved, for the same model.
     ///
     /// # Errors
-    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
-    /// then unchanged.
+    /// Returns a [`RestoreError`] if the bytes are not a whole, unchanged snapshot for this model; the host is then
+    /// unchanged.
     pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut input = open(bytes, DIRECT_MAGIC)?;
         let mut host = DirectHost::new(model);
@@ -152,7 +160,7 @@ fn in_order<R: Copy>(model: &Model, by_id: &[R]) -> impl Iterator<Item = R> {
     model.id_of.iter().map(|id| by_id[id.0 as usize])
 }
 
-/// Checks magic, version and checksum; returns the bytes after them.
+/// Checks magic number, version and checksum of a snapshot, and returns the bytes after magic and version.
 fn open<'b>(bytes: &'b [u8], magic: &[u8; 8]) -> Result<Reader<'b>, RestoreError> {
     let input = Reader::open(bytes, magic)?;
     check_sum(bytes)?;
@@ -173,7 +181,8 @@ fn get_memory(input: &mut Reader<'_>, model: &Model) -> Result<Memory, RestoreEr
     Ok(memory)
 }
 
-/// Checks the lengths of past steps. The length 0 stands for a pause, or for no step yet.
+/// Checks that the lengths of past steps in a snapshot are possible. The length 0 stands for a pause, or for no step
+/// yet.
 fn check_steps(steps_s: impl IntoIterator<Item = f64>) -> Result<(), RestoreError> {
     let is_step = |s: f64| s == 0.0 || (SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&s);
     if steps_s.into_iter().all(is_step) { Ok(()) } else { Err(RestoreError::Content) }

@@ -1,20 +1,24 @@
-//! Steering: wrenches with which the host's own integration ends at the position of the engine's motion.
+//! Steering computes wrenches with which the host's own integration ends at the position of the engine's motion.
 //!
-//! A semi-implicit host moves by Δt v_{n+1} in a step. The host ends at the engine's position if v_{n+1} is v̄, the
-//! *mean* velocity of the engine's motion over the step. The wrench for this is W = M(v̄ − v_n)/Δt − load. The engine's
-//! velocity at the end, V, is remembered, and the difference from the host's velocity is applied with the next step's
-//! wrench. If the mean contact force gave the host the velocity V at once, the positions would differ by up to half the
-//! penetration with long Δt, and a host that stops within a step would never move again.
+//! A semi-implicit host moves a body by Δt v_{n+1} in a step. A semi-implicit host ends at the engine's position if
+//! v_{n+1} is v̄, the *mean* velocity of the engine's motion over the step. The wrench that gives the body this
+//! velocity is W = M(v̄ − v_n)/Δt − load. The engine's velocity V at the end of the step is remembered, and its
+//! difference from the host's velocity is applied with the wrench of the next step. If the mean contact force gave the
+//! host the velocity V at once, the positions would differ by up to half the penetration with long Δt, and a host that
+//! stops within a step would never move again.
 //!
-//! A forward Euler host moves by Δt v_n. No wrench can change its position at the end of the step, y_n = x_n + Δt v_n.
-//! But y_{n+1} = y_n + Δt v_{n+1}: in y the host is a semi-implicit host that passes its positions one step late. So
-//! the engine starts from y_n, and all else is the same.
+//! A forward Euler host moves a body by Δt v_n in a step. No wrench can change the position at the end of a forward
+//! Euler step, y_n = x_n + Δt v_n. But y_{n+1} = y_n + Δt v_{n+1}: in terms of y the forward Euler host is a
+//! semi-implicit host that passes its positions one step late. So for a forward Euler host the engine starts from y_n,
+//! and all else is as for a semi-implicit host.
 //!
-//! Under a steady load the velocities of such a host are also means over a step: they lag behind the position by half a
-//! kick, ΔtM⁻¹W/2. The engine's velocities belong to the middle of its last sub-step, so their lag is smaller. The
-//! engine starts with the difference added. At rest on a fender the halves of contact and load cancel.
+//! Under a steady load the velocities of a host are means over a step: they lag behind the position by half a kick,
+//! ΔtM⁻¹W/2. The engine's velocities belong to the middle of its last sub-step, so their lag is smaller than the
+//! host's. The engine starts with the difference of the two lags added to the velocity. For a ship at rest on a fender
+//! the half kicks of contact and load cancel.
 //!
-//! All of this is for a step that is as long as the last one. For other steps see [`super::lead`].
+//! This way of steering holds for a step that is as long as the last step. For a host whose steps vary see
+//! [`super::lead`].
 
 use crate::body::Mobility;
 use crate::host::inertia;
@@ -24,7 +28,7 @@ use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Velocity change by the load in half a step.
+/// Velocity change of a body by its load in half a step.
 pub(super) fn half_kick(
     inverse: &InverseMatrix,
     present: &BodyState,
@@ -34,7 +38,7 @@ pub(super) fn half_kick(
     inertia::kick(inverse, present, load, 0.5 * step_s)
 }
 
-/// The state from which the engine starts, `lead` ahead of the host's velocity.
+/// The state of a body from which the engine starts; its velocity is `lead` ahead of the host's velocity.
 pub(super) fn start(
     integration: HostIntegration,
     present: &BodyState,
@@ -49,7 +53,7 @@ pub(super) fn start(
     velocity.plus(lead).of_body_at(&place)
 }
 
-/// The state of a host at the end of a step that it ends with the velocity `after`.
+/// The state of a body in the host at the end of a step, if its velocity is then `after`.
 pub(super) fn arrival(
     integration: HostIntegration,
     present: &BodyState,
@@ -62,7 +66,7 @@ pub(super) fn arrival(
     }
 }
 
-/// The wrench that, together with the load, brings the host's velocity to `after`.
+/// The wrench that, together with the load, brings the velocity of the body in the host to `after`.
 pub(super) fn wrench(
     mobility: &Mobility,
     present: &BodyState,

@@ -3,7 +3,7 @@
 use crate::state::BodyState;
 use crate::vec2::Vec2;
 
-/// Velocity of the centre of gravity and rate of turn.
+/// Velocity of a body's centre of gravity, and the body's rate of turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Velocity {
     pub(super) linear_mps: Vec2,
@@ -15,7 +15,7 @@ impl Velocity {
         Velocity { linear_mps: state.velocity_mps, yaw_radps: state.yaw_rate_radps }
     }
 
-    /// The constant velocity that leads from one state to the other in `step_s`.
+    /// The constant velocity that leads from one state of a body to another state in `step_s`.
     pub(super) fn mean(from: &BodyState, to: &BodyState, step_s: f64) -> Velocity {
         Velocity {
             linear_mps: (to.position_m - from.position_m) * (1.0 / step_s),
@@ -23,12 +23,12 @@ impl Velocity {
         }
     }
 
-    /// Upper bound of the speed of a point at this distance from the centre of gravity (m/s).
+    /// Upper bound of the speed of a point of the body at this distance from the centre of gravity (m/s).
     pub(super) fn at(self, radius_m: f64) -> f64 {
         self.linear_mps.length() + self.yaw_radps.abs() * radius_m
     }
 
-    /// The displacement at this velocity in a time.
+    /// The displacement of a body at this velocity in the time `step_s`.
     pub(super) fn displacement(self, step_s: f64) -> Offset {
         Offset { linear_m: self.linear_mps * step_s, rotation_rad: self.yaw_radps * step_s }
     }
@@ -51,7 +51,7 @@ impl Velocity {
         }
     }
 
-    /// The state moved with this velocity for `step_s`; the velocity in the state stays.
+    /// Moves a state with this velocity for `step_s`; the velocity in the state stays unchanged.
     pub(super) fn carry(self, state: &BodyState, step_s: f64) -> BodyState {
         BodyState {
             position_m: state.position_m + self.linear_mps * step_s,
@@ -60,7 +60,7 @@ impl Velocity {
         }
     }
 
-    /// The state, with its velocity replaced by this one.
+    /// Returns the state with its velocity replaced by this velocity.
     pub(super) fn of_body_at(self, state: &BodyState) -> BodyState {
         BodyState { velocity_mps: self.linear_mps, yaw_rate_radps: self.yaw_radps, ..*state }
     }
@@ -88,7 +88,7 @@ impl Offset {
         }
     }
 
-    /// The velocity that covers this offset in a time.
+    /// The velocity that covers this offset in the time `step_s`.
     pub(super) fn per(self, step_s: f64) -> Velocity {
         Velocity {
             linear_mps: self.linear_m * (1.0 / step_s),
@@ -96,7 +96,7 @@ impl Offset {
         }
     }
 
-    /// The state displaced by this offset; its velocity stays.
+    /// Returns the state displaced by this offset; the velocity in the state stays unchanged.
     pub(super) fn applied_to(self, state: &BodyState) -> BodyState {
         BodyState {
             position_m: state.position_m + self.linear_m,

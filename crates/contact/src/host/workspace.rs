@@ -16,25 +16,25 @@ use crate::state::BodyState;
 use crate::workspace::Workspace;
 
 /// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; the next step does not depend on
-/// it.
+/// this workspace.
 #[derive(Clone, Debug)]
 pub struct HostWorkspace {
     pub(super) engine: Workspace,
-    /// New records of the bodies; the host keeps them if the step succeeds.
+    /// New records of the bodies; the host keeps these records if the step succeeds.
     pub(super) next: Vec<BodyRecord>,
-    /// Present states of the host, in the current step and in the last good one.
+    /// Present states of the bodies in the host, in the current step and in the last good step.
     pub(super) present_now: Vec<BodyState>,
     pub(super) present: Vec<BodyState>,
-    /// States from which the engine starts, and their offsets from the host's present states.
+    /// States of the bodies from which the engine starts, and their offsets from the host's present states.
     pub(super) starts: Vec<BodyState>,
     pub(super) leads: Vec<Start>,
-    /// Loads of the current step, and of the last good one.
+    /// Loads on the bodies in the current step, and in the last good step.
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
-    /// Copy of the memory's `behind_s`, made before the step.
+    /// Copy of the list `behind_s` in the memory, made before the step.
     pub(super) behind_s: Vec<f64>,
-    /// Bodies whose response does not match their mass.
+    /// Bodies whose response to the wrenches does not match their mass in the model.
     pub(super) mass_mismatches: Vec<BodyId>,
     pub(super) wrenches: Vec<Wrench>,
     pub(super) peaks: Vec<Wrench>,
@@ -62,7 +62,7 @@ impl HostWorkspace {
         }
     }
 
-    /// Adds the events of mass mismatches.
+    /// Adds events for the bodies whose response does not match their mass.
     pub(super) fn report_mass_mismatches(&mut self) {
         for &body in &self.mass_mismatches {
             self.engine
@@ -72,12 +72,12 @@ impl HostWorkspace {
         }
     }
 
-    /// Does the engine's step, from `starts` under `loads_now`: wrenches, their peaks, and the bodies that touched. On
-    /// an error the memory is unchanged.
+    /// Does the engine's step from `starts` under `loads_now`: computes wrenches, their peaks, and the bodies that
+    /// touched. If the engine returns an error, the memory is unchanged.
     ///
-    /// The memory knows by how much the engine's velocities are older than its positions. A body that has a velocity
-    /// given by its host is marked there. Otherwise a correction that belongs to a step of another length would be
-    /// applied in this step, by a wrench many times the contact wrench.
+    /// The memory holds by how much the engine's velocities are older than its positions. In the memory a body whose
+    /// velocity its host gave is marked. Without the mark, a correction that belongs to a step of another length would
+    /// be applied in this step, by a wrench many times the contact wrench.
     pub(super) fn advance(
         &mut self,
         model: &Model,
@@ -113,21 +113,22 @@ impl HostWorkspace {
         }
     }
 
-    /// The wrenches of the last step, one per body. The host adds these wrenches to its forces.
+    /// The wrenches of the last step, one for each body. The host adds these wrenches to its other forces on the
+    /// bodies.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
     }
 
     /// The largest contact wrench on each body within the last step, in the engine's motion: see
-    /// [`Workspace::peak_wrenches_into`]. Use this wrench to size structures; use [`HostWorkspace::wrenches`] to move
-    /// the bodies.
+    /// [`Workspace::peak_wrenches_into`]. Use these peak wrenches to size structures; use [`HostWorkspace::wrenches`]
+    /// to move the bodies.
     #[must_use]
     pub fn peak_wrenches(&self) -> &[Wrench] {
         &self.peaks
     }
 
-    /// Fills the results with zeros if there are none for this number of bodies.
+    /// Fills the results with zeros if there are no results for this number of bodies.
     pub(super) fn make_room_for_results(&mut self, bodies: usize) {
         for results in [&mut self.wrenches, &mut self.peaks] {
             if results.len() != bodies {
@@ -137,38 +138,38 @@ impl HostWorkspace {
         }
     }
 
-    /// The present states of a [`crate::CoSimHost`] that the last step computed, one per body. The host will pass these
-    /// states later, when they are `delay_steps` old.
+    /// The present states of the bodies of a [`crate::CoSimHost`] that the last step estimated, one for each body. The
+    /// host will pass the true values of these states later, when they are `delay_steps` old.
     #[must_use]
     pub fn estimated_states(&self) -> &[BodyState] {
         &self.present
     }
 
-    /// The loads of the last step, reported or observed, one per body.
+    /// The loads of the last step, reported or observed, one for each body.
     #[must_use]
     pub fn loads(&self) -> &[Wrench] {
         &self.loads
     }
 
-    /// States at the end of the last step of a [`crate::DirectHost`], as [`Workspace::states_after`].
+    /// States of the bodies at the end of the last step of a [`crate::DirectHost`], like [`Workspace::states_after`].
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         self.engine.states_after()
     }
 
-    /// Contacts of the engine's motion in the last step, as [`Workspace::contacts`].
+    /// Contacts in the engine's motion in the last step, like [`Workspace::contacts`].
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         self.engine.contacts()
     }
 
-    /// Panels that were pressed in the last step, as [`Workspace::panels`].
+    /// Fender panels that were pressed in the last step, like [`Workspace::panels`].
     #[must_use]
     pub fn panels(&self) -> &[PanelMotion] {
         self.engine.panels()
     }
 
-    /// Events of the last step, as [`Workspace::events`].
+    /// Events of the last step, like [`Workspace::events`].
     #[must_use]
     pub fn events(&self) -> &[Event] {
         self.engine.events()

@@ -1,29 +1,29 @@
-//! The damper of the normal law, cṠ (eq. 2–3 of the paper), between the sub-steps of the coupled method.
+//! The damper of the normal law with the force cṠ (eq. 2–3 of the paper), in the sub-steps of the coupled method.
 //!
-//! The force of a sub-step acts over the time κ, from the middle of the last sub-step to the middle of this one. So the
-//! damper acts on the growth of the overlap between these two times: its force is c(A − A')/κ, with the area A in the
-//! middle of this sub-step and A' in the middle of the last one. The impulses of the damper add up to c times the area
-//! for any lengths of the sub-steps, and to zero over a whole contact. The growth over the last sub-step alone would
-//! lag by half a sub-step.
+//! The force of a sub-step acts over the time κ, from the middle of the last sub-step to the middle of this sub-step.
+//! So the damper acts on the growth of the overlap from the middle of the last sub-step to the middle of this sub-step:
+//! its force is c(A − A')/κ, where A is the area in the middle of this sub-step and A' the area in the middle of the
+//! last sub-step. The impulses of the damper add up to c times the area for any lengths of the sub-steps, and to zero
+//! over a whole contact. The growth of the overlap over the last sub-step alone would lag by half a sub-step.
 
 use crate::material::Material;
 use crate::number::lesser;
 
-/// The overlap area up to which the damper has acted.
+/// The overlap area to which the damper has already responded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Answered {
-    /// Zero: the overlap began within the last sub-step.
+    /// The damper has responded to no area, because the overlap began within the last sub-step.
     Nothing,
     /// The area A' (m²).
     Area(f64),
-    /// The present area. This area is used if nothing is known about the growth of the overlap.
+    /// The present area. The present area is used if nothing is known about the growth of the overlap.
     AllThereIs,
 }
 
-/// An overlap at the start of a sub-step.
+/// An overlap at the start of a sub-step, and its growth.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
-    /// S (m²), and the growth of S per distance closed (m).
+    /// Area S of the overlap (m²), and the growth of S for each metre by which the bodies approach (m).
     pub(crate) area_m2: f64,
     pub(crate) chord_m: f64,
     /// V_n (m/s).
@@ -31,10 +31,11 @@ pub(crate) struct Growth {
     pub(crate) answered: Answered,
 }
 
-/// Returns c(A − A')/κ for a sub-step of length h (N), and A (m²).
+/// Returns the damper's force c(A − A')/κ for a sub-step of length h (N), and the area A (m²).
 ///
-/// For an overlap that began within the last sub-step, the force is limited to the force at its speed. So no first
-/// touch is harder than its speed gives. The remainder acts in the next sub-step.
+/// For an overlap that began within the last sub-step, the damper's force is limited to its force at the present speed.
+/// Because of this limit on the damper, the force of a first touch is not larger than the speed of the touch gives. The
+/// rest of the damper's force acts in the next sub-step.
 pub(crate) fn damper(material: &Material, growth: &Growth, (h, kick_s): (f64, f64)) -> (f64, f64) {
     let Growth { area_m2, chord_m, closing_mps, answered } = *growth;
     let rate_m2ps = chord_m * closing_mps;

@@ -1,46 +1,48 @@
 //! The tangential law: a shear spring limited by Coulomb friction (§3.3 of the paper, eq. 4–8).
 //!
-//! The spring's force is T = −k_s Δs, where Δs is the slip of body 1 less the slip of body 2. [`Coulomb`] is the
-//! friction law; both methods use it. [`friction`] is the explicit form of the paper's method. [`ShearSpring`] is the
-//! implicit form of the coupled method, whose solver varies T and N together.
+//! The force of the shear spring is T = −k_s Δs, where Δs is the slip of body 1 less the slip of body 2. [`Coulomb`] is
+//! the friction law, which both the paper's method and the coupled method use. [`friction`] is the explicit form of the
+//! tangential law, for the paper's method. [`ShearSpring`] is the implicit form of the tangential law, for the coupled
+//! method, whose solver varies T and N together.
 
 use crate::material::Material;
 use crate::number::bounded;
 use crate::report::Friction;
 
-/// Coulomb's law for one contact.
+/// Coulomb's friction law for one contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Coulomb {
-    /// The ratio |T|/N that ends sticking.
+    /// The ratio |T|/N of tangential to normal force at which sticking ends.
     holding: f64,
-    /// The ratio |T|/N while slipping: μ_k.
+    /// The ratio |T|/N of tangential to normal force while slipping: μ_k.
     sliding: f64,
 }
 
 impl Coulomb {
-    /// The law of a contact at rest: it holds up to μ_s.
+    /// Coulomb's law of a contact at rest, which sticks up to the static coefficient μ_s.
     #[inline(always)]
     fn of(material: &Material) -> Coulomb {
         Coulomb { holding: material.friction_static, sliding: material.friction_dynamic }
     }
 
-    /// The law of a contact that already slides: it holds up to μ_k only.
+    /// Coulomb's law of a contact that already slides, which sticks only up to the sliding coefficient μ_k.
     #[inline(always)]
     fn of_sliding(material: &Material) -> Coulomb {
         Coulomb { holding: material.friction_dynamic, sliding: material.friction_dynamic }
     }
 
-    /// Does a contact with these forces stick? |T| ≤ μ_s N (eq. 5, with the modulus that eq. 8 omits).
+    /// Returns true if a contact with these forces sticks. The condition is |T| ≤ μ_s N (eq. 5, with the absolute value
+    /// that eq. 8 omits).
     #[inline]
     pub(crate) fn holds(&self, tangential_n: f64, normal_n: f64) -> bool {
         tangential_n.abs() <= self.holding * normal_n
     }
 
-    /// T from the spring's force: the spring's force while the contact holds, else μ_k N in the direction of the
-    /// spring's force (eq. 6–7).
+    /// The tangential force T that follows from the spring's force: the spring's force while the contact sticks, else
+    /// μ_k N in the direction of the spring's force (eq. 6–7).
     ///
-    /// A contact that has slipped in this sub-step sticks again only below the sliding force. Without this rule, if μ_k
-    /// < μ_s, the solver's sweeps would alternate between the two states.
+    /// A contact that has slipped in this sub-step sticks again only below the sliding force. If a contact could stick
+    /// again sooner, the solver's sweeps would alternate between sticking and slipping where μ_k is less than μ_s.
     #[inline]
     fn limited(&self, spring_n: f64, normal_n: f64, now: Friction) -> (f64, Friction) {
         if spring_n.abs() <= self.coefficient(now) * normal_n {
@@ -50,7 +52,7 @@ impl Coulomb {
         }
     }
 
-    /// The largest |T|/N in this state.
+    /// The largest ratio |T|/N in this state of friction.
     #[inline]
     fn coefficient(&self, state: Friction) -> f64 {
         match state {
@@ -59,19 +61,19 @@ impl Coulomb {
         }
     }
 
-    /// T limited to what N allows in this state.
+    /// The tangential force T, limited to what the normal force N allows in this state of friction.
     pub(crate) fn clamped(&self, tangential_n: f64, normal_n: f64, state: Friction) -> f64 {
         let most_n = self.coefficient(state) * normal_n;
         bounded(tangential_n, -most_n, most_n)
     }
 
-    /// The slope |dT/dN| while slipping.
+    /// The slope |dT/dN| of the tangential force while the contact slips.
     #[inline]
     pub(crate) fn sliding_slope(&self) -> f64 {
         self.sliding
     }
 
-    /// Δs after slipping: at most the shear that the sliding force gives.
+    /// The shear Δs after slipping: at most the shear that belongs to the sliding force.
     #[inline]
     fn limited_shear_m(&self, shear_m: f64, normal_n: f64, stiffness_npm: f64) -> f64 {
         let most_m = self.sliding * normal_n / stiffness_npm;
@@ -79,20 +81,20 @@ impl Coulomb {
     }
 }
 
-/// The paper's shear spring after a step.
+/// The shear spring of the paper's method after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shear {
     /// Δs (m).
     pub(crate) shear_m: f64,
-    /// T on body 1 along t (N).
+    /// Tangential force T on body 1 along the tangent t (N).
     pub(crate) force_n: f64,
     pub(crate) friction: Friction,
 }
 
-/// Shear spring and Coulomb's limit, with the limited normal force of this step (eq. 4–8).
+/// Computes the shear spring within Coulomb's limit, with the limited normal force of this step (eq. 4–8).
 ///
-/// A contact that slips keeps the Δs that belongs to its force. The paper prints +k_s Δs for its Δs (C₂ − C₁), which
-/// pushes along the slip; here Δs is the slip of body 1 less that of body 2.
+/// A contact that slips keeps the shear Δs that belongs to its force. The paper prints +k_s Δs for its Δs (C₂ − C₁), a
+/// force that pushes along the slip; here Δs is the slip of body 1 less that of body 2.
 #[inline]
 pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -> Shear {
     let spring_n = -material.shear_stiffness_npm * shear_m;
@@ -105,8 +107,8 @@ pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -
     Shear { shear_m, force_n, friction }
 }
 
-/// The coupled method's shear spring in one sub-step: T = −k_s(Δs + ϑ h V̄) with V̄ = (1 − ϑ) V_t + ϑ V_t⁺. T is linear
-/// in V_t⁺.
+/// The shear spring of the coupled method in one sub-step: T = −k_s(Δs + ϑ h V̄) with V̄ = (1 − ϑ) V_t + ϑ V_t⁺. The
+/// tangential force T is linear in the tangential speed V_t⁺ after the sub-step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ShearSpring {
     pub(crate) coulomb: Coulomb,
@@ -115,20 +117,21 @@ pub(crate) struct ShearSpring {
     pub(crate) stiffness_npm: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
-    /// T at V_t⁺ = 0 (N).
+    /// Tangential force T of the spring at V_t⁺ = 0 (N).
     pub(crate) force_at_rest_n: f64,
-    /// −dT/dV_t⁺: c = ϑ² k_s h (N·s/m).
+    /// Slope −dT/dV_t⁺ of the spring's force: c = ϑ² k_s h (N·s/m).
     pub(crate) slope: f64,
-    /// V_t at the start of the sub-step (m/s).
+    /// Tangential speed V_t at the start of the sub-step (m/s).
     pub(crate) before_mps: f64,
-    /// The most energy that T may give to the bodies in this sub-step: the energy that the spring stores (J).
+    /// The most energy that the tangential force may give to the bodies in this sub-step: the energy that the spring
+    /// stores (J).
     pub(crate) available_j: f64,
 }
 
-/// How a contact enters a sub-step.
+/// The friction state with which a contact enters a sub-step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Slide {
-    /// The contact begins with this sub-step.
+    /// The contact begins in this sub-step.
     #[default]
     Begins,
     /// The contact sticks.
@@ -174,20 +177,21 @@ impl ShearSpring {
         }
     }
 
-    /// The spring's force at this V_t⁺, without Coulomb's limit (N).
+    /// The spring's force for this tangential speed V_t⁺, without Coulomb's limit (N).
     #[inline]
     pub(crate) fn force_n(&self, after_mps: f64) -> f64 {
         self.force_at_rest_n - self.slope * after_mps
     }
 
-    /// The spring's force if V_t⁺ would be `without_mps` at T = 0 (N).
+    /// The spring's force if the tangential speed V_t⁺ would be `without_mps` without a tangential force (N).
     #[inline]
     pub(crate) fn implicit_force_n(&self, without_mps: f64, h: f64, inverse_mass: f64) -> f64 {
         self.force_n(without_mps) / (1.0 + self.slope * h * inverse_mass)
     }
 
-    /// T and the friction state for this N; V_t⁺ would be `without_mps` at T = 0. T is the spring's force, limited by
-    /// Coulomb's law and then by the spring's energy.
+    /// Computes the tangential force T and the friction state for this normal force; without T, the speed V_t⁺ would be
+    /// `without_mps`. The tangential force T is the spring's force, limited by Coulomb's law and then by the spring's
+    /// energy.
     #[inline]
     pub(crate) fn solve(
         &self,
@@ -205,11 +209,13 @@ impl ShearSpring {
         (self.passive(without_mps, wanted_n, inverse_mass, h), friction)
     }
 
-    /// Returns `tangential_n`, or less if `tangential_n` would give the bodies more energy than the spring stores.
+    /// Returns `tangential_n`, or a smaller tangential force if `tangential_n` would give the bodies more energy than
+    /// the spring stores.
     ///
-    /// The work of T on the bodies is T h (½ T h t·K t + s), where s is the mean of V_t before the sub-step and V_t⁺ at
-    /// T = 0. The midpoint rule keeps this limit by itself. A more implicit spring does not if other forces change V_t.
-    /// A spring whose direction t turns with its body does not either.
+    /// The work of T on the bodies is T h (½ T h t·K t + s), where s is the mean of two tangential speeds: V_t before
+    /// the sub-step, and V_t⁺ at T = 0. With the midpoint rule the spring keeps this energy limit by itself. A spring
+    /// that is more implicit does not keep the energy limit if other forces change V_t. A spring whose direction t
+    /// turns with its body does not keep the energy limit either.
     #[inline]
     fn passive(&self, without_mps: f64, tangential_n: f64, inverse_mass: f64, h: f64) -> f64 {
         let mean_mps = 0.5 * (self.before_mps + without_mps);
@@ -221,7 +227,8 @@ impl ShearSpring {
         (root.copysign(tangential_n) - mean_mps) / (h * inverse_mass)
     }
 
-    /// Does T keep to Coulomb's limit and to the spring's energy, at this N and V_t⁺?
+    /// Returns true if the tangential force keeps within Coulomb's limit and the spring's energy, for this normal force
+    /// and this V_t⁺.
     #[inline]
     pub(crate) fn is_within_bounds(
         &self,
@@ -234,14 +241,14 @@ impl ShearSpring {
         self.coulomb.holds(tangential_n, normal_n) && gives_j <= self.available_j
     }
 
-    /// Does the spring store the energy that its force would give the bodies at this V_t⁺?
+    /// Returns true if the spring stores the energy that its force would give the bodies at this V_t⁺.
     #[inline]
     pub(crate) fn has_energy_for(&self, after_mps: f64, h: f64) -> bool {
         0.5 * h * self.force_n(after_mps) * (self.before_mps + after_mps) <= self.available_j
     }
 
-    /// Δs at the end of the sub-step, from Δs at the start (m). Δs grows by h V̄. While the contact slips, Δs is at
-    /// most the shear that the sliding force gives.
+    /// Computes the shear Δs at the end of the sub-step from Δs at the start (m). In a sub-step the shear Δs grows by h
+    /// V̄. While the contact slips, the shear Δs is at most the shear that belongs to the sliding force.
     #[inline]
     pub(crate) fn shear_after_m(
         &self,
@@ -260,12 +267,14 @@ impl ShearSpring {
         }
     }
 
-    /// Does the contact still slide in the next sub-step? Δs and V_t⁺ are those at the end of this sub-step.
+    /// Returns true if the contact still slides in the next sub-step. The shear Δs and the speed V_t⁺ are those at the
+    /// end of this sub-step.
     ///
-    /// A slide begins when the spring passes the static limit. The slide ends when V_t turns back against the stretched
-    /// spring. A spring force below μ_k N does not end a slide: N can jump within a sub-step, and the slide would have
-    /// to pass μ_s N again. A slip in the sub-step of the first touch does not begin a slide: N then belongs to the
-    /// start of the sub-step, when there was hardly any overlap, and T to the end.
+    /// A slide begins when the spring's force passes the limit of static friction. A slide ends when the tangential
+    /// speed V_t turns back against the stretched spring. A spring force below μ_k N does not end a slide, because N
+    /// can jump within a sub-step, and the slide would then have to pass μ_s N again. A slip in the sub-step of the
+    /// first touch does not begin a slide: the normal force then belongs to the start of the sub-step, when there was
+    /// hardly any overlap, and the tangential force to the end.
     #[inline]
     pub(crate) fn slides_on(&self, shear_m: f64, after_mps: f64, friction: Friction) -> bool {
         match (self.slide, friction) {
@@ -282,13 +291,13 @@ impl ShearSpring {
     }
 }
 
-/// The implicit share ϑ of the shear spring; `rate_squared` is k_s t·K t (1/s²).
+/// The implicit share ϑ of the shear spring; `rate_squared` is the square of its natural frequency, k_s t·K t (1/s²).
 ///
 /// With ϑ = ½, the midpoint rule, the spring keeps its energy exactly. With ϑ = 1, backward Euler, the spring would
 /// lose ωh/2 per radian: with the sub-steps that the normal law needs, a tug that rolls along a ship's side would leave
 /// with a yaw rate wrong by a seventh. If the sub-step is long compared with the spring's period, ϑ rises to 1, so that
-/// the spring does not ring at k_s h²/m ≫ 1. Any ϑ ≥ ½ is stable. Only ϑ = ½ creates no energy by itself: see
-/// [`ShearSpring::passive`].
+/// the spring does not ring at k_s h²/m ≫ 1. The spring is stable for any ϑ ≥ ½. Of all values, only ϑ = ½ creates no
+/// energy by itself: see [`ShearSpring::passive`].
 #[inline]
 fn implicit_share(rate_squared: f64, h: f64) -> f64 {
     let turn_squared = rate_squared * h * h;

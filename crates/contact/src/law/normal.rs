@@ -11,11 +11,11 @@ use crate::report::ForceParts;
 use crate::touch::Touch;
 use crate::vec2::Pose;
 
-/// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N). The damper's part cṠ comes from
-/// the growth of the overlap.
+/// The normal force before the momentum limit (N): N = max(0, spring + stop + damper). The damper's part cṠ of the
+/// normal force comes from the growth of the overlap.
 ///
-/// Eq. 2–3 print −(kS − c dS/dt). With c > 0, that damper pulls the bodies together and makes a bounce leave faster
-/// than it came. The maximum is there because a contact does not pull.
+/// Eq. 2–3 of the paper print the normal force as −(kS − c dS/dt). With c > 0, the damper as printed pulls the bodies
+/// together and makes a body leave faster than it came. The normal force is at least 0 because a contact does not pull.
 #[inline]
 pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForceParts {
     let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
@@ -23,8 +23,8 @@ pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForcePa
     ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
 }
 
-/// cṠ of the paper's method (N), by a backward difference: Ṡ = (S − S_before)/(time since S_before). For a new contact
-/// S_before is 0.
+/// The damper's force cṠ in the paper's method (N), by a backward difference: Ṡ = (S − S_before)/(time since S_before).
+/// For a new contact the area S_before is 0.
 #[inline]
 pub(crate) fn damper_n(
     material: &Material,
@@ -56,8 +56,9 @@ pub(crate) fn factor(
     }
 }
 
-/// The angle between a fender's face and the hull's side in space (rad). This angle combines the tilt in the plane with
-/// the slope of the side, which outlines by height give: tan² of the angle is the sum of the two tan².
+/// The angle between a fender's face and the hull's side in space (rad). This angle in space combines the tilt in the
+/// plane with the slope of the hull's side, which outlines by height give: tan² of the angle is the sum of tan² of the
+/// tilt and tan² of the slope.
 #[cold]
 #[inline(never)]
 fn angle_rad(model: &Model, face: &RankedFender, touch: &Touch, patch: &Patch) -> f64 {
@@ -75,7 +76,8 @@ fn angle_rad(model: &Model, face: &RankedFender, touch: &Touch, patch: &Patch) -
     }
 }
 
-/// The angle in space of a side that is turned by `tilt_rad` in the plane and leans out with this slope (rad).
+/// The angle in space (rad) of a hull's side that is turned by `tilt_rad` in the plane and leans out with the slope
+/// `slope`.
 #[must_use]
 pub fn combined_angle_rad(tilt_rad: f64, slope: f64) -> f64 {
     if slope == 0.0 {

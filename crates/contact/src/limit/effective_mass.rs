@@ -3,21 +3,23 @@
 use crate::ranked::RankedBody;
 use crate::vec2::Vec2;
 
-/// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t (1/kg): ΔV_C = Δt K F.
+/// The matrix K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t (1/kg), which gives the change of the
+/// relative velocity at the contact: ΔV_C = Δt K F.
 ///
-/// Eq. 16 divides the torque by m_j; the right divisor is I_j. All values are inverses, so that a fixed body is a zero
-/// and not an infinity.
+/// Eq. 16 of the paper divides the torque by m_j, but the right divisor is I_j. All values are inverse masses, so that
+/// a fixed body is a zero and not an infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct InverseMass {
     /// 1/E_x: n·K n.
     pub(crate) normal: f64,
     /// 1/E_y: t·K t.
     pub(crate) tangential: f64,
-    /// t·K n = −Σ (r·n)(r·t)/I (eq. 22 and 25 print (r·t)(r·t)).
+    /// Coupling of the axes, t·K n = −Σ (r·n)(r·t)/I (eq. 22 and 25 print (r·t)(r·t)).
     pub(crate) cross: f64,
 }
 
-/// K of both bodies. `arm_*` is the vector from each body's centre of gravity to C.
+/// K of both bodies. The matrix K of both bodies together; `arm_*` is the vector from the centre of gravity of a body
+/// to the contact point C.
 #[inline]
 pub(crate) fn inverse_mass(
     a: &RankedBody,

@@ -1,12 +1,13 @@
-//! The paper's limiter: each contact by itself, from momentum and impulse (§3.4, eq. 9–26).
+//! The limiter of the paper's method: limits each contact by itself, from momentum and impulse (§3.4, eq. 9–26).
 //!
-//! The limiter knows neither a body's other contacts nor external loads. So several fenders together rebound by more
-//! than γ, and a body under steady load creeps into the contact. This is the paper's method, unchanged.
+//! The limiter knows neither the other contacts of a body nor external loads. So with the paper's limiter several
+//! fenders together rebound by more than the restitution γ, and a body under steady load creeps into the contact. This
+//! limiter follows the paper's method without any change.
 
 use super::effective_mass::InverseMass;
 use crate::number::{greater, lesser};
 
-/// Velocities at the contact, now and when it began (m/s).
+/// Relative velocities of the bodies at the contact, in this step and when the contact began (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Velocities {
     pub(crate) normal_mps: f64,
@@ -15,10 +16,10 @@ pub(crate) struct Velocities {
     pub(crate) tangential_0_mps: f64,
 }
 
-/// The normal force that momentum allows in one step (N): V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
+/// The normal force that momentum allows in one step (N), so that V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
 ///
-/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰. With the printed sign the bodies would still
-/// close at γV⁰ when the contact ends.
+/// The limit of the normal force is N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 of the paper print V − γV⁰.
+/// With the printed sign the bodies would still approach at γV⁰ when the contact ends.
 #[inline]
 pub(crate) fn limited_normal_n(
     normal_n: f64,
@@ -31,10 +32,11 @@ pub(crate) fn limited_normal_n(
     within(normal_n, greater(change_mps, 0.0), mass.normal * step_s)
 }
 
-/// The tangential force that momentum allows (N) (eq. 26, second line; the J there is L).
+/// The tangential force that momentum allows in one step (N) (eq. 26, second line; the printed J must be L).
 ///
-/// With F₁ = −N n + T t, V_t⁺ = V_t + Δt (T/E_y − K_tn N). T may not carry V_t beyond −γ V_t⁰, nor beyond its present
-/// value: V_t⁺ stays within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter can only make T smaller.
+/// With the contact force F₁ = −N n + T t, the tangential speed after the step is V_t⁺ = V_t + Δt (T/E_y − K_tn N). The
+/// tangential force T may not carry the tangential speed V_t beyond −γ V_t⁰, nor beyond its present value: V_t⁺ stays
+/// within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter can only make the tangential force T smaller.
 #[inline]
 pub(crate) fn limited_tangential_n(
     tangential_n: f64,
@@ -58,8 +60,8 @@ pub(crate) fn limited_tangential_n(
     }
 }
 
-/// Returns the force, or the smaller force that changes the velocity by `change_mps`. Most forces need no limit; a
-/// product shows this, and only the others need the division.
+/// Returns the force, or a smaller force that just changes the velocity by `change_mps`. Most forces need no limit,
+/// which a multiplication shows; only the other forces need a division.
 #[inline(always)]
 fn within(force_n: f64, change_mps: f64, mps_per_n: f64) -> f64 {
     if force_n * mps_per_n <= change_mps {

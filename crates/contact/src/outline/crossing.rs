@@ -1,4 +1,4 @@
-//! Finds edges of an outline that meet where they should not.
+//! Finds edges of an outline that meet although they are not neighbours.
 
 use alloc::vec::Vec;
 
@@ -8,12 +8,12 @@ use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// Finds two edges that are not neighbours and that cross, touch, overlap or come within [`MERGE_DISTANCE_M`] of each
-/// other. Edge i goes from vertex i to vertex i + 1. Of all such pairs, the pair with the lowest edge is returned, then
-/// the one with the lowest other edge. `None` means that the polygon is simple, provided that successive edges do not
-/// lie on each other.
+/// other. Edge i goes from vertex i to vertex i + 1. Of all pairs of edges that meet, the function returns the pair
+/// with the lowest edge, and among these the pair with the lowest other edge. The function returns `None` if the
+/// polygon is simple, provided that successive edges do not lie on each other.
 ///
-/// The sweep runs along the axis on which the edges are shorter. The sweep takes n log n for hulls and quays, and at
-/// worst n² cheap tests (0.3 s for 10,000 vertices).
+/// The sweep over the edges runs along the axis on which the edges are shorter. The sweep over n edges takes n log n
+/// tests for hulls and quays, and at worst n² cheap tests (0.3 s for 10,000 vertices).
 pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     let edges = swept(vertices);
     let neighbours = |i: usize, j: usize| {
@@ -43,7 +43,7 @@ pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     first
 }
 
-/// An edge and its extent along and across the sweep.
+/// An edge of the outline, with its extent along and across the direction of the sweep.
 struct Edge {
     index: usize,
     from: Vec2,
@@ -53,7 +53,7 @@ struct Edge {
     across: Span,
 }
 
-/// An interval, widened by [`MERGE_DISTANCE_M`] at both ends.
+/// An interval along one axis, widened by [`MERGE_DISTANCE_M`] at both ends.
 #[derive(Clone, Copy)]
 struct Span {
     low: f64,
@@ -66,7 +66,7 @@ impl Span {
     }
 }
 
-/// The edges in the order in which the sweep meets them.
+/// Lists the edges in the order in which the sweep meets them.
 fn swept(vertices: &[Vec2]) -> Vec<Edge> {
     let successors = || vertices.iter().skip(1).chain(vertices.first());
     let (mut along, mut low, mut high) = (Vec2::ZERO, vertices[0], vertices[0]);
@@ -97,7 +97,8 @@ impl Edge {
         [self.from, self.to]
     }
 
-    /// Is all of `other` on one side of this edge's line, farther from the line than [`MERGE_DISTANCE_M`] and rounding?
+    /// Returns true if all of `other` is on one side of this edge's line, farther from the line than
+    /// [`MERGE_DISTANCE_M`] and rounding.
     fn passes(&self, other: &Edge) -> bool {
         let direction = self.to - self.from;
         let (a, b) = (other.from - self.from, other.to - self.from);
@@ -108,7 +109,7 @@ impl Edge {
     }
 }
 
-/// Do two closed segments have a point in common? The test is exact.
+/// Returns true if two closed segments have a point in common. The test is exact.
 pub(super) fn segments_meet([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     let (c_side, d_side) = (turn(a, b, c), turn(a, b, d));
     let (a_side, b_side) = (turn(c, d, a), turn(c, d, b));
@@ -125,7 +126,8 @@ fn opposite(a: f64, b: f64) -> bool {
     (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)
 }
 
-/// Is p in the box spanned by a and b? If p is on the line through a and b, it is then on the segment.
+/// Returns true if the point p is in the box spanned by a and b. If p is on the line through a and b and in their box,
+/// p is on the segment from a to b.
 fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
     p.x >= lesser(a.x, b.x)
         && p.x <= greater(a.x, b.x)
@@ -133,8 +135,8 @@ fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
         && p.y <= greater(a.y, b.y)
 }
 
-/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`] of each other? If two segments come so near, an
-/// end point of one of them does.
+/// Returns true if two segments that do not cross come within [`MERGE_DISTANCE_M`] of each other. If two segments come
+/// so near to each other, an end point of one of the segments comes so near to the other segment.
 fn segments_near([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     point_near(a, c, d) || point_near(b, c, d) || point_near(c, a, b) || point_near(d, a, b)
 }

@@ -1,12 +1,12 @@
-//! Signs and sums without rounding error, so that checks and cuts of an outline are always right. After Shewchuk,
-//! Discrete & Computational Geometry 18 (1997) 305–363.
+//! Computes signs and sums without rounding error, so that checks and cuts of an outline are always right. The methods
+//! are those of Shewchuk, Discrete & Computational Geometry 18 (1997) 305–363.
 
 use crate::vec2::Vec2;
 
-/// (b − a) × (c − a), with the exact sign: positive if a, b, c turn in the positive sense, zero only if they lie
-/// exactly on one line.
+/// Computes the cross product (b − a) × (c − a) with the exact sign: positive if a, b, c turn in the positive sense,
+/// and zero only if they lie exactly on one line.
 ///
-/// Exact for coordinates that are 0 or between 1e-100 and 1e100 in size.
+/// The sign is exact for coordinates that are 0 or between 1e-100 and 1e100 in size.
 pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let left = (a.x - c.x) * (b.y - c.y);
     let right = (a.y - c.y) * (b.x - c.x);
@@ -19,7 +19,7 @@ pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     turn_by_expansion(a, b, c)
 }
 
-/// [`turn`], summed without any rounding.
+/// Computes [`turn`] by a sum without any rounding.
 fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let products = [(a.x, b.y), (-a.y, b.x), (b.x, c.y), (-b.y, c.x), (c.x, a.y), (-c.y, a.x)];
     // The parts of the sum do not overlap and come smallest first: the last non-zero part has the sign of the sum.
@@ -39,8 +39,8 @@ fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     parts.into_iter().rev().find(|part| *part != 0.0).unwrap_or(0.0)
 }
 
-/// Twice the signed area of a closed polygon. The result is right to the last bit or two even if the polygon is far
-/// from the origin or almost cancels.
+/// Computes twice the signed area of a closed polygon. The area is right to the last bit or two even if the polygon is
+/// far from the origin or its area almost cancels.
 pub(super) fn doubled_area(vertices: &[Vec2]) -> f64 {
     let (mut high, mut low) = (0.0, 0.0);
     let Some(&last) = vertices.last() else { return 0.0 };
@@ -57,7 +57,7 @@ pub(super) fn doubled_area(vertices: &[Vec2]) -> f64 {
     high + low
 }
 
-/// a + b as the rounded sum and its rounding error (Knuth).
+/// Returns a + b as the rounded sum and its rounding error (Knuth).
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_kept = sum - a;
@@ -65,7 +65,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_kept) + (b - b_kept))
 }
 
-/// a · b as the rounded product and its rounding error (Dekker).
+/// Returns a · b as the rounded product and its rounding error (Dekker).
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_high, a_low) = split(a);
@@ -74,7 +74,7 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, rest)
 }
 
-/// a as the sum of two numbers of 26 bits.
+/// Splits the number a into a sum of two numbers of 26 bits.
 fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0; // 2²⁷ + 1
     let c = SPLITTER * a;

@@ -1,4 +1,4 @@
-//! Errors of an outline, and notices of what was corrected in it.
+//! Errors of an outline, and notices of what was corrected in an outline.
 
 use alloc::vec::Vec;
 use core::error::Error;
@@ -8,13 +8,14 @@ use core::fmt;
 /// the two end points were merged, the edge stands for a run of several given edges on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutlineEdge {
-    /// Number of the first vertex.
+    /// Number of the vertex at which the edge begins.
     pub from: usize,
-    /// Number of the second vertex.
+    /// Number of the vertex at which the edge ends.
     pub to: usize,
 }
 
-/// Why a list of vertices is not an outline. Vertices are counted from 0, as given.
+/// The reason why a list of vertices is not an outline. Vertices are numbered from 0 in the order in which they were
+/// given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OutlineError {
     /// More than [`MAX_VERTICES`](super::MAX_VERTICES).
@@ -22,28 +23,28 @@ pub enum OutlineError {
         /// How many were given.
         count: usize,
     },
-    /// A coordinate is infinite or not a number.
+    /// A coordinate of a vertex is infinite or not a number.
     NonFinite {
         /// Number of the vertex.
         vertex: usize,
     },
-    /// A coordinate is beyond [`MAX_COORDINATE_M`](super::MAX_COORDINATE_M).
+    /// A coordinate of a vertex is beyond [`MAX_COORDINATE_M`](super::MAX_COORDINATE_M).
     TooFar {
         /// Number of the vertex.
         vertex: usize,
         /// The coordinate of this vertex with the larger absolute value (m).
         coordinate_m: f64,
     },
-    /// Fewer than three vertices in different places.
+    /// The outline has fewer than three vertices in different places.
     TooFewVertices {
         /// How many were given.
         count: usize,
         /// How many of the given vertices are in different places.
         distinct: usize,
     },
-    /// All the vertices are on one line, or the area is negligible beside the extent.
+    /// All vertices are on one line, or the area of the outline is negligible beside its extent.
     ZeroArea,
-    /// Two edges cross, touch or lie on each other.
+    /// Two edges of the outline cross, touch or lie on each other.
     SelfIntersection {
         /// The two edges.
         edges: [OutlineEdge; 2],
@@ -116,13 +117,13 @@ fn shared_vertex(a: OutlineEdge, b: OutlineEdge) -> Option<usize> {
 
 impl Error for OutlineError {}
 
-/// A correction made to an outline. Vertices are counted from 0, as given.
+/// A correction that was made to an outline. Vertices are numbered from 0 in the order in which they were given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OutlineNotice {
     /// Vertices were dropped because they lie within [`MERGE_DISTANCE_M`](super::MERGE_DISTANCE_M) of the vertex before
     /// them, or, at the end of the list, of the first vertex.
     DuplicatesMerged {
-        /// Numbers of the dropped vertices, ascending.
+        /// Numbers of the dropped vertices, in ascending order.
         vertices: Vec<usize>,
     },
     /// Vertices were dropped because they lie on the straight line between their neighbours.
@@ -138,11 +139,11 @@ impl fmt::Display for OutlineNotice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OutlineNotice::DuplicatesMerged { vertices } => {
-                f.write_str("dropped as repeated: ")?;
+                f.write_str("dropped because they repeat another vertex: ")?;
                 list(f, vertices)
             }
             OutlineNotice::CollinearMerged { vertices } => {
-                f.write_str("dropped as lying on the line between their neighbours: ")?;
+                f.write_str("dropped because they lie on the line between their neighbours: ")?;
                 list(f, vertices)
             }
             OutlineNotice::Turned => f.write_str(
@@ -153,7 +154,7 @@ impl fmt::Display for OutlineNotice {
     }
 }
 
-/// Writes the numbers of some vertices, at most ten of them.
+/// Writes the numbers of at most ten of these vertices.
 fn list(f: &mut fmt::Formatter<'_>, vertices: &[usize]) -> fmt::Result {
     const SHOWN: usize = 10;
     f.write_str(if vertices.len() == 1 { "vertex " } else { "vertices " })?;

@@ -1,5 +1,5 @@
-//! Convex pieces of any simple ring, by triangulation: ears are cut off, diagonals are flipped for better shapes, and
-//! triangles are merged.
+//! Cuts any simple ring into convex pieces by triangulation: ears are cut off, diagonals are flipped for better shapes,
+//! and triangles are merged.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec;
@@ -11,8 +11,8 @@ use super::tidy::is_reflex;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
-/// The convex pieces of a simple ring in the positive sense. The ring and the pieces are lists of indices into
-/// `vertices`. An angle within `rounding_m` of straight counts as straight.
+/// Cuts a simple ring of vertices in the positive sense of turning into convex pieces. The ring and the pieces are
+/// lists of indices into `vertices`. A corner within `rounding_m` of a straight line counts as straight.
 pub(super) fn convex_pieces(vertices: &[Vec2], ring: &[usize], rounding_m: f64) -> Vec<Vec<usize>> {
     let corners: Vec<Vec2> = ring.iter().map(|&i| vertices[i]).collect();
     let mut mesh = Mesh::new(&corners, &ears(&corners));
@@ -26,8 +26,8 @@ pub(super) fn convex_pieces(vertices: &[Vec2], ring: &[usize], rounding_m: f64) 
 
 /// Cuts a ring into triangles, the best-shaped ear first.
 ///
-/// All signs are exact, and a point on a triangle's border counts as inside. So, by the two-ears theorem, there is
-/// always an ear. Cutting off an ear changes only the two neighbours of its tip.
+/// All signs are computed exactly, and a point on the border of a triangle counts as inside. So, by the two-ears
+/// theorem, the ring always has an ear. Cutting off an ear changes only the two neighbours of the ear's tip.
 fn ears(points: &[Vec2]) -> Vec<[usize; 3]> {
     let count = points.len();
     let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
@@ -72,7 +72,7 @@ fn ears(points: &[Vec2]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// Is the tip strictly convex, with no blunt corner in the closed triangle?
+/// Returns true if the tip is strictly convex and no blunt corner lies in the closed triangle.
 fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
     let [a, b, c] = corners.map(|i| points[i]);
     if turn(a, b, c) <= 0.0 {
@@ -93,7 +93,7 @@ fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
     })
 }
 
-/// Quality of a triangle's shape: doubled area over the square of the longest side: 0 for a needle, 0.87 for equal
+/// Quality of a triangle's shape, its doubled area over the square of its longest side: 0 for a needle, 0.87 for equal
 /// sides.
 fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
     let longest_squared = greater(
@@ -103,7 +103,7 @@ fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
     greater((b - a).cross(c - a) / longest_squared, 0.0)
 }
 
-/// Faces as rings of half-edges. A half-edge on the outer border has no twin.
+/// A mesh of faces, each of which is a ring of half-edges. A half-edge on the outer border has no twin.
 struct Mesh<'a> {
     points: &'a [Vec2],
     /// For each half-edge, the point from which it starts.
@@ -143,9 +143,9 @@ impl<'a> Mesh<'a> {
         self.points[self.origin[half_edge]]
     }
 
-    /// Flips diagonals until the triangulation is the constrained Delaunay triangulation (Lawson 1977), which maximises
-    /// the smallest angles. Only the shapes of pieces depend on this, so angles need not be exact, and the number of
-    /// flips may be limited.
+    /// Flips diagonals until the triangulation is the constrained Delaunay triangulation (Lawson 1977), which makes the
+    /// smallest angles as large as possible. Only the shapes of pieces depend on the flips, so angles need not be
+    /// exact, and the number of flips may be limited.
     fn improve_shapes(&mut self) {
         let mut queue: Vec<usize> = (0..self.origin.len()).rev().collect();
         let mut flips_left = 50 * self.origin.len();
@@ -159,8 +159,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// True if a flip helps. A flip helps if the angles opposite the diagonal sum to more than π and the other diagonal
-    /// is inside.
+    /// Returns true if a flip of the diagonal makes better triangles. A flip makes better triangles if the angles
+    /// opposite the diagonal sum to more than π and the other diagonal is inside the two triangles.
     fn flip_helps(&self, h: usize, g: usize) -> bool {
         let (a, b) = (self.point(h), self.point(g));
         let (c, d) = (self.point(self.previous[h]), self.point(self.previous[g]));
@@ -209,7 +209,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The corner at the origin of h, with the neighbours that it would have without the diagonal h, g.
+    /// The corner at the start of half-edge `h`, with the neighbours that it would have without the diagonal of the
+    /// half-edges `h` and `g`.
     fn corner_without(&self, h: usize, g: usize) -> [Vec2; 3] {
         [self.point(self.previous[h]), self.point(h), self.point(self.next[self.next[g]])]
     }

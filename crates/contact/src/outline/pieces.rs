@@ -1,7 +1,7 @@
 //! Cuts a simple polygon into convex pieces along diagonals.
 //!
-//! The cuts add no point. So both sides of a seam have the same end points, bit for bit, and the seam's terms in the
-//! boundary sums of the two pieces cancel.
+//! The cuts add no point to the polygon. So both sides of a seam have the same end points, bit for bit, and in the
+//! boundary sums of the two pieces the terms of the seam cancel.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -11,12 +11,13 @@ use super::mesh;
 use super::tidy;
 use crate::vec2::Vec2;
 
-/// The convex pieces of a simple polygon in the positive sense, as indices into its vertices. Each
-/// piece begins at its smallest index; the pieces are in the order of their indices.
+/// Cuts a simple polygon in the positive sense of turning into convex pieces, which are lists of indices of its
+/// vertices. Each piece begins at its smallest index, and the pieces are in the order of their indices.
 ///
-/// The first try is by single cuts that each remove one or two reflex corners, the shortest cut first, so that a step
-/// or a knuckle costs one seam. If this fails or takes too long, the polygon is triangulated and triangles are merged.
-/// This gives at most four times the fewest pieces (Hertel & Mehlhorn 1983).
+/// The first attempt makes single cuts that each remove one or two reflex corners, the shortest cut first, so that a
+/// step or a knuckle costs one seam. If the single cuts fail or take too long, the polygon is triangulated and
+/// triangles are merged. Triangulation gives at most four times the smallest possible number of pieces (Hertel &
+/// Mehlhorn 1983).
 pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     let rounding_m = tidy::rounding_m(vertices.iter().copied());
     let mut pieces = Vec::new();
@@ -44,11 +45,11 @@ pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
 /// instead.
 const MAX_WORK: u64 = 1_000_000_000;
 
-/// A cut would make a sliver if it passes a vertex nearer than this fraction of its length, or makes a smaller angle
-/// with an edge (rad).
+/// A cut would make a sliver if it passes a vertex nearer than this fraction of the cut's length, or makes a smaller
+/// angle with an edge (rad).
 const SLIVER: f64 = 1.0e-6;
 
-/// A part of the outline that is still to be cut.
+/// A part of the outline that must still be cut.
 struct Ring<'a> {
     vertices: &'a [Vec2],
     indices: &'a [usize],
@@ -73,8 +74,8 @@ impl Ring<'_> {
         (0..self.indices.len()).filter(|&i| tidy::is_reflex(corner(i), self.rounding_m)).collect()
     }
 
-    /// The best diagonal, as two places in the ring: it removes the reflex angles at most of its ends, and among such
-    /// diagonals it is the shortest.
+    /// The best diagonal for a cut, as two places in the ring: it removes reflex angles at the most of its ends, and
+    /// among equal diagonals it is the shortest.
     fn best_cut(&self, reflex: &[usize]) -> Option<[usize; 2]> {
         let count = self.indices.len();
         let pairs = count as u64 * reflex.len() as u64;
@@ -96,7 +97,8 @@ impl Ring<'_> {
         cuts.into_iter().map(|(_, _, cut)| cut).find(|cut| self.is_clear(*cut))
     }
 
-    /// Does the diagonal leave no reflex angle at the reflex corner `at`? Such a diagonal also starts inside the ring.
+    /// Returns true if the diagonal leaves no reflex angle at the reflex corner `at`. A diagonal that leaves no reflex
+    /// angle at the corner also starts inside the ring.
     fn mends(&self, at: usize, to: usize) -> bool {
         let (before, after) = (self.before(at), self.after(at));
         if to == at || to == before || to == after {
@@ -106,7 +108,7 @@ impl Ring<'_> {
         !tidy::is_reflex([a, p, q], self.rounding_m) && !tidy::is_reflex([q, p, b], self.rounding_m)
     }
 
-    /// Does the diagonal touch the ring only at its ends, without cutting off a sliver?
+    /// Returns true if the diagonal touches the ring only at its ends and cuts off no sliver.
     fn is_clear(&self, [from, to]: [usize; 2]) -> bool {
         let ends = [self.point(from), self.point(to)];
         let is_end = |i| i == from || i == to;
@@ -125,21 +127,21 @@ impl Ring<'_> {
     }
 }
 
-/// Is the edge from an end of the diagonal to `other` nearly parallel to the diagonal?
+/// Returns true if the edge from an end of the diagonal to `other` is nearly parallel to the diagonal.
 fn leaves_along(end: Vec2, other: Vec2, [a, b]: [Vec2; 2]) -> bool {
     let diagonal = if end == a { b - a } else { a - b };
     let edge = other - end;
     diagonal.dot(edge) > 0.0 && diagonal.cross(edge).abs() <= SLIVER * diagonal.dot(edge)
 }
 
-/// Does the diagonal nearly pass through the point?
+/// Returns true if the diagonal nearly passes through the point `p`.
 fn passes_close(p: Vec2, [a, b]: [Vec2; 2]) -> bool {
     let (diagonal, from_a) = (b - a, p - a);
     let (along, squared_length) = (diagonal.dot(from_a), diagonal.length_squared());
     along > 0.0 && along < squared_length && diagonal.cross(from_a).abs() <= SLIVER * squared_length
 }
 
-/// The two rings on either side of a diagonal.
+/// Splits a ring along a diagonal into the two rings on either side.
 fn split(ring: &[usize], [from, to]: [usize; 2]) -> [Vec<usize>; 2] {
     let (first, last) = (from.min(to), from.max(to));
     let between = ring[first..=last].to_vec();

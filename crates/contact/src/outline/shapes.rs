@@ -1,4 +1,4 @@
-//! Outlines for the tests: the shapes of ships and quays, and random simple polygons.
+//! Outlines for the tests of this module: the shapes of ships and quays, and random simple polygons.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -18,7 +18,7 @@ pub(super) fn rectangle(length_m: f64, width_m: f64) -> Vec<Vec2> {
     points(&[(-x, -y), (x, -y), (x, y), (-x, y)])
 }
 
-/// A waterline with a bulb ahead of the stem. There are two reflex corners where the bulb joins the stem.
+/// A ship's waterline with a bulb ahead of the stem. There are two reflex corners where the bulb joins the stem.
 pub(super) fn bulbous_bow() -> Vec<Vec2> {
     points(&[
         (-149.0, -23.0),
@@ -37,7 +37,7 @@ pub(super) fn bulbous_bow() -> Vec<Vec2> {
     ])
 }
 
-/// A side with a step (a sponson) and a knuckle.
+/// A ship whose side has a step (a sponson) and a knuckle.
 pub(super) fn stepped_ship() -> Vec<Vec2> {
     points(&[
         (-80.0, -14.0),
@@ -51,7 +51,7 @@ pub(super) fn stepped_ship() -> Vec<Vec2> {
     ])
 }
 
-/// A comb: a back with `teeth` teeth.
+/// An outline like a comb: a back with `teeth` teeth.
 pub(super) fn comb(teeth: usize, depth_m: f64) -> Vec<Vec2> {
     let mut ring = vec![vec2(0.0, 0.0), vec2(2.0 * teeth as f64 - 1.0, 0.0)];
     for tooth in (0..teeth).rev() {
@@ -64,7 +64,7 @@ pub(super) fn comb(teeth: usize, depth_m: f64) -> Vec<Vec2> {
     ring
 }
 
-/// A band wound into a spiral, with `per_side` vertices on either side.
+/// An outline like a band wound into a spiral, with `per_side` vertices on either side.
 pub(super) fn spiral(per_side: usize, turns: f64) -> Vec<Vec2> {
     let at = |i: usize, inset: f64| {
         let angle = 2.0 * PI * turns * i as f64 / (per_side - 1) as f64;
@@ -74,7 +74,7 @@ pub(super) fn spiral(per_side: usize, turns: f64) -> Vec<Vec2> {
     outer.chain((0..per_side).rev().map(|i| at(i, 0.8))).collect()
 }
 
-/// A star around `centre`: one vertex in each direction, at the given distances.
+/// An outline like a star around `centre`: one vertex in each direction, at the given distances.
 pub(super) fn star(distances_m: &[f64], centre: Vec2) -> Vec<Vec2> {
     let step = 2.0 * PI / distances_m.len() as f64;
     let spoke =
@@ -82,7 +82,7 @@ pub(super) fn star(distances_m: &[f64], centre: Vec2) -> Vec<Vec2> {
     distances_m.iter().enumerate().map(spoke).collect()
 }
 
-/// Removes crossings: reverses the part between two crossing edges, which shortens the ring.
+/// Removes crossings of edges: reverses the part of the ring between two crossing edges, which shortens the ring.
 fn uncrossed(mut ring: Vec<Vec2>) -> Vec<Vec2> {
     let count = ring.len();
     for _ in 0..10_000 {
@@ -108,7 +108,7 @@ fn random_simple() -> impl Strategy<Value = Vec<Vec2>> {
         .prop_map(|coordinates| uncrossed(points(&coordinates)))
 }
 
-/// Random polygons on a coarse grid: many straight lines, right angles and touching points.
+/// Random polygons on a coarse grid, which have many straight lines, right angles and touching points.
 fn random_on_grid() -> impl Strategy<Value = Vec<Vec2>> {
     prop::collection::vec((0..6i32, 0..6i32), 3..16).prop_map(|cells| {
         let corners = cells.into_iter().map(|(x, y)| vec2(f64::from(x), f64::from(y)));
@@ -131,7 +131,7 @@ fn turned_about(ring: Vec<Vec2>, angle_rad: f64) -> Vec<Vec2> {
     ring.into_iter().map(|v| rotation.apply(v)).collect()
 }
 
-/// Any of these shapes, in either sense, at any angle; a few are not simple.
+/// Any of the shapes of this module, in either sense, at any angle; a few of them are not simple.
 pub(super) fn any_shape() -> impl Strategy<Value = Vec<Vec2>> {
     let shape = prop_oneof![random_star(), random_simple(), random_on_grid(), regular()];
     let angle = prop_oneof![Just(0.0), -PI..PI];

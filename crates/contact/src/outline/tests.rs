@@ -205,7 +205,10 @@ fn notices_use_the_users_vertex_numbers() {
             OutlineNotice::Turned,
         ]
     );
-    assert_eq!(notices[0].to_string(), "dropped as repeated: vertices 3, 6, 8 (counted from 0)");
+    assert_eq!(
+        notices[0].to_string(),
+        "dropped because they repeat another vertex: vertices 3, 6, 8 (counted from 0)"
+    );
 }
 
 #[test]

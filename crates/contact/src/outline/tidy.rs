@@ -9,18 +9,18 @@ use super::fault::{OutlineEdge, OutlineError};
 use crate::number::greater;
 use crate::vec2::{Vec2, vec2};
 
-/// A vertex and its number in the user's list.
+/// A vertex of an outline, and its number in the user's list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Numbered {
     pub(super) point: Vec2,
     pub(super) number: usize,
 }
 
-/// Coordinates below this size (m) are set to zero: they are negligible, and their products would
-/// underflow in [`super::exact::turn`].
+/// Coordinates below this size (m) are set to zero, because they are negligible and their products would underflow in
+/// [`super::exact::turn`].
 const NEGLIGIBLE_M: f64 = 1.0e-100;
 
-/// The vertices with their numbers, each coordinate of negligible size set to zero.
+/// Returns the vertices with their numbers, with each coordinate of negligible size set to zero.
 pub(super) fn numbered(vertices: &[Vec2]) -> Vec<Numbered> {
     let flushed = |v: f64| if v.abs() < NEGLIGIBLE_M { 0.0 } else { v };
     vertices
@@ -31,7 +31,7 @@ pub(super) fn numbered(vertices: &[Vec2]) -> Vec<Numbered> {
 }
 
 /// Drops vertices within [`MERGE_DISTANCE_M`] of the last vertex kept or, at the end of the list, of the first vertex.
-/// Returns the numbers of the dropped vertices, ascending.
+/// Returns the numbers of the dropped vertices, in ascending order.
 pub(super) fn merge_duplicates(ring: &mut Vec<Numbered>) -> Vec<usize> {
     let mut dropped = Vec::new();
     let mut kept: Vec<Numbered> = Vec::with_capacity(ring.len());
@@ -53,7 +53,7 @@ fn same_place(a: Vec2, b: Vec2) -> bool {
     (a - b).length_squared() <= MERGE_DISTANCE_M * MERGE_DISTANCE_M
 }
 
-/// True if all vertices are on one line, to 1e-12 of their extent.
+/// Returns true if all vertices are on one line, within 1e-12 of their extent.
 pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
     let origin = ring[0].point;
     let farthest = ring
@@ -65,13 +65,14 @@ pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
 }
 
 /// Drops vertices that are on the straight line between their neighbours, until no such vertex is left. Returns the
-/// numbers of the dropped vertices, ascending. "On the line" means within [`rounding_m`]: 1 pm for a ship of 300 m.
-/// Even 10,000 drops in a row move that ship's boundary by no more than 1e-8 m. The sagitta of a circle of 10,000
-/// vertices is 1e7 times this limit.
+/// numbers of the dropped vertices, in ascending order. "On the line" means within [`rounding_m`]: 1 pm for a ship of
+/// 300 m. Even 10,000 dropped vertices in a row move the boundary of a ship of 300 m by no more than 1e-8 m. A vertex
+/// of a circle of 10,000 vertices lies 1e7 times this limit off the line between its neighbours.
 ///
 /// # Errors
 ///
-/// [`OutlineError::SelfIntersection`] if the outline doubles back: two successive edges lie on each other.
+/// Returns [`OutlineError::SelfIntersection`] if the outline doubles back, so that two successive edges lie on each
+/// other.
 pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, OutlineError> {
     let largest_m =
         ring.iter().map(|v| greater(v.point.x.abs(), v.point.y.abs())).fold(0.0, greater);
@@ -105,20 +106,20 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
 }
 
 /// Largest distance from a line that rounding of the coordinates explains (m): 16 ε M, where M is the largest
-/// coordinate. A point that was computed on a line as a + t(b − a), rotated by a heading or read from decimal text is
-/// off by 3 to 6 ε M.
+/// coordinate. A point that was computed on a line as a + t(b − a), rotated by a heading or read from decimal text lies
+/// 3 to 6 ε M off the line.
 pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {
     16.0 * f64::EPSILON * points.map(|p| greater(p.x.abs(), p.y.abs())).fold(0.0, greater)
 }
 
-/// Is b between a and c, within `limit_m` of the straight line?
+/// Returns true if the point b lies between a and c, within `limit_m` of the straight line.
 pub(super) fn is_straight(a: Vec2, b: Vec2, c: Vec2, limit_m: f64) -> bool {
     let (to, from) = (b - a, c - b);
     to.dot(from) > 0.0 && to.cross(from).abs() <= limit_m * (c - a).length()
 }
 
-/// Does the corner a, b, c turn in the negative sense by more than rounding explains? With this margin, a seam in line
-/// with an edge gives the same answer at any attitude of the outline.
+/// Returns true if the corner a, b, c turns in the negative sense by more than rounding explains. With the margin for
+/// rounding, the answer for a seam in line with an edge is the same at any attitude of the outline.
 pub(super) fn is_reflex([a, b, c]: [Vec2; 3], rounding_m: f64) -> bool {
     turn(a, b, c) < 0.0 && !is_straight(a, b, c, rounding_m)
 }

@@ -1,4 +1,5 @@
-//! The springs behind a panel: forces that are piecewise linear in the deflection, with their energies.
+//! The springs behind a fender panel: forces that are piecewise linear in the deflection, with the energies of the
+//! springs.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,23 +9,23 @@ use crate::panel::chains::{Broken, ChainState};
 use crate::panel::{Panel, TensionChain};
 use crate::reaction::{FenderLaw, Stop, on_line};
 
-/// All springs behind a panel.
+/// All springs behind a fender panel.
 #[derive(Clone, Debug)]
 pub(crate) struct PanelLaw {
     /// Places of the cones along the panel (m).
     pub(crate) places_m: Vec<f64>,
     /// Force of each cone.
     pub(crate) cone: Line,
-    /// The stop of each cone.
+    /// The stop of each cone behind the panel.
     pub(crate) stop: Option<Stop>,
     pub(crate) chains: Vec<ChainLaw>,
-    /// The farthest place from the middle (m).
+    /// The largest distance of a cone or chain from the middle of the panel (m).
     pub(crate) reach_m: f64,
 }
 
 impl PanelLaw {
-    /// The springs of a panel that has passed its checks, from the law and the stop of the cones. `None` if the law is
-    /// not a curve.
+    /// Makes the springs of a panel that has passed its checks, from the law and the stop of the cones. Returns `None`
+    /// if the law of the cones is not a curve.
     pub(crate) fn of(panel: &Panel, law: &FenderLaw, stop: Option<Stop>) -> Option<PanelLaw> {
         let FenderLaw::Curve(points) = law else { return None };
         Some(PanelLaw {
@@ -36,7 +37,7 @@ impl PanelLaw {
         })
     }
 
-    /// The chains whose tensions reach their break loads.
+    /// Finds the chains whose tensions reach their break loads.
     pub(crate) fn breaking(&self, tensions_n: &[f64; Panel::MOST_CHAINS]) -> Broken {
         let mut broken = Broken { overshoot: 1.0, ..Broken::default() };
         for (index, (chain, &tension_n)) in self.chains.iter().zip(tensions_n).enumerate() {
@@ -66,7 +67,7 @@ impl ChainLaw {
     }
 }
 
-/// The springs of a panel in a state of its chains: the cones, then the chains.
+/// The springs of a panel for a state of its chains: first the cones, then the chains.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Springs<'p> {
     pub(crate) law: &'p PanelLaw,
@@ -80,18 +81,18 @@ impl<'p> Springs<'p> {
         self.law.places_m.len() + self.law.chains.len()
     }
 
-    /// The chain, if this spring is a chain.
+    /// Returns the chain if the spring with this number is a chain, else `None`.
     fn chain(&self, spring: usize) -> Option<(usize, &'p ChainLaw)> {
         let index = spring.checked_sub(self.law.places_m.len())?;
         Some((index, &self.law.chains[index]))
     }
 
-    /// The spring's place along the panel (m).
+    /// The place of the spring along the panel (m).
     pub(crate) fn at_m(&self, spring: usize) -> f64 {
         self.chain(spring).map_or_else(|| self.law.places_m[spring], |(_, chain)| chain.at_m)
     }
 
-    /// The spring's force, and the factor on the force.
+    /// The force law of the spring, and the factor on its force.
     pub(crate) fn line(&self, spring: usize) -> (&'p Line, f64) {
         match self.chain(spring) {
             None => (&self.law.cone, 1.0),
@@ -102,7 +103,7 @@ impl<'p> Springs<'p> {
         }
     }
 
-    /// Number of pieces of all springs.
+    /// Number of linear pieces of the force laws of all springs.
     pub(crate) fn pieces(&self) -> usize {
         let of_chains: usize = self.law.chains.iter().map(|chain| chain.line.pieces()).sum();
         self.law.places_m.len() * self.law.cone.pieces() + of_chains
@@ -112,9 +113,9 @@ impl<'p> Springs<'p> {
 /// A force that is linear between corners, and the integral of the force.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Line {
-    /// Corners in order of rising deflection.
+    /// Corners of the force law in the order of rising deflection.
     corners: Vec<Corner>,
-    /// Stiffness before the first corner and beyond the last (N/m).
+    /// Stiffness before the first corner and beyond the last corner (N/m).
     before_npm: f64,
     beyond_npm: f64,
 }
@@ -123,12 +124,13 @@ pub(crate) struct Line {
 struct Corner {
     at_m: f64,
     force_n: f64,
-    /// The integral of the force from the first corner (J).
+    /// The integral of the force from the first corner to this corner (J).
     energy_j: f64,
 }
 
 impl Line {
-    /// The force of a cone: its curve and its stop. A stretched cone has the stiffness of the curve's first line.
+    /// Makes the force law of a cone from its reaction curve and its stop. A stretched cone has the stiffness of the
+    /// first line of its curve.
     fn of_cone(points: &[[f64; 2]], stop: Option<Stop>) -> Line {
         let stop_n = |at_m: f64| {
             stop.map_or(0.0, |stop| stop.stiffness_npm * greater(at_m - stop.from_m, 0.0))
@@ -157,32 +159,32 @@ impl Line {
         }
     }
 
-    /// Number of pieces of the line.
+    /// Number of linear pieces of the force law.
     pub(crate) fn pieces(&self) -> usize {
         self.corners.len() + 1
     }
 
-    /// The piece at a deflection: the number of corners before it. At a corner the result is the piece into which the
-    /// deflection moves.
+    /// The piece of the force law at a deflection, which is the number of corners before it. At a corner the result is
+    /// the piece into which the deflection moves.
     pub(crate) fn piece_at(&self, deflection_m: f64, rises: bool) -> usize {
         let is_before =
             |corner: &Corner| corner.at_m < deflection_m || (rises && corner.at_m <= deflection_m);
         self.corners.partition_point(is_before)
     }
 
-    /// Where a piece ends for a deflection that rises or falls (m); `None` if it does not end.
+    /// The deflection at which a piece ends when the deflection rises or falls (m); `None` if the piece does not end.
     pub(crate) fn end_m(&self, piece: usize, rises: bool) -> Option<f64> {
         let corner = if rises { piece } else { piece.checked_sub(1)? };
         self.corners.get(corner).map(|corner| corner.at_m)
     }
 
-    /// Force and stiffness on a piece (N, N/m).
+    /// Force and stiffness at a deflection on a given piece of the force law (N, N/m).
     pub(crate) fn force_on(&self, piece: usize, deflection_m: f64) -> (f64, f64) {
         let (from, stiffness_npm) = self.line(piece);
         (from.force_n + stiffness_npm * (deflection_m - from.at_m), stiffness_npm)
     }
 
-    /// Force and energy at a deflection (N, J).
+    /// Force and stored energy at a deflection (N, J).
     pub(crate) fn at(&self, deflection_m: f64) -> (f64, f64) {
         let (from, stiffness_npm) = self.line(self.piece_at(deflection_m, false));
         let by_m = deflection_m - from.at_m;
@@ -190,7 +192,7 @@ impl Line {
         (force_n, from.energy_j + 0.5 * (from.force_n + force_n) * by_m)
     }
 
-    /// A corner of a piece, and the stiffness of the piece.
+    /// A corner at an end of a piece, and the stiffness of the piece.
     fn line(&self, piece: usize) -> (Corner, f64) {
         let last = self.corners.len();
         if piece == 0 {

@@ -1,19 +1,20 @@
-//! The pose of least energy of a panel that a hull presses.
+//! Computes the pose of least energy of a fender panel on which a hull presses.
 //!
-//! The hull demands d + θ y ≥ x at each of its points (x, y). For a given turn θ the panel lies on the hull at the
-//! *support* of θ, where d(θ) = max (x − θ y). The support is one point for a range of turns, and two points if the
-//! panel lies along a side. While one point supports the panel, each deflection is linear in θ, and so the energy is
-//! piecewise quadratic in θ. A walk from one corner of the springs to the next finds the minima of the energy without
-//! iteration. Among all minima, the one with the least energy is taken.
+//! The hull demands of the panel that d + θ y ≥ x at each of the hull's points (x, y). For a given turn θ the panel
+//! lies on the hull at the *support* of θ, the point at which d(θ) = max (x − θ y). The support is one point for a
+//! range of turns, and two points if the panel lies along a side. While one point supports the panel, the deflection of
+//! each cone is linear in θ, and so the energy is piecewise quadratic in θ. A walk from one corner of the springs'
+//! force laws to the next finds the minima of the energy without iteration. Among all minima of the energy, the pose
+//! with the least energy is taken.
 
 use crate::number::greater;
 use crate::panel::law::Springs;
 use crate::panel::touching::HullPoint;
 
-/// Points nearer than this along the panel count as one (m).
+/// Points of the hull that are nearer to each other than this along the panel count as one point (m).
 const SAME_PLACE_M: f64 = 1e-9;
 
-/// A pose of the panel, and the points that it lies on.
+/// A pose of the panel, and the points of the hull that support it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pose {
     /// θ (rad).
@@ -21,11 +22,12 @@ pub(crate) struct Pose {
     /// d (m).
     pub(crate) middle_m: f64,
     pub(crate) energy_j: f64,
-    /// Indices into the hull's points. There is a second point if the panel lies along a side.
+    /// Indices of the supporting points in the list of the hull's points. The second index of a supporting point is
+    /// there if the panel lies along a side of the hull.
     pub(crate) on: (usize, Option<usize>),
 }
 
-/// The pose of least energy; `None` if there are no points.
+/// Computes the pose of least energy; returns `None` if the hull has no points before the panel.
 pub(crate) fn pose(springs: Springs<'_>, points: &[HullPoint]) -> Option<Pose> {
     let mut search = Search { springs, points, best: None };
     let mut index = leftmost(points)?;
@@ -41,7 +43,7 @@ pub(crate) fn pose(springs: Springs<'_>, points: &[HullPoint]) -> Option<Pose> {
     }
 }
 
-/// The point farthest left, and among several such points the deepest.
+/// The hull's point that is farthest left, and among several such points the deepest.
 fn leftmost(points: &[HullPoint]) -> Option<usize> {
     let least_m = points.iter().map(|p| p.at.y).fold(f64::INFINITY, crate::number::lesser);
     let mut best: Option<usize> = None;
@@ -54,8 +56,8 @@ fn leftmost(points: &[HullPoint]) -> Option<usize> {
     best
 }
 
-/// The next corner to the right on the hull's convex cover, and the slope of the line to it. Among several corners on
-/// one line, the farthest.
+/// The next corner to the right on the convex cover of the hull, and the slope of the line to this corner. Among
+/// several corners on one line, the farthest corner is taken.
 fn next_right(points: &[HullPoint], from: usize) -> Option<(usize, f64)> {
     let start = points[from].at;
     let mut best: Option<(usize, f64)> = None;
@@ -82,7 +84,7 @@ struct Search<'p> {
 }
 
 impl Search<'_> {
-    /// Considers all minima at the point `index`, which supports the panel at turns from `low` to `high`.
+    /// Considers all minima of the energy at the point `index`, which supports the panel at turns from `low` to `high`.
     fn around(&mut self, index: usize, low: f64, high: f64) {
         if low.is_finite() {
             self.walk(index, low, high);
@@ -95,7 +97,7 @@ impl Search<'_> {
         }
     }
 
-    /// Considers the minima between two turns.
+    /// Considers the minima of the energy between two turns of the panel.
     fn walk(&mut self, index: usize, from: f64, to: f64) {
         let springs = self.springs;
         let count = springs.count();
@@ -139,7 +141,7 @@ impl Search<'_> {
         }
     }
 
-    /// Takes a pose if its energy is the least so far.
+    /// Takes a pose if its energy is the least energy so far.
     fn consider(&mut self, index: usize, tilt: f64, also: Option<usize>) {
         let at = self.points[index].at;
         let middle_m = at.x - tilt * at.y;

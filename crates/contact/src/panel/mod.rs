@@ -1,15 +1,12 @@
-//! A rigid panel on several fenders: it moves inwards and turns about the vertical axis.
+//! A rigid panel on several fenders, which moves inwards and turns about the vertical axis.
 //!
 //! The panel has no mass. The pose of the panel is d, the deflection of the panel's middle, and θ, the panel's turn
-//! (small). The cone at the place x along the panel is deflected by δ = d + θ x. The panel takes the pose of least
-//! stored energy
-//!
-//! E(d, θ) = Σ E_i(d + θ x_i)
-//!
-//! among the poses in which the hull does not pass through the panel ([`least`]). This least energy is a single-valued
-//! function of the hull's pose, even for cones that buckle, for which a panel has several positions of equilibrium. The
-//! force is the gradient of this energy, so it creates no energy on any closed path. The unloading law needs such a
-//! potential, and holds for a panel as it does for one fender.
+//! (small). The cone at the place x along the panel has the deflection δ = d + θ x. The panel takes the pose of least
+//! stored energy E(d, θ) = Σ E_i(d + θ x_i) among the poses in which the hull does not pass through the panel
+//! ([`least`]). This least energy is a single-valued function of the hull's pose, even for cones that buckle, for which
+//! a panel has several positions of equilibrium. The force on the panel is the gradient of the least energy, so this
+//! force creates no energy on any closed path. The unloading law needs a stored energy of this kind, and holds for a
+//! panel as it does for one fender.
 //!
 //! | file | content |
 //! |---|---|
@@ -17,7 +14,7 @@
 //! | `least.rs` | the pose of least energy |
 //! | `touching.rs` | the points of a hull that a panel can meet |
 //! | `press.rs` | force, deflections and moment |
-//! | `chains.rs` | chains that have parted, and chains that part |
+//! | `chains.rs` | chains that have parted, and chains that part in a sub-step |
 
 pub(crate) mod chains;
 pub(crate) mod law;
@@ -41,18 +38,18 @@ use crate::unloading::Unloading;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Places of the cones along the panel, from the panel's middle (m), positive to the right as seen by a viewer who
-    /// faces the panel. There are two to [`Panel::MOST_CONES`], and not all at one place.
+    /// faces the panel. A panel has two to [`Panel::MOST_CONES`] cones, and not all of them at one place.
     pub cones_m: Vec<f64>,
     /// Tension chains, at most [`Panel::MOST_CHAINS`]: they hold a panel that turns outwards.
     pub tension_chains: Vec<TensionChain>,
 }
 
 /// A chain from the structure to the panel. The chain is slack until the panel has moved outwards by `slack_m` at the
-/// chain's place. Beyond that the chain is a linear spring, and it parts at its break load. A chain that has parted
-/// stays parted for the rest of the run ([`crate::Memory`] keeps this), and the energy that it stored is lost.
+/// place of the chain. Beyond the slack the chain is a linear spring, and it parts at its break load. A chain that has
+/// parted stays parted for the rest of the run ([`crate::Memory`] keeps this), and the energy that it stored is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TensionChain {
-    /// Place along the panel from its middle (m), as [`Panel::cones_m`].
+    /// Place of the chain along the panel from the panel's middle (m), as in [`Panel::cones_m`].
     pub at_m: f64,
     /// How far the panel moves outwards before the chain holds (m).
     pub slack_m: f64,
@@ -69,10 +66,11 @@ impl Panel {
     /// Largest number of tension chains of one panel.
     pub const MOST_CHAINS: usize = 4;
 
-    /// Smallest distance between the outermost cones (m). Cones at one place would not hold the panel against turning.
+    /// Smallest allowed distance between the outermost cones (m). The distance is needed because cones at one place
+    /// would not hold the panel against turning.
     pub const LEAST_SPREAD_M: f64 = 1e-2;
 
-    /// The numbers that distinguish this panel from others, for fingerprints.
+    /// The numbers that distinguish this panel from other panels, for fingerprints of models.
     pub(crate) fn words(&self) -> impl Iterator<Item = f64> + '_ {
         let of_chain = |c: &TensionChain| [c.at_m, c.slack_m, c.stiffness_npm, c.break_load_n];
         self.cones_m.iter().copied().chain(self.tension_chains.iter().flat_map(of_chain))
@@ -123,14 +121,20 @@ impl Panel {
             }
         }
         match law {
-            FenderLaw::Area => return bad("law", 0.0, "a reaction curve, as the cones of a panel"),
+            FenderLaw::Area => {
+                return bad("law", 0.0, "a reaction curve, because the fender has a panel");
+            }
             FenderLaw::Curve(points) if points.len() >= 2 && points[1][1] <= 0.0 => {
-                return bad("first line of the curve", points[1][1], "rising, behind a panel");
+                return bad(
+                    "first line of the curve",
+                    points[1][1],
+                    "rising, because the fender has a panel",
+                );
             }
             FenderLaw::Curve(_) => {}
         }
         if let Some(Unloading::Curve(_)) = unloading {
-            let must = "a returned share of the energy, behind a panel";
+            let must = "a returned share of the energy, because the fender has a panel";
             return bad("unloading curve", 0.0, must);
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! The force of a hull on a panel, and the deflections of the panel's cones.
+//! Computes the force of a hull on a panel, and the deflections of the panel's cones.
 
 use alloc::vec::Vec;
 
@@ -14,36 +14,36 @@ use crate::vec2::{Vec2, vec2};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanelPress {
     points: Vec<HullPoint>,
-    /// State of the chains, for the next press.
+    /// State of the panel's chains, to be used for the next press.
     pub(crate) state: ChainState,
     pub(crate) pressed: Pressed,
 }
 
-/// A pressed panel, before factors.
+/// A panel on which a hull presses, before the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Pressed {
-    /// d, the deflection of the panel's middle (m), and θ, its turn (rad).
+    /// Deflection d of the panel's middle (m), and turn θ of the panel (rad).
     pub(crate) middle_m: f64,
     pub(crate) tilt: f64,
-    /// δ of each cone (m).
+    /// Deflection δ of each cone (m).
     pub(crate) deflections_m: [f64; Panel::MOST_CONES],
     /// The largest deflection of a cone (m).
     pub(crate) deepest_m: f64,
-    /// Force of the hull on the panel in the face's frame (N), and the moment of this force about the middle of the
-    /// undeflected face, positive from x to y (N·m).
+    /// Force of the hull on the panel in the frame of the face (N), and the moment of this force about the middle of
+    /// the undeflected face, positive from x to y (N·m).
     pub(crate) force_n: Vec2,
     pub(crate) torque_nm: f64,
-    /// Share of the stops in the reaction.
+    /// Share of the cones' stops in the reaction of the panel.
     pub(crate) stop_share: f64,
     /// Tension of each chain (N).
     pub(crate) tensions_n: [f64; Panel::MOST_CHAINS],
-    /// Σ R x: moment of cones and chains about the panel's middle (N·m).
+    /// Moment Σ R x of the forces of cones and chains about the middle of the panel (N·m).
     pub(crate) moment_nm: f64,
     pub(crate) energy_j: f64,
 }
 
 impl PanelPress {
-    /// Presses a panel with a hull of these edges; `to_face` transforms them into the face's frame.
+    /// Presses a panel with a hull that has these edges; `to_face` transforms the edges into the frame of the face.
     pub(crate) fn press(
         &mut self,
         law: &PanelLaw,
@@ -68,7 +68,7 @@ impl PanelPress {
     }
 }
 
-/// The deepest point of a hull behind the face (m); 0 if it does not reach behind it.
+/// Depth of the deepest point of a hull behind the face (m); 0 if the hull does not reach behind the face.
 pub(crate) fn deepest_m(
     edges: impl Iterator<Item = [Vec2; 2]>,
     to_face: impl Fn(Vec2) -> Vec2,
@@ -79,7 +79,7 @@ pub(crate) fn deepest_m(
     deepest_m
 }
 
-/// Force, deflections and moment in a pose.
+/// Computes force, deflections and moment of the panel in a pose.
 fn pressed(springs: Springs<'_>, points: &[HullPoint], pose: &Pose) -> Pressed {
     let (law, state) = (springs.law, springs.state);
     let mut tensions_n = [0.0; Panel::MOST_CHAINS];

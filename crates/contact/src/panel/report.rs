@@ -1,4 +1,4 @@
-//! The report of a step on a panel.
+//! The report of a step on the motion of a fender panel.
 
 use alloc::vec::Vec;
 
@@ -8,41 +8,41 @@ use crate::panel::Panel;
 use crate::panel::chains::Broken;
 use crate::panel::press::Pressed;
 
-/// The motion of a panel that a hull presses in a step. Deflections and turn follow from the loading curves of the
-/// cones. The moment is the one that the law gives, before the solve reduces a force.
+/// The motion in a step of a panel on which a hull presses. Deflections and turn of the panel follow from the loading
+/// curves of the cones. The reported moment is the moment that the law gives, before the solve reduces a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelMotion {
-    /// The fender with the panel.
+    /// The fender that has the panel.
     pub fender: FenderId,
-    /// The body that presses the panel.
+    /// The body that presses on the panel.
     pub hull: BodyId,
     /// Deflection of the panel's middle at the start of the step (m).
     pub deflection_m: f64,
-    /// Turn about the vertical axis at the start of the step (rad). Positive if the right end is deflected more, as
-    /// seen by a viewer who faces the panel.
+    /// Turn of the panel about the vertical axis at the start of the step (rad). The turn is positive if the right end
+    /// is deflected more, as seen by a viewer who faces the panel.
     pub tilt_rad: f64,
-    /// Moment of the cones' reactions about the panel's middle at the start of the step (N·m). Positive if the cones on
-    /// the right bear more.
+    /// Moment of the cones' reactions about the panel's middle at the start of the step (N·m). The moment is positive
+    /// if the cones on the right bear more.
     pub moment_nm: f64,
-    /// The turn of the largest size within the step, with its sign (rad).
+    /// The turn of the panel that is largest in size within the step, with its sign (rad).
     pub peak_tilt_rad: f64,
-    /// The moment of the largest size within the step, with its sign (N·m).
+    /// The moment of the cones that is largest in size within the step, with its sign (N·m).
     pub peak_moment_nm: f64,
     /// Largest deflection of each cone within the step (m), in the order of [`Panel::cones_m`]; 0 beyond the number of
     /// cones.
     pub peak_deflections_m: [f64; Panel::MOST_CONES],
     /// Smallest deflection of each cone within the step (m): negative if the cone was stretched.
     pub least_deflections_m: [f64; Panel::MOST_CONES],
-    /// Largest tension of each chain within the step (N), in the order of [`Panel::tension_chains`]. If the chain
-    /// parted in the step, this is the tension at which it parted.
+    /// Largest tension of each chain within the step (N), in the order of [`Panel::tension_chains`]. For a chain that
+    /// parted in the step, this is the tension at which the chain parted.
     pub peak_tensions_n: [f64; Panel::MOST_CHAINS],
-    /// Which of the chains parted within the step.
+    /// Tells for each chain whether it parted within the step.
     pub parted: [bool; Panel::MOST_CHAINS],
 }
 
 impl PanelMotion {
-    /// Adds a panel to the list of a step, as it was pressed in a sub-step, with the panel's factors and the chains
-    /// that parted in that sub-step.
+    /// Adds a panel to the list of a step as it was pressed in a sub-step, with the factors of the panel and the chains
+    /// that parted in the sub-step.
     #[inline(never)]
     pub(crate) fn note(
         list: &mut Vec<PanelMotion>,
@@ -86,7 +86,7 @@ impl PanelMotion {
     }
 }
 
-/// Replaces the peak if the value is larger in size.
+/// Replaces the peak by the value if the value is larger in size.
 fn larger(peak: &mut f64, value: f64) {
     if value.abs() > peak.abs() {
         *peak = value;

@@ -1,29 +1,29 @@
-//! The points of a hull that a panel can meet.
+//! Finds the points of a hull that a panel can meet.
 
 use crate::number::{greater, lesser};
 use crate::vec2::{Vec2, vec2};
 
-/// A point of a hull in the face's frame: x runs from the face inwards, y along it.
+/// A point of a hull in the frame of the face: x runs from the face inwards, and y along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct HullPoint {
     pub(crate) at: Vec2,
-    /// dx/dy of the hull's side where it passes an end of the panel. This end of the panel slides along the side.
-    /// `None` for a corner of the hull, which slides along the panel.
+    /// Slope dx/dy of the hull's side where the side passes an end of the panel. The end of the panel that the side
+    /// passes slides along the side. `None` for a corner of the hull, because a corner slides along the panel.
     pub(crate) side: Option<f64>,
 }
 
-/// The region in which a panel can meet a hull.
+/// The region, in the frame of the face, in which a panel can meet a hull.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// Half of the panel's width (m).
     pub(crate) half_width_m: f64,
-    /// How far inwards, and how far outwards (negative), hulls are considered (m).
+    /// How far inwards, and how far outwards (negative), the points of a hull are considered (m).
     pub(crate) far_m: f64,
     pub(crate) near_m: f64,
 }
 
-/// Hands the caller the corners of a closed outline that lie in the strip before and behind the panel, and the points where
-/// the outline's edges enter the strip. `to_face` transforms into the face's frame.
+/// Passes to `add` the corners of a closed outline that lie in the strip before and behind the panel, and the points
+/// where the outline's edges enter the strip. `to_face` transforms points into the frame of the face.
 pub(crate) fn collect(
     edges: impl Iterator<Item = [Vec2; 2]>,
     to_face: impl Fn(Vec2) -> Vec2,
@@ -37,7 +37,7 @@ pub(crate) fn collect(
     }
 }
 
-/// Adds the start of an edge if it lies in the strip, and where the edge enters or leaves the strip.
+/// Adds the start of an edge if it lies in the strip, and the points where the edge enters or leaves the strip.
 fn add_edge(from: Vec2, to: Vec2, reach: Reach, add: &mut impl FnMut(HullPoint)) {
     let Reach { half_width_m, far_m, near_m } = reach;
     let by = to - from;
@@ -63,7 +63,7 @@ fn add_edge(from: Vec2, to: Vec2, reach: Reach, add: &mut impl FnMut(HullPoint))
     }
 }
 
-/// Does the whole edge lie on one side of the strip?
+/// Returns true if the whole edge lies on one side of the strip.
 fn is_outside(from: Vec2, to: Vec2, reach: Reach) -> bool {
     let (low, high) = (lesser(from.y, to.y), greater(from.y, to.y));
     let (near, far) = (lesser(from.x, to.x), greater(from.x, to.x));

@@ -1,4 +1,4 @@
-//! Attributes and elements that model descriptions of both versions have.
+//! Attributes and elements that the model descriptions of FMI 2.0 and FMI 3.0 both have.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -8,12 +8,12 @@ use crate::plan::Plan;
 use crate::table::{Causality, Class, Enumeration, Table, Variable};
 use crate::unit::Unit;
 
-/// Of the libraries in the FMU; `license.txt` in it has the text.
+/// The copyright line of the libraries in the FMU; `license.txt` in the FMU has the whole text.
 pub(super) const COPYRIGHT: &str = "Copyright (c) 2026 The fenderline authors";
 
 pub(super) const LICENCE: &str = "MIT OR Apache-2.0";
 
-/// Attributes of the whole model, common to both versions.
+/// Attributes of the whole model that both versions of FMI have.
 pub(super) fn about(plan: &Plan, name: &str) -> [(&'static str, String); 8] {
     let what = match plan.bundle.kind {
         crate::Kind::Engine => "contact engine",
@@ -36,12 +36,12 @@ pub(super) fn about(plan: &Plan, name: &str) -> [(&'static str, String); 8] {
     ]
 }
 
-/// The units that the table uses.
+/// The units that the variables of the table use.
 pub(super) fn units(table: &Table) -> BTreeSet<Unit> {
     table.variables.iter().map(|v| v.unit).filter(|unit| unit.name().is_some()).collect()
 }
 
-/// The enumerations that the table uses, each once.
+/// The enumerations that the variables of the table use, each once.
 pub(super) fn enumerations(table: &Table) -> Vec<&'static Enumeration> {
     let mut all: Vec<&'static Enumeration> = Vec::new();
     for one in table.variables.iter().filter_map(Variable::enumeration) {
@@ -82,7 +82,7 @@ pub(super) fn variability(variable: &Variable) -> &'static str {
     }
 }
 
-/// `None` where the standard forbids the attribute.
+/// The attribute `initial` of a variable; `None` where the standard forbids the attribute.
 pub(super) fn initial(variable: &Variable) -> Option<&'static str> {
     match variable.causality {
         Causality::Parameter => Some("exact"),
@@ -91,7 +91,7 @@ pub(super) fn initial(variable: &Variable) -> Option<&'static str> {
     }
 }
 
-/// The start value as text; `None` for outputs and time.
+/// The start value of a variable as text; `None` for outputs and time.
 pub(super) fn start(variable: &Variable) -> Option<String> {
     match (variable.causality, variable.class) {
         (Causality::Independent | Causality::Output, _) => None,
@@ -100,7 +100,7 @@ pub(super) fn start(variable: &Variable) -> Option<String> {
     }
 }
 
-/// Smallest and largest value, as attributes.
+/// The attributes for the smallest and largest value of a variable.
 pub(super) fn range(variable: &Variable) -> Vec<(&'static str, String)> {
     match variable.range {
         Some([least, most]) => vec![("min", least.to_string()), ("max", most.to_string())],

@@ -105,8 +105,8 @@ fn variable(
     })
 }
 
-/// No list of dependencies means that all outputs depend on all inputs, which is true. Indices count from 1, among the
-/// variables of the description.
+/// The description lists no dependencies, which means that all outputs depend on all inputs; this is true of the FMU.
+/// The indices of outputs count from 1, among the variables of the description.
 fn unknowns(xml: &mut Xml, name: &str, plan: &Plan) -> io::Result<()> {
     element(xml, name, &[], |xml| {
         let mut all = outputs(&plan.table);

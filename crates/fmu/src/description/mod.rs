@@ -1,4 +1,4 @@
-//! Model descriptions, written from the table by an XML writer.
+//! Model descriptions of an FMU, which an XML writer writes from the table of variables.
 
 mod attributes;
 mod fmi2;
@@ -14,7 +14,7 @@ use crate::plan::Plan;
 
 pub(crate) use osp::osp;
 
-/// The `modelDescription.xml` of a version.
+/// The `modelDescription.xml` for a version of FMI.
 pub(crate) fn model(plan: &Plan, fmi: Fmi, name: &str, identifier: &str) -> io::Result<String> {
     match fmi {
         Fmi::Two => fmi2::model(plan, name, identifier),

@@ -1,4 +1,5 @@
-//! Nominal values: the order of magnitude of a variable. Masters scale tolerances and plots by them; no result depends on them.
+//! Nominal values: the order of magnitude of a variable. Masters scale tolerances and plots by the nominal values; no
+//! result depends on them.
 
 use fenderline_sim::Setup;
 
@@ -27,8 +28,8 @@ impl Scales {
     }
 }
 
-/// The nominal value of a real variable; `None` for 1, which masters assume. Accelerations are taken as 0.1 m/s²,
-/// impacts as 0.1 m/s, deflections as 0.1 m.
+/// The nominal value of a real variable; `None` for 1, which masters assume. The nominal acceleration is 0.1 m/s², the
+/// nominal speed of an impact 0.1 m/s, the nominal deflection 0.1 m.
 pub(super) fn nominal(variable: &Variable, scales: Scales) -> Option<f64> {
     if variable.class != Class::Real {
         return None;
@@ -64,7 +65,7 @@ fn larger(one: f64, other: f64) -> f64 {
     if other > one { other } else { one }
 }
 
-/// The power of ten below a number from 1 on.
+/// The largest power of ten that is not above a number of at least 1.
 fn power_of_ten(number: f64) -> f64 {
     let mut power = 1.0;
     while power * 10.0 <= number {

@@ -1,5 +1,5 @@
-//! The description for the Open Simulation Platform (OSP-IS 1.0): it groups the variables of a vector or an angle, so
-//! that a system structure connects them in one connection.
+//! Writes the description for the Open Simulation Platform (OSP-IS 1.0), which groups the variables of a vector or an
+//! angle, so that a system structure connects them in one connection.
 
 use std::io;
 

@@ -10,7 +10,7 @@ pub(super) type Xml = Writer<Vec<u8>>;
 /// Attributes in their order.
 pub(super) type Attributes = Vec<(&'static str, String)>;
 
-/// A document with one root element.
+/// Writes an XML document with one root element.
 pub(super) fn document(
     name: &str,
     attributes: &[(&str, String)],

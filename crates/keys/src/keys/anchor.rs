@@ -46,7 +46,7 @@ table_keys! {
             "side",
             Kind::Choice(&SIDES),
             Refused,
-            "The side of the bow.",
+            "The side of the bow at which the anchor hangs.",
             &["\"port\""],
         ),
         HAWSE: Vector = key(
@@ -56,7 +56,7 @@ table_keys! {
                 "0.45 of the ship's length ahead of midship, and 0.1 of the beam to the side of \
                  the anchor: our assumption",
             ),
-            "Hawse pipe, forward and starboard of the body's origin.",
+            "Place of the hawse pipe, forward and to starboard of the body's origin.",
             &["[85, -4]"],
         ),
         HAWSE_HEIGHT: Number = key(
@@ -99,45 +99,46 @@ table_keys! {
             "chain_length",
             Kind::Quantity(LENGTH),
             Refused,
-            "Length of its chain.",
+            "Length of the anchor's chain.",
             &["\"11 shackles\""],
         ),
         HOLDING_FACTOR: Number = key(
             "holding_factor",
             Kind::Quantity(FACTOR),
             Means("3 for a stockless anchor, 6 for an anchor of high holding power"),
-            "Holding power over the anchor's weight in air, with the chain along the bottom. Tables have 3 in mud and 7 in sand \
-             for stockless anchors.",
+            "Holding power divided by the anchor's weight in air, if the chain lies along the \
+             bottom. Tables for stockless anchors give a holding power of 3 times the weight in \
+             mud and 7 times in sand.",
             &["3.5"],
         ),
         DRAGGING_FACTOR: Number = key(
             "dragging_factor",
             Kind::Quantity(FACTOR),
             Means(
-                "1.5, from memory and not from a source; the holding factor if the holding \
-                factor is less",
+                "1.5 (an assumption without a source), or `holding_factor` if `holding_factor` is \
+                 less",
             ),
-            "Holding power over the anchor's weight in air while the anchor drags.",
+            "Holding power of a dragging anchor, divided by the anchor's weight in air.",
             &["1.5"],
         ),
         CHAIN_FRICTION: Number = key(
             "chain_friction",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 5.0 }),
             Is("0.75"),
-            "Friction of the chain on the bottom, over its weight in water.",
+            "Friction of the chain on the bottom, divided by the weight of the chain in water.",
             &["0.6"],
         ),
         BRAKE: Number = key(
             "brake",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Means("45 % of the chain's break load"),
-            "Tension at which the brake of the windlass renders.",
+            "Tension of the chain at which the brake of the windlass slips and lets chain out.",
             &["\"2 MN\""],
         ),
         PLACED: Vector = key(
             "placed",
             Kind::Vector(POSITION),
-            Means("home in the hawse pipe"),
+            Means("the anchor is home in the hawse pipe"),
             "Place of the anchor on the bottom at the start.",
             &["[600, 20]"],
         ),
@@ -145,13 +146,13 @@ table_keys! {
             "chain_out",
             Kind::Quantity(LENGTH),
             Means("the anchor is home in the hawse pipe"),
-            "Length of chain out at the start; for an anchor that is `placed`.",
+            "Length of chain that is out at the start, for an anchor with the key `placed`.",
             &["\"5 shackles\""],
         ),
     }
 }
 
-/// A pull over a weight.
+/// Bounds of a factor that is a pull divided by a weight.
 const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
 
 static SIDES: Choices<BowSide> = Choices(&[
@@ -163,12 +164,13 @@ static TYPES: Choices<AnchorType> = Choices(&[
     Choice {
         word: "stockless",
         value: AnchorType::Stockless,
-        doc: "ordinary stockless anchor, as Hall or Spek",
+        doc: "ordinary stockless anchor, such as a Hall or Spek anchor",
     },
     Choice {
         word: "high_holding_power",
         value: AnchorType::HighHoldingPower,
-        doc: "anchor of high holding power, as AC-14: at least twice that of a stockless anchor",
+        doc: "anchor of high holding power, such as AC-14, which holds at least twice as much as a \
+              stockless anchor of the same weight",
     },
 ]);
 

@@ -1,4 +1,4 @@
-//! Keys of the approach of a ship to a berth.
+//! Keys of the approach of a ship to a berth, with which a run may start.
 
 use fenderline_sim::Side;
 use serde_json::json;
@@ -13,9 +13,10 @@ use crate::units::measures as unit;
 
 pub(super) static APPROACH: TableSpec = TableSpec {
     what: "an approach",
-    doc: "The start of a berthing, in the terms of berth design: the ship meets a fender of the \
-        berth with a point of her side, at this speed and angle. Position, heading and velocity at \
-        the start follow from these keys; then the forces move the ship.",
+    doc: "The start of a berthing in the terms of berth design: a point of the ship's side meets a \
+        fender of the berth at a given speed and angle. The ship's position, heading and velocity \
+        at the start follow from the keys of the approach; after the start the forces move the \
+        ship.",
     keys: ApproachKey::ALL,
     rules: None,
 };
@@ -34,14 +35,14 @@ table_keys! {
             "speed_normal",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Refused,
-            "Speed at right angles to the berth, towards it.",
+            "Speed of the contact point towards the berth, at right angles to the berth.",
             &["\"0.12 m/s\""],
         ),
         ALONG: Number = key(
             "along",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: -10.0, high: 10.0 }),
             Is("0"),
-            "Speed along the berth, positive forward.",
+            "Speed of the ship along the berth, positive forward.",
             &["\"0.2 kn\""],
         ),
         ANGLE: Number = key(
@@ -65,8 +66,9 @@ table_keys! {
             Refused,
             "The point of the ship's side that meets the fender: \"quarter point\", \"third \
              point\" (a quarter, a third of the ship's length from the end that is nearer to the \
-             berth), \"midship\", or a distance forward of midship. Or the name of a fender, which \
-             the ship then meets with the part of her side that comes first.",
+             berth), \"midship\", or a distance forward of midship. Instead, the name of a fender \
+             may stand here: the ship then meets this fender with the part of her side that comes \
+             first.",
             &["\"quarter point\"", "\"-20 m\"", "\"midship\""],
         ),
         FENDER: Text = key(
@@ -96,8 +98,8 @@ table_keys! {
 
 static ABNORMAL: TableSpec = TableSpec {
     what: "an abnormal berthing",
-    doc: "How much an abnormal berthing exceeds the normal berthing. Energy goes with the square \
-        of the speed.",
+    doc: "How much an abnormal berthing exceeds the normal berthing. The berthing energy is \
+          proportional to the square of the speed.",
     keys: AbnormalKey::ALL,
     rules: Some(
         || json!({ "oneOf": [{ "required": ["energy_factor"] }, { "required": ["speed_factor"] }] }),
@@ -111,15 +113,15 @@ table_keys! {
             "energy_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 4.0 }),
             Unless("`speed_factor` is given"),
-            "Energy over the energy of the normal berthing: the speed is multiplied by the square \
-             root of this factor.",
+            "Energy of the abnormal berthing divided by the energy of the normal berthing: \
+             `speed_normal` is multiplied by the square root of this factor.",
             &["1.5"],
         ),
         SPEED_FACTOR: Number = key(
             "speed_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 2.0 }),
             Unless("`energy_factor` is given"),
-            "Speed over the speed of the normal berthing.",
+            "Speed of the abnormal berthing divided by the speed of the normal berthing.",
             &["1.25"],
         ),
     }

@@ -10,9 +10,9 @@ use crate::units::measures as unit;
 /// An azimuth unit.
 pub static AZIMUTH: TableSpec = TableSpec {
     what: "an azimuth unit",
-    doc: "A propeller that turns about the vertical. The thrust falls with speed like the thrust \
-        of an open Wageningen B4-70 of pitch ratio 1.0; the thrust of a ducted propeller falls \
-        more.",
+    doc: "An azimuth unit: a propeller that turns about the vertical. The thrust falls with the \
+          speed through the water like the thrust of an open propeller of the Wageningen series \
+          B4-70 with pitch ratio 1.0; the thrust of a ducted propeller would fall more.",
     keys: AzimuthKey::ALL,
     rules: None,
 };
@@ -24,21 +24,22 @@ table_keys! {
             "along",
             Kind::Quantity(PLACE),
             Refused,
-            "Place of the unit forward of midship.",
+            "Distance of the azimuth unit forward of midship.",
             &["\"-12 m\""],
         ),
         ACROSS: Number = key(
             "across",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Place of the unit to starboard of the centre line.",
+            "Distance of the azimuth unit to starboard of the centre line.",
             &["\"2.6 m\""],
         ),
         FORCE: Number = key(
             "force",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Refused,
-            "Thrust at zero speed and full power: the unit's part of the bollard pull.",
+            "Thrust of the azimuth unit at zero speed and full power, which is the unit's part of \
+             the bollard pull.",
             &["\"30 tf\""],
         ),
         DIAMETER: Number = key(
@@ -52,21 +53,21 @@ table_keys! {
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
             Is("\"12 deg/s\""),
-            "Rate of turning about the vertical.",
+            "Rate at which the azimuth unit turns about the vertical.",
             &["\"18 deg/s\""],
         ),
         LAG: Number = key(
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
             Is("3"),
-            "Time constant of the thrust.",
+            "Time constant with which the thrust follows the ordered power.",
             &["\"4 s\""],
         ),
         STOP: Number = key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
             Means("the unit turns all the way round"),
-            "Largest angle to either side of ahead.",
+            "Largest angle of the azimuth unit to either side of the direction ahead.",
             &["\"120 deg\""],
         ),
     }

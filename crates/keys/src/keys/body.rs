@@ -81,41 +81,44 @@ table_keys! {
         DOLPHIN: TableOf<DolphinKey> = key(
             "dolphin",
             Kind::Table(&DOLPHIN),
-            Means("a body that floats, or is `fixed`"),
-            "Makes the body a flexible dolphin: piles that bend, with their mass.",
+            Means("the body floats or is `fixed`"),
+            "Makes the body a flexible dolphin: a head on piles that bend, with the mass of head \
+             and piles.",
             &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
         ),
         OUTLINE: Points = key(
             "outline",
             Kind::Outline(POSITION),
             Means("the outline of the vessel"),
-            "Vertices, forward and to starboard of the centre of gravity, in either direction \
-             round the hull. The outline need not be convex.",
+            "Vertices of the body's outline, forward and to starboard of the centre of gravity, in \
+             either direction round the hull. The outline need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
         CHART_OUTLINE: Text = key(
             "chart_outline",
             Kind::Text,
             Means("`outline` gives the shape"),
-            "For a fixed body, instead of `outline`: the name of an area of the chart. The body \
-             has the shape and the place of this area. `position` and `heading` place the axes of \
-             the body, in which fenders and bollards are given.",
+            "For a fixed body: the name of an area of the chart that is the body's outline, \
+             instead of `outline`. The body has the shape and the place of the area of the chart. \
+             `position` and `heading` place the axes of the body, in which fenders and bollards \
+             are given.",
             &["\"quay 3\""],
         ),
         OUTLINES: ListOf<OutlineAtHeightKey> = key(
             "outlines",
             Kind::List(&OUTLINE_AT_HEIGHT),
             Means("one outline: vertical sides"),
-            "Outlines at two heights or more instead of `outline`. Each fender meets the outline \
-             at the height of the fender, with tide, heave, heel and trim. Other bodies meet the \
-             outline at the waterline. Coupled method only.",
+            "Outlines of the body at two or more heights, instead of `outline`. Each fender meets \
+             the body's outline at the height of the fender; tide, heave, heel and trim are taken \
+             into account. Other bodies meet the body's outline at the waterline. Coupled method \
+             only.",
             &["[{ height = 0, outline = [[-16, -6], [16, -6], [16, 6], [-16, 6]] }, \
                { height = \"12 m\", outline = [[-16, -7], [17, -7], [17, 7], [-16, 7]] }]"],
         ),
         DRAUGHT: Number = key(
             "draught",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
-            Unless("the body has no `outlines`, is fixed or a vessel"),
+            Unless("the body has no `outlines`, or is fixed or a vessel"),
             "Draught of a plain body with `outlines`: the height of its waterline above the keel.",
             &["\"9 m\""],
         ),
@@ -159,35 +162,36 @@ table_keys! {
             "added_mass",
             Kind::Table(&ADDED_MASS),
             Means("no added mass"),
-            "Added mass as fractions of mass and of yaw inertia.",
+            "Added mass of the body, as fractions of its mass and of its yaw inertia.",
             &["{ surge = 0.031, sway = 0.506, yaw = 0.72 }"],
         ),
         POSITION: Vector = key(
             "position",
             Kind::Vector(POSITION),
             Is("[0, 0]"),
-            "Initial position of the centre of gravity: north, east.",
+            "Initial position of the body's centre of gravity: north, east.",
             &["[0, 30]", "[\"1 km\", 0]"],
         ),
         HEADING: Number = key(
             "heading",
             Kind::Quantity(DIRECTION),
             Is("0"),
-            "Initial heading, clockwise from north.",
+            "Initial heading of the body, clockwise from north.",
             &["\"270 deg\""],
         ),
         VELOCITY: TableOf<VelocityKey> = key(
             "velocity",
             Kind::Table(&VELOCITY),
             Means("at rest"),
-            "Initial velocity in the body's axes.",
+            "Initial velocity of the body, along and about the body's own axes.",
             &["{ surge = \"4 kn\" }"],
         ),
         APPROACH: TableOf<ApproachKey> = key(
             "approach",
             Kind::Table(&APPROACH),
             Means("`position`, `heading` and `velocity` give the start"),
-            "The start of a berthing by speed and angle at a fender, instead of `position`, `heading` and `velocity`.",
+            "The start of a berthing by speed and angle at a fender, instead of `position`, \
+             `heading` and `velocity`.",
             &[],
         ),
     }
@@ -195,7 +199,7 @@ table_keys! {
 
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass",
-    doc: "Added mass as fractions of mass and of yaw inertia.",
+    doc: "Added mass of a body, as fractions of its mass and of its yaw inertia.",
     keys: AddedMassKey::ALL,
     rules: None,
 };
@@ -207,21 +211,21 @@ table_keys! {
             "surge",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
-            "Added mass in surge over mass.",
+            "Added mass in surge divided by the mass of the body.",
             &["0.031"],
         ),
         SWAY: Number = key(
             "sway",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
-            "Added mass in sway over mass.",
+            "Added mass in sway divided by the mass of the body.",
             &["0.506"],
         ),
         YAW: Number = key(
             "yaw",
             Kind::Quantity(ADDED_FRACTION),
             Is("0"),
-            "Added moment of inertia in yaw over yaw inertia.",
+            "Added moment of inertia in yaw divided by the body's yaw inertia.",
             &["0.72"],
         ),
     }
@@ -231,7 +235,7 @@ const ADDED_FRACTION: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0
 
 pub(super) static VELOCITY: TableSpec = TableSpec {
     what: "a velocity",
-    doc: "Velocity in the body's axes.",
+    doc: "Velocity of a body, along and about the body's own axes.",
     keys: VelocityKey::ALL,
     rules: None,
 };
@@ -239,12 +243,18 @@ pub(super) static VELOCITY: TableSpec = TableSpec {
 table_keys! {
     /// Keys of a velocity.
     pub VelocityKey {
-        SURGE: Number = key("surge", Kind::Quantity(SPEED), Is("0"), "Forward.", &["\"4 kn\""]),
+        SURGE: Number = key(
+            "surge",
+            Kind::Quantity(SPEED),
+            Is("0"),
+            "Velocity forward.",
+            &["\"4 kn\""],
+        ),
         SWAY: Number = key(
             "sway",
             Kind::Quantity(SPEED),
             Is("0"),
-            "To starboard.",
+            "Velocity to starboard.",
             &["\"-0.15 m/s\""],
         ),
         YAW: Number = key(

@@ -35,21 +35,21 @@ table_keys! {
             "files",
             Kind::FileNames,
             Refused,
-            "GeoJSON files, relative to the scenario file.",
+            "GeoJSON files of the chart, named relative to the scenario file.",
             &["[\"harbour.geojson\"]"],
         ),
         COORDINATES: OneOf<Coordinates> = key(
             "coordinates",
             Kind::Choice(&COORDINATES),
             Refused,
-            "Kind of coordinates in the files.",
+            "Kind of coordinates in the GeoJSON files: metres, or longitude and latitude.",
             &["\"longitude_latitude\""],
         ),
         PROJECTION: OneOf<Projection> = key(
             "projection",
             Kind::Choice(&PROJECTIONS),
             Unless("`coordinates` is \"metres\""),
-            "Projection of longitude and latitude to metres.",
+            "Projection that turns longitude and latitude into metres north and east.",
             &["\"transverse_mercator\""],
         ),
         ORIGIN: TableOf<ChartOriginKey> = key(
@@ -89,17 +89,18 @@ table_keys! {
     }
 }
 
-/// The range of UTM, beyond which a plane with north up is of little use (rad): 84 degrees.
+/// Largest latitude of a chart (rad): 84 degrees, the range of UTM. Nearer to a pole, a plane chart with north up is of
+/// little use.
 const LATITUDE: f64 = 84.0 * core::f64::consts::PI / 180.0;
 /// Half a turn (rad).
 const LONGITUDE: f64 = core::f64::consts::PI;
 
-/// What the coordinates of a GeoJSON file are.
+/// What the coordinates in a GeoJSON file are: metres or degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coordinates {
-    /// Metres east and north of the scenario's origin.
+    /// The coordinates are metres east and north of the scenario's origin.
     Metres,
-    /// Degrees on WGS 84.
+    /// The coordinates are longitude and latitude in degrees on WGS 84.
     LongitudeLatitude,
 }
 
@@ -107,21 +108,24 @@ static COORDINATES: Choices<Coordinates> = Choices(&[
     Choice {
         word: "metres",
         value: Coordinates::Metres,
-        doc: "East and north of the scenario's origin (m), in this order, as in every GeoJSON file.",
+        doc: "Each position is the distance east, then the distance north, of the scenario's \
+              origin (m).",
     },
     Choice {
         word: "longitude_latitude",
         value: Coordinates::LongitudeLatitude,
-        doc: "Longitude and latitude on WGS 84 (degrees), as the standard of GeoJSON says (RFC 7946).",
+        doc: "Each position is longitude, then latitude, on WGS 84 (degrees), as the standard of \
+              GeoJSON says (RFC 7946).",
     },
 ]);
 
 /// A kind of transverse Mercator projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
-    /// Central meridian through the origin, scale 1.
+    /// The projection's central meridian runs through the scenario's origin and has scale 1.
     ThroughOrigin,
-    /// Central meridian of the origin's zone of 6 degrees, scale 0.9996.
+    /// UTM: the central meridian is that of the 6-degree zone in which the scenario's origin lies, and has scale
+    /// 0.9996.
     Utm,
 }
 
@@ -129,15 +133,17 @@ static PROJECTIONS: Choices<Projection> = Choices(&[
     Choice {
         word: "transverse_mercator",
         value: Projection::ThroughOrigin,
-        doc: "Transverse Mercator with its central meridian through the origin and scale 1 there: \
-            true north is up at the origin, and distances near the origin are true.",
+        doc: "Transverse Mercator projection whose central meridian runs through the scenario's \
+            origin, with scale 1 there: true north is up at the origin, and distances near the \
+            origin are true.",
     },
     Choice {
         word: "utm",
         value: Projection::Utm,
-        doc: "Universal transverse Mercator in the origin's zone of 6 degrees (without the \
-              exceptions for Norway and Svalbard): grid north is up, and distances are grid \
-              distances, up to 0.1 % off. Differences of UTM coordinates of a survey are \
-              coordinates of the scenario.",
+        doc: "Universal transverse Mercator (UTM) in the 6-degree zone of the scenario's origin, \
+              without the exceptions for Norway and Svalbard: grid north is up, and distances are \
+              grid distances, which differ from true distances by up to 0.1 %. The differences \
+              between a survey's UTM coordinates and those of the origin are coordinates of the \
+              scenario.",
     },
 ]);

@@ -11,11 +11,11 @@ use crate::units::measures as unit;
 
 pub(super) static DOLPHIN: TableSpec = TableSpec {
     what: "a flexible dolphin",
-    doc: "Piles that hold a body at its place and bend under a ship: a spring with a mass, equal \
-          in all horizontal directions, in series with the fenders of the body. The body does not \
-          turn. Stiffness and mass are given, or follow from steel tubes: upright, fixed in the \
-          ground at the point of fixity, K = 3EI/L³. Coupled method and semi-implicit integrator \
-          only.",
+    doc: "Piles that hold a body at its place and bend under a ship. They are a spring with a \
+          mass, equally stiff in all horizontal directions, in series with the fenders of the \
+          body. A dolphin does not turn. Stiffness and mass are given, or follow from upright \
+          steel tubes that are fixed in the ground at the point of fixity, with the stiffness K = \
+          3EI/L³. A dolphin needs the coupled method and the semi-implicit integrator.",
     keys: DolphinKey::ALL,
     rules: Some(|| {
         json!({
@@ -42,15 +42,16 @@ table_keys! {
             "stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1e3, high: 1e12 }),
             Unless("`diameter`, `wall` and `length` are given"),
-            "Horizontal load over deflection, both at the height of the fender.",
+            "Stiffness of the dolphin: horizontal load divided by deflection, both at the height \
+             of the fender.",
             &["\"5 MN/m\""],
         ),
         MASS: Number = key(
             "mass",
             Kind::Quantity(MASS),
             Unless("`diameter`, `wall` and `length` are given"),
-            "Mass that moves with the head: the head itself, and about a quarter of the piles down to the point of fixity, \
-                  with the water that they move.",
+            "Mass that moves with the head of the dolphin: the head itself, about a quarter of the \
+             piles down to the point of fixity, and the water that head and piles move.",
             &["\"60 t\""],
         ),
         YIELD_LOAD: Number = key(
@@ -58,15 +59,15 @@ table_keys! {
             Kind::Quantity(FORCE),
             Means("it does not yield"),
             "Horizontal load at the height of the fender at which the piles yield. Deflection \
-             beyond this load is permanent.",
+             under a load beyond the yield load is permanent.",
             &["\"1500 kN\""],
         ),
         DAMPING: Number = key(
             "damping",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.99 }),
             Is("0.02"),
-            "Damping over the critical damping of the dolphin without ship and fender. The default \
-             is an assumption.",
+            "Damping of the dolphin divided by its critical damping, for the dolphin without ship \
+             and fender. The default damping is an assumption.",
             &["0.02"],
         ),
         DIAMETER: Number = key(
@@ -95,7 +96,7 @@ table_keys! {
             "piles",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("one"),
-            "Number of piles, which bend equally: their heads do not turn.",
+            "Number of piles. The piles bend equally, because the dolphin's head does not turn.",
             &["1"],
         ),
         MODULUS: Number = key(
@@ -117,9 +118,9 @@ table_keys! {
             "head_mass",
             Kind::Quantity(MASS),
             Means("nothing but the piles"),
-            "Mass of the head with fender and panel. The program adds 0.243 of the mass of the \
-             piles. It does not count water in and around the piles: add the mass of the water \
-             that moves.",
+            "Mass of the dolphin's head with fender and panel. The program adds to the mass of the \
+             head 0.243 of the mass of the piles. The program does not count the water in and \
+             around the piles: add the mass of the water that moves to the mass of the head.",
             &["\"40 t\""],
         ),
     }

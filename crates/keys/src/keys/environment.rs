@@ -43,8 +43,9 @@ table_keys! {
             Means("deep water"),
             "Depth of the water below datum; negative if the bottom is above datum. Shallow water \
              changes hull forces and added mass and makes a vessel squat; a vessel is aground if \
-             the depth is less than draught plus squat. The corrections are valid from 1.2 \
-             draughts on; below 1.1 draughts they keep their values for 1.1 draughts.",
+             the depth is less than draught plus squat. The corrections for shallow water are \
+             valid from a depth of 1.2 draughts on; below 1.1 draughts they keep their values for \
+             1.1 draughts.",
             &["\"14 m\""],
         ),
         BOTTOM: TableOf<BottomKey> = key(
@@ -66,7 +67,8 @@ table_keys! {
             "air_density",
             Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 0.5, high: 2.0 }),
             Is("1.225"),
-            "Density of the air. OCIMF's formulas are used with 1.28 kg/m³ (read in a user's calculation, not in the guideline).",
+            "Density of the air. OCIMF's wind formulas are used with an air density of 1.28 kg/m³ \
+             (which we read in a user's calculation, not in the guideline).",
             &["\"1.28 kg/m^3\""],
         ),
         SQUAT: OneOf<Option<Squat>> = key(
@@ -74,17 +76,18 @@ table_keys! {
             Kind::Choice(&SQUATS),
             Means("\"icorels\" if `depth` or `bottom` is given"),
             "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open \
-             water, or with the blockage of a channel. The formulas give the sinkage of the deepest point of the hull; here the whole \
-             hull sinks by this amount, without trim.",
+             water, or with the blockage of a channel. The formulas of squat give the sinkage of \
+             the deepest point of the hull; in the program the whole hull sinks by this amount, \
+             without trim.",
             &["\"icorels\""],
         ),
         TIDE: TableOf<TideKey> = key(
             "tide",
             Kind::Table(&TIDE),
             Means("the water level is at datum"),
-            "Level of the water above datum. The level is added to `depth`; heights on bodies that \
-             do not float (`above_water` of a fender, `bollard_height` of a line) count from \
-             datum.",
+            "Level of the water above datum. The level of the tide is added to `depth`; heights on \
+             bodies that do not float (`above_water` of a fender, `bollard_height` of a line) \
+             count from datum.",
             &["{ level = \"1.8 m\" }"],
         ),
         WIND: TableOf<WindKey> = key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
@@ -113,7 +116,7 @@ table_keys! {
             "interaction",
             Kind::Table(&INTERACTION),
             Is("{}"),
-            "How the flow about vessels and passing ships pushes vessels.",
+            "How the flow of water about vessels and passing ships pushes other vessels.",
             &[],
         ),
         VISIBILITY: Number = key(
@@ -128,8 +131,9 @@ table_keys! {
             "bank",
             Kind::List(&BANK),
             Is("[]"),
-            "UNVALIDATED. Banks that attract a vessel under way, each by its `method`. A bank is \
-             not an obstacle: add a fixed body for it.",
+            "UNVALIDATED. Banks that attract a vessel under way; the key `method` of each bank \
+             chooses the formula of its force. A bank alone does not stop a vessel: add a fixed \
+             body with the shape of the bank.",
             &["[{ from = [-500, 40], to = [500, 40] }]"],
         ),
     }
@@ -138,8 +142,9 @@ table_keys! {
 static TIDE: TableSpec = TableSpec {
     what: "a tide",
     doc: "Level of the water above datum: a constant `level`, constituents about a mean `level`, \
-          or a `file`. A vessel's hull forces, squat and under-keel clearance follow the tide. \
-          Added mass, and the depth in the formulas of waves, keep their values at the start.",
+          or a `file`. A vessel's hull forces, squat and under-keel clearance follow the tide. The \
+          tide does not change added mass and the depth in the formulas of waves: both keep their \
+          values at the start.",
     keys: TideKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
@@ -156,23 +161,24 @@ table_keys! {
             "level",
             Kind::Quantity(LEVEL),
             Unless("`file` is given"),
-            "Level above datum; the mean level if there are constituents.",
+            "Level of the water above datum; if the tide has constituents, the mean level.",
             &["\"1.8 m\""],
         ),
         CONSTITUENT: ListOf<ConstituentKey> = key(
             "constituent",
             Kind::List(&CONSTITUENT),
             Is("[]"),
-            "Constituents of the tide. Each adds amplitude x cos(2 pi t / period - lag) to the \
-             level.",
+            "Constituents of the tide. Each constituent adds amplitude x cos(2 pi t / period - \
+             lag) to the water level.",
             &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
         ),
         FILE: Text = key(
             "file",
             Kind::FileName,
             Unless("`level` is given"),
-            "The level in time: a CSV file beside the scenario with the columns t_s and level_m. \
-             Linear between the rows; constant before the first and after the last row.",
+            "The water level in time: a CSV file beside the scenario with the columns t_s and \
+             level_m. The level is linear between the rows, and constant before the first and \
+             after the last row.",
             &["\"tide.csv\""],
         ),
     }
@@ -202,14 +208,15 @@ table_keys! {
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 60.0, high: 1e9 }),
             Refused,
-            "Period; the period of M2 is 12.4206 h.",
+            "Period of the constituent; the period of the tidal constituent M2 is 12.4206 h.",
             &["\"12.4206 h\""],
         ),
         LAG: Number = key(
             "lag",
             Kind::Quantity(DIRECTION),
             Is("0"),
-            "Phase lag; with 0, high water is at the start.",
+            "Phase lag of the constituent; with a lag of 0, the constituent has its high water at \
+             the start.",
             &["\"90 deg\""],
         ),
     }
@@ -254,8 +261,8 @@ table_keys! {
             Kind::FileName,
             Unless("`speed` and `from` are given"),
             "A wind that changes in time: a CSV file beside the scenario with the columns t_s, \
-             speed_mps and from_deg. Linear between the rows, with the direction by the shorter \
-             turn; constant before the first and after the last row.",
+             speed_mps and from_deg. The wind changes linearly between the rows, its direction by \
+             the shorter turn; before the first and after the last row the wind is constant.",
             &["\"wind.csv\""],
         ),
         GUSTS: Flag = key(
@@ -326,22 +333,24 @@ table_keys! {
         PROFILE: ListOf<LayerKey> = key(
             "profile",
             Kind::List(&LAYER),
-            Means("the same at every depth"),
-            "The current by depth, downwards: linear between the depths, constant above the first \
-             and below the last depth.",
+            Means("the current is the same at every depth"),
+            "The current at several depths, from the surface downwards: it is linear between the \
+             depths, and constant above the first and below the last depth.",
             &[
-                "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 }]",
+                "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 \
+                 }]",
             ],
         ),
         FILE: Text = key(
             "file",
             Kind::FileName,
             Unless("`speed` and `towards`, or `profile`, are given"),
-            "A current by place and time: a CSV file beside the scenario. Columns: the velocity as \
-             north_mps and east_mps, or as speed_mps and towards_deg; north_m and east_m, without \
-             which the current is uniform; t_s, without which the current is steady. One row for \
-             each combination of north_m, east_m and t_s, in any order. Linear in time, bilinear \
-             in place; outside the grid the value at its edge is used.",
+            "A current by place and time: a CSV file beside the scenario. The columns north_mps \
+             and east_mps, or speed_mps and towards_deg, give the velocity; without the columns \
+             north_m and east_m the current is uniform, and without the column t_s it is steady. \
+             The file has one row for each combination of north_m, east_m and t_s, in any order. \
+             The current is interpolated linearly in time and bilinearly in place; outside the \
+             grid it has the value at the edge of the grid.",
             &["\"current.csv\""],
         ),
     }
@@ -351,7 +360,7 @@ const CURRENT_SPEED: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high
 
 static LAYER: TableSpec = TableSpec {
     what: "a layer of a current",
-    doc: "The current at a depth.",
+    doc: "The current at one depth.",
     keys: LayerKey::ALL,
     rules: None,
 };
@@ -385,7 +394,7 @@ table_keys! {
 
 static WAVES: TableSpec = TableSpec {
     what: "a sea",
-    doc: "Waves: JONSWAP, or one regular wave.",
+    doc: "Waves: a sea with a JONSWAP spectrum, or one regular wave.",
     keys: WavesKey::ALL,
     rules: Some(|| {
         json!({ "not": {
@@ -401,14 +410,14 @@ table_keys! {
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
             Refused,
-            "Significant height, or height of the regular wave.",
+            "Significant wave height, or height of the regular wave.",
             &["\"1.2 m\""],
         ),
         PERIOD: Number = key(
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
             Refused,
-            "Peak period, or period of the regular wave.",
+            "Peak period of the spectrum, or period of the regular wave.",
             &["\"8 s\""],
         ),
         FROM: Number = key(
@@ -422,7 +431,7 @@ table_keys! {
             "regular",
             Kind::Flag,
             Is("false"),
-            "One regular wave instead of a spectrum.",
+            "If true, the sea is one regular wave instead of a spectrum.",
             &["true"],
         ),
         PEAKEDNESS: Number = key(
@@ -436,9 +445,9 @@ table_keys! {
             "spreading",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("long crests: all waves run in one direction"),
-            "Exponent n of a cos^n spreading of the energy about the mean direction, for short \
-             crests: 2 for a wind sea, more for swell. Mean forces are smaller than in long \
-             crests. Not for a regular wave.",
+            "For a short-crested sea: exponent n of a cos^n spreading of the wave energy about the \
+             mean direction; 2 for a wind sea, more for swell. The mean wave forces in short \
+             crests are smaller than in long crests. A regular wave may not have this key.",
             &["2"],
         ),
         SEED: Number = key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
@@ -456,12 +465,14 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
     Choice {
         word: "barrass",
         value: Some(Squat::Barrass),
-        doc: "Barrass in open water: block coefficient x knots^2 / 100, the same at every depth; for 1.1 to 1.4 draughts",
+        doc: "Barrass's formula for open water: block coefficient x knots^2 / 100, the same at \
+              every depth; valid for depths of 1.1 to 1.4 draughts",
     },
     Choice {
         word: "eryuzlu",
         value: Some(Squat::Eryuzlu),
-        doc: "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts",
+        doc: "formula of Eryuzlu et al. (1994) for open water; valid for depths of 1.1 to 2.5 \
+              draughts",
     },
     Choice {
         word: "barrass_channel",
@@ -486,22 +497,22 @@ table_keys! {
             "from",
             Kind::Vector(POSITION),
             Refused,
-            "One end: north, east.",
+            "Position of one end of the bank: north, east.",
             &["[-500, 40]"],
         ),
         TO: Vector = key(
             "to",
             Kind::Vector(POSITION),
             Refused,
-            "The other end: north, east.",
+            "Position of the other end of the bank: north, east.",
             &["[500, 40]"],
         ),
         METHOD: OneOf<BankMethod> = key(
             "method",
             Kind::Choice(&BANK_METHODS),
             Is("\"norrbin\""),
-            "Method for the force of the bank. `environment.interaction` gives the sectional areas \
-             for \"image\".",
+            "Method for the force of the bank. The method \"image\" takes the vessel's sectional \
+             areas from `environment.interaction`.",
             &["\"image\""],
         ),
     }
@@ -512,33 +523,38 @@ static BANK_METHODS: Choices<BankMethod> = Choices(&[
         word: "norrbin",
         value: BankMethod::Norrbin,
         doc: "Norrbin's formulas for a vertical wall, which draw a vessel to the wall and turn her \
-            bow away. The formulas are from memory; we could not read a source",
+            bow away. We wrote Norrbin's formulas from memory; we could not read a source",
     },
     Choice {
         word: "image",
         value: BankMethod::Image,
         doc: "the flow of the vessel's image behind the wall, for slender ships in potential flow \
-            without waves and lift, with the depth by images in the bottom: suction alone, and no \
-            moment that turns the bow away. By comparison with panels the force is 12 to 63 % too \
-            small. It is left out nearer than an eighth of the beam, at more than 30 degrees, and \
-            for vessels shorter than 3.5 beams",
+            without waves and lift; images in the bottom give the effect of the depth. The force \
+            is suction alone, without a moment that turns the bow away. Compared with a panel \
+            method, the suction force is 12 to 63 % too small. The force is left out nearer to the \
+            bank than an eighth of the beam, at more than 30 degrees to the bank, and for vessels \
+            shorter than 3.5 beams",
     },
 ]);
 
 /// The description of `wave_response`.
 pub(super) const WAVE_RESPONSE_DOC: &str = "First-order motion of the vessel in waves by a table \
-    of response amplitude operators: a CSV file beside the scenario. Columns: omega_radps, the \
-    frequency of the waves; heading_deg, the direction in which the waves run, from the bow: 0 \
-    from astern, 90 from port, 180 from ahead, from 0 to 180 (from starboard is the mirror); \
-    heave_mpm, roll_degpm and pitch_degpm, and optionally surge_mpm, sway_mpm and yaw_degpm: \
-    amplitude in a wave of 1 m amplitude; and the phase of each, heave_phase_deg and so on: the \
-    lead of the motion's maximum over the crest's passage amidships. Motions of midship: surge \
-    forward, sway to starboard, heave DOWN, roll to starboard, pitch bow up, yaw to starboard. One \
-    row for each combination of frequency and heading. Linear between the rows; outside the grid \
-    the value at its edge is used.";
+    of response amplitude operators: a CSV file beside the scenario. The column omega_radps is the \
+    frequency of the waves. The column heading_deg is the direction in which the waves run, \
+    relative to the bow: 0 for waves from astern, 90 from port, 180 from ahead; waves from \
+    starboard follow by mirror symmetry. The columns heave_mpm, roll_degpm and pitch_degpm, and \
+    optionally surge_mpm, sway_mpm and yaw_degpm, are the amplitudes of the motions in a wave of 1 \
+    m amplitude. The columns heave_phase_deg and so on are the phases of the motions: the lead of \
+    the motion's maximum over the passage of the crest amidships. The motions are those of \
+    midship, positive as follows: surge forward, sway to starboard, heave DOWN, roll to starboard, \
+    pitch bow up, yaw to starboard. The file has one row for each combination of frequency and \
+    heading. The operators are linear between the rows; outside the grid the value at the edge of \
+    the grid is used.";
 
-pub(super) const HYDRODYNAMICS_DOC: &str = "Hydrodynamic data by a panel code: a file beside this one, which the Python package \
-    makes of files of Capytaine, WAMIT, HAMS, Nemoh or AQWA (`fenderline.hydrodynamics`). She then moves in six degrees of freedom by \
-    Cummins' equation: with added mass and damping by frequency, exciting forces, mean and slow drift; fenders and lines act where \
-    they are in space, and heave, roll and pitch move them. Mass, centre of gravity and restoring are those of the file, in place of \
-    `stability`.";
+pub(super) const HYDRODYNAMICS_DOC: &str = "Hydrodynamic data of the vessel by a panel code: a \
+    file beside the scenario file, which the Python module `fenderline.hydrodynamics` makes of \
+    files of Capytaine, WAMIT, HAMS, Nemoh or AQWA. With such data the vessel moves in six degrees \
+    of freedom by Cummins' equation, with added mass and damping by frequency, exciting forces, \
+    mean and slow drift. Fenders and lines act where they are in space, and heave, roll and pitch \
+    move them. Mass, centre of gravity and restoring come from the file of hydrodynamic data, in \
+    place of `stability`.";

@@ -14,19 +14,19 @@ use crate::typed_key::AnyKey;
 use crate::units::measures as unit;
 use crate::{any_keys, table_keys};
 
-/// An event has exactly one of these keys.
+/// The keys that say what happens in an event; each event has exactly one of these keys.
 pub const WHAT: &[AnyKey<EventKey>] = any_keys![
     EventKey: WIND, CURRENT, VISIBILITY, FAULT, THRUSTER_OUT, LINE_PARTS, TUG_OUT
 ];
-/// The kinds of events that can end.
+/// The keys of events that can end, such as a fault.
 pub const CAN_END: &[AnyKey<EventKey>] = any_keys![EventKey: FAULT, THRUSTER_OUT, TUG_OUT];
-/// The kinds of events that concern a vessel.
+/// The keys of events that concern a vessel, and so need the key `vessel`.
 pub const OF_VESSEL: &[AnyKey<EventKey>] = any_keys![EventKey: FAULT, THRUSTER_OUT];
 
 pub(super) static EVENT: TableSpec = TableSpec {
     what: "an event",
-    doc: "A change of the weather, or a fault, at a time; each [[event]] has one change or fault. \
-        In a live session the instructor sees the events and can cancel them.",
+    doc: "A change of the weather, or a fault, at a time of the run; each [[event]] has one change \
+        or fault. In a live session the instructor sees the events and can cancel them.",
     keys: EventKey::ALL,
     rules: Some(|| {
         let of = |keys: &[AnyKey<EventKey>]| -> Vec<_> {
@@ -52,27 +52,34 @@ pub(super) static EVENT: TableSpec = TableSpec {
 table_keys! {
     /// Keys of an event.
     pub EventKey {
-        AT: Number = key("at", Kind::Quantity(TIME), Is("0"), "When it happens.", &["\"12 min\""]),
+        AT: Number = key(
+            "at",
+            Kind::Quantity(TIME),
+            Is("0"),
+            "When the event happens.",
+            &["\"12 min\""],
+        ),
         WIND: TableOf<WindChangeKey> = key(
             "wind",
             Kind::Table(&WIND),
             ANOTHER,
-            "The mean wind changes. Gusts go on in proportion to the mean wind; a wind from a file \
-             becomes steady.",
+            "The mean wind changes. After the change, gusts go on in proportion to the new mean \
+             wind; a wind from a file becomes steady.",
             &["{ speed = \"14 m/s\", from = \"270 deg\", over = \"5 min\" }"],
         ),
         CURRENT: TableOf<CurrentChangeKey> = key(
             "current",
             Kind::Table(&CURRENT),
             ANOTHER,
-            "A uniform current in place of the present one.",
+            "The current becomes a uniform current with this speed and direction, in place of the \
+             present current.",
             &["{ speed = \"1 kn\", towards = \"180 deg\", over = \"5 min\" }"],
         ),
         VISIBILITY: TableOf<VisibilityChangeKey> = key(
             "visibility",
             Kind::Table(&VISIBILITY),
             ANOTHER,
-            "How far people see in a live session changes.",
+            "The visibility changes: how far people see in a live session.",
             &["{ distance = \"300 m\", over = \"5 min\" }"],
         ),
         VESSEL: Name = key(
@@ -86,36 +93,37 @@ table_keys! {
             "fault",
             Kind::Choice(&FAULTS),
             ANOTHER,
-            "A fault of the vessel.",
+            "A fault of the vessel's machinery, steering or instruments.",
             &["\"engine_lost\""],
         ),
         THRUSTER_OUT: Text = key(
             "thruster_out",
             Kind::Text,
             ANOTHER,
-            "Name of a thruster or azimuth unit of the vessel, which trips.",
+            "Name of a thruster or azimuth unit of the vessel that fails.",
             &["\"bow\""],
         ),
         LINE_PARTS: Text = key(
             "line_parts",
             Kind::Text,
             ANOTHER,
-            "Name of a line, which parts. If the line is not fast at that time, nothing happens, \
-             and this is reported.",
+            "Name of a mooring line that parts. If the line is not fast at the time of the event, \
+             nothing happens, and the run reports that nothing happened.",
             &["\"spring\""],
         ),
         TUG_OUT: Text = key(
             "tug_out",
             Kind::Text,
             ANOTHER,
-            "Name of a vector tug, which drops out.",
+            "Name of a vector tug that drops out.",
             &["\"one\""],
         ),
         ENDS: Flag = key(
             "ends",
             Kind::Flag,
             Is("false"),
-            "For `fault`, `thruster_out` and `tug_out`: the fault ends at this time.",
+            "For `fault`, `thruster_out` and `tug_out`: if true, the fault ends at the time of \
+             this event.",
             &["true"],
         ),
     }
@@ -126,13 +134,13 @@ const OVER: KeySpec = key(
     "over",
     Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: Change::LONGEST_S }),
     Is("0"),
-    "Duration of a gradual change.",
+    "Duration of a gradual change; with 0 the change is sudden.",
     &["\"5 min\""],
 );
 
 static WIND: TableSpec = TableSpec {
     what: "a change of the wind",
-    doc: "The mean wind changes: the speed linearly, the direction by the shorter turn.",
+    doc: "The mean wind changes gradually: its speed linearly, its direction by the shorter turn.",
     keys: WindChangeKey::ALL,
     rules: None,
 };
@@ -164,8 +172,8 @@ table_keys! {
 
 static CURRENT: TableSpec = TableSpec {
     what: "a change of the current",
-    doc: "A uniform current: the speed changes linearly, the direction by the shorter turn. A \
-        gradual change begins with the current at the scenario's origin.",
+    doc: "The current becomes uniform and changes gradually: its speed linearly, its direction by \
+        the shorter turn. A gradual change begins with the current at the scenario's origin.",
     keys: CurrentChangeKey::ALL,
     rules: None,
 };
@@ -197,8 +205,8 @@ table_keys! {
 
 static VISIBILITY: TableSpec = TableSpec {
     what: "a change of the visibility",
-    doc: "How far people see. A gradual change has equal ratios in equal times; clear visibility \
-        counts as 20 km.",
+    doc: "How far people see. In a gradual change the visibility changes by equal ratios in equal \
+          times; clear visibility counts as 20 km.",
     keys: VisibilityChangeKey::ALL,
     rules: None,
 };
@@ -225,17 +233,17 @@ static FAULTS: Choices<Fault> = Choices(&[
     Choice {
         word: "rudder_stuck",
         value: Fault::RudderStuck,
-        doc: "the rudder stays at its angle; azimuth units do not turn",
+        doc: "the rudder stays at its present angle; azimuth units do not turn",
     },
     Choice {
         word: "follow_up_lost",
         value: Fault::FollowUpLost,
-        doc: "the rudder runs to its stop on the side of the order",
+        doc: "the rudder runs to its stop on the side of the rudder order",
     },
     Choice {
         word: "engine_lost",
         value: Fault::EngineLost,
-        doc: "the shaft runs down; azimuth units give no thrust",
+        doc: "the engine fails: the shaft runs down, and azimuth units give no thrust",
     },
     Choice {
         word: "thrusters_lost",

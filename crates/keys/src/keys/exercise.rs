@@ -1,4 +1,4 @@
-//! Keys of an exercise: what a pilot is asked to do, and how it is marked.
+//! Keys of an exercise: what a pilot is asked to do, and how the pilot's work is scored.
 
 use fenderline_sim::exercise::Measure;
 use serde_json::{Value, json};
@@ -13,25 +13,26 @@ use crate::typed_key::{AnyKey, Key};
 use crate::units::measures as unit;
 use crate::{any_keys, table_keys};
 
-/// What an exercise asks for.
+/// The goal of an exercise: where the ship must come to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoalWord {
-    /// Alongside, at rest, with lines fast.
+    /// The ship lies alongside the berth, at rest, with her lines fast.
     AllFast,
-    /// Alongside, at rest.
+    /// The ship lies alongside the berth, at rest.
     Alongside,
-    /// Off the berth, with all lines on board.
+    /// The ship is off the berth, with all her lines on board.
     Clear,
-    /// Brought up: at rest, with anchors that hold.
+    /// The ship is brought up: at rest, with anchors that hold.
     Anchored,
 }
 
 pub(super) static EXERCISE: TableSpec = TableSpec {
     what: "an exercise",
-    doc: "A goal for the pilot, and limits with points. The score begins at 100; an exceeded limit \
-        costs points in proportion to the excess, up to all points of the limit at `worst`. Live \
-        pages show goal and score. The summary and the report of a run or a session list every \
-        deduction with its cause. An exercise does not change the run.",
+    doc: "An exercise is a goal for the pilot, and limits that cost points if they are exceeded. \
+        The score begins at 100. An exceeded limit costs points in proportion to the excess; at \
+        the value `worst` it costs all the points of the limit. The pages of a live session show \
+        goal and score. The summary and the report of a run or a session list every deduction with \
+        its cause. An exercise does not change the run.",
     keys: ExerciseKey::ALL,
     rules: Some(|| {
         let rules: Vec<_> = GOALS.0.iter().map(|goal| goal_rule(goal.word, goal.value)).collect();
@@ -53,22 +54,22 @@ table_keys! {
             "vessel",
             Kind::BodyName,
             Refused,
-            "The ship: a body with a vessel.",
+            "The ship that the pilot handles: a body with a vessel.",
             &["\"ship\""],
         ),
         GOAL: OneOf<GoalWord> = key(
             "goal",
             Kind::Choice(&GOALS),
             Refused,
-            "The goal. When it is reached, the exercise ends.",
+            "The goal of the exercise. When the goal is reached, the exercise ends.",
             &["\"all_fast\""],
         ),
         BERTH: Name = key(
             "berth",
             Kind::BodyName,
             Means(
-                "the body without a vessel that has most fenders; among equals, the body nearest \
-                 to the ship",
+                "the body without a vessel that has most fenders; of several with equally many, \
+                 the body nearest to the ship",
             ),
             "The body with the fenders of the berth.",
             &["\"quay\""],
@@ -77,14 +78,15 @@ table_keys! {
             "lines",
             Kind::Texts,
             Means("all lines of the ship"),
-            "For `all_fast`: the lines that count.",
+            "For `all_fast`: names of the lines that count as fast lines.",
             &["[\"head\", \"stern\"]"],
         ),
         AT_LEAST: Number = key(
             "at_least",
             Kind::Quantity(COUNT),
             Means("all lines for `all_fast`, one anchor for `anchored`"),
-            "For `all_fast` and `anchored`: how many of the lines or anchors are needed.",
+            "For `all_fast` and `anchored`: how many lines must be fast, or how many anchors must \
+             hold.",
             &["1"],
         ),
         LEAST_TENSION: Number = key(
@@ -105,7 +107,7 @@ table_keys! {
             "anchors",
             Kind::Texts,
             Means("all anchors of the ship"),
-            "For `anchored`: the anchors that count.",
+            "For `anchored`: names of the anchors that count.",
             &["[\"port\", \"starboard\"]"],
         ),
         CHAIN_OUT: Number = key(
@@ -126,9 +128,10 @@ table_keys! {
             "distance",
             Kind::Quantity(LENGTH),
             Means("0.5 m; 30 m for `clear`; 50 m for `anchored`"),
-            "Greatest distance of bow and stern from the line of the fenders; for `clear` the \
-             least distance. Bow and stern are the ends of the flat part of the ship's side. For \
-             `anchored`: greatest distance of an anchor from `position`.",
+            "Greatest distance of bow and stern from the line of the fenders with which the goal \
+             is reached; for `clear`, the least distance. For this distance, bow and stern are the \
+             ends of the flat part of the ship's side. For `anchored`, the key gives the greatest \
+             distance of an anchor from `position`.",
             &["\"0.3 m\""],
         ),
         REST_SPEED: Number = key(
@@ -136,21 +139,22 @@ table_keys! {
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Is("0.05"),
             "For `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative \
-             to the berth; without a berth, greatest speed of the ship's origin over ground.",
+             to the berth with which the ship counts as at rest; without a berth, greatest speed \
+             over ground of the ship's origin.",
             &["\"0.03 m/s\""],
         ),
         HOLD: Number = key(
             "hold",
             Kind::Quantity(DURATION),
             Is("10"),
-            "How long the goal must hold without a break.",
+            "How long the goal must be met without a break.",
             &["\"30 s\""],
         ),
         TIME_LIMIT: Number = key(
             "time_limit",
             Kind::Quantity(DURATION),
             Means("no limit"),
-            "After this time the exercise ends, even if the goal is not reached.",
+            "Time after which the exercise ends, even if the goal is not reached.",
             &["\"90 min\""],
         ),
         PASS_MARK: Number = key(
@@ -194,7 +198,7 @@ static GOALS: Choices<GoalWord> = Choices(&[
 ]);
 
 impl GoalWord {
-    /// The keys that the goal does not use.
+    /// The keys of an exercise that do not apply to this goal.
     pub fn unused(self) -> &'static [AnyKey<ExerciseKey>] {
         match self {
             GoalWord::AllFast => any_keys![ExerciseKey: ANCHORS, CHAIN_OUT, POSITION],
@@ -215,7 +219,8 @@ impl GoalWord {
     }
 }
 
-/// The rule of the schema for a goal: no keys that it does not use; for `anchored`, `distance` only with `position`.
+/// The rule of the JSON schema for a goal: the exercise has no keys that do not apply to this goal, and for `anchored`
+/// it has `distance` only with `position`.
 fn goal_rule(word: &str, goal: GoalWord) -> Value {
     let unused: Vec<_> =
         goal.unused().iter().map(|key| json!({ "required": [key.name()] })).collect();
@@ -231,7 +236,7 @@ fn goal_rule(word: &str, goal: GoalWord) -> Value {
 
 const DURATION: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e6 };
 const POINTS: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
-/// A share: of rated, of break load, of full revolutions.
+/// Bounds of a share, such as a share of a rated value, of the break load or of full revolutions.
 const SHARE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
 const SPEED: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 100.0 };
 const ANGLE: Quantity = Quantity { measure: &unit::ANGLE, low: 0.0, high: 1.6 };
@@ -241,7 +246,8 @@ const POINTS_KEY: KeySpec = key(
     "points",
     Kind::Quantity(POINTS),
     Refused,
-    "Points that the limit costs, of the score of 100; in full at `worst` and beyond.",
+    "Points of the score of 100 that the limit costs; they are lost in full at the value `worst` \
+     and beyond.",
     &["20"],
 );
 const FAILS_KEY: KeySpec = key(
@@ -253,17 +259,17 @@ const FAILS_KEY: KeySpec = key(
 );
 
 const fn most(quantity: Quantity, examples: &'static [&'static str]) -> KeySpec {
-    let doc = "The greatest value that costs nothing.";
+    let doc = "The greatest value of the limited quantity that costs no points.";
     key("most", Kind::Quantity(quantity), Refused, doc, examples)
 }
 
 const fn least() -> KeySpec {
-    let doc = "The least value that costs nothing.";
+    let doc = "The least value of the limited quantity that costs no points.";
     key("least", Kind::Quantity(DISTANCE), Refused, doc, &["\"2 m\""])
 }
 
 const fn worst(quantity: Quantity, absent: Absent, examples: &'static [&'static str]) -> KeySpec {
-    let doc = "The value that costs all points.";
+    let doc = "The value of the limited quantity that costs all points of the limit.";
     key("worst", Kind::Quantity(quantity), absent, doc, examples)
 }
 
@@ -291,7 +297,7 @@ table_keys! {
     }
 }
 
-/// The table of a limit with a greatest value.
+/// Declares the table of a limit that says how large a quantity may become.
 macro_rules! at_most {
     ($name:ident, $what:literal, $doc:literal, $quantity:expr, $example:literal $(, near $within:literal)?) => {
         static $name: TableSpec = TableSpec {
@@ -309,7 +315,7 @@ macro_rules! at_most {
     };
 }
 
-/// The table of a limit with a least value.
+/// Declares the table of a limit that says how small a quantity may become.
 macro_rules! at_least {
     ($name:ident, $what:literal, $doc:literal) => {
         static $name: TableSpec = TableSpec {
@@ -332,7 +338,7 @@ at_most!(
 at_most!(
     AHEAD_SPEED,
     "a limit of the speed ahead",
-    "Speed along the ship's axis, ahead or astern, relative to the berth.",
+    "Speed of the ship along her own axis, ahead or astern, relative to the berth.",
     SPEED,
     "\"0.3 m/s\"",
     near "20"
@@ -340,7 +346,7 @@ at_most!(
 at_most!(
     ANGLE_LIMIT,
     "a limit of the angle",
-    "Angle between ship and berth, either way.",
+    "Angle between ship and berth, with the bow or with the stern nearer to the berth.",
     ANGLE,
     "\"3 deg\"",
     near "20"
@@ -348,8 +354,9 @@ at_most!(
 at_most!(
     ENGINE,
     "a limit of the engine",
-    "Revolutions over full revolutions, ahead or astern; for azimuth units, power over full power. \
-     The wash of the propeller moves vessels near it.",
+    "Revolutions of the engine divided by full revolutions, ahead or astern; for azimuth units, \
+     power divided by full power. The engine is limited near the berth because the propeller's \
+     wash moves vessels there.",
     SHARE,
     "0.3",
     near "20"
@@ -357,21 +364,22 @@ at_most!(
 at_most!(
     FENDER,
     "a limit of the load of fenders",
-    "Energy or reaction of a fender of the berth over the rated value.",
+    "Energy or reaction of a fender of the berth, divided by the rated value.",
     SHARE,
     "\"80 %\""
 );
 at_most!(
     LINE,
     "a limit of the load of lines",
-    "Tension over break load of any line that is fast to the ship, towlines included.",
+    "Tension of any line that is fast to the ship, towlines included, divided by the line's break \
+     load.",
     SHARE,
     "\"50 %\""
 );
 at_most!(
     CHAIN,
     "a limit of the load of chains",
-    "Tension over break load of any anchor chain of the ship.",
+    "Tension of any anchor chain of the ship, divided by the chain's break load.",
     SHARE,
     "\"40 %\""
 );
@@ -392,15 +400,16 @@ at_least!(UNDER_KEEL, "a limit of the water under the keel", "Water under the ke
 
 static TOUCH: TableSpec = TableSpec {
     what: "a limit of touches",
-    doc: "The hull touches a structure or another hull without a fender between them.",
+    doc: "Touches of the hull with a structure or another hull, without a fender between the two.",
     keys: &[POINTS_KEY, FAILS_KEY],
     rules: None,
 };
 
-/// The keys are those of `fenderline_sim::exercise::Measure`, in its order.
+/// The limits of an exercise. The keys are the variants of `fenderline_sim::exercise::Measure`, in the order of that
+/// type.
 static LIMITS: TableSpec = TableSpec {
     what: "the limits of an exercise",
-    doc: "What costs points.",
+    doc: "The limits of an exercise whose excess costs points.",
     keys: ExerciseLimitKey::ALL,
     rules: None,
 };
@@ -439,7 +448,7 @@ const fn limit(name: &'static str, table: &'static TableSpec, doc: &'static str)
     key(name, Kind::Table(table), Means("no such limit"), doc, &[])
 }
 
-/// The key of a measure in the limits of an exercise.
+/// The key in the limits of an exercise that limits the quantity `measure`.
 pub fn limit_key(measure: Measure) -> Key<ExerciseLimitKey, TableOf<ScoreKey>> {
     match measure {
         Measure::ApproachSpeed => ExerciseLimitKey::APPROACH_SPEED,

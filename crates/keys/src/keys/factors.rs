@@ -16,7 +16,7 @@ pub(super) static FACTORS: TableSpec = TableSpec {
     what: "a table of partial factors",
     doc: "Partial factors on the results of the run, with their source. fenderline has no factors \
         of any guideline, and claims no conformity: take the factors of your guideline. Report, \
-        summary and verdict show the factors with the source.",
+        summary and verdict of a run show the partial factors with their source.",
     keys: FactorsKey::ALL,
     rules: Some(|| {
         json!({
@@ -42,21 +42,22 @@ table_keys! {
             "energy",
             Kind::Quantity(FACTOR),
             Means("energies have no factor"),
-            "Factor on the energy that a fender absorbs. The product is compared with the rated \
-             energy.",
+            "Factor on the energy that a fender absorbs. The absorbed energy times this factor is \
+             compared with the rated energy.",
             &["1.25"],
         ),
         REACTION: Number = key(
             "reaction",
             Kind::Quantity(FACTOR),
             Means("reactions have no factor"),
-            "Factor on the reaction of a fender. The product is compared with `reaction_limit`.",
+            "Factor on the reaction of a fender. The reaction times this factor is compared with \
+             `reaction_limit`.",
             &["1.1"],
         ),
         REACTION_LIMIT: Number = key(
             "reaction_limit",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e10 }),
-            Means("factored reactions are shown, and compared with nothing"),
+            Means("the results show the factored reactions without comparing them with a limit"),
             "Reaction that the structure behind a fender can resist.",
             &["\"1.8 MN\""],
         ),
@@ -64,14 +65,15 @@ table_keys! {
             "line_load",
             Kind::Quantity(FACTOR),
             Means("line loads have no factor"),
-            "Factor on the tension of a line. The product is compared with `line_capacity`.",
+            "Factor on the tension of a line. The tension times this factor is compared with \
+             `line_capacity`.",
             &["1.3"],
         ),
         LINE_CAPACITY: OneOf<LineCapacity> = key(
             "line_capacity",
             Kind::Choice(&CAPACITIES),
             Is("\"working_load\""),
-            "Capacity with which a factored tension is compared.",
+            "Capacity of a line with which its factored tension is compared.",
             &["\"break_load\""],
         ),
     }
@@ -86,6 +88,6 @@ static CAPACITIES: Choices<LineCapacity> = Choices(&[
     Choice {
         word: "break_load",
         value: LineCapacity::BreakLoad,
-        doc: "the least break load of rope and tail",
+        doc: "the break load of the line: the smaller one of the break loads of rope and tail",
     },
 ]);

@@ -15,11 +15,12 @@ const STIFFNESS: Quantity = Quantity { measure: &unit::STIFFNESS, low: 0.0, high
 /// A fender.
 pub static FENDER: TableSpec = TableSpec {
     what: "a fender",
-    doc: "A fender on a quay, on a tug's bow or along a ship's belting. A fender touches the \
+    doc: "A fender: on a quay, on a tug's bow or along a ship's belting. A fender touches the \
         outlines of all bodies that are paired with the fender's body; the material of the pair \
-        describes the solid structure behind the fender. The law of the fender comes from a `type` \
-        of the fender data, a `stiffness` or a `curve`. Without these three it is the paper's law: \
-        reaction by overlap area with the material's stiffness.",
+        describes the solid structure behind the fender. The fender's law of reaction by \
+        deflection comes from a `type` of the fender data, a `stiffness` or a `curve`. Without \
+        `type`, `stiffness` and `curve`, the reaction is the overlap area times the stiffness of \
+        the material, as in the paper.",
     keys: FenderKey::ALL,
     rules: Some(|| {
         let both = |one: &str, two: &str| json!({ "not": { "required": [one, two] } });
@@ -92,8 +93,8 @@ table_keys! {
             "position",
             Kind::Point(POSITION),
             Unless("`belting` is given"),
-            "Middle of the line where the fender is mounted: forward, starboard of the body's \
-             origin.",
+            "Middle of the line where the fender is mounted: distances forward and to starboard of \
+             the body's origin.",
             &["[-60, 0]"],
         ),
         FACING: Number = key(
@@ -127,19 +128,19 @@ table_keys! {
             "face_height",
             Kind::Quantity(FENDER_SIZE),
             Means("the width; for a pneumatic fender the diameter"),
-            "Height of the fender's face. Width times height is the area for the hull pressure. \
-             Hull pressure is computed only if `face_height`, `hull` or `hull_pressure_limit` is \
-             given.",
+            "Height of the fender's face. The hull pressure is the reaction divided by width times \
+             height of the face. Hull pressure is computed only if `face_height`, `hull` or \
+             `hull_pressure_limit` is given.",
             &["\"3 m\""],
         ),
         ABOVE_WATER: Number = key(
             "above_water",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
             Means("at the waterline; on a fixed body at datum"),
-            "Middle of the fender's face above the still waterline, or above datum on a fixed \
-             body: the height at which the fender force heels a vessel. A hull with one outline \
-             has a side at any height; a hull with `outlines` has a side only between the lowest \
-             and the highest outline.",
+            "Height of the middle of the fender's face above the still waterline, or above datum \
+             on a fixed body: at this height the fender force heels a vessel. A hull with one \
+             outline has a side at any height; a hull with `outlines` has a side only between the \
+             lowest and the highest outline.",
             &["\"2 m\""],
         ),
         FLOATING: Flag = key(
@@ -154,23 +155,23 @@ table_keys! {
             "projection",
             Kind::Quantity(FENDER_HEIGHT),
             Means("the height of the fender's type"),
-            "Distance from the mounting to the face, uncompressed.",
+            "Distance from the fender's mounting to its face when the fender is uncompressed.",
             &["\"1.5 m\""],
         ),
         MATERIAL: Name = key(
             "material",
             Kind::MaterialName,
             Refused,
-            "Material of the fender: friction and damping; restitution if `unloading_law` is \
-             false; stiffness if the fender has no other law.",
+            "Material of the fender. It gives friction and damping; it gives the restitution if \
+             `unloading_law` is false, and the stiffness if the fender has no other law.",
             &["\"facing\""],
         ),
         ROLLING_RESISTANCE: Number = key(
             "rolling_resistance",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Means("the face slides, with the friction of the material"),
-            "For a roller or wheel fender: resistance along the berth over reaction, instead of \
-             the friction of the material.",
+            "For a roller or wheel fender: resistance along the berth divided by the reaction, \
+             instead of the friction of the material.",
             &["0.05"],
         ),
         TYPE: Text = key(
@@ -185,20 +186,21 @@ table_keys! {
             "size",
             Kind::Text,
             Unless("`height` is given, or the fender has no `type`"),
-            "Size of the type, by its designation.",
+            "Size of the fender within its `type`, by the designation in the fender data.",
             &["\"3300x6500 50kPa\""],
         ),
         HEIGHT: Number = key(
             "height",
             Kind::Quantity(FENDER_HEIGHT),
             Unless("`size` is given, or the fender has no `type`"),
-            "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
+            "Height of the uncompressed fender, instead of a `size` of the fender data.",
             &["\"1.2 m\""],
         ),
         RATED_REACTION: Number = key(
             "rated_reaction",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
-            Means("scaled from the type's reference size, R ~ height squared"),
+            Means("the reaction of the type's reference size, scaled with the square of the \
+                   height"),
             "Rated reaction of one fender of this type and height.",
             &["\"900 kN\""],
         ),
@@ -213,59 +215,65 @@ table_keys! {
             "cones",
             Kind::List(&super::panel::CONE),
             Means("one fender, or `count` behind a face that does not turn"),
-            "Several equal fenders (\"cones\") at places behind one panel, which turns about the \
-             vertical axis under their reactions. `width` is the width of the panel. Shares of \
-             rated values refer to the most compressed cone. Of an unloading curve, only the share \
-             of the energy that the curve returns from the rated deflection is used.",
+            "Several equal fenders (\"cones\") at given places behind one panel, which turns about \
+             a vertical axis under the reactions of the cones. `width` is the width of the panel. \
+             In the results, shares of rated values refer to the most compressed cone. For cones \
+             behind a panel, an unloading curve counts only with the share of the energy that it \
+             returns from the rated deflection.",
             &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
         ),
         CHAINS: ListOf<super::panel::ChainKey> = key(
             "chains",
             Kind::List(&super::panel::CHAIN),
             Means("no chains"),
-            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the \
-             engine; the forces of shear and weight chains follow from statics.",
+            "Tension, shear and weight chains of the panel. The contact engine computes how \
+             tension chains hold the panel; the forces of shear and weight chains follow from \
+             statics.",
             &[
-                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
+                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \
+                 \"500 kN\" }]",
             ],
         ),
         PANEL_MASS: Number = key(
             "panel_mass",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
             Unless("no weight chain is given"),
-            "Mass that the weight chains carry: the panel with everything that hangs on it.",
+            "Mass that the weight chains carry: the panel with everything that hangs on the panel.",
             &["\"2.5 t\""],
         ),
         STIFFNESS: Number = key(
             "stiffness",
             Kind::Quantity(STIFFNESS),
             Means("no linear law"),
-            "Reaction over deflection.",
+            "Stiffness of the fender: reaction divided by deflection.",
             &["\"2 MN/m\""],
         ),
         CURVE: Curve = key(
             "curve",
             Kind::Curve(&CURVE),
-            Means("no curve of its own"),
-            "Rows of deflection and reaction, the first [0, 0], with straight lines between.",
+            Means("the fender has no curve of its own"),
+            "Curve of the fender: rows of deflection and reaction, joined by straight lines; the \
+             first row is [0, 0].",
             &["[[0, 0], [\"0.3 m\", \"600 kN\"], [\"0.8 m\", \"650 kN\"]]"],
         ),
         RETURNED_ENERGY: Number = key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
             Means("the share of the type; if the type has none, 55 %, assumed for solid rubber"),
-            "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
-                  and restitution has no effect. Coupled method only.",
+            "Share of the absorbed energy that the rubber returns: in unloading the reaction \
+             follows a lower curve than in loading, and restitution has no effect. Coupled method \
+             only.",
             &["\"55 %\""],
         ),
         UNLOADING: Curve = key(
             "unloading",
             Kind::Curve(&CURVE),
-            Means("by `returned_energy` or the type"),
-            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight \
-             lines between; nowhere above the `curve` or `stiffness` of the fender. The reaction \
-             comes down to the unloading curve within the first tenth of the difference in energy, \
-             so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
+            Means("`returned_energy` or the type gives the unloading curve"),
+            "The unloading curve: rows of deflection and reaction, joined by straight lines, the \
+             first row [0, 0]. The unloading curve may nowhere lie above the `curve` or \
+             `stiffness` of the fender. The reaction comes down to the unloading curve within the \
+             first tenth of the difference in energy, so a cycle of loading and unloading loses \
+             4.45 % less energy than the area between both curves. Coupled method only.",
             &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
         ),
         UNLOADING_LAW: Flag = key(
@@ -291,36 +299,39 @@ table_keys! {
                 "a stop at the end of the curve or of the projection, 50 times as stiff as the \
                  mean stiffness of the fender",
             ),
-            "Stop at the end of the fender's travel, where the fender stiffens.",
+            "Stop at the end of the fender's travel, where the fender becomes much stiffer.",
             &[],
         ),
         TEMPERATURE: Number = key(
             "temperature",
             Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
             Means("no correction"),
-            "Temperature; a plain number is in degrees Celsius. For types with temperature factors.",
+            "Temperature of the fender; a plain number is in degrees Celsius. Only a fender of a \
+             type with temperature factors may have a temperature.",
             &["10", "\"40 degC\"", "\"104 degF\""],
         ),
         TOLERANCE: Number = key(
             "tolerance",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.5 }),
             Is("0"),
-            "Deviation of this fender's reaction from the rated reaction.",
+            "Deviation of the fender's reaction from the rated reaction, as a share: a \
+             manufacturing tolerance.",
             &["\"-10 %\""],
         ),
         VELOCITY_FACTOR: Flag = key(
             "velocity_factor",
             Kind::Flag,
             Means("true"),
-            "Whether to use the factor of the type by speed of approach, if the type has this \
-             factor.",
+            "Whether the reaction is corrected for the speed of approach, if the type has a factor \
+             for this speed.",
             &["false"],
         ),
         ANGLE_FACTOR: Flag = key(
             "angle_factor",
             Kind::Flag,
             Means("true"),
-            "Whether to use the factors of the type by angle, if the type has these factors.",
+            "Whether reaction and energy are corrected for the angle of the hull, if the type has \
+             factors for this angle.",
             &["false"],
         ),
         HULL_PRESSURE_LIMIT: Number = key(
@@ -349,7 +360,7 @@ static CURVE: CurveSpec = CurveSpec {
 
 static STOP: TableSpec = TableSpec {
     what: "a stop",
-    doc: "A second spring at the end of a fender's travel.",
+    doc: "A stop: a second spring at the end of a fender's travel.",
     keys: StopKey::ALL,
     rules: None,
 };
@@ -368,7 +379,7 @@ table_keys! {
             "stiffness",
             Kind::Quantity(STIFFNESS),
             Refused,
-            "Its stiffness.",
+            "Stiffness of the stop.",
             &["\"50 MN/m\""],
         ),
     }

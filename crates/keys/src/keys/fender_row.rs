@@ -12,19 +12,21 @@ use crate::table_keys;
 use crate::typed_key::is_same;
 use crate::units::measures as unit;
 
-/// Most fenders of a row.
+/// Greatest number of fenders in a row.
 pub const MOST_IN_ROW: usize = 1000;
 
 pub(super) static FENDER_ROW: TableSpec = TableSpec {
     what: "a row of fenders",
-    doc: "Equal fenders in a row, named NAME_1, NAME_2 and so on. The row begins at `first` or \
-          follows a `wall`, with two of `spacing`, `number` and `last`; or it stands on \
-          `dolphins`. All other keys are keys of a fender, and hold for each fender of the row.",
+    doc: "A row of equal fenders, which are named NAME_1, NAME_2 and so on. The row begins at \
+          `first` or stands along a `wall`, with two of the keys `spacing`, `number` and `last`; \
+          or it stands on `dolphins`. All other keys of the row are keys of a fender, and hold for \
+          each fender of the row.",
     keys: &ROW_KEYS,
     rules: Some(row_rules),
 };
 
-/// The keys of a fender that a row has too, unchanged. The others are in [`FenderRowKey`].
+/// Whether a key of a fender is also a key of a row of fenders, with the same meaning. The keys of a row that are not
+/// keys of a fender are in [`FenderRowKey`].
 const fn is_shared(name: &str) -> bool {
     let own = [
         FenderKey::ON.name(),
@@ -44,7 +46,8 @@ const fn is_shared(name: &str) -> bool {
 }
 
 table_keys! {
-    /// Keys of a row of fenders that a fender does not have, or has with another meaning. The exceptions come last.
+    /// Keys of a row of fenders that a single fender does not have, or has with another meaning. The key `exception`
+    /// comes last.
     pub FenderRowKey of &ROW_KEYS; {
         ON: Name = key(
             "on",
@@ -57,17 +60,18 @@ table_keys! {
             "first",
             Kind::Point(POSITION),
             Unless("`wall` or `dolphins` is given"),
-            "Middle of the line where the first fender is mounted: forward, starboard of the body's \
-             origin. On dolphins, the same for each fender; [0, 0] unless given.",
+            "Middle of the line where the first fender is mounted: distances forward and to \
+             starboard of the body's origin. For a row on dolphins, `first` is the place of the \
+             fender on each dolphin; [0, 0] unless given.",
             &["[-70, 0]"],
         ),
         LAST: Vector = key(
             "last",
             Kind::Point(POSITION),
             Unless("`spacing` and `number` are given"),
-            "Middle of the line where the last fender is mounted. Without `last`, the row runs along \
-             the edge on which `first` lies, or at right angles to `facing`; it runs forward, or to \
-             starboard if it lies straight across.",
+            "Middle of the line where the last fender is mounted. Without `last`, the row runs \
+             along the edge on which `first` lies, or at right angles to `facing`. It runs \
+             forward, or to starboard if the row lies straight across the body.",
             &["[70, 0]"],
         ),
         SPACING: Number = key(
@@ -92,8 +96,8 @@ table_keys! {
             "wall",
             Kind::Points(POSITION, 2, 2),
             Means("the row begins at `first`"),
-            "Two corners of the body between which the row stands, from the first to the second, along \
-             an edge of the outline.",
+            "Two corners of the body between which the row stands along an edge of the outline, \
+             from the first corner to the second.",
             &["[[-100, 0], [100, 0]]"],
         ),
         FROM_CORNER: Number = key(
@@ -107,22 +111,24 @@ table_keys! {
             "dolphins",
             Kind::Points(POSITION, 1, MOST_IN_ROW),
             Means("the row stands on one body"),
-            "Places of dolphins: north, east of each dolphin. The dolphins are bodies NAME_1, NAME_2 \
-             and so on, with one fender each. A pair that names NAME is a pair with each dolphin.",
+            "Positions of the dolphins: north and east coordinate of each dolphin. The dolphins \
+             are the bodies NAME_1, NAME_2 and so on, each with one fender. A pair of bodies that \
+             names NAME is a pair with each dolphin of the row.",
             &["[[-60, 20], [60, 20]]"],
         ),
         OUTLINE: Points = key(
             "outline",
             Kind::Outline(POSITION),
             Unless("the row has no `dolphins`"),
-            "Outline of each dolphin, about the place of the dolphin.",
+            "Outline of each dolphin, with vertices relative to the position of the dolphin.",
             &["[[-2, 0], [2, 0], [2, 4], [-2, 4]]"],
         ),
         DOLPHIN: TableOf<DolphinKey> = key(
             "dolphin",
             Kind::Table(&DOLPHIN),
             Means("fixed dolphins"),
-            "Makes each of the `dolphins` a flexible dolphin: piles that bend, with their mass.",
+            "Makes each of the `dolphins` a flexible dolphin: a head on piles that bend, with the \
+             mass of head and piles.",
             &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
         ),
         HEADING: Number = key(
@@ -151,19 +157,22 @@ table_keys! {
             "exception",
             Kind::Named(&EXCEPTION),
             Is("{}"),
-            "Keys of single fenders of the row, by their names: [fender_row.NAME.exception.NAME_3]. A `*` in the name stands for \
-                  any text. `--set fender.NAME_3.KEY=VALUE` does the same.",
+            "Keys of single fenders of the row in tables named after the fenders: \
+                  [fender_row.NAME.exception.NAME_3]. A `*` in the name of such a table stands for \
+                  any text. The option `--set fender.NAME_3.KEY=VALUE` also changes a single \
+                  fender of the row.",
             &[],
         ),
     }
 }
 
-/// How many keys of [`FenderRowKey`] come before the keys of a fender.
+/// How many keys of [`FenderRowKey`] come before the keys of a fender in the list of a row's keys.
 const OWN: usize = FenderRowKey::ALL.len() - 1;
 
 static EXCEPTION: TableSpec = TableSpec {
     what: "an exception of a row of fenders",
-    doc: "Keys in which single fenders of a row differ from the others. All keys of a fender but `on` and `belting`.",
+    doc: "Keys in which a single fender of a row differs from the other fenders of the row. An \
+          exception may have all keys of a fender but `on` and `belting`.",
     keys: &EXCEPTION_KEYS,
     rules: None,
 };

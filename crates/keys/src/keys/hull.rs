@@ -1,4 +1,4 @@
-//! Keys of outlines by height.
+//! Keys of a hull whose outline is given at several heights.
 
 use super::quantities::POSITION;
 use crate::held::{Number, Points};
@@ -9,10 +9,10 @@ use crate::units::measures as unit;
 
 pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
     what: "an outline at a height",
-    doc: "A body's outline at a height, such as a waterline of a lines plan. Between two outlines \
-        the side is straight, from each vertex of one outline to the same vertex of the next. \
-        Outlines with different numbers of vertices are resampled at common stations from stern to \
-        bow.",
+    doc: "A body's outline at one height, such as a waterline of a lines plan. Between two \
+        outlines the hull's side is straight, from each vertex of one outline to the same vertex \
+        of the next outline. If the outlines of a hull have different numbers of vertices, the \
+        program resamples the outlines at common stations from stern to bow.",
     keys: OutlineAtHeightKey::ALL,
     rules: None,
 };
@@ -25,14 +25,15 @@ table_keys! {
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -200.0, high: 200.0 }),
             Refused,
             "Height of the outline above the keel of a floating body, or above datum on a fixed \
-             body. The height must rise from outline to outline.",
+             body. The outlines of a hull must be listed with rising heights.",
             &["\"4 m\""],
         ),
         OUTLINE: Points = key(
             "outline",
             Kind::Outline(POSITION),
             Refused,
-            "Vertices, forward and to starboard of the centre of gravity; the same vertex first in each outline.",
+            "Vertices of the outline, forward and to starboard of the centre of gravity; each \
+             outline of the hull must begin with the same vertex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
     }

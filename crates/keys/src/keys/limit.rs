@@ -13,7 +13,8 @@ use crate::units::measures as unit;
 
 pub(super) static STATISTICS: TableSpec = TableSpec {
     what: "a table of statistics",
-    doc: "Statistics of the motions of vessels in six degrees of freedom, and cycles of the tension of lines.",
+    doc: "Statistics of the motions of vessels in six degrees of freedom, and cycles of the \
+        tension of lines.",
     keys: StatisticsKey::ALL,
     rules: None,
 };
@@ -25,7 +26,8 @@ table_keys! {
         "from",
         Kind::Quantity(TIME),
         Is("0"),
-        "Time from which motions count. Leave out the time in which the ship comes to rest.",
+        "Time of the run from which motions count in the statistics. Choose the time so that the \
+         motions with which the ship comes to rest do not count.",
         &["\"5 min\""],
     ),
     }
@@ -33,9 +35,10 @@ table_keys! {
 
 pub(super) static LIMIT: TableSpec = TableSpec {
     what: "a limit",
-    doc: "Largest permissible value of a motion, a line or a fender. If the limit is exceeded, the \
-        verdict says so. fenderline has no limits of its own: take the limits of your terminal, \
-        and look whether they mean amplitudes or ranges, largest or significant values.",
+    doc: "Largest permissible value of a motion, a line or a fender. The verdict of the run says \
+          if the limit is exceeded. fenderline has no limits of its own: take the limits of your \
+          terminal, and look whether these limits mean amplitudes or ranges, largest or \
+          significant values.",
     keys: LimitKey::ALL,
     rules: Some(|| {
         let words = |words: &[&str]| json!({ "enum": words });
@@ -66,21 +69,21 @@ table_keys! {
             "of",
             Kind::Choice(&SUBJECTS),
             Refused,
-            "What is limited.",
+            "The motion or the load that is limited.",
             &["\"surge\""],
         ),
         VESSEL: Name = key(
             "vessel",
             Kind::BodyName,
-            Means("the first vessel; lines and fenders have none"),
-            "The body of the vessel that moves.",
+            Means("the first vessel of the scenario; a limit of lines or fenders has no vessel"),
+            "The body of the vessel whose motion is limited.",
             &["\"d\""],
         ),
         STATISTIC: OneOf<Measure> = key(
             "statistic",
             Kind::Choice(&MEASURES),
             Unless("lines or fenders are limited"),
-            "Which statistic of the motion, about its mean.",
+            "Which statistic of the motion about its mean is limited.",
             &["\"significant range\""],
         ),
         DISTANCE: Number = key(
@@ -107,7 +110,7 @@ table_keys! {
     }
 }
 
-/// What a limit is of.
+/// What is limited: a motion, lines or fenders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// A motion.
@@ -127,7 +130,7 @@ static SUBJECTS: Choices<Subject> = Choices(&[
     Choice {
         word: "sway",
         value: Subject::Motion(MotionName::Sway),
-        doc: "motion across the mean heading",
+        doc: "motion of the vessel's centre of gravity across the mean heading",
     },
     Choice { word: "heave", value: Subject::Motion(MotionName::Heave), doc: "motion up and down" },
     Choice { word: "roll", value: Subject::Motion(MotionName::Roll), doc: "roll" },
@@ -136,35 +139,42 @@ static SUBJECTS: Choices<Subject> = Choices(&[
     Choice {
         word: "lines",
         value: Subject::Lines,
-        doc: "the largest tension of any line over its break load, from the start of the run",
+        doc: "the largest tension of any line since the start of the run, divided by the break \
+              load of the line",
     },
     Choice {
         word: "fenders",
         value: Subject::Fenders,
-        doc: "the largest energy, reaction or deflection of any fender over its rating, from the start of the run",
+        doc: "the largest energy, reaction or deflection of any fender since the start of the run, \
+              divided by the rated value",
     },
 ]);
 
 static MEASURES: Choices<Measure> = Choices(&[
-    Choice { word: "maximum", value: Measure::Maximum, doc: "largest distance from the mean" },
+    Choice {
+        word: "maximum",
+        value: Measure::Maximum,
+        doc: "largest distance of the motion from its mean",
+    },
     Choice {
         word: "significant",
         value: Measure::Significant,
-        doc: "mean of the highest third of the peaks, each the largest distance from the mean between two crossings of it",
+        doc: "mean of the highest third of the peaks; a peak is the largest distance of the motion \
+              from its mean between two crossings of the mean",
     },
     Choice {
         word: "maximum range",
         value: Measure::MaximumRange,
-        doc: "largest distance from a crest to the trough after it",
+        doc: "largest range of the motion from a crest to the next trough",
     },
     Choice {
         word: "significant range",
         value: Measure::SignificantRange,
-        doc: "mean of the highest third of the ranges from a crest to the trough after it",
+        doc: "mean of the highest third of the motion's ranges from a crest to the next trough",
     },
     Choice {
         word: "standard deviation",
         value: Measure::Deviation,
-        doc: "root of the mean square of the distance from the mean",
+        doc: "root mean square of the distance of the motion from its mean",
     },
 ]);

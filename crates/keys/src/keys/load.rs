@@ -10,7 +10,7 @@ use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::table_keys;
 use crate::units::measures as unit;
 
-/// The key by which loads and providers name a body.
+/// The key with which a load or a provider of forces names its body.
 pub(super) const FLOATING_BODY: KeySpec = key(
     "body",
     Kind::BodyName,
@@ -41,7 +41,7 @@ table_keys! {
             "moment",
             Kind::Quantity(Quantity { measure: &unit::MOMENT, low: -1e20, high: 1e20 }),
             Means("no moment"),
-            "Moment about the vertical, positive to starboard.",
+            "Moment about the vertical, positive if it turns the bow to starboard.",
             &["\"1.2e3 kN.m\""],
         ),
         FROM: Number = key(

@@ -9,19 +9,21 @@ use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::table_keys;
 use crate::units::measures as unit;
 
-/// A period of long waves.
+/// Bounds of a period of long waves.
 const PERIOD: Quantity = Quantity { measure: &unit::TIME, low: 25.0, high: 86_400.0 };
 
 pub(super) static LONG_WAVES: TableSpec = TableSpec {
     what: "long waves",
-    doc: "Long waves at a berth, infragravity waves or a seiche, as level and velocity of the \
-          water at the berth: a spectrum, a regular wave, or a `file`. The level is added to the \
-          tide, so it lifts ships beside quay, fenders and bollards. The velocity is added to the \
-          current, and its acceleration pushes a vessel with mass and added mass. Level and \
-          velocity are the same all over the berth, and the velocity is the same over the depth. A \
-          spectrum and a regular wave have the velocities of linear waves in the depth at the \
-          start, so they need `environment.depth`. Hull forces and added mass follow the depth of \
-          the tide, without the level of long waves.",
+    doc: "Long waves at a berth (infragravity waves or a seiche) as level and velocity of the \
+          water at the berth. They are given as a spectrum, as a regular wave, or by a `file`. The \
+          level of the long waves is added to the tide, so that long waves lift ships beside quay, \
+          fenders and bollards. The velocity of the long waves is added to the current, and the \
+          acceleration of this flow pushes a vessel in proportion to her mass and added mass. \
+          Level and velocity of the long waves are the same all over the berth, and the velocity \
+          is the same over the depth. The velocities of a spectrum and of a regular wave follow \
+          from linear wave theory with the depth at the start, so both need `environment.depth`. \
+          Hull forces and added mass follow the depth of the tide, without the level of long \
+          waves.",
     keys: LongWavesKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
@@ -45,64 +47,66 @@ table_keys! {
             "height",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 20.0 }),
             Unless("`file` is given"),
-            "Significant height, or height of the regular wave from trough to crest; with \
-             `wall_distance` the height at the wall. Waves break at 0.78 of the depth; a greater \
-             height is refused.",
+            "Significant height of the long waves, or height of the regular wave from trough to \
+             crest; with `wall_distance`, the height at the wall. Waves break at a height of 0.78 \
+             of the depth, so the program refuses a greater height.",
             &["\"0.15 m\""],
         ),
         PERIOD: Number = key(
             "period",
             Kind::Quantity(PERIOD),
             Unless("`file` is given"),
-            "Peak period, or period of the regular wave. The shortest wave must be ten depths \
-             long, because the velocity of shorter waves varies over the depth.",
+            "Peak period of the long waves, or period of the regular wave. The shortest wave must \
+             be at least ten water depths long, because the velocity of shorter waves varies over \
+             the depth.",
             &["\"100 s\""],
         ),
         TOWARDS: Number = key(
             "towards",
             Kind::Quantity(DIRECTION),
             Unless("`file` is given"),
-            "Direction in which the waves run, clockwise from north. With `wall_distance`: the \
-             direction of the wall.",
+            "Direction in which the waves run, clockwise from north. With `wall_distance`, the \
+             wall lies in this direction.",
             &["\"0 deg\""],
         ),
         WALL_DISTANCE: Number = key(
             "wall_distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
             Means("the waves run on"),
-            "Distance from the berth to a wall that reflects the waves completely, so the waves \
-             stand, like a seiche in a basin: level without velocity at the wall, velocity without \
-             level a quarter of a wave length from the wall.",
+            "Distance from the berth to a wall that reflects the waves completely, so that the \
+             waves stand, like a seiche in a basin. At the wall the level moves without velocity; \
+             a quarter of a wave length from the wall the water moves without a change of level.",
             &["\"350 m\""],
         ),
         REGULAR: Flag = key(
             "regular",
             Kind::Flag,
             Is("false"),
-            "One regular wave instead of a spectrum; its crest is at the berth at the start.",
+            "If true, the long waves are one regular wave instead of a spectrum; its crest is at \
+             the berth at the start.",
             &["true"],
         ),
         SHORTEST_PERIOD: Number = key(
             "shortest_period",
             Kind::Quantity(PERIOD),
             Means("half of `period`, 25 s at least"),
-            "Shortest period of the spectrum. It must be longer than the longest period of \
-             `waves`, or energy would be counted twice.",
+            "Shortest period of the spectrum of long waves. The shortest period must be longer \
+             than the longest period of `waves`; otherwise energy would be counted twice.",
             &["\"50 s\""],
         ),
         LONGEST_PERIOD: Number = key(
             "longest_period",
             Kind::Quantity(PERIOD),
             Means("twice `period`"),
-            "Longest period of the spectrum.",
+            "Longest period of the spectrum of long waves.",
             &["\"200 s\""],
         ),
         PEAKEDNESS: Number = key(
             "peakedness",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
             Means("3.3"),
-            "Peak enhancement of the spectrum, which has the shape of JONSWAP: our assumption, as \
-             we know of no standard shape.",
+            "Peak enhancement of the spectrum of long waves. The spectrum has the shape of \
+             JONSWAP, which is our assumption, because we know of no standard shape.",
             &["1"],
         ),
         SEED: Number = key(
@@ -116,10 +120,10 @@ table_keys! {
             "file",
             Kind::FileName,
             Unless("`height`, `period` and `towards` are given"),
-            "Level and velocity in time: a CSV file beside the scenario with the columns t_s, \
-             level_m, north_mps and east_mps, in the order of time, from the start of the run to \
-             its end, without gaps. Linear between the rows: take steps of a twentieth of the \
-             shortest period or less.",
+            "Level and velocity of the water in time: a CSV file beside the scenario with the \
+             columns t_s, level_m, north_mps and east_mps. Its rows are in the order of time and \
+             cover the run from start to end without gaps. Level and velocity are linear between \
+             the rows: choose time steps of a twentieth of the shortest period or less.",
             &["\"long_waves.csv\""],
         ),
     }

@@ -10,7 +10,7 @@ use crate::units::measures as unit;
 
 pub(super) static MATERIAL: TableSpec = TableSpec {
     what: "a material",
-    doc: "Contact parameters of a pair of bodies.",
+    doc: "A material: the contact parameters of a pair of bodies.",
     keys: MaterialKey::ALL,
     // A schema cannot evaluate a text such as "0 %".
     rules: Some(|| {
@@ -30,28 +30,30 @@ table_keys! {
             "stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 0.0, high: 1e15 }),
             Refused,
-            "k, normal force per overlap area.",
+            "Stiffness k: normal force per overlap area.",
             &["\"500 kN/m^2\""],
         ),
         DAMPING: Number = key(
             "damping",
             Kind::Quantity(Quantity { measure: &unit::DAMPING_PER_AREA, low: 0.0, high: 1e15 }),
             Is("0"),
-            "c, normal force per rate of change of the overlap area.",
+            "Damping c: normal force per rate of change of the overlap area.",
             &["\"20 kN.s/m^2\""],
         ),
         SHEAR_STIFFNESS: Number = key(
             "shear_stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 0.0, high: 1e15 }),
             Is("0"),
-            "k_s, tangential force per shear of a contact; friction needs it.",
+            "Shear stiffness k_s: tangential force per shear of a contact. A material with \
+             friction needs a shear stiffness.",
             &["\"3000 kN/m\""],
         ),
         FRICTION_STATIC: Number = key(
             "friction_static",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
             Is("0"),
-            "Coefficient of static friction; mostly 0.1 to 1. It needs `shear_stiffness`. More than 1.5 gives a notice.",
+            "Coefficient of static friction; mostly 0.1 to 1. Friction needs `shear_stiffness`. A \
+             coefficient of friction of more than 1.5 gives a warning.",
             &["0.5"],
         ),
         FRICTION_DYNAMIC: Number = key(
@@ -65,7 +67,7 @@ table_keys! {
             "restitution",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Is("0"),
-            "Coefficient of restitution between outlines: speed of separation over speed of \
+            "Coefficient of restitution between outlines: speed of separation divided by speed of \
              approach. Fenders have an unloading law instead (`returned_energy`, `unloading`), and \
              do not use restitution with the coupled method.",
             &["0.1"],
@@ -95,7 +97,7 @@ table_keys! {
             "material",
             Kind::MaterialName,
             Refused,
-            "The material of the contact.",
+            "The material of the contact between the two bodies.",
             &["\"paper\""],
         ),
     }

@@ -12,7 +12,8 @@ use crate::typed_key::AnyKey;
 use crate::units::measures as unit;
 use crate::{any_keys, shared_keys, table_keys};
 
-/// The keys of the far end of a line that is fast from the start. A line without `to` has none of these keys.
+/// The keys that describe the far end of a line that is fast from the start. A line without the key `to` has none of
+/// these keys.
 pub const AT_THE_FAR_END: &[AnyKey<LineKey>] =
     any_keys![LineKey: BOLLARD, BOLLARD_HEIGHT, BITTS, LENGTH, PRETENSION, MADE_FAST];
 
@@ -61,14 +62,14 @@ table_keys! {
             "fairlead",
             Kind::Point(POSITION),
             Unless("`chock` is given"),
-            "Fairlead, forward and starboard of the body's origin.",
+            "Place of the fairlead, forward and to starboard of the body's origin.",
             &["[140, 5]"],
         ),
         FAIRLEAD_HEIGHT: Number = key(
             "fairlead_height",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Fairlead above the still water; on a fixed body above datum.",
+            "Height of the fairlead above the still water; on a fixed body above datum.",
             &["\"12 m\""],
         ),
         CHOCK: Text = key(
@@ -81,22 +82,22 @@ table_keys! {
         TO: Name = key(
             "to",
             Kind::BodyName,
-            Means("on board until an order sends it to a bollard"),
-            "The body at the other end: a quay, a ship.",
+            Means("the line is on board until an order sends it to a bollard"),
+            "The body at the far end of the line, such as a quay or another ship.",
             &["\"quay\""],
         ),
         BOLLARD: Vector = key(
             "bollard",
             Kind::Point(POSITION),
             Unless("`bitts` is given, or the line is on board"),
-            "Bollard, forward and starboard of the origin of the body `to`.",
+            "Place of the bollard, forward and to starboard of the origin of the body `to`.",
             &["[170, 4]"],
         ),
         BOLLARD_HEIGHT: Number = key(
             "bollard_height",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Bollard above the still water; on a fixed body above datum.",
+            "Height of the bollard above the still water; on a fixed body above datum.",
             &["\"4 m\""],
         ),
         BITTS: Text = key(
@@ -126,38 +127,40 @@ table_keys! {
             "working_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Means(
-                "55 % of the rope's break load for wire, 50 % for other ropes (MEG4, from public summaries)",
+                "55 % of the rope's break load for wire, 50 % for other ropes (from public \
+                 summaries of MEG4)",
             ),
-            "Working load of the rope, which the verdict compares with its tension.",
+            "Working load of the rope, which the verdict of the run compares with the tension of \
+             the line.",
             &["\"600 kN\""],
         ),
         MASS: Number = key(
             "mass",
             Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
             Means("the rope has no weight and is straight"),
-            "Mass of the rope and its tail per metre. By its weight in air the rope sags as a flat \
-             parabola, and each end bears half of the weight.",
+            "Mass of the rope and its tail per metre. A rope with mass sags by its weight in air \
+             as a flat parabola, and each end bears half of the weight.",
             &["\"7.2 kg/m\""],
         ),
         ON_DECK: TableOf<OnDeckKey> = key(
             "on_deck",
             Kind::Table(&ON_DECK),
             Means("the rope ends at the chock or fairlead"),
-            "Rope on deck between winch or bitts and the chock, which stretches too.",
+            "The rope on deck between the chock and the winch or bitts, which stretches too.",
             &[],
         ),
         TAIL: TableOf<TailKey> = key(
             "tail",
             Kind::Table(&TAIL),
             Means("no tail"),
-            "A softer tail in series at the far end.",
+            "A tail: a softer rope in series at the far end of the line.",
             &[],
         ),
         LENGTH: Number = key(
             "length",
             Kind::Quantity(LENGTH),
             Unless("`pretension` is given, or the line is on board"),
-            "Unstretched length outboard, tail included.",
+            "Unstretched length of the line outboard, tail included.",
             &["\"45 m\""],
         ),
         PRETENSION: Number = key(
@@ -171,30 +174,30 @@ table_keys! {
             "winch",
             Kind::Flag,
             Is("false"),
-            "True for a line on a winch, whose brake renders at 60 % of the break load; false for \
-             a line on bitts.",
+            "True for a line on a winch, whose brake slips at 60 % of the break load; false for a \
+             line on bitts.",
             &["true"],
         ),
         CONSTANT_TENSION: TableOf<ConstantTensionKey> = key(
             "constant_tension",
             Kind::Table(&CONSTANT_TENSION),
             Means("the brake holds the line"),
-            "The winch holds a constant tension by itself; needs `winch = true`.",
+            "Makes the winch hold a constant tension by itself; needs `winch = true`.",
             &[],
         ),
         ROPE_LENGTH: Number = key(
             "rope_length",
             Kind::Quantity(LENGTH),
             Is("220"),
-            "Length of rope of a line that an order sends to a bollard. 220 m is from memory, not \
-             from a source.",
+            "Length of the rope of a line that an order sends to a bollard. The default of 220 m \
+             is from memory, not from a source.",
             &["\"200 m\""],
         ),
         MADE_FAST: Number = key(
             "made_fast",
             Kind::Quantity(TIME),
             Is("0"),
-            "When it is made fast.",
+            "Time at which the line is made fast.",
             &["\"25 min\""],
         ),
     }
@@ -202,10 +205,11 @@ table_keys! {
 
 static CONSTANT_TENSION: TableSpec = TableSpec {
     what: "a constant-tension winch",
-    doc: "A winch that pays out above a band about its set tension, and heaves in below the band. \
-          The brake renders at 60 % of the break load, as on other winches. Orders to heave or to \
-          pay out come first, until the order to hold. The default values are assumptions, not \
-          from a source.",
+    doc: "A winch that pays out if the tension is above a band about the set tension, and heaves \
+          in if the tension is below the band. The brake of a constant-tension winch slips at 60 % \
+          of the line's break load, as on other winches. An order to heave or to pay out comes \
+          before the constant tension, until the order to hold. The default values of a \
+          constant-tension winch are assumptions, not from a source.",
     keys: ConstantTensionKey::ALL,
     rules: None,
 };
@@ -224,22 +228,22 @@ table_keys! {
             "band",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
             Is("0.1"),
-            "Half of the width of the band in which the winch stands still, as a share of the set \
-             tension.",
+            "Half of the width of the band of tension in which the winch stands still, as a share \
+             of the set tension.",
             &["0.2"],
         ),
         HEAVING_SPEED: Number = key(
             "heaving_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
             Is("0.25"),
-            "The largest speed of heaving in.",
+            "The largest speed at which the winch heaves in.",
             &["\"0.2 m/s\""],
         ),
         PAYING_OUT_SPEED: Number = key(
             "paying_out_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
             Is("0.25"),
-            "The largest speed of paying out.",
+            "The largest speed at which the winch pays out.",
             &["\"0.3 m/s\""],
         ),
     }
@@ -247,10 +251,11 @@ table_keys! {
 
 static ON_DECK: TableSpec = TableSpec {
     what: "a rope on deck",
-    doc: "Rope on deck between winch or bitts and the chock. This rope stretches under the tension \
-        that reaches it over the chock, T e^(−μφ) by the capstan equation for a rope that is \
-        hauled outboard. We assume the same share when the tension falls, so the rope is elastic. \
-        Brake and stall of a winch are compared with the outboard tension.",
+    doc: "The rope on deck between the chock and the winch or bitts. The rope on deck stretches \
+        under the tension that reaches it over the chock: T e^(−μφ), by the capstan equation for a \
+        rope that is hauled outboard. We assume that the same share of the tension reaches the \
+        deck when the tension falls, so that the rope is elastic. The limits of the winch, for \
+        brake and stall, are compared with the tension outboard of the chock.",
     keys: OnDeckKey::ALL,
     rules: Some(|| json!({ "dependentRequired": { "wrap": ["friction"] } })),
 };
@@ -262,22 +267,22 @@ table_keys! {
             "length",
             Kind::Quantity(LENGTH),
             Refused,
-            "Its unstretched length.",
+            "Unstretched length of the rope on deck.",
             &["\"25 m\""],
         ),
         FRICTION: Number = key(
             "friction",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 2.0 }),
             Is("0"),
-            "Coefficient of friction μ of the rope on the chock. With 0, as on a roller that \
-             turns, the whole tension reaches the rope on deck.",
+            "Coefficient of friction μ of the rope on the chock. With a coefficient of 0, as on a \
+             roller that turns, the whole tension reaches the rope on deck.",
             &["0.2"],
         ),
         WRAP: Number = key(
             "wrap",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 12.6 }),
             Is("\"90 deg\""),
-            "Angle φ by which the rope is bent about the chock, and about everything that it \
+            "Angle φ by which the rope is bent about the chock and about everything that the rope \
              touches on deck.",
             &["\"60 deg\""],
         ),
@@ -288,20 +293,23 @@ const AXIAL_STIFFNESS: KeySpec = key(
     "axial_stiffness",
     Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e13 }),
     Means("`rope` or `load_extension` gives the stretch"),
-    "EA of the rope, the tension over the strain; with `rope = \"own\"`.",
+    "With `rope = \"own\"`: axial stiffness EA of the rope, which is the tension divided by the \
+     strain.",
     &["\"11.25 MN\""],
 );
 const LOAD_EXTENSION: KeySpec = key(
     "load_extension",
     Kind::FileName,
     Means("`rope` or `axial_stiffness` gives the stretch"),
-    "File with the load-extension curve of the rope; with `rope = \"own\"`. Its columns are \
-     `extension_percent` and `load_kn` or `load_percent` of the break load. The first row is 0, 0 \
-     and both columns rise. The curve is straight between the rows and beyond the last row.",
+    "With `rope = \"own\"`: file with the load-extension curve of the rope. The file of the curve \
+     has the columns `extension_percent` and `load_kn`, or `extension_percent` and `load_percent` \
+     (of the break load). The first row of the load-extension curve is 0, 0 and both columns rise. \
+     The load-extension curve is straight between the rows and beyond the last row.",
     &["\"rope.csv\""],
 );
 
-/// A rope of the user has one of the two keys; another rope has neither.
+/// The rule of the JSON schema for a rope: with `rope = "own"` the rope has either `axial_stiffness` or
+/// `load_extension`; any other rope has neither of these keys.
 fn rope_rules() -> serde_json::Value {
     json!({
         "if": { "properties": { "rope": { "const": "own" } }, "required": ["rope"] },
@@ -314,7 +322,7 @@ fn rope_rules() -> serde_json::Value {
 
 static TAIL: TableSpec = TableSpec {
     what: "a tail",
-    doc: "A softer tail in series.",
+    doc: "A tail: a softer rope in series with the mooring line.",
     keys: TailKey::ALL,
     rules: Some(rope_rules),
 };
@@ -335,14 +343,14 @@ table_keys! {
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
-            "Its break force.",
+            "Break force of the tail.",
             &["\"1500 kN\""],
         ),
         LENGTH: Number = key(
             "length",
             Kind::Quantity(LENGTH),
             Is("11"),
-            "Its length.",
+            "Length of the tail.",
             &["\"11 m\""],
         ),
     }
@@ -358,7 +366,7 @@ shared_keys! {
     }
 }
 
-/// The curve of each material; `None`: the curve comes from the file.
+/// The load-extension curve of a rope's material; `None` if the scenario gives the stiffness or the curve of the rope.
 pub type BuiltIn = Option<fn() -> RopeCurve>;
 
 static ROPES: Choices<BuiltIn> = Choices(&[
@@ -366,12 +374,16 @@ static ROPES: Choices<BuiltIn> = Choices(&[
     Choice { word: "hmpe", value: Some(RopeCurve::hmpe), doc: "high-modulus polyethylene" },
     Choice { word: "polyester", value: Some(RopeCurve::polyester), doc: "polyester" },
     Choice { word: "nylon", value: Some(RopeCurve::nylon), doc: "nylon, as in tails" },
-    Choice { word: "own", value: None, doc: "your rope, by `axial_stiffness` or `load_extension`" },
+    Choice {
+        word: "own",
+        value: None,
+        doc: "your own rope, which `axial_stiffness` or `load_extension` describes",
+    },
 ]);
 
 pub(super) static BOLLARD: TableSpec = TableSpec {
     what: "a bollard",
-    doc: "A bollard to which the order `send` sends lines.",
+    doc: "A bollard to which the order `send` can send mooring lines.",
     keys: BollardKey::ALL,
     rules: None,
 };
@@ -390,7 +402,7 @@ table_keys! {
             "at",
             Kind::Point(POSITION),
             Refused,
-            "Place of the bollard, forward and starboard of the body's origin.",
+            "Place of the bollard, forward and to starboard of the body's origin.",
             &["[60, 2]"],
         ),
         HEIGHT: Number = key(
@@ -412,9 +424,9 @@ table_keys! {
 
 pub(super) static LINE_HANDLING: TableSpec = TableSpec {
     what: "the handling of lines",
-    doc: "How line handlers bring lines to a bollard when an order sends them. A gang takes one \
-          line at a time; further lines wait. The default values are assumptions, not from a \
-          source.",
+    doc: "How line handlers bring mooring lines to a bollard when an order sends the lines there. \
+          A gang of line handlers takes one line at a time; further lines wait. The default values \
+          for line handling are assumptions, not from a source.",
     keys: LineHandlingKey::ALL,
     rules: None,
 };
@@ -433,14 +445,15 @@ table_keys! {
             "heaving_line",
             Kind::Quantity(LENGTH),
             Is("30"),
-            "Farthest distance from fairlead to bollard that a heaving line reaches.",
+            "Longest distance from fairlead to bollard that a heaving line can bridge.",
             &["\"25 m\""],
         ),
         TIME: Number = key(
             "time",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e5 }),
             Is("60"),
-            "Time with a heaving line, until the eye is over the bollard.",
+            "Time to bring a line ashore with a heaving line, until the eye of the line is over \
+             the bollard.",
             &["\"90 s\""],
         ),
         BOAT: Flag = key(
@@ -454,11 +467,11 @@ table_keys! {
             "boat_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 20.0 }),
             Is("1"),
-            "Speed of the boat with a line; the time of the boat is added to the other time.",
+            "Speed of the boat that carries a line; the time of the boat's way is added to `time`.",
             &["\"2 kn\""],
         ),
     }
 }
 
-/// A number of gangs, or of lines at a bollard.
+/// Bounds of a number of gangs, or of lines at a bollard.
 pub(super) const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };

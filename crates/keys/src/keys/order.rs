@@ -1,5 +1,5 @@
-//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so a
-//! new order in that table is a key here.
+//! Keys of orders. All keys of orders but `telegraph` are made from the table of orders in `fenderline_sim`, so a new
+//! order in that table becomes a key of the scenario file.
 
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{
@@ -19,64 +19,65 @@ use crate::units::{Measure, measures as unit};
 /// An order.
 pub static ORDER: TableSpec = TableSpec {
     what: "an order",
-    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) \
-        at a time; each [[order]] has one target.",
+    doc: "An order at a time of the run to a vessel (`vessel`), a tug (`tug`), a line (`line`) or \
+          an anchor (`anchor`); each [[order]] has one of these targets.",
     keys: &KEYS,
     rules: Some(rules),
 };
 
 /// How many orders there are.
 const ORDERS: usize = OrderName::ALL.len();
-/// The most arguments of an order.
+/// Greatest number of arguments of an order.
 const MOST_ARGUMENTS: usize = 4;
 const ANOTHER: Absent = Means("another order");
-/// Fills an array until its keys are known.
+/// Fills an array of keys at compile time, until the actual keys are put into the array.
 const PLACEHOLDER: KeySpec = key("", Kind::Flag, ANOTHER, "", &[]);
 
 table_keys! {
-    /// Keys of an order that come before the orders: time, target, telegraph, and the direction of a push or pull.
+    /// Keys of an [[order]] that are not orders from the table: time, target, telegraph, and the direction of a push or
+    /// pull.
     pub OrderKey of &KEYS; {
         AT: Number = key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
         VESSEL: Name = key(
             "vessel",
             Kind::BodyName,
             Means("the order is for a tug, a line or an anchor"),
-            "The body of the vessel.",
+            "The body of the vessel that gets the order.",
             &["\"ship\""],
         ),
         TUG: Text = key(
             "tug",
             Kind::Text,
             Means("the order is for a vessel, a line or an anchor"),
-            "The tug.",
+            "Name of the tug that gets the order.",
             &["\"bow tug\""],
         ),
         LINE: Text = key(
             "line",
             Kind::Text,
             Means("the order is for a vessel, a tug or an anchor"),
-            "The line.",
+            "Name of the line to which the order applies.",
             &["\"head line\""],
         ),
         ANCHOR: Text = key(
             "anchor",
             Kind::Text,
             Means("the order is for a vessel, a tug or a line"),
-            "The anchor.",
+            "Name of the anchor to which the order applies.",
             &["\"port\""],
         ),
         TELEGRAPH: OneOf<Telegraph> = key(
             "telegraph",
             Kind::Choice(&TELEGRAPH_WORDS),
             ANOTHER,
-            "Engine order in the words of the telegraph.",
+            "Engine order, in the words of the engine telegraph.",
             &["\"slow astern\""],
         ),
         DIRECTION: Number = argument_spec(argument(OrderName::Push, "direction")),
     }
 }
 
-/// Keys of the arguments in the table of an order.
+/// Keys of an order's arguments, for orders that are a table.
 #[derive(Debug)]
 pub enum ArgumentKey {}
 
@@ -98,7 +99,7 @@ static KEYS: [KeySpec; OrderKey::ALL.len() + ORDERS] = {
     keys
 };
 
-/// The argument of this name. The compiler refuses an order without it.
+/// The argument `name` of an order. The program does not compile if the order has no argument `name`.
 const fn argument(order: OrderName, name: &str) -> &'static Argument {
     let arguments = order.spec().arguments;
     let mut index = 0;
@@ -127,7 +128,7 @@ static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
     all
 };
 
-/// The tables of the orders of form [`Form::Table`].
+/// The declarations of the tables of all orders whose form is [`Form::Table`].
 static TABLES: [TableSpec; ORDERS] = {
     let mut all =
         [const { TableSpec { what: "an order", doc: "", keys: &[], rules: None } }; ORDERS];
@@ -151,15 +152,15 @@ static TABLES: [TableSpec; ORDERS] = {
 /// How the key of an order holds its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// `true`: the order has no arguments.
+    /// The key holds `true`, because the order has no arguments.
     Flag,
-    /// The first argument, a number. The others are keys beside the order.
+    /// The key holds the order's first argument, a number. Further arguments are keys beside the key of the order.
     Number,
-    /// A table of all arguments.
+    /// The key holds a table of all the order's arguments.
     Table,
 }
 
-/// The form of an order's key.
+/// How the key of an order holds the order's arguments.
 pub const fn form(order: OrderName) -> Form {
     match order.spec().arguments {
         [] => Form::Flag,
@@ -168,14 +169,14 @@ pub const fn form(order: OrderName) -> Form {
     }
 }
 
-/// The words of all orders to a kind of target.
+/// The words of all orders that a kind of target, such as a tug, can get.
 pub fn words(target: TargetKind) -> Vec<&'static str> {
     let specs = OrderName::ALL.iter().map(|order| order.spec());
     let telegraph = (target == TargetKind::Vessel).then_some(OrderKey::TELEGRAPH.name());
     specs.filter(|spec| spec.target == target).map(|spec| spec.word).chain(telegraph).collect()
 }
 
-/// The key of a target.
+/// The key that names the target of an order, for a kind of target.
 pub fn target_key(kind: TargetKind) -> AnyKey<OrderKey> {
     match kind {
         TargetKind::Vessel => OrderKey::VESSEL.any(),
@@ -185,18 +186,18 @@ pub fn target_key(kind: TargetKind) -> AnyKey<OrderKey> {
     }
 }
 
-/// The key of an order, by what the key holds.
+/// The key of an order, with the type of the value that the key holds.
 #[derive(Clone, Copy, Debug)]
 pub enum OrderKind {
-    /// `true`: the order has no arguments.
+    /// The key holds `true`, because the order has no arguments.
     Flag(Key<OrderKey, Flag>),
-    /// The first argument. The others are keys beside the order.
+    /// The key holds the first argument of the order. Further arguments are keys beside the key of the order.
     Number(Key<OrderKey, Number>),
-    /// A table of all arguments.
+    /// The key holds a table of all the order's arguments.
     Table(Key<OrderKey, TableOf<ArgumentKey>>),
 }
 
-/// The key of an order.
+/// The key of an order in the scenario file.
 pub fn order_key(order: OrderName) -> OrderKind {
     let spec = key_of(order);
     match form(order) {
@@ -206,10 +207,10 @@ pub fn order_key(order: OrderName) -> OrderKind {
     }
 }
 
-/// The key of an argument: beside the order, or in the table of the order.
+/// The key of an order's argument, which stands beside the key of the order or in the table of the order.
 ///
 /// # Panics
-/// If the argument is not a `V`.
+/// Panics if the argument's value is not of type `V`.
 pub fn argument_key<T, V: Held>(argument: &Argument) -> Key<T, V> {
     Key::of(&argument_spec(argument))
 }
@@ -281,7 +282,8 @@ fn power_or_direction() -> Json {
     json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })
 }
 
-/// One order for one target. A flag must be true: false would order nothing.
+/// The rule of the JSON schema: each [[order]] has one target and one order for this target. An order without arguments
+/// must be `true`, because `false` would order nothing.
 fn rules() -> Json {
     let flags = OrderName::ALL.iter().filter(|order| form(**order) == Form::Flag);
     let flags: serde_json::Map<String, Json> =
@@ -305,32 +307,48 @@ fn rules() -> Json {
     })
 }
 
-/// The words of an engine telegraph.
+/// The words of the engine telegraph, each with its engine order.
 pub static TELEGRAPH_WORDS: Choices<Telegraph> = Choices(&[
     Choice {
         word: Telegraph::FullAstern.word(),
         value: Telegraph::FullAstern,
-        doc: "70 % of full revolutions astern",
+        doc: "70 % of full revolutions, astern",
     },
-    Choice { word: Telegraph::HalfAstern.word(), value: Telegraph::HalfAstern, doc: "55 % astern" },
-    Choice { word: Telegraph::SlowAstern.word(), value: Telegraph::SlowAstern, doc: "40 % astern" },
+    Choice {
+        word: Telegraph::HalfAstern.word(),
+        value: Telegraph::HalfAstern,
+        doc: "55 % of full revolutions, astern",
+    },
+    Choice {
+        word: Telegraph::SlowAstern.word(),
+        value: Telegraph::SlowAstern,
+        doc: "40 % of full revolutions, astern",
+    },
     Choice {
         word: Telegraph::DeadSlowAstern.word(),
         value: Telegraph::DeadSlowAstern,
-        doc: "30 % astern",
+        doc: "30 % of full revolutions, astern",
     },
     Choice { word: Telegraph::Stop.word(), value: Telegraph::Stop, doc: "stop" },
     Choice {
         word: Telegraph::DeadSlowAhead.word(),
         value: Telegraph::DeadSlowAhead,
-        doc: "30 % ahead",
+        doc: "30 % of full revolutions, ahead",
     },
-    Choice { word: Telegraph::SlowAhead.word(), value: Telegraph::SlowAhead, doc: "40 % ahead" },
-    Choice { word: Telegraph::HalfAhead.word(), value: Telegraph::HalfAhead, doc: "55 % ahead" },
+    Choice {
+        word: Telegraph::SlowAhead.word(),
+        value: Telegraph::SlowAhead,
+        doc: "40 % of full revolutions, ahead",
+    },
+    Choice {
+        word: Telegraph::HalfAhead.word(),
+        value: Telegraph::HalfAhead,
+        doc: "55 % of full revolutions, ahead",
+    },
     Choice {
         word: Telegraph::FullAhead.word(),
         value: Telegraph::FullAhead,
-        doc: "70 % ahead: manoeuvring full",
+        doc: "70 % of full revolutions, ahead: full speed for manoeuvring",
     },
     Choice {
         word: Telegraph::NavigationFull.word(),

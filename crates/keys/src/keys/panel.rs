@@ -1,4 +1,4 @@
-//! Keys of a panel on several cones.
+//! Keys of a fender panel that stands on several cones.
 
 use fenderline_sim::{ChainGrade, ChainKind, ChainLink};
 use serde_json::json;
@@ -14,8 +14,8 @@ use crate::units::measures as unit;
 pub(super) static CONE: TableSpec = TableSpec {
     what: "a cone behind a panel",
     doc: "One of several equal fenders behind one panel. The panel moves inwards and turns about \
-        the vertical axis, so each cone has another deflection. `type`, `stiffness` or `curve`, \
-        `stop` and `rated_deflection` hold for each cone.",
+        the vertical axis, so each cone has its own deflection. The keys `type`, `stiffness`, \
+        `curve`, `stop` and `rated_deflection` of the fender hold for each cone.",
     keys: ConeKey::ALL,
     rules: None,
 };
@@ -27,15 +27,16 @@ table_keys! {
             "at",
             Kind::Quantity(PLACE_ON_FACE),
             Refused,
-            "Place along the panel from its middle, positive to the right as you look at the face.",
+            "Place of the cone along the panel, measured from the middle of the panel, positive to \
+             the right as you look at the face.",
             &["\"-1.2 m\""],
         ),
         HEIGHT: Number = key(
             "height",
             Kind::Quantity(PLACE_ON_FACE),
-            Means("at the middle"),
-            "Height above the middle of the panel. The mean over all cones is the height of the \
-             reaction above the middle of the panel.",
+            Means("at the middle of the panel"),
+            "Height of the cone above the middle of the panel. The mean height of all cones is the \
+             height of the reaction above the middle of the panel.",
             &["\"0.6 m\""],
         ),
     }
@@ -43,10 +44,12 @@ table_keys! {
 
 pub(super) static CHAIN: TableSpec = TableSpec {
     what: "a chain of a fender",
-    doc: "A chain between the structure and the panel: slack up to some motion, then a linear \
-        spring, which parts at its break load. Slack, stiffness and break load are along the \
-        direction in which the chain holds the panel. For a chain at an angle to this direction, \
-        give the stiffness times the squared cosine and the break load times the cosine.",
+    doc: "A chain between the structure and the panel of a fender. The chain is slack up to some \
+        motion of the panel, then acts as a linear spring, and parts at its break load. Slack, \
+        stiffness and break load of the chain are measured along the direction in which the chain \
+        holds the panel. For a chain at an angle to the direction in which it holds the panel, \
+        give the stiffness times the squared cosine of the angle, and the break load times the \
+        cosine.",
     keys: ChainKey::ALL,
     rules: Some(|| {
         let weight = json!({ "kind": { "const": "weight" } });
@@ -94,15 +97,15 @@ table_keys! {
             "kind",
             Kind::Choice(&KINDS),
             Refused,
-            "What it holds.",
+            "What the chain limits or carries: a tension, shear or weight chain.",
             &["\"tension\""],
         ),
         AT: Number = key(
             "at",
             Kind::Quantity(PLACE_ON_FACE),
             Unless("`kind` is shear or weight"),
-            "Place of a tension chain along the panel from its middle, positive to the right as \
-             you look at the face.",
+            "Place of a tension chain along the panel, measured from the middle of the panel, \
+             positive to the right as you look at the face.",
             &["\"-1.2 m\""],
         ),
         SLACK: Number = key(
@@ -130,7 +133,7 @@ table_keys! {
             "stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1.0, high: 1e12 }),
             Unless("`diameter` is given, or `kind` is weight"),
-            "Tension over stretch.",
+            "Stiffness of the chain: tension divided by stretch.",
             &["\"40 MN/m\""],
         ),
         BREAK_LOAD: Number = key(
@@ -144,7 +147,8 @@ table_keys! {
             "diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 6e-3, high: 0.162 }),
             Unless("`break_load` is given"),
-            "Diameter of the bar of a link. With `grade` it gives the break load, and with `link` and `length` the stiffness.",
+            "Diameter of the bar of the chain's links. The diameter gives the break load together \
+             with `grade`, and the stiffness together with `link` and `length`.",
             &["\"28 mm\""],
         ),
         GRADE: OneOf<ChainGrade> = key(
@@ -158,7 +162,7 @@ table_keys! {
             "link",
             Kind::Choice(&LINKS),
             Means("open"),
-            "Form of the links, for the stiffness.",
+            "Form of the chain's links, on which the stiffness depends.",
             &["\"stud\""],
         ),
     }
@@ -186,7 +190,7 @@ static LINKS: Choices<ChainLink> = Choices(&[
     Choice {
         word: "stud",
         value: ChainLink::Stud,
-        doc: "links with studs; not of short-link chains",
+        doc: "links with studs; short-link chains have no such links",
     },
 ]);
 
@@ -194,19 +198,19 @@ static KINDS: Choices<ChainKind> = Choices(&[
     Choice {
         word: "tension",
         value: ChainKind::Tension,
-        doc: "limits the panel's motion outwards at the place of the chain, when the panel turns; \
-            needs `cones`",
+        doc: "a tension chain limits the outward motion of the panel at the place of the chain \
+              when the panel turns; the fender needs `cones`",
     },
     Choice {
         word: "shear",
         value: ChainKind::Shear,
-        doc: "limits the panel's motion along the berth, either way, in addition to the fender's \
-            shear stiffness",
+        doc: "a shear chain limits the motion of the panel along the berth in both directions, in \
+              addition to the fender's shear stiffness",
     },
     Choice {
         word: "weight",
         value: ChainKind::Weight,
-        doc: "carries the panel's weight (`panel_mass`), and the friction of a hull that sinks \
-            along the panel",
+        doc: "a weight chain carries the panel's weight (`panel_mass`), and the friction of a hull \
+              that sinks along the panel",
     },
 ]);

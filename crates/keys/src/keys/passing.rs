@@ -13,9 +13,9 @@ use crate::{shared_keys, table_keys};
 
 pub(super) static PASSING: TableSpec = TableSpec {
     what: "a passing ship",
-    doc: "A ship that passes on a track; no force acts on her. The flow about the passing ship \
-        pushes the vessels, by Wang's (1975) method for slender ships. The passing ship touches \
-        nothing.",
+    doc: "A ship that passes on a given track; no force acts on the passing ship. The flow about \
+        the passing ship pushes the vessels of the scenario, by Wang's (1975) method for slender \
+        ships. The passing ship touches nothing.",
     keys: PassingKey::ALL,
     rules: Some(|| {
         json!({ "allOf": [
@@ -45,28 +45,29 @@ table_keys! {
             "vessel",
             Kind::Text,
             Unless("`length`, `beam` and `draught` are given"),
-            "A vessel of the library, of `vessel_files` or of this scenario.",
+            "The kind of vessel of the passing ship: from the library, from `vessel_files` or from \
+             this scenario.",
             &["\"kcs\""],
         ),
         LENGTH: Number = key(
             "length",
             Kind::Quantity(SHIP),
             Unless("`vessel` is given"),
-            "Length.",
+            "Length of the passing ship.",
             &["\"185 m\""],
         ),
         BEAM: Number = key(
             "beam",
             Kind::Quantity(SHIP),
             Unless("`vessel` is given"),
-            "Beam.",
+            "Beam of the passing ship.",
             &["\"26 m\""],
         ),
         DRAUGHT: Number = key(
             "draught",
             Kind::Quantity(SHIP),
             Unless("`vessel` is given"),
-            "Draught.",
+            "Draught of the passing ship.",
             &["7"],
         ),
         MIDSHIP_COEFFICIENT: Number = key(
@@ -87,37 +88,38 @@ table_keys! {
             "outline",
             Kind::Outline(POSITION),
             Means("the outline of `vessel`, or a rectangle"),
-            "Waterline of the passing ship about midship, for `sections = \"outline\"` and for the \
-             plan.",
+            "Waterline of the passing ship, with vertices relative to midship; it gives the \
+             sectional areas with `sections = \"outline\"`, and the ship is drawn with it in \
+             plans.",
             &["[[-92, -13], [70, -13], [92, 0], [70, 13], [-92, 13]]"],
         ),
         POSITION: Vector = key(
             "position",
             Kind::Vector(POSITION),
             Unless("`waypoints` are given"),
-            "A point on the straight track: north, east.",
+            "A point on the passing ship's straight track: north, east.",
             &["[0, 9000]"],
         ),
         HEADING: Number = key(
             "heading",
             Kind::Quantity(DIRECTION),
             Unless("`waypoints` are given"),
-            "Direction of the straight track.",
+            "Direction of the passing ship's straight track.",
             &["\"90 deg\""],
         ),
         WAYPOINTS: Points = key(
             "waypoints",
             Kind::Points(POSITION, 2, 1000),
             Means("the track is straight, through `position`"),
-            "The track: north, east of each waypoint. Before the first and after the last waypoint \
-             the track is straight.",
+            "The track of the passing ship: north and east coordinate of each waypoint. Before the \
+             first and after the last waypoint the track is straight.",
             &["[[-2000, 9000], [0, 9000], [2000, 9900]]"],
         ),
         TURNING_RADIUS: Number = key(
             "turning_radius",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e5 }),
-            Means("three of her lengths"),
-            "Radius of the bends at the waypoints.",
+            Means("three lengths of the passing ship"),
+            "Radius of the bends of the track at the waypoints.",
             &["\"600 m\""],
         ),
         SPEED: Number = key(
@@ -131,8 +133,8 @@ table_keys! {
             "speeds",
             Kind::Curve(&PACES),
             Means("`speed` throughout"),
-            "Speed of the passing ship by time: rows of time and speed; linear between the rows, \
-             constant before the first and after the last row.",
+            "Speed of the passing ship by time: rows of time and speed. The speed is linear \
+             between the rows, and constant before the first and after the last row.",
             &["[[0, \"8 kn\"], [\"5 min\", \"5 kn\"]]"],
         ),
         TIME: Number = key(
@@ -146,14 +148,15 @@ table_keys! {
             "depth_factors",
             Kind::Choice(&DEPTHS),
             Refused,
-            "How the forces of deep water are corrected for the depth.",
+            "How the forces, which are computed for deep water, are corrected for the depth of the \
+             water.",
             &["\"kriebel\""],
         ),
         BERTH: OneOf<Berth> = key(
             "berth",
             Kind::Choice(&BERTHS),
             Is("\"open\""),
-            "What is behind the vessels that the ship passes.",
+            "What lies behind the vessels that the ship passes: a jetty or a quay wall.",
             &["\"quay\""],
         ),
     }
@@ -161,7 +164,7 @@ table_keys! {
 
 pub(super) static INTERACTION: TableSpec = TableSpec {
     what: "an interaction",
-    doc: "How the flow about vessels and passing ships pushes vessels.",
+    doc: "How the flow of water about vessels and passing ships pushes other vessels.",
     keys: InteractionKey::ALL,
     rules: None,
 };
@@ -174,9 +177,10 @@ table_keys! {
             Kind::Flag,
             Is("false"),
             "Whether the flow about each vessel pushes the other vessels, when they meet, \
-             overtake, or lie beside each other. The flow is for deep water and without lift. It \
-             is left out for vessels shorter than 3.5 beams, such as tugs, and for vessels nearer \
-             than a quarter of the mean beam.",
+             overtake, or lie beside each other. The flow between vessels is computed for deep \
+             water and without lift. The force between vessels is left out for vessels shorter \
+             than 3.5 beams, such as tugs, and for vessels nearer to each other than a quarter of \
+             their mean beam.",
             &["true"],
         ),
         MIDSHIP_COEFFICIENT: Number = key(
@@ -197,15 +201,16 @@ table_keys! {
 }
 
 shared_keys! {
-    /// Keys by which the sections of a ship are found.
+    /// Keys that say how the sectional areas of a ship are found.
     pub SectionsKey of PassingKey and InteractionKey {
         MIDSHIP_COEFFICIENT: Number,
         SECTIONS: OneOf<SectionsBy>,
     }
 }
 
-const MIDSHIP: &str = "Area of the midship section over beam and draught. 0.98 is an assumption.";
-const AREAS: &str = "The areas of the sections along the length.";
+const MIDSHIP: &str = "Area of the midship section divided by the product of beam and draught. The \
+                       default of 0.98 is an assumption.";
+const AREAS: &str = "How the areas of the ship's sections along her length are found.";
 const SHIP: Quantity = Quantity { measure: LENGTH.measure, low: 0.1, high: 1000.0 };
 const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.3, high: 1.0 };
 const PACE: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 50.0 };
@@ -213,12 +218,12 @@ const MOMENT: Quantity = Quantity { measure: &unit::TIME, low: -1e8, high: 1e8 }
 
 static PACES: CurveSpec = CurveSpec { from: ("time", MOMENT), to: ("speed", PACE), fewest: 1 };
 
-/// How sectional areas are found.
+/// How the sectional areas of a ship are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SectionsBy {
-    /// A parabola over the length.
+    /// The sectional areas are a parabola over the ship's length.
     Parabola,
-    /// The beam of the outline.
+    /// The sectional areas follow from the beam of the ship's outline.
     Outline,
 }
 
@@ -226,12 +231,14 @@ static SECTIONS: Choices<SectionsBy> = Choices(&[
     Choice {
         word: "parabola",
         value: SectionsBy::Parabola,
-        doc: "a parabola from the midship section to nothing at both ends, as in Wang's paper",
+        doc: "the sectional areas are a parabola over the length, from the midship section to \
+              nothing at both ends, as in Wang's paper",
     },
     Choice {
         word: "outline",
         value: SectionsBy::Outline,
-        doc: "the beam of the outline at each section, times draught and midship coefficient",
+        doc: "each sectional area is the beam of the outline at the section, times draught and \
+              midship coefficient",
     },
 ]);
 
@@ -239,13 +246,14 @@ static DEPTHS: Choices<DepthFactors> = Choices(&[
     Choice {
         word: "none",
         value: DepthFactors::DeepWater,
-        doc: "no correction; in shallow water model tests found forces several times as large",
+        doc: "no correction for the depth; in model tests in shallow water the forces were several \
+              times as large",
     },
     Choice {
         word: "kriebel",
         value: DepthFactors::Kriebel,
-        doc: "by factors from Kriebel's (2005) model tests of parallel passing, which are \
-            recalled: we did not read the paper",
+        doc: "correction by factors from Kriebel's (2005) model tests of parallel passing; the \
+              factors are from memory, because we could not read the paper",
     },
 ]);
 
@@ -254,6 +262,7 @@ static BERTHS: Choices<Berth> = Choices(&[
     Choice {
         word: "quay",
         value: Berth::Quay,
-        doc: "a quay wall: surge times 1.4, sway 0.4, yaw 0.5, an estimate from figures of Swiegers (2011)",
+        doc: "a quay wall: the surge force is multiplied by 1.4, the sway force by 0.4 and the yaw \
+              moment by 0.5, an estimate from figures of Swiegers (2011)",
     },
 ]);

@@ -1,4 +1,4 @@
-//! Quantities with their bounds that the keys of several tables share.
+//! Kinds of quantities with their bounds, which the keys of several tables share.
 
 use fenderline_contact::Unloading;
 
@@ -11,7 +11,7 @@ pub const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high:
 pub const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
 /// A coordinate in the horizontal plane.
 pub(super) const POSITION: Quantity = Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 };
-/// A measure of a fender.
+/// A dimension of a fender.
 pub(super) const FENDER_SIZE: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e3 };
 /// A coordinate on the face of a fender.
 pub(super) const PLACE_ON_FACE: Quantity =
@@ -19,10 +19,11 @@ pub(super) const PLACE_ON_FACE: Quantity =
 /// A dimension of a fender in the direction of its compression: no fender is as high as 30 m.
 pub(super) const FENDER_HEIGHT: Quantity =
     Quantity { measure: &unit::LENGTH, low: 1e-3, high: 30.0 };
-/// A compass direction, or a direction relative to a body: at most a turn, so degrees without their unit are found.
+/// A compass direction, or a direction relative to a body. It is at most a turn, so that the program notices degrees
+/// that are written without their unit.
 pub(super) const DIRECTION: Quantity =
     Quantity { measure: &unit::ANGLE, low: -TURN_RAD, high: TURN_RAD };
-/// A turn (rad), rounded up.
+/// A full turn (rad), rounded up.
 const TURN_RAD: f64 = 6.3;
 /// A time since the start of the run.
 pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
@@ -34,6 +35,6 @@ pub(super) const SPEED: Quantity = Quantity { measure: &unit::SPEED, low: -1e4, 
 pub(super) const SEED: Quantity =
     Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4_294_967_295.0 };
 
-/// Energy returned over energy absorbed.
+/// Share of the absorbed energy that a fender returns.
 pub const RETURNED_ENERGY: Quantity =
     Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::MIN_RETURNED_SHARE, high: 1.0 };

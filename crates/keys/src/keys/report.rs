@@ -8,17 +8,17 @@ use crate::typed_key::Key;
 
 const ABSENT: crate::spec::Absent = Means("not shown");
 
-/// A line of the title page.
+/// Declares a key for a line of the title page of reports.
 const fn line(name: &'static str, doc: &'static str, examples: &'static [&'static str]) -> KeySpec {
     key(name, Kind::Text, ABSENT, doc, examples)
 }
 
-/// In the order of the title page.
+/// The keys of the title page, in the order in which the page shows them.
 pub(super) static REPORT: TableSpec = TableSpec {
     what: "the title page of a report",
-    doc: "Texts for title page and page footers of the report and for the workbook. The texts \
-        change no result. Each text is also an option of `fenderline run` and `fenderline report`, \
-        such as `--client`.",
+    doc: "Texts for the title page and the page footers of the report, and for the workbook. The \
+        texts of the title page change no result. Each text of the title page can also be given as \
+        an option of `fenderline run` and `fenderline report`, such as `--client`.",
     keys: ReportKey::ALL,
     rules: None,
 };
@@ -45,7 +45,7 @@ table_keys! {
     }
 }
 
-/// The keys, in the order of the title page.
+/// The keys of the title page, in the order of the page.
 pub const KEYS: [Key<ReportKey, Text>; ReportKey::ALL.len()] = [
     ReportKey::PROJECT,
     ReportKey::CLIENT,
@@ -57,7 +57,7 @@ pub const KEYS: [Key<ReportKey, Text>; ReportKey::ALL.len()] = [
     ReportKey::CHECKED_BY,
 ];
 
-/// Names of the keys, in the order of the title page.
+/// Names of the keys of the title page, in the order of the page.
 pub fn names() -> impl Iterator<Item = &'static str> {
     KEYS.into_iter().map(Key::name)
 }

@@ -37,7 +37,7 @@ table_keys! {
             "integrator",
             Kind::Choice(&INTEGRATORS),
             Is("\"semi_implicit\""),
-            "How states advance from step to step.",
+            "How positions and velocities advance from step to step.",
             &["\"euler\""],
         ),
     }
@@ -47,12 +47,13 @@ static INTEGRATORS: Choices<Integrator> = Choices(&[
     Choice {
         word: "euler",
         value: Integrator::Euler,
-        doc: "forward Euler, as in the paper: positions with the old velocities",
+        doc: "forward Euler, as in the paper: the new positions follow from the old velocities",
     },
     Choice {
         word: "semi_implicit",
         value: Integrator::SemiImplicit,
-        doc: "velocities first, then positions with the new velocities",
+        doc: "semi-implicit Euler: first the velocities advance, then the positions with the new \
+              velocities",
     },
     Choice { word: "rk4", value: Integrator::Rk4, doc: "classical fourth-order Runge-Kutta" },
 ]);
@@ -81,11 +82,13 @@ pub(super) static METHODS: Choices<Method> = Choices(&[
     Choice {
         word: "coupled",
         value: Method::Coupled,
-        doc: "solves all contacts of a step together with the loads, in sub-steps",
+        doc: "the coupled method solves all contacts of a step together with the loads, in \
+              sub-steps",
     },
     Choice {
         word: "paper",
         value: Method::Paper,
-        doc: "the paper's impulse-momentum limit, for each pair separately",
+        doc: "the paper's method limits the force of each pair of bodies separately by impulse and \
+              momentum",
     },
 ]);

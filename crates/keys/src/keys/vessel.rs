@@ -18,10 +18,10 @@ use crate::units::measures as unit;
 
 pub(super) static VESSEL: TableSpec = TableSpec {
     what: "a vessel",
-    doc: "A kind of vessel. Either main particulars are given, and everything else is estimated \
-        and reported as an estimate; or a vessel of the library gets other machinery, wind areas \
-        or stability. Bodies name the kind by their key `vessel`; several bodies may be of one \
-        kind.",
+    doc: "A kind of vessel. Either the main particulars are given, and everything else is \
+        estimated and reported as an estimate; or the key `from` names a vessel of the library, \
+        which gets other machinery, wind areas or stability. The key `vessel` of a body names the \
+        kind of vessel; several bodies may be of one kind.",
     keys: VesselKey::ALL,
     rules: Some(|| {
         json!({
@@ -54,45 +54,46 @@ table_keys! {
         FROM: Text = key(
             "from",
             Kind::Text,
-            Means("the vessel has particulars of its own"),
-            "A vessel of the library or of `vessel_files`. The hull, propeller and rudder of that \
-             vessel stay the same; thrusters, azimuth units, wind areas and stability given in \
-             this table replace those of that vessel.",
+            Means("the vessel has its own particulars"),
+            "A vessel of the library or of `vessel_files`. The hull, propeller and rudder of the \
+             vessel `from` stay the same; thrusters, azimuth units, wind areas and stability in \
+             this table replace those of the vessel `from`.",
             &["\"kvlcc2\""],
         ),
         LENGTH_BP: Number = key(
             "length_bp",
             Kind::Quantity(LENGTH),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Length between perpendiculars.",
             &["\"285 m\""],
         ),
         BEAM: Number = key(
             "beam",
             Kind::Quantity(LENGTH),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Beam.",
             &["\"46 m\""],
         ),
         DRAUGHT: Number = key(
             "draught",
             Kind::Quantity(LENGTH),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Draught.",
             &["\"9 m\""],
         ),
         BLOCK_COEFFICIENT: Number = key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("that of `from`"),
-            "Volume over length, beam and draught.",
+            Means("the value of `from`"),
+            "Displaced volume divided by the product of length, beam and draught.",
             &["0.71"],
         ),
         CENTRE_OF_GRAVITY: Number = key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
             Means("amidships, or the centre of gravity of `from`"),
-            "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
+            "Distance of the centre of gravity forward of midship; the vertices of the body's \
+             outline are relative to the centre of gravity.",
             &["\"-3.4 m\""],
         ),
         GYRADIUS: Number = key(
@@ -105,14 +106,14 @@ table_keys! {
         PROPELLER: TableOf<PropellerKey> = key(
             "propeller",
             Kind::Table(&PROPELLER),
-            Means("that of `from`, or none"),
+            Means("the propeller of `from`, or no propeller"),
             "Propeller and shaft.",
             &[],
         ),
         RUDDER: TableOf<RudderKey> = key(
             "rudder",
             Kind::Table(&RUDDER),
-            Means("that of `from`, or none"),
+            Means("the rudder of `from`, or no rudder"),
             "Rudder.",
             &[],
         ),
@@ -141,7 +142,7 @@ table_keys! {
         WIND_COEFFICIENTS: TableOf<WindCoefficientsKey> = key(
             "wind_coefficients",
             Kind::Table(&WIND_COEFFICIENTS),
-            Means("those of `windage`"),
+            Means("the coefficients of `windage`"),
             "Your wind coefficients.",
             &[],
         ),
@@ -155,7 +156,7 @@ table_keys! {
         WAVE_RESPONSE: Text = key(
             "wave_response",
             Kind::FileName,
-            Means("an estimate of a box-shaped hull, where `stability` is given"),
+            Means("an estimate for a box-shaped hull, if `stability` is given"),
             WAVE_RESPONSE_DOC,
             &["\"response.csv\""],
         ),
@@ -180,7 +181,7 @@ table_keys! {
         STABILITY: TableOf<StabilityKey> = key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("the data of `from`, or no heave, roll or pitch"),
+            Means("the data of `from`, or the vessel does not heave, roll or pitch"),
             "Data for heave, roll and pitch.",
             &[],
         ),
@@ -200,22 +201,22 @@ table_keys! {
         DIAMETER: Number = key(
             "diameter",
             Kind::Quantity(LENGTH),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Diameter.",
             &["\"8.5 m\""],
         ),
         FULL: Number = key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Full revolutions.",
             &["\"95 rpm\""],
         ),
         REVERSAL: Number = key(
             "reversal",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
-            Means("the time of `from`, or 40 s"),
-            "Time from full ahead to full astern.",
+            Means("the reversal time of `from`, or 40 s"),
+            "Time in which the shaft goes from full ahead to full astern.",
             &["\"60 s\""],
         ),
     }
@@ -234,28 +235,28 @@ table_keys! {
         AREA: Number = key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e4 }),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
         SPAN: Number = key(
             "span",
             Kind::Quantity(LENGTH),
-            Means("that of `from`"),
+            Means("the value of `from`"),
             "Span.",
             &["\"9 m\""],
         ),
         RATE: Number = key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
-            Means("the rate of `from`, or 2.32 deg/s"),
-            "Rate of the steering gear.",
+            Means("the rudder rate of `from`, or 2.32 deg/s"),
+            "Rate at which the steering gear turns the rudder.",
             &["\"2.5 deg/s\""],
         ),
         STOP: Number = key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
-            Means("the angle of `from`, or 35 deg"),
+            Means("the rudder angle of `from`, or 35 deg"),
             "Largest rudder angle to either side.",
             &["\"35 deg\""],
         ),
@@ -277,21 +278,21 @@ table_keys! {
             "along",
             Kind::Quantity(PLACE),
             Refused,
-            "Place of the thruster forward of midship.",
+            "Distance of the thruster forward of midship.",
             &["\"60 m\""],
         ),
         FORCE: Number = key(
             "force",
             Kind::Quantity(FORCE),
             Refused,
-            "Thrust at rest and full power.",
+            "Thrust at full power when the vessel is at rest.",
             &["\"250 kN\""],
         ),
         LAG: Number = key(
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
             Is("8"),
-            "Time constant.",
+            "Time constant with which the thrust follows the order.",
             &["\"10 s\""],
         ),
     }
@@ -300,7 +301,7 @@ table_keys! {
 /// Heave, roll and pitch.
 pub static STABILITY: TableSpec = TableSpec {
     what: "a stability",
-    doc: "Data for heave, roll and pitch.",
+    doc: "Data of the vessel for heave, roll and pitch.",
     keys: StabilityKey::ALL,
     rules: None,
 };
@@ -319,7 +320,7 @@ table_keys! {
             "gravity_above_keel",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 200.0 }),
             Refused,
-            "Centre of gravity above the keel, KG.",
+            "Height KG of the centre of gravity above the keel.",
             &["\"10 m\""],
         ),
         WATERPLANE_AREA: Number = key(

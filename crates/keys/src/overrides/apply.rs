@@ -1,4 +1,4 @@
-//! Sets the keys of a document that overrides name.
+//! Sets the keys of a TOML document that overrides name.
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
@@ -14,8 +14,8 @@ use crate::sources::Sources;
 use crate::spec::{Kind, TableSpec};
 use crate::suggest::nearest;
 
-/// Applies every override to the document, in their order. Returns the path of each key that was set, and the index of
-/// its override.
+/// Applies all overrides to the document, one after the other. Returns the path of each key that was set, with the
+/// index of the override that set the key.
 pub fn apply<'a>(
     sources: &Sources<'a>,
     document: &mut DeTable<'a>,
@@ -24,17 +24,16 @@ pub fn apply<'a>(
     for (index, change) in sources.overrides.iter().enumerate() {
         let value = respan(&change.value()?, &sources.override_span(index));
         let span = sources.override_key_span(index);
-        let refused = |message: String| {
-            let key = change.path().join(".");
-            sources.error(&span, &key, format!("`{key}` {message}"))
-        };
+        let key = change.path().join(".");
+        let refused = |message: String| sources.error(&span, &key, message);
         if change.path().last().is_some_and(|name| is_pattern(name)) {
-            let error = refused("ends in a pattern, which stands for whole tables".to_owned());
-            return Err(error.with_help("add the key to be set"));
+            let error =
+                refused(format!("`{key}` ends in a pattern, which stands for whole tables"));
+            return Err(error.with_help("add the key to be set after the pattern"));
         }
         let paths = paths(document, change.path(), &span);
         if paths.is_empty() {
-            return Err(refused("fits nothing in the file".to_owned()));
+            return Err(refused(format!("`{key}` fits nothing in the file")));
         }
         for path in paths {
             let setter = Setter { sources, index, value: value.clone() };
@@ -46,11 +45,11 @@ pub fn apply<'a>(
     Ok(set)
 }
 
-/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A
-/// path with a `*` becomes the paths of all keys for which it stands.
+/// The keys of a scenario that the overrides set, in the order of the overrides, each with its value as the user wrote
+/// it. An override whose path has a `*` gives the paths of all keys for which this path stands.
 ///
 /// # Errors
-/// A text that is not TOML, or an override of a key that does not exist.
+/// Fails if the text is not TOML, or if an override names a key that does not exist.
 pub fn set_keys(
     text: &str,
     file_name: &str,
@@ -65,10 +64,11 @@ pub fn set_keys(
         .collect())
 }
 
-/// The next name of a dotted path, and the names after it.
+/// The next name of a dotted path, and the names after that name.
 type Names<'p> = (&'p str, &'p [String]);
 
-/// One override on its way down the document. `at` is the path so far, for messages.
+/// Sets one override's value on its way down through the tables of the document. In its functions, `at` is the path
+/// down to the present table, for messages.
 struct Setter<'s, 'a> {
     sources: &'s Sources<'a>,
     index: usize,
@@ -152,7 +152,9 @@ impl<'a> Setter<'_, 'a> {
         let node = name.parse::<usize>().ok().and_then(|index| nodes.get_mut(index));
         let Some(node) = node else {
             let message = format!("`{inner_at}` does not exist: the file has {count} of `{at}`");
-            return Err(self.error(&inner_at, message).with_help("they are numbered from 0"));
+            return Err(self
+                .error(&inner_at, message)
+                .with_help("the items of a list are numbered from 0"));
         };
         let [next, deeper @ ..] = deeper else {
             *node = self.value;
@@ -164,7 +166,7 @@ impl<'a> Setter<'_, 'a> {
         }
     }
 
-    /// Sets a key to the value. A key of the file keeps its place there.
+    /// Sets a key of a table to the override's value. A key that stands in the file keeps its place in the file.
     fn set(self, table: &mut DeTable<'a>, name: &str) {
         let span = self.sources.override_key_span(self.index);
         match table.get_mut(name) {

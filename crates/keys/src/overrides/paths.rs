@@ -1,5 +1,5 @@
-//! What the path of an override stands for. `fender.*.tolerance` holds for all fenders and rows; `fender.a_3.tolerance` is
-//! an exception of the row `a`.
+//! Finds the keys for which the path of an override stands. The path `fender.*.tolerance` stands for all fenders and
+//! rows; the path `fender.a_3.tolerance` stands for an exception of the row `a`.
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
@@ -9,8 +9,8 @@ use crate::keys::fender_row::MOST_IN_ROW;
 use crate::row_names::number_in_row;
 use crate::sources::Span;
 
-/// The paths for which the path of an override stands: the path itself, the paths that a pattern fits, or the paths of
-/// rows. Empty if a pattern fits nothing.
+/// The paths for which the path of an override stands: the path itself, the paths that fit its pattern, or the paths of
+/// rows. The list is empty if nothing fits the pattern.
 pub(super) fn paths(document: &mut DeTable<'_>, path: &[String], span: &Span) -> Vec<Vec<String>> {
     match path {
         [table, name, deeper @ ..] if table == "fender" && !has(document, "fender", name) => {
@@ -20,7 +20,8 @@ pub(super) fn paths(document: &mut DeTable<'_>, path: &[String], span: &Span) ->
     }
 }
 
-/// The paths of a key of fenders that have no table of this name; `None` for a name that no row has.
+/// The paths for a key of the fender `name`, which has no table of its own but stands in a row; `None` if no row has a
+/// fender of this name.
 fn of_fenders(
     document: &mut DeTable<'_>,
     name: &str,
@@ -48,7 +49,7 @@ fn of_fenders(
     (is_pattern(name) || !found.is_empty()).then_some(found)
 }
 
-/// A path with each pattern replaced by the names of the tables that it fits.
+/// Replaces each pattern in a path by the names of the tables that fit the pattern.
 fn expanded(document: &DeTable<'_>, path: &[String]) -> Vec<Vec<String>> {
     let is_pattern_here =
         |(table, name): (&DeTable<'_>, &String)| is_pattern(name) && !table.contains_key(&**name);
@@ -70,7 +71,7 @@ fn expanded(document: &DeTable<'_>, path: &[String]) -> Vec<Vec<String>> {
     vec![path.to_vec()]
 }
 
-/// Whether a name is the name of a fender of a row, or a pattern that may fit such names.
+/// Whether `name` is the name of a fender of the row `row`, or a pattern that a fender's name in this row fits.
 fn stands_in(row: &str, name: &str) -> bool {
     match is_pattern(name) {
         false => number_in_row(row, name).is_some(),
@@ -105,7 +106,7 @@ fn exceptions_of<'t, 'a>(document: &'t mut DeTable<'a>, row: &str) -> Option<&'t
     table(table(table(document, "fender_row")?, row)?, "exception")
 }
 
-/// Adds an empty exception, unless the row has one of this name.
+/// Adds an empty exception `name` to a row of fenders, unless the row already has an exception of this name.
 fn add_exception(document: &mut DeTable<'_>, row: &str, name: &str, span: &Span) {
     let rows = table(document, "fender_row");
     let Some(row) = rows.and_then(|rows| table(rows, row)) else { return };

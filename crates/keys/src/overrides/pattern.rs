@@ -1,13 +1,13 @@
-//! Names with `*`, which stand for several tables.
+//! Patterns: names with a `*` that stand for several tables.
 
 use std::borrow::Cow;
 
-/// Whether a name is a pattern.
+/// Whether a name is a pattern, that is, whether it has a `*`.
 pub fn is_pattern(name: &str) -> bool {
     name.contains('*')
 }
 
-/// Whether a name fits a pattern, in which each `*` stands for any text.
+/// Whether a name fits a pattern; each `*` in the pattern stands for any text.
 pub fn fits(pattern: &str, name: &str) -> bool {
     let mut parts = pattern.split('*');
     let first = parts.next().expect("a split text has a first part");
@@ -22,7 +22,7 @@ pub fn fits(pattern: &str, name: &str) -> bool {
     rest.ends_with(last)
 }
 
-/// A dotted path with quotes around the names that have a `*`, as TOML needs them.
+/// Puts quotes around the names with a `*` in a dotted path, because TOML needs these quotes.
 pub(super) fn with_quotes(path: &str) -> Cow<'_, str> {
     if !is_pattern(path) || path.contains(['"', '\'']) {
         return Cow::Borrowed(path);

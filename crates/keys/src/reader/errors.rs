@@ -28,7 +28,7 @@ pub(super) fn wrong_type(
     sources.error(&node.span(), path, format!("`{path}` must be {wanted}, but is {found}"))
 }
 
-/// The error for a key that a table does not have.
+/// The error for a key in the file that this kind of table does not have.
 pub fn unknown_key(
     sources: &Sources<'_>,
     spec: &TableSpec,
@@ -48,7 +48,7 @@ pub fn unknown_key(
     })
 }
 
-/// The header of a table right below this one that has a key of this name.
+/// The header of a table directly within this table that has a key of the name `name`.
 fn table_with(spec: &TableSpec, name: &str) -> Option<String> {
     spec.keys.iter().find_map(|key| {
         let (inner, header) = match key.kind {

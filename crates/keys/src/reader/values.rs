@@ -1,4 +1,4 @@
-//! Values of single keys: texts, words, numbers with units, points and curves.
+//! Reads the values of single keys: texts, words, numbers with units, points and curves.
 
 use fenderline_contact::{Vec2, vec2};
 use toml::Spanned;
@@ -31,7 +31,7 @@ pub(super) fn text(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<S
     }
 }
 
-/// A number with its unit, or a name. A text that begins like a number is read as a number.
+/// Reads a number with its unit, or a name. A text that begins like a number is read as a number.
 pub(super) fn name_or(
     sources: &Sources<'_>,
     quantity: &Quantity,
@@ -58,7 +58,7 @@ pub(super) fn texts(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<
     nodes.iter().enumerate().map(one).collect()
 }
 
-/// A list of numbers, texts and flags, each as it would stand behind `--set KEY=`.
+/// Reads a list of numbers, texts and flags; each item becomes the text that would stand behind `--set KEY=`.
 pub(super) fn any_values(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<Vec<String>> {
     let wanted = "a list of numbers or of texts in quotes";
     let DeValue::Array(nodes) = node.get_ref() else {
@@ -73,7 +73,7 @@ pub(super) fn any_values(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> 
     nodes.iter().enumerate().map(one).collect()
 }
 
-/// A number with or without a unit, as it would stand behind `--set KEY=`.
+/// Reads a number with or without a unit, as the text that would stand behind `--set KEY=`.
 pub(super) fn any_number(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<String> {
     match node.get_ref() {
         DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str().to_owned()),
@@ -83,18 +83,18 @@ pub(super) fn any_number(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> 
     }
 }
 
-/// Names and titles are short and in one line.
+/// Checks that a name or title is short and in one line.
 pub(super) fn check_text(sources: &Sources<'_>, path: &str, text: &str, span: &Span) -> Read<()> {
     let complaint = if text.trim().is_empty() {
-        "is empty".to_owned()
+        format!("`{path}` is empty")
     } else if text.len() > LONGEST_TEXT {
-        format!("is longer than {LONGEST_TEXT} bytes")
+        format!("`{path}` is longer than {LONGEST_TEXT} bytes")
     } else if text.contains(char::is_control) {
-        "has a line break or another control character in it".to_owned()
+        format!("`{path}` has a line break or another control character in it")
     } else {
         return Ok(());
     };
-    Err(sources.error(span, path, format!("`{path}` {complaint}")))
+    Err(sources.error(span, path, complaint))
 }
 
 pub(super) fn flag(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<bool> {
@@ -138,7 +138,7 @@ pub(super) fn vector(
     two_numbers(sources, columns, path, node).map(|(x, y)| vec2(x, y))
 }
 
-/// A list of two numbers, each with its name and quantity.
+/// Reads a list of two numbers, each with its name and quantity.
 fn two_numbers(
     sources: &Sources<'_>,
     columns: [(&str, &Quantity); 2],
@@ -196,7 +196,7 @@ pub(super) fn outline(
     node: &Node<'_>,
 ) -> Read<Vec<Vec2>> {
     let DeValue::Array(nodes) = node.get_ref() else {
-        return Err(wrong_type(sources, "a list of [forward, starboard] points", path, node));
+        return Err(wrong_type(sources, "a list of points [forward, starboard]", path, node));
     };
     let point = |(index, node): (usize, &Node<'_>)| {
         // The point's path is built only for an error: outlines may be long.
@@ -206,7 +206,7 @@ pub(super) fn outline(
     nodes.iter().enumerate().map(point).collect()
 }
 
-/// As [`outline`], with the least and the greatest number of points.
+/// Reads a list of points as [`outline`] does, and checks that there are `fewest` to `most` points.
 pub(super) fn points(
     sources: &Sources<'_>,
     quantity: &Quantity,
@@ -300,13 +300,14 @@ fn with_unit(
     let error = sources.error(span, path, message);
     Err(match parsed.dimension.of_weight() == Some(measure.dimension) {
         true => error.with_help(
-            "a tonne is a mass: write tf, kgf, lbf or LTf for its weight, as in \"60 tf\" or \"20 tf.m\"",
+            "a tonne is a mass: write tf, kgf, lbf or LTf for its weight, as in \"60 tf\" or \"20 \
+             tf.m\"",
         ),
         false => error.with_help(measure.help()),
     })
 }
 
-/// A value of a measure for messages: angles in degrees too.
+/// A quantity in SI units as messages show it; an angle is shown in degrees, too.
 fn shown(value: f64, measure: &Measure) -> String {
     let si = si(value, measure.unit);
     match core::ptr::eq(measure, &units::measures::ANGLE) {
@@ -315,7 +316,7 @@ fn shown(value: f64, measure: &Measure) -> String {
     }
 }
 
-/// A number and its unit, short: `1e15 N/m²`.
+/// A number and its unit as a short text, such as `1e15 N/m²`.
 pub(super) fn si(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-3..1e7).contains(&value.abs());
     let number = if plain { format!("{value}") } else { format!("{value:e}") };

@@ -6,12 +6,12 @@ use super::error::UnitError;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Decimal {
     negative: bool,
-    /// All digits, without the point.
+    /// All digits of the number, without the decimal point.
     digits: String,
     exponent: i32,
 }
 
-/// An exact factor: numerator / denominator · 10^ten · π^pi.
+/// An exact factor of a unit: numerator / denominator · 10^ten · π^pi.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Scale {
     pub(super) numerator: u128,
@@ -23,7 +23,7 @@ pub(super) struct Scale {
 impl Scale {
     pub(super) const ONE: Scale = Scale { numerator: 1, denominator: 1, ten: 0, pi: 0 };
 
-    /// `self · other^power`; `None` if the fraction outgrows 128 bits.
+    /// The product `self · other^power`; `None` if its fraction does not fit 128 bits.
     pub(super) fn times(self, other: Scale, power: i32) -> Option<Scale> {
         let mut product = self;
         for _ in 0..power.unsigned_abs() {
@@ -75,7 +75,7 @@ impl Decimal {
         Ok((Decimal { negative, digits, exponent }, rest))
     }
 
-    /// The number times a unit's factor; infinite if the product overflows.
+    /// The product of the number and a unit's factor; infinite if the product overflows.
     pub(super) fn times(&self, scale: &Scale) -> f64 {
         let ten = self.exponent + scale.ten;
         let rational = self.exact_times(scale, ten).unwrap_or_else(|| {
@@ -94,8 +94,8 @@ impl Decimal {
         value
     }
 
-    /// The correctly rounded product, by one division of two integers that `f64` holds exactly; `None` if
-    /// the integers are too long.
+    /// The correctly rounded product of number and factor, computed by one division of two integers that `f64` holds
+    /// exactly; `None` if the integers are too long.
     fn exact_times(&self, scale: &Scale, ten: i32) -> Option<f64> {
         const EXACT: u128 = 1 << 53;
         let power_of_ten = 10_u128.checked_pow(ten.unsigned_abs())?;
@@ -112,7 +112,7 @@ fn split_digits(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// The exponent after an `e`, 0 where there is none.
+/// The exponent after an `e`, or 0 if the text has no exponent, and the rest of the text.
 fn split_exponent(text: &str) -> Result<(i32, &str), UnitError> {
     let Some(after) = text.strip_prefix(['e', 'E']) else { return Ok((0, text)) };
     let sign_length = usize::from(after.starts_with(['+', '-']));
@@ -133,6 +133,6 @@ fn no_number(text: &str) -> UnitError {
     } else if text.starts_with('.') {
         UnitError::with_help("a number starts with a digit", "write 0.5, not .5")
     } else {
-        UnitError::new("there is no number in it")
+        UnitError::new("the text does not start with a number")
     }
 }

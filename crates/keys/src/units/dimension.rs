@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// Exponents of the base units. The plane angle counts as a base unit, so that a rate of turn is not a frequency and a
-/// heading is not a plain number.
+/// The dimension of a quantity: the exponents of the base units. The plane angle counts as a base unit, so that a rate
+/// of turn is not a frequency and a heading is not a plain number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
     metre: i8,
@@ -19,12 +19,12 @@ impl Dimension {
         Dimension { metre, kilogram, second, radian }
     }
 
-    /// The dimension with a force in place of the mass, for a mass by which its weight is meant.
+    /// The dimension with a force in place of the mass, for a user who writes a mass and means its weight.
     pub fn of_weight(self) -> Option<Dimension> {
         self.times(Dimension::new(1, 0, -2, 0), 1)
     }
 
-    /// `self · other^power`; `None` beyond the 127th power.
+    /// The dimension `self · other^power`; `None` beyond the 127th power.
     pub(super) fn times(self, other: Dimension, power: i32) -> Option<Dimension> {
         let exponent = |a: i8, b: i8| i8::try_from(i32::from(a) + i32::from(b) * power).ok();
         Some(Dimension {
@@ -35,7 +35,7 @@ impl Dimension {
         })
     }
 
-    /// Written in base units: `kg·m/s²`.
+    /// The dimension written in base units, as in `kg·m/s²`.
     fn base_units(self) -> String {
         let bases =
             [("kg", self.kilogram), ("m", self.metre), ("rad", self.radian), ("s", self.second)];
@@ -60,7 +60,7 @@ impl Dimension {
     }
 }
 
-/// As an error names it: `a speed (m/s)`, or `a quantity (kg²/m)` for one without a name.
+/// Prints the dimension as errors name it: `a speed [m/s]`, or `a quantity [kg²/m]` for a dimension without a name.
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match measures::ALL.iter().find(|measure| measure.dimension == *self) {
@@ -78,18 +78,18 @@ pub mod measures {
     /// A kind of quantity that a key may hold.
     #[derive(Debug, PartialEq, Eq)]
     pub struct Measure {
-        /// Name with its article: `a speed`.
+        /// Name of the quantity with its article, as in `a speed`.
         pub name: &'static str,
-        /// Its SI unit, empty for a plain number.
+        /// SI unit of the quantity, empty for a plain number.
         pub unit: &'static str,
-        /// An example value.
+        /// An example of a value with a unit.
         pub example: &'static str,
-        /// Its dimension.
+        /// Dimension of the quantity.
         pub dimension: Dimension,
     }
 
     impl Measure {
-        /// What to write, with an example.
+        /// Says how to write such a quantity, with an example.
         pub fn help(&self) -> String {
             let Measure { name, example, .. } = self;
             if core::ptr::eq(self, &CELSIUS) {
@@ -102,7 +102,8 @@ pub mod measures {
         }
     }
 
-    /// A temperature in degrees Celsius: of no dimension, as its units are not multiples of each other.
+    /// A temperature in degrees Celsius. A temperature has no dimension here, because its units are not multiples of
+    /// each other.
     pub static CELSIUS: Measure = Measure {
         name: "a temperature",
         unit: "°C",
@@ -131,7 +132,7 @@ pub mod measures {
                         dimension: Dimension::new($m, $kg, $s, $rad),
                     };
             )*
-            /// All of them; the first of a dimension names it.
+            /// All named kinds of quantity; the first one of a dimension gives the dimension its name.
             pub static ALL: &[&Measure] = &[$(&$id),*];
         };
     }

@@ -1,6 +1,6 @@
-//! Why a text is not a quantity.
+//! The error of a text that is not a quantity.
 
-/// Why a text is not a quantity.
+/// Says why a text is not a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnitError {
     /// What is wrong.

@@ -11,7 +11,7 @@ use super::table::{self, UNITS};
 use super::{Dimension, UnitError, temperature};
 use crate::suggest::nearest;
 
-/// A unit: its factor to SI and its dimension.
+/// A unit: its factor to the SI unit, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Unit {
     pub(super) scale: Scale,
@@ -31,8 +31,7 @@ impl Unit {
     }
 }
 
-/// Parses a whole unit expression. The caller bounds the length of `text`, and so the depth of
-/// recursion.
+/// Parses a whole unit expression. The caller must limit the length of `text`, which limits the depth of recursion.
 pub(super) fn parse(text: &str) -> Result<Unit, UnitError> {
     let mut cursor = Cursor { rest: text };
     let unit = cursor.expression()?;
@@ -63,7 +62,7 @@ impl Cursor<'_> {
             } else if self.take(&['.', '*', '·', '⋅', '×']) || (spaced && self.at_factor()) {
                 if divided {
                     return Err(UnitError::with_help(
-                        "a product after a `/` can be read in two ways",
+                        "a product after a `/` in a unit can be read in two ways",
                         "write the divisor last or in parentheses: kN.s/m^2, kN/(m.s)",
                     ));
                 }
@@ -98,9 +97,9 @@ impl Cursor<'_> {
         let (symbol, rest) = self.rest.split_at(end);
         if symbol.is_empty() {
             return Err(match rest.chars().next() {
-                None => UnitError::new("the unit ends where a unit symbol should follow"),
+                None => UnitError::new("the unit breaks off where a unit symbol should follow"),
                 Some(other) => UnitError::new(format!(
-                    "`{}` stands in the unit where a unit symbol should",
+                    "`{}` stands in the unit where a unit symbol should stand",
                     show(other)
                 )),
             });
@@ -135,7 +134,7 @@ impl Cursor<'_> {
                 Ok(sign * power)
             }
             _ => Err(UnitError::with_help(
-                "the power of a unit is a whole number from 1 to 9",
+                "the power of a unit must be a whole number from 1 to 9",
                 "write m^2 or s^-1",
             )),
         }
@@ -176,13 +175,13 @@ fn unknown(symbol: &str) -> UnitError {
     let message = format!("`{}` is not a known unit", symbol.escape_debug());
     if symbol == "kt" {
         return UnitError::with_help(
-            "`kt` can be read as knots or as kilotonnes",
+            "the unit `kt` can be read as knots or as kilotonnes",
             "write `kn` for knots, `1000 t` for a kilotonne",
         );
     }
     if ["ton", "tons"].iter().any(|ton| ton.eq_ignore_ascii_case(symbol)) {
         return UnitError::with_help(
-            format!("`{symbol}` can be read as a metric, a long or a short ton"),
+            format!("the unit `{symbol}` can be read as a metric, a long or a short ton"),
             "write `t` for 1000 kg, `LT` for 1016 kg, `ST` for 907 kg",
         );
     }

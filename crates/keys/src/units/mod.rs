@@ -1,5 +1,5 @@
-//! Quantities with units: "500 kN/m^2" to a number in SI and its dimension. Unit strings are parsed
-//! here and nowhere else.
+//! Quantities with units: turns a text like "500 kN/m^2" into a number in SI units and its dimension. The program
+//! parses units only in this module.
 
 mod decimal;
 mod dimension;
@@ -18,21 +18,21 @@ use decimal::Decimal;
 /// A quantity in SI units (angles in radians).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// The number in SI units; finite.
+    /// The number of the quantity in SI units, which is finite.
     pub si: f64,
     /// Dimension of the quantity.
     pub dimension: Dimension,
-    /// Whether the text gave a unit, `1` included.
+    /// Whether the text gave a unit; the unit `1` counts as a unit.
     pub has_unit: bool,
 }
 
-/// Longest text of a quantity, in bytes. Bounds the work and the depth of parentheses.
+/// Longest text of a quantity, in bytes. This length limits the parser's work and the depth of parentheses.
 const LONGEST: usize = 120;
 
-/// Parses a number and its unit.
+/// Parses a text with a number and its unit.
 ///
-/// The result is the correctly rounded product of number and unit if numerator and denominator of the exact result are
-/// below 2^53 and the unit has no π; otherwise it has a few rounding errors.
+/// The resulting number is correctly rounded if numerator and denominator of the exact result are below 2^53 and the
+/// unit has no factor π; otherwise it has a few rounding errors.
 pub fn parse(text: &str) -> Result<Quantity, UnitError> {
     if text.len() > LONGEST {
         return Err(UnitError::new(format!("a quantity has at most {LONGEST} characters")));

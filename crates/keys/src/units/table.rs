@@ -3,12 +3,12 @@
 use super::Dimension;
 use super::decimal::Scale;
 
-/// A unit with its exact factor to SI.
+/// A unit with its symbol and its exact factor to SI.
 pub(super) struct NamedUnit {
     pub(super) symbol: &'static str,
     pub(super) scale: Scale,
     pub(super) dimension: Dimension,
-    /// Spellings that are refused with this unit as the suggestion.
+    /// Wrong spellings of the unit, which are refused with this unit as the suggestion.
     pub(super) also: &'static [&'static str],
 }
 
@@ -33,7 +33,7 @@ const fn unit(
     NamedUnit { symbol, scale: Scale { numerator, denominator, ten, pi }, dimension, also }
 }
 
-/// One pound-force is this times 10^-13 N: 0.45359237 times 9.80665.
+/// One pound-force in units of 10^-13 N: the product of 0.45359237 and 9.80665.
 const LBF: u128 = 44_482_216_152_605;
 
 /// 10^n.
@@ -108,7 +108,7 @@ pub(super) static UNITS: &[NamedUnit] = &[
     unit("MW", POWER, ten(6), &[]),
 ];
 
-/// The unit with this symbol.
+/// The unit with the symbol `symbol`.
 pub(super) fn find(symbol: &str) -> Option<&'static NamedUnit> {
     UNITS.iter().find(|unit| unit.symbol == symbol)
 }

@@ -5,7 +5,7 @@ use super::error::UnitError;
 
 const CELSIUS: [&str; 2] = ["degC", "°C"];
 const FAHRENHEIT: [&str; 2] = ["degF", "°F"];
-/// Other spellings of units, and the units that they mean.
+/// Wrong spellings of units of temperature, each with the unit that is meant.
 const NEAR: [(&str, &str); 12] = [
     ("C", "degC"),
     ("c", "degC"),
@@ -25,7 +25,7 @@ const KELVIN: [&str; 5] = ["K", "kelvin", "Kelvin", "degK", "°K"];
 /// 0 °C in kelvin.
 const ZERO_CELSIUS_K: f64 = 273.15;
 
-/// A temperature in degrees Celsius; a number without a unit is one already.
+/// Reads a temperature, in degrees Celsius; a number without a unit counts as degrees Celsius.
 pub fn celsius(text: &str) -> Result<f64, UnitError> {
     let (number, unit) = Decimal::split(text.trim())?;
     let (number, unit) = (number.times(&Scale::ONE), unit.trim());
@@ -50,12 +50,12 @@ pub fn celsius(text: &str) -> Result<f64, UnitError> {
     ))
 }
 
-/// A temperature in kelvin as degrees Celsius, to a hundredth of a degree.
+/// Converts a temperature from kelvin to degrees Celsius, rounded to a hundredth of a degree.
 pub fn of_kelvin(kelvin: f64) -> f64 {
     libm::round((kelvin - ZERO_CELSIUS_K) * 100.0) / 100.0
 }
 
-/// Whether a unit symbol is one of temperature.
+/// Whether a symbol is a unit of temperature.
 pub(super) fn is_unit(symbol: &str) -> bool {
     CELSIUS.contains(&symbol) || FAHRENHEIT.contains(&symbol) || KELVIN.contains(&symbol)
 }

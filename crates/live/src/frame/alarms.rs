@@ -1,4 +1,4 @@
-//! The causes of alarms that are active in a tick. The alarm book decides how long each alarm is displayed.
+//! Finds the causes of alarms that are active in a tick. The alarm book decides how long each alarm is displayed.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::anchor::{AnchorPosition, LostBy};
@@ -12,14 +12,15 @@ use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
 use super::passage::Passages;
 
-/// A load of this share of a fender's rating raises a caution. A load of the whole rating raises an alarm.
+/// A load of this share of a fender's rating raises a caution. A load on a fender of its whole rating raises an alarm.
 const FENDER_CAUTION: f64 = 0.8;
-/// A tension of this share of a line's working load raises a caution. A tension of the whole working load raises an
-/// alarm.
+/// A tension of this share of a line's working load raises a caution. A tension of a line's whole working load raises
+/// an alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// Approach speeds raise alarms within this distance of the berth (m).
+/// A ship that closes in too fast raises an alarm within this distance of the berth (m).
 const NEAR_M: f64 = 100.0;
-/// An under-keel clearance below this share of the draught raises a caution. The value is our choice.
+/// An under-keel clearance below this share of the draught raises a caution. The least under-keel clearance without a
+/// caution is our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;
 
 /// The data from which the causes of alarms are found.
@@ -35,7 +36,7 @@ pub(super) struct Input<'a> {
     pub(super) passages: &'a Passages,
 }
 
-/// All causes of alarms in this tick.
+/// All causes of alarms that are active in the present tick.
 pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     let mut all = Vec::new();
     vessels(of, &mut all);
@@ -57,7 +58,7 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     all
 }
 
-/// An alarm whose key joins the kind and the subjects of the alarm.
+/// Makes an alarm whose key joins the kind and the subjects of the alarm.
 fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
     let key = format!("{kind} {}", about.join(" "));
     Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }
@@ -151,8 +152,8 @@ fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-/// An anchor that has dragged farther than this raises an alarm (m). While a ship brings up, a few metres are usual.
-/// The value is our choice.
+/// An anchor that has dragged farther than this raises an alarm (m). A few metres are usual while a ship brings up. The
+/// greatest distance without an alarm is our choice.
 const DRAGGED_M: f64 = 5.0;
 
 fn anchors(of: &Input<'_>, all: &mut Vec<Alarm>) {

@@ -1,5 +1,6 @@
-//! The docking board's signals for each end of a ship, from the contacts and the position of the berth. Distance alone
-//! is not enough. A hull behind the line of the fenders may lie at a fender, between fenders, or on the quay.
+//! The docking board's signals for each end of a ship, from the contacts and the position of the berth. The distance
+//! from the berth alone does not tell the signal. A hull behind the line of the fenders may lie at a fender, between
+//! fenders, or on the quay.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -10,7 +11,7 @@ use crate::alarm_book::AlarmBook;
 use crate::approach::{ApproachLimit, Light};
 use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
-/// The data of the docking board.
+/// The data from which the docking board's signals are found.
 pub(super) struct BoardInput<'a> {
     pub(super) simulation: &'a Simulation,
     pub(super) contacts: &'a [ContactNow],
@@ -19,12 +20,12 @@ pub(super) struct BoardInput<'a> {
     pub(super) approach: ApproachLimit,
 }
 
-/// An end of a ship is at the fenders if it is nearer than this distance and a fender carries load (m). The distance is
-/// the resolution of a docking laser.
+/// An end of a ship is at the fenders if its distance is less than this (m) and a fender carries load. A docking laser
+/// can resolve distances of this size.
 const AT_FENDERS_M: f64 = 0.02;
 
-/// The signal for an end of a ship: the worse of the signals for speed and for position. If both are equal, it is the
-/// signal for position.
+/// The board's signal for an end of a ship: the worse of the signals for speed and for position. If both signals are
+/// equal, the signal for position is shown.
 pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
     let by_speed = Lamp {
         light: speed,
@@ -47,7 +48,7 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
     if speed > light { by_speed } else { Lamp { light, text } }
 }
 
-/// The positions of bow and stern of a vessel at the berth.
+/// The positions of a vessel's bow and stern relative to the berth.
 pub(super) fn ends(
     of: &BoardInput<'_>,
     berth: &Berth,
@@ -122,9 +123,9 @@ fn is_over_rated(fender: &FenderNow) -> bool {
     fender.failed || greater(fender.of_energy, fender.of_reaction) >= 1.0
 }
 
-/// True if a point belongs to an end of the ship. The side of the ship has three thirds. A point belongs to both ends
-/// if it lies in the middle third, as the middle of a patch along the whole side does. Otherwise the point belongs to
-/// the nearer end.
+/// True if a contact point belongs to an end of the ship. For this question the side of the ship is divided into three
+/// thirds. A contact point in the middle third belongs to both ends, as the middle of a patch along the whole side
+/// does. Outside the middle third, a contact point belongs to the nearer end of the ship.
 fn is_at(ends: &Lie, end: usize, at_m: Vec2) -> bool {
     let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
     let side = this - other;

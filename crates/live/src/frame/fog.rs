@@ -1,4 +1,4 @@
-//! What fog hides: the frame for a person on board, who sees no farther than the visibility.
+//! Leaves out of a frame what fog hides from a person on board, who sees no farther than the visibility.
 
 use fenderline_contact::{BodyState, Pose, Vec2};
 use fenderline_sim::distance::to_edge_m;
@@ -9,11 +9,12 @@ use crate::message::{Frame, Role};
 use crate::session::Session;
 
 impl Session {
-    /// The frame as a person with this role sees it. `None` if the fog hides nothing from this person and no instrument
-    /// is frozen. The frame leaves out floating bodies beyond the visibility, with their contacts and distances. The
-    /// instructor sees everything. Everybody sees the chart, the structures and the data of instruments and radio: the
-    /// motion of the own ship, the berth, orders to tugs, lines. The pilot or master of a ship with frozen instruments
-    /// sees what the instruments show. Only the instructor is told that instruments are frozen.
+    /// The frame as a person with the role `role` sees it. The frame is `None` if the fog hides nothing from the person
+    /// and no instrument is frozen. The person's frame leaves out floating bodies beyond the visibility, with their
+    /// contacts and distances. The instructor sees everything. Everybody sees the chart, the structures and the data of
+    /// instruments and radio: the motion of the own ship, the berth, orders to tugs, lines. The pilot or master of a
+    /// ship with frozen instruments sees what the instruments show. Only the instructor is told that instruments are
+    /// frozen.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         if *role == Role::Instructor {
@@ -33,7 +34,8 @@ impl Session {
         seen
     }
 
-    /// The frame as a person sees it through fog. `None` if the fog hides nothing from this person.
+    /// The frame as a person with the role `role` sees it through fog. The frame is `None` if the fog hides nothing
+    /// from the person.
     fn through_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         let view = self.view(role)?;
         let (hidden, traffic) = (self.hidden_bodies(&view), self.hidden_traffic(&view));
@@ -58,7 +60,7 @@ impl Session {
         Some(seen)
     }
 
-    /// Indices of the vessels whose paths a person with this role does not get: vessels that fog hides, and this
+    /// Indices of the vessels whose paths a person with the role `role` does not get: vessels that fog hides, and the
     /// person's own vessel if her instruments are frozen.
     #[must_use]
     pub fn hidden_vessels(&self, role: &Role) -> Vec<usize> {
@@ -71,7 +73,8 @@ impl Session {
         vessels.filter(is_hidden).map(|(index, _)| index).collect()
     }
 
-    /// The view of a person with this role. `None` if the air is clear, and for the instructor.
+    /// Where a person with the role `role` looks from, and how far. The view is `None` if the air is clear, and for the
+    /// instructor.
     fn view(&self, role: &Role) -> Option<View> {
         let visibility_m = self.simulation().setup().world.environment.visibility_m?;
         let viewer = self.eye(role)?;
@@ -79,7 +82,7 @@ impl Session {
         Some(View { viewer, eye_m, visibility_m })
     }
 
-    /// For each body, whether fog hides it.
+    /// For each body, whether fog hides the body.
     fn hidden_bodies(&self, view: &View) -> Vec<bool> {
         let bodies = self.simulation().setup().bodies.iter().zip(self.simulation().states());
         let is_hidden = |(index, (body, state)): (usize, (&BodySetup, &BodyState))| {
@@ -90,14 +93,14 @@ impl Session {
         bodies.enumerate().map(is_hidden).collect()
     }
 
-    /// For each passing ship, whether fog hides her.
+    /// For each passing ship, whether fog hides the ship.
     fn hidden_traffic(&self, view: &View) -> Vec<bool> {
         let t_s = self.simulation().time_s();
         let passing = self.simulation().setup().world.flow.passing.iter();
         passing.map(|ship| view.hides(&ship.outline_m, ship.track.at(t_s).pose)).collect()
     }
 
-    /// The body from which a person with this role looks. `None` for the instructor.
+    /// The body on which a person with the role `role` stands. `None` for the instructor.
     fn eye(&self, role: &Role) -> Option<usize> {
         let (cast, world) = (self.cast(), &self.simulation().setup().world);
         let own = || cast.own.map(|own| world.vessels[own].body);
@@ -135,7 +138,7 @@ struct View {
 }
 
 impl View {
-    /// True if the whole outline is beyond the visibility.
+    /// True if the whole outline of a body lies beyond the visibility.
     fn hides(&self, outline_m: &[Vec2], pose: Pose) -> bool {
         to_edge_m(pose.apply_inverse(self.eye_m), outline_m) > self.visibility_m
     }

@@ -1,4 +1,4 @@
-//! The frame: everything that pages display after a tick.
+//! The frame: everything that the pages of the browser display after a tick.
 
 mod alarms;
 mod anchor;
@@ -31,12 +31,12 @@ use crate::past::Sample;
 
 pub(crate) use verdict::now as verdict;
 
-/// The causes of alarms in a state.
+/// The causes of alarms that are active in the present state of a session.
 pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
     after_tick(now, cast, info).0
 }
 
-/// The causes of alarms and the values for strip charts, which are kept for every tick.
+/// The causes of alarms and the values for strip charts, which are found after every tick.
 pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sample) {
     let simulation = &now.simulation;
     let of = alarms::Input {
@@ -55,8 +55,8 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
     (causes, sample::sample(&of, cast, &now.frozen))
 }
 
-/// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
-/// Returns the values for strip charts.
+/// Updates the list of ships that pass, and the alarms. The server calls this function after every tick, not only for
+/// every frame: a touch of one tick raises an alarm too. Returns the values for strip charts after the tick.
 pub(crate) fn note_alarms(now: &mut Now, cast: &Cast, info: &Info) -> Sample {
     now.seen.note_passages(&now.simulation, info);
     let (causes, sample) = after_tick(now, cast, info);
@@ -64,7 +64,7 @@ pub(crate) fn note_alarms(now: &mut Now, cast: &Cast, info: &Info) -> Sample {
     sample
 }
 
-/// The frame of a state.
+/// Makes the frame of the session's present state.
 pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunState) -> Frame {
     let simulation = &now.simulation;
     let (states, t_s) = (simulation.states(), simulation.time_s());
@@ -127,7 +127,7 @@ fn tugs(simulation: &Simulation) -> Vec<TugNow> {
     simulation.tugs().iter().zip(setups).map(|(tug, of)| tug_now(tug, of)).collect()
 }
 
-/// Fills in the docking board's signals for each vessel that has a distance to the berth.
+/// Fills in the docking board's signals for each vessel whose distance to the berth is known.
 fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
     for (index, vessel) in vessels.iter_mut().enumerate() {
         let ends = board::ends(of, berth, index, vessel);

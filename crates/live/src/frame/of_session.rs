@@ -1,4 +1,4 @@
-//! The frame of a session, with its branches.
+//! Makes the frame of a session, with the session's branches.
 
 use super::{causes, frame};
 use crate::alarm_book::Alarm;
@@ -6,13 +6,13 @@ use crate::message::{BranchNow, Frame, RunState};
 use crate::session::{Branch, Session};
 
 impl Session {
-    /// The causes of alarms after this tick.
+    /// The causes of alarms that are active after the session's present tick.
     pub(crate) fn causes_for_alarm(&self) -> Vec<Alarm> {
         causes(self.now(), self.cast(), self.info())
     }
 
-    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients; this function fills in the
-    /// branches.
+    /// The frame of the session's present tick. The owner of the session gives pause, pace and clients in `run`; this
+    /// function fills in the branches.
     #[must_use]
     pub fn frame(&self, at_ms: u64, run: RunState) -> Frame {
         let run = RunState {

@@ -1,5 +1,5 @@
-//! Ships that pass vessels at rest: how near and how fast each ship passes, and what force the flow around the passing
-//! ship exerts on the vessel. People read here why a moored ship surges and why her lines part.
+//! Finds ships that pass vessels at rest: how near and how fast each ship passes, and what force the flow around the
+//! passing ship exerts on the vessel. From these passages people learn why a moored ship surges and why her lines part.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Pose, Vec2};
@@ -12,23 +12,27 @@ use crate::info::Info;
 use crate::message::PassageNow;
 use crate::pair::pair;
 
-/// A vessel is at rest if her speed over the ground is below this (m/s). The value is our choice.
+/// A vessel counts as at rest if her speed over the ground is below this number (m/s). The speed below which a vessel
+/// is at rest is our choice.
 const AT_REST_MPS: f64 = 0.5;
-/// A ship passes only if she is faster than this (m/s). The value is our choice.
+/// A ship passes a vessel only if her speed is above this number (m/s). The speed above which a ship passes is our
+/// choice.
 const PASSES_MPS: f64 = 0.5;
-/// A ship passes while the distance between midships is less than this factor times the mean of both lengths. Beyond
-/// that distance the force is a few hundredths of its largest value. The value is our choice.
+/// A ship passes a vessel while the distance between midships is less than this factor times the mean of both lengths.
+/// Beyond that distance between midships, the force of the ship's flow is a few hundredths of its largest value. The
+/// factor for the greatest distance of a passage is our choice.
 const IN_REACH: f64 = 2.0;
-/// For this long after a passage, texts still name the passage as a cause of the load in lines (s): a moored ship
-/// swings for minutes. The value is our choice.
+/// For this long after a ship has passed (s), texts still name her as a cause of the load in lines: a moored ship
+/// swings for minutes. The time for which a passage counts as a cause is our choice.
 const LINGERS_S: f64 = 300.0;
-/// A ship is announced this long before she is abreast (s). The value is our choice.
+/// A ship that will pass is announced this long before she is abreast of the vessel (s). The time of the announcement
+/// is our choice.
 const ANNOUNCED_S: f64 = 300.0;
-/// A ship is announced only if her clear distance will be less than this factor times the mean of both lengths. The
-/// value is our choice.
+/// A ship that will pass is announced only if the clear distance will be less than this factor times the mean of both
+/// lengths. The factor for announcing a ship is our choice.
 const NEAR: f64 = 0.75;
-/// A ship is left out if her displacement is less than this share of the vessel's: her flow moves the vessel little.
-/// The value is our choice.
+/// A passing ship is left out if her displacement is less than this share of the vessel's: the flow around her moves
+/// the vessel little. The smallest share of displacement that counts is our choice.
 const SMALLEST_SHARE: f64 = 0.05;
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
@@ -44,13 +48,14 @@ struct Passage {
     gap_m: f64,
     between_m: [Vec2; 2],
     speed_mps: f64,
-    /// True if the ship goes away and is a length off. The passage is then over.
+    /// True if the ship goes away and is a ship's length off. When the ship goes away and is a length off, the passage
+    /// is over.
     is_past: bool,
-    /// The force on the vessel by the flow around all other ships.
+    /// The force on the vessel by the flow around all passing ships.
     force: Force,
 }
 
-/// A ship that will pass a vessel if she keeps course and speed.
+/// A ship that will pass a vessel if she keeps her course and speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Announced {
     vessel: usize,
@@ -60,7 +65,7 @@ struct Announced {
     speed_mps: f64,
 }
 
-/// The largest values during a passage.
+/// The largest values during a ship's passage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Largest {
     vessel: usize,
@@ -75,20 +80,20 @@ struct Largest {
     across_n: f64,
 }
 
-/// Ships that pass vessels at rest. For each vessel only the nearest ship is kept.
+/// The ships that pass vessels at rest. For each vessel, only the nearest passing ship is kept.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Passages {
     now: Vec<Passage>,
     announced: Vec<Announced>,
     largest: Vec<Largest>,
-    /// Texts of the passages that ended in the last step.
+    /// Texts for the log about the passages that ended in the last step.
     ended: Vec<String>,
     /// For each line that parted, the text of how it parted.
     parted: Vec<(usize, String)>,
 }
 
 impl Passages {
-    /// Updates all passages after a step in which the forces `flow` acted on the vessels.
+    /// Updates all passages after a step, in which the forces `flow` of passing ships acted on the vessels.
     pub(super) fn note(
         &mut self,
         simulation: &Simulation,
@@ -122,7 +127,7 @@ impl Passages {
         self.note_parted(simulation, events);
     }
 
-    /// Updates the largest values of each passage. A passage that has ended becomes a text.
+    /// Updates the largest values of each passage. A passage that has ended becomes a text for the log.
     fn note_largest(&mut self, simulation: &Simulation) {
         let t_s = simulation.time_s();
         self.ended.clear();
@@ -147,7 +152,7 @@ impl Passages {
         }
     }
 
-    /// Keeps the texts of how lines parted in the last step, and of what pushed their ship.
+    /// Keeps the texts of how lines parted in the last step, and of which passing ship pushed the vessel.
     fn note_parted(&mut self, simulation: &Simulation, events: &[WorldEvent]) {
         for event in events.iter().filter(|event| event.kind == WorldEventKind::LineParted) {
             let (line, setup) =
@@ -165,14 +170,15 @@ impl Passages {
         }
     }
 
-    /// The text of how a line parted: its tension, and the ship that passed. Empty for a line that did not part.
+    /// The text of how a line parted: its tension, and the ship that passed. The text is empty for a line that did not
+    /// part.
     pub(super) fn why_parted(&self, line: usize) -> &str {
         let found = self.parted.iter().find(|(parted, _)| *parted == line);
         found.map_or("", |(_, text)| text)
     }
 
-    /// The ship that passes the vessel with this body, or has passed lately, and the force of her flow. The text is the
-    /// end of a sentence. Empty if no ship passes.
+    /// Names the ship that passes a vessel, or has passed lately, and the force of her flow on the vessel. The text
+    /// stands at the end of a sentence, after a comma. The text is empty if no ship passes or has passed lately.
     pub(super) fn pushing(&self, simulation: &Simulation, body: usize) -> String {
         let of_ship = |ship: usize| &*simulation.setup().world.flow.passing[ship].name;
         let passing = |passage: &&Passage| passage.body == body && !passage.is_past;
@@ -198,7 +204,7 @@ impl Passages {
         )
     }
 
-    /// Vessel, ship and text of each caution, for ships that pass and ships that are announced.
+    /// The cautions for ships that pass and ships that are announced: vessel, ship and text of each.
     pub(super) fn cautions<'s>(
         &self,
         simulation: &'s Simulation,
@@ -226,7 +232,7 @@ impl Passages {
         announced.chain(now)
     }
 
-    /// Texts of the passages that ended in the last step.
+    /// Texts for the log about the passages that ended in the last step.
     pub(super) fn ended(&self) -> &[String] {
         &self.ended
     }
@@ -278,8 +284,8 @@ impl Largest {
     fn text(&self, simulation: &Simulation) -> String {
         let [vessel, ship] = names(simulation, self.vessel, self.ship);
         format!(
-            "ship {ship} has passed {vessel}, {:.0} m off at the nearest, at {:.1} kn: she pushed her with up to {:.0} kN ahead, \
-             {:.0} kN astern and {:.0} kN across",
+            "ship {ship} has passed {vessel}, {:.0} m off at the nearest, at {:.1} kn: {ship} pushed {vessel} \
+             with up to {:.0} kN ahead, {:.0} kN astern and {:.0} kN across",
             self.least_gap_m,
             self.fastest_mps / KNOT_MPS,
             self.ahead_n / 1e3,
@@ -289,7 +295,7 @@ impl Largest {
     }
 }
 
-/// A vessel at rest and a ship that moves.
+/// A vessel at rest and a moving ship, with what both need for the question whether the ship passes.
 struct Meeting<'s> {
     vessel: usize,
     body: usize,
@@ -303,7 +309,7 @@ struct Meeting<'s> {
 }
 
 impl Meeting<'_> {
-    /// `None` if the ship does not move, or is too small to matter.
+    /// The result is `None` if the ship does not move, or is too small to matter.
     fn of<'s>(
         simulation: &'s Simulation,
         (vessel, body): (usize, usize),
@@ -334,7 +340,7 @@ impl Meeting<'_> {
         [own, ship].map(|(pose, outline)| outline.iter().map(|&at| pose.apply(at)).collect())
     }
 
-    /// The passage, if the ship is near enough.
+    /// The passage of the ship past the vessel; `None` if the ship is not near enough.
     fn passage(&self, force: Force) -> Option<Passage> {
         let from_m = self.ship_pose.position_m - self.pose.position_m;
         let apart_m = from_m.length();
@@ -354,7 +360,7 @@ impl Meeting<'_> {
         })
     }
 
-    /// When the ship will be abreast and at what distance, on a straight course at her present speed.
+    /// When the ship will be abreast of the vessel and at what distance, on a straight course at her present speed.
     fn announced(&self) -> Option<Announced> {
         let from_m = self.ship_pose.position_m - self.pose.position_m;
         let speed_mps = self.ship_mps.length();
@@ -375,7 +381,7 @@ impl Meeting<'_> {
     }
 }
 
-/// The names of a vessel and of a ship that passes.
+/// The names of a vessel and of the ship that passes her.
 fn names(simulation: &Simulation, vessel: usize, ship: usize) -> [&str; 2] {
     let setup = simulation.setup();
     let body = setup.world.vessels[vessel].body;
@@ -393,7 +399,7 @@ fn pushes(force: Force) -> String {
     )
 }
 
-/// A time in minutes and seconds, to ten seconds.
+/// A time as text in minutes and seconds, rounded to ten seconds.
 fn minutes(t_s: f64) -> String {
     // At most ANNOUNCED_S.
     let tens = libm::round(t_s / 10.0) as u32;

@@ -1,4 +1,4 @@
-//! The values of a tick for strip charts.
+//! Collects the values of a tick for strip charts.
 
 use fenderline_contact::Rotation;
 use fenderline_contact::number::greater;
@@ -8,8 +8,8 @@ use crate::cast::Cast;
 use crate::frozen::Frozen;
 use crate::past::{Sample, ShipSample};
 
-/// The values of every ship that can be conned, and the loads. Without a vessel, the values are those of the first body
-/// that floats. `frozen` has one entry for each vessel.
+/// The strip-chart values of every ship that can be conned, and of the loads. Without a vessel, the values are those of
+/// the first floating body. `frozen` has one entry for each vessel: the values at which her instruments are frozen.
 pub(super) fn sample(of: &Input<'_>, cast: &Cast, frozen: &[Frozen]) -> Sample {
     let ships = cast.ships();
     let floats = || of.info.bodies.iter().position(|body| !body.fixed);
@@ -45,8 +45,8 @@ pub(super) fn sample(of: &Input<'_>, cast: &Cast, frozen: &[Frozen]) -> Sample {
     }
 }
 
-/// The values that a ship's instruments show, with the frozen instruments given. The docking board belongs to the berth
-/// and is never frozen.
+/// The strip-chart values that a ship's instruments show; frozen instruments show the values in `frozen`. The docking
+/// board belongs to the berth, so that its values are never frozen.
 fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
     let (now, berth) = (&of.vessels[ship], of.vessels[ship].berth.as_ref());
     let (bow_mps, stern_mps, ahead_mps) = match frozen.speeds() {
@@ -64,7 +64,7 @@ fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
     }
 }
 
-/// The values of a body that is not a vessel.
+/// The strip-chart values of a body that is not a vessel.
 fn body_sample(of: &Input<'_>, body: Option<usize>) -> ShipSample {
     let state = body.map(|body| &of.simulation.states()[body]);
     let ahead_mps = state.map_or(0.0, |state| {

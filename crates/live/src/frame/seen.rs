@@ -1,4 +1,4 @@
-//! Contacts and events of the last step. The simulation does not keep them.
+//! Keeps the contacts and events of the last step for frames. The simulation itself does not keep contacts and events.
 
 use fenderline_contact::{Event, EventKind, Friction};
 use fenderline_sim::hydro::Force;
@@ -17,7 +17,7 @@ pub(crate) struct Seen {
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,
-    /// The force on each vessel by the flow around other ships.
+    /// The force on each vessel by the flow around passing ships.
     flow: Vec<Force>,
     /// Ships that pass vessels at rest.
     passages: Passages,
@@ -28,7 +28,7 @@ impl Seen {
         Seen { stored_j: vec![0.0; simulation.setup().fenders.len()], ..Seen::default() }
     }
 
-    /// Keeps the contacts and events of a step.
+    /// Keeps the contacts and events of one step of the simulation.
     pub(crate) fn keep(&mut self, record: &StepRecord<'_>) {
         self.contacts.clear();
         self.stored_j.fill(0.0);
@@ -95,7 +95,8 @@ impl Seen {
         all
     }
 
-    /// The texts of the events. If a pair of bodies has several contacts in one step, the text appears once.
+    /// The texts of the last step's events. If a pair of bodies has several contacts in one step, the text appears
+    /// once.
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
         let mut contact: Vec<String> = Vec::new();
         for event in &self.contact_events {
@@ -128,7 +129,7 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
         EventKind::ContactBegan => format!("{one} touches {two}{}", at_fenders()),
         EventKind::ContactEnded => format!("{one} leaves {two}"),
         EventKind::PatchSplit | EventKind::PatchesMerged => return None,
-        EventKind::Contained => format!("{one} lies wholly within {two}"),
+        EventKind::Contained => format!("{one} lies wholly inside {two}"),
         EventKind::DeepOverlap => {
             format!("{one} and {two} overlap so deeply that the forces are unreliable")
         }
@@ -162,7 +163,7 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
         WorldEventKind::Aground => format!("{} IS AGROUND", vessel()),
         WorldEventKind::ShallowHeld => {
             format!(
-                "{}: the water is shallower than the range of the shallow-water formulas",
+                "{}: the water is shallower than the formulas for shallow water allow",
                 vessel()
             )
         }

@@ -1,5 +1,5 @@
-//! Traffic: ships that pass on tracks of their own. They touch nothing. A vessel that runs into such a ship raises an
-//! alarm.
+//! Traffic: ships that pass on tracks of their own. They touch nothing. A vessel that runs into a passing ship raises
+//! an alarm.
 
 use fenderline_sim::Simulation;
 

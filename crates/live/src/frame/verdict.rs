@@ -1,10 +1,11 @@
-//! The verdict on the run up to this tick. Every other output uses the same words.
+//! The verdict on the run up to the present tick. The words of the verdict are the same in every other output of the
+//! program.
 
 use fenderline_sim::{Finding, Simulation, Verdict};
 
 use crate::message::{FindingNow, VerdictNow};
 
-/// The verdict and its findings, the worst first.
+/// The verdict on the run and its findings, the worst first.
 pub(crate) fn now(simulation: &Simulation) -> VerdictNow {
     let (setup, findings) = (simulation.setup(), simulation.findings());
     let verdict = Verdict::of(&findings);

@@ -9,8 +9,8 @@ use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, Ve
 use crate::now::Now;
 use crate::speeds::speeds;
 
-/// The present state of a vessel. Speeds over ground and through the water are speeds of midship. Lateral speeds are
-/// speeds of the foremost and aftmost points of her outline.
+/// The present state of a vessel. Speeds over ground and through the water are those of midship. Lateral speeds are
+/// those of the foremost and aftmost points of the vessel's outline.
 pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
@@ -62,7 +62,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
 /// A line with less tension than this is displayed as slack (N).
 const SLACK_N: f64 = 1e3;
 
-/// The order to a tug that is a vessel, in words, and how much of the order she has carried out.
+/// The order in words to a tug that is a vessel, and how much of the order the tug has carried out.
 fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;

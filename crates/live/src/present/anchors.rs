@@ -1,5 +1,5 @@
-//! Anchors in the file: an anchor is home, or on the bottom with its chain. A hanging anchor is veered again from home
-//! to the length of its chain.
+//! Writes anchors into the scenario file: an anchor is home, or on the bottom with its chain. An anchor that hangs on
+//! its chain is lowered again, when the file starts, from home to the length of its chain.
 
 use fenderline_author::Edit;
 use fenderline_sim::anchor::{AnchorFaults, AnchorPosition, WindlassOrder};
@@ -7,13 +7,13 @@ use fenderline_sim::{Action, AnchorAction, AnchorAtWork, Simulation};
 
 use super::written::{place, rounded};
 
-/// Writes every anchor as it is now. A lost anchor is left out, with its orders.
+/// Writes every anchor into the file as it is now. A lost anchor is left out of the file, with its orders.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut Vec<String>) {
     for (anchor, setup) in simulation.anchors().iter().zip(&simulation.setup().world.anchors) {
         let name = setup.gear.name.as_str();
         let of = |key| ["anchor", name, key];
         if anchor.state.faults != AnchorFaults::default() {
-            notes.push(format!("The anchor {name} has a fault, which is left out."));
+            notes.push(format!("The anchor {name} has a fault, which the file leaves out."));
         }
         match anchor.state.position {
             AnchorPosition::OnBottom(at_m) => {
@@ -26,22 +26,24 @@ pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut V
             }
             AnchorPosition::Hanging => {
                 edits.extend(["placed", "chain_out"].map(|key| Edit::remove(&of(key))));
-                notes.push(format!("The anchor {name} hung on its chain: it is veered anew."));
+                notes.push(format!(
+                    "The anchor {name} hung on its chain: in the file it is lowered anew."
+                ));
             }
             AnchorPosition::Lost(_) => {
                 edits.push(Edit::remove(&["anchor", name]));
-                notes.push(format!("The anchor {name} is lost: it is left out."));
+                notes.push(format!("The anchor {name} is lost: the file leaves it out."));
             }
         }
     }
 }
 
-/// True if an anchor is lost.
+/// True if the anchor is lost from its chain.
 pub(super) fn is_lost(anchor: &AnchorAtWork) -> bool {
     matches!(anchor.state.position, AnchorPosition::Lost(_))
 }
 
-/// The orders to anchors that are in force now.
+/// The orders to anchors that are in force at present.
 pub(super) fn orders(simulation: &Simulation) -> impl Iterator<Item = Action> {
     simulation.anchors().iter().enumerate().filter_map(|(index, anchor)| {
         let hangs = anchor.state.position == AnchorPosition::Hanging;

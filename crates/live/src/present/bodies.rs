@@ -1,4 +1,4 @@
-//! Places and speeds of the bodies.
+//! Writes the places and speeds of the bodies into the scenario file.
 
 use fenderline_author::Edit;
 use fenderline_contact::Rotation;

@@ -1,14 +1,16 @@
-//! Lines in the file: on board, fast with their present tension, or made fast later.
+//! Writes lines into the scenario file: on board, fast with their present tension, or made fast later.
 
 use fenderline_author::Edit;
 use fenderline_sim::{LineEnd, Mooring, MooringSetup, Simulation};
 
 use super::written::{place, quoted, rounded};
 
-/// Least tension that the file gives as a tension (N). For a line with less tension the file gives the length.
+/// Least tension that the scenario file gives as a line's tension (N). For a line with less tension, the scenario file
+/// gives the line's length.
 const TAUT_N: f64 = 1.0;
 
-/// Writes every line as it is now. A parted line is made fast with the least tension, and parts at once.
+/// Writes every line into the scenario file as it is now. A parted line is fast with the least tension at the start of
+/// the file, and parts at once.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut Vec<String>) {
     let world = &simulation.setup().world;
     for (line, setup) in simulation.lines().iter().zip(&world.lines) {
@@ -37,7 +39,7 @@ pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut V
             _ => {
                 if line.sent.is_some() {
                     notes.push(format!(
-                        "The line {} was on its way: it is sent anew.",
+                        "The line {} was on its way to a bollard: in the file it is sent anew.",
                         setup.line.name
                     ));
                 }
@@ -60,7 +62,7 @@ fn is_made_fast_later(line: &Mooring, t_s: f64, setup: &MooringSetup) -> bool {
     line.sent.is_none() && setup.from_s > t_s
 }
 
-/// The keys of a line's far end.
+/// Sets the keys of the end of a line that is not on the ship.
 fn far_end(simulation: &Simulation, setup: &MooringSetup, end: LineEnd, edits: &mut Vec<Edit>) {
     let LineEnd::OnBody { body, at_m, above_water_m } = end else {
         // A scenario cannot describe a line to a fixed place on the earth.

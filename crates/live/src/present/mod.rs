@@ -1,5 +1,5 @@
-//! The present state as a scenario file: an exercise that begins in the state of the session. The file is the session's
-//! scenario with other starting values of bodies, lines, weather, orders and events.
+//! Writes the present state of a session as a scenario file: an exercise that begins in this state. The file is the
+//! session's scenario with other starting values for bodies, lines, weather, orders and events.
 
 mod anchors;
 mod bodies;
@@ -18,31 +18,32 @@ use crate::session::Session;
 use crate::source::Source;
 use crate::world_change;
 
-/// A scenario file of the present state.
+/// A scenario file of a session's present state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PresentFile {
-    /// The text of the file.
+    /// The text of the scenario file.
     pub text: String,
-    /// What the file leaves out of the present state, in sentences. The first comment of the file has them too.
+    /// What the file leaves out of the present state, in sentences. The first comment of the file has the same
+    /// sentences.
     pub notes: Vec<String>,
 }
 
-/// Words in the first comment of every such file. These words distinguish the file from a file that was written by
-/// hand.
+/// Words in the first comment of every scenario file of a present state. By these words the program tells a scenario
+/// file of a present state from a file that was written by hand.
 pub const INTO_A_SESSION: &str = "into a session of";
 
-/// What every such file leaves out.
-const ALWAYS: &str = "Positions are rounded to 0.1 mm and speeds to 0.001 mm/s. Rudders, thrusters and azimuth units begin at rest and \
-                      move to the orders. Fenders are as new, gusts and waves begin anew, an exercise is marked anew.";
+/// What every scenario file of a present state leaves out, in sentences.
+const ALWAYS: &str = "In a file of a present state, positions are rounded to 0.1 mm and speeds to 0.001 mm/s. \
+                      In a file of a present state, rudders, thrusters and azimuth units begin at rest and move to the orders. In a file of a present state, fenders are as new, gusts and waves begin anew, and an exercise is marked anew.";
 
 impl Session {
-    /// The scenario of the present state, with a title. It contains the ships' places and speeds, lines, weather,
-    /// faults, and the orders and events to come. `fenderline run` and `fenderline serve` can run the file if the files
-    /// that the scenario names are beside it.
+    /// Writes a scenario file, with a title, that begins in the present state of the session. The file contains the
+    /// ships' places and speeds, lines, weather, faults, and the orders and events to come. `fenderline run` and
+    /// `fenderline serve` can run the file if the files that the scenario names are beside it.
     ///
     /// # Errors
-    /// A title that is not a single line. A state that a scenario file cannot describe, such as a line between ships
-    /// that its keys cannot express.
+    /// Fails for a title of more than one line. Fails for a state that a scenario file cannot describe, such as a line
+    /// between ships that no key can express.
     pub fn present_file(&self, title: &str) -> Result<PresentFile, Refusal> {
         let of_session = self.source();
         let failed = |why: &dyn std::fmt::Display| {
@@ -62,7 +63,9 @@ impl Session {
         for (at_s, event) in self.now().script.waiting() {
             match world_change::resolve(event, self.cast(), simulation.setup())? {
                 Some(change) => waiting.push((at_s - simulation.time_s(), change)),
-                None => notes.push("A planned fault of an anchor is left out.".to_owned()),
+                None => {
+                    notes.push("A planned fault of an anchor is left out of the file.".to_owned())
+                }
             }
         }
         let events = timed::events(simulation, waiting);
@@ -81,7 +84,8 @@ impl Session {
         Ok(PresentFile { text, notes })
     }
 
-    /// The first comment: the description of the scenario, the source of the state, and what is left out.
+    /// The first comment of the file: the description of the scenario, where the state comes from, and what the file
+    /// leaves out.
     fn comment(&self, notes: &[String]) -> String {
         let about = Source::leading_comment(&self.source().text);
         let t_s = self.simulation().time_s();

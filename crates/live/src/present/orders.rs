@@ -1,4 +1,4 @@
-//! Orders in the file, as tables of `[[order]]`: the orders in force now, and the orders to come.
+//! Writes orders into the scenario file, as tables `[[order]]`: the orders in force now, and the orders to come.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::mooring::WinchOrder;
@@ -11,7 +11,7 @@ use fenderline_sim::{
 use super::anchors;
 use super::written::{place, quoted, rounded};
 
-/// All orders of a file that begins now.
+/// All orders of a scenario file that begins now.
 pub(super) fn all(simulation: &Simulation) -> Vec<String> {
     let (setup, t_s) = (simulation.setup(), simulation.time_s());
     // Before the first step all orders are still to come.
@@ -45,7 +45,7 @@ pub(super) fn all(simulation: &Simulation) -> Vec<String> {
     now.chain(pending).collect()
 }
 
-/// The orders that bring a vessel's controls and autopilots to their present settings. Their sequence is such that no
+/// The orders that set a vessel's controls and autopilots as they are now. The sequence of these orders is such that no
 /// order undoes an earlier one.
 fn vessel(state: &VesselState, of: &VesselSetup) -> Vec<VesselAction> {
     let (orders, pilots) = (&state.orders, &state.pilots);

@@ -1,4 +1,5 @@
-//! Loads, passing ships and events, which all have times. The times in the file count from the present.
+//! Writes loads, passing ships and events, which all have times, into the scenario file. The times in the scenario file
+//! count from the present.
 
 use fenderline_author::Edit;
 use fenderline_contact::number::greater;
@@ -7,7 +8,7 @@ use fenderline_sim::{Change, Fault, Setup, Simulation};
 
 use super::written::{degrees, quoted, rounded};
 
-/// Writes loads and passing ships with times from now on.
+/// Writes loads and passing ships into the file, with times from now on.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {
     let (setup, t_s) = (simulation.setup(), simulation.time_s());
     // Begins with the last load, because removing a load changes the numbers of those behind it.
@@ -36,8 +37,8 @@ pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {
     }
 }
 
-/// The events of a file that begins now: the faults that are on, and the events that wait, each with its time from now
-/// (s).
+/// The events of a scenario file that begins now: the faults that are on, and the events that wait, each with its time
+/// from now (s).
 pub(super) fn events(simulation: &Simulation, waiting: Vec<(f64, Change)>) -> Vec<String> {
     let mut all: Vec<(f64, Change)> = Vec::new();
     for (vessel, state) in simulation.vessels().iter().enumerate() {

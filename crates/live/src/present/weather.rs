@@ -1,4 +1,5 @@
-//! Weather in the file: the present mean wind with its gusts, the present current, visibility and water level.
+//! Writes the weather into the scenario file: the present mean wind with its gusts, the present current, visibility and
+//! water level.
 
 use fenderline_author::Edit;
 use fenderline_contact::Vec2;
@@ -8,7 +9,8 @@ use fenderline_sim::{Setup, Simulation};
 
 use super::written::{degrees, rounded};
 
-/// Writes the present weather. Weather that a file or constituents change in time keeps its present value, with a note.
+/// Writes the present weather. Weather that changes in time by a data file or by tidal constituents keeps its present
+/// value, with a note.
 pub(super) fn edit(
     simulation: &Simulation,
     began: &Setup,
@@ -26,7 +28,11 @@ pub(super) fn edit(
             edits.push(Edit::set(&["environment", "wind", "from"], from));
         } else {
             if wind.is_series() {
-                notes.push("The wind of a file goes on as it was at this time.".to_owned());
+                notes.push(
+                    "The wind came from a file of data, and stays as it was when this file was \
+                            saved."
+                        .to_owned(),
+                );
             }
             edits.push(Edit::set(&of("wind"), format!("{{ speed = {speed}, from = {from} }}")));
         }
@@ -36,7 +42,8 @@ pub(super) fn edit(
         Some(Current::Uniform(velocity)) if !is_same => edits.push(uniform(*velocity)),
         Some(current) if varies_in_time(current) => {
             notes.push(
-                "The current goes on as it was at this time, the same everywhere.".to_owned(),
+                "The current came from a file of data, and stays everywhere as it was when this file was \
+                 saved.".to_owned(),
             );
             edits.push(uniform(current.velocity(Vec2::ZERO, t_s, 0.0)));
         }
@@ -49,7 +56,7 @@ pub(super) fn edit(
         None => edits.push(Edit::remove(&of("visibility"))),
     }
     if !matches!(now.tide, Tide::Level(_)) {
-        notes.push("The water level stays as it was at this time.".to_owned());
+        notes.push("The water level stays as it was when this file was saved.".to_owned());
         let level_m = rounded(now.tide.level_m(t_s), 4);
         edits.push(Edit::set(&of("tide"), format!("{{ level = {level_m} }}")));
     }

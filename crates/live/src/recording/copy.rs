@@ -13,9 +13,9 @@ use crate::limits::{LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 pub enum CopyError {
     /// The recording cannot be read.
     Read(RecordingError),
-    /// The recording has changed since it was checked.
+    /// The recording has changed since the program checked it.
     Changed,
-    /// The copy cannot be written.
+    /// The copy of the recording cannot be written.
     Write(io::Error),
 }
 
@@ -34,7 +34,7 @@ impl std::error::Error for CopyError {}
 /// Copies the lines of a recording that a continued session keeps, and compares them with the checked outline.
 ///
 /// # Errors
-/// [`CopyError`]. The copy is then incomplete and cannot be used.
+/// [`CopyError`]. If the lines differ from the checked outline, the copy is incomplete and cannot be used.
 pub fn copy_kept(
     input: impl BufRead,
     outline: &Outline,

@@ -1,15 +1,15 @@
 //! How a recording ends.
 
-/// How a recording ends. In all three cases the lines before are sound.
+/// How a recording ends. Whichever way a recording ends, the lines before its end are sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// With the line that ends a session: it is complete.
+    /// The recording ends with the line that ends a session, so that it is complete.
     Whole,
-    /// With another whole line: the writer was killed or is still writing, or lines were cut off.
+    /// The recording ends with another whole line: the writer was killed or is still writing, or lines were cut off.
     Open,
-    /// Within a line, which is dropped: the writer was killed, or the file was cut off.
+    /// The recording ends within a line, which is dropped: the writer was killed, or the file was cut off.
     Torn {
-        /// Length of the dropped line (bytes).
+        /// Length of the dropped last line (bytes).
         bytes: u64,
     },
 }

@@ -10,15 +10,15 @@ use super::{BEGINNING, Chain, FORMAT, Header, Line};
 use crate::limits::{LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 use crate::source::Source;
 
-/// A recording that is being read. Each line is checked by itself and against the lines before it.
+/// A recording that is being read. Each line of the recording is checked by itself and against the lines before it.
 #[derive(Debug)]
 pub struct RecordingReader<R> {
     lines: SealedLines<R>,
     header: Header,
     shape: Shape,
     ending: Option<Ending>,
-    /// Length (bytes) and check sum of the part that a continued session keeps: all whole lines except the line that
-    /// ends the session.
+    /// Length (bytes) and check sum of the part of the recording that a continued session keeps: all whole lines except
+    /// the line that ends the session.
     kept: (u64, Chain),
 }
 
@@ -26,7 +26,7 @@ impl<R: BufRead> RecordingReader<R> {
     /// Reads the first line.
     ///
     /// # Errors
-    /// The file is not a recording, has another format, or is damaged.
+    /// Fails if the file is not a recording, has another format, or is damaged.
     pub fn open(input: R) -> Result<RecordingReader<R>, RecordingError> {
         let mut lines = SealedLines::new(input);
         let first = match lines.raw(LONGEST_HEADER_BYTES)? {
@@ -57,13 +57,13 @@ impl<R: BufRead> RecordingReader<R> {
         &self.header.version
     }
 
-    /// The scenario with its files.
+    /// The recorded scenario with its files.
     #[must_use]
     pub fn source(&self) -> &Source {
         &self.header.source
     }
 
-    /// Number of the last line read, from 1.
+    /// Number of the last line that was read, counted from 1.
     #[must_use]
     pub fn line_number(&self) -> usize {
         self.lines.line
@@ -75,10 +75,10 @@ impl<R: BufRead> RecordingReader<R> {
         self.lines.bytes
     }
 
-    /// The next line. `None` at the end, and if the last line is cut off.
+    /// The next line. The next line is `None` at the end of the recording, and if the last line is cut off.
     ///
     /// # Errors
-    /// A line that is damaged, or that cannot follow the lines before it.
+    /// Fails for a line that is damaged, or that cannot follow the lines before it.
     pub fn next_line(&mut self) -> Result<Option<Line>, RecordingError> {
         if self.ending.is_some() {
             return Ok(None);
@@ -106,7 +106,7 @@ impl<R: BufRead> RecordingReader<R> {
         None
     }
 
-    /// How the recording ends, once all of it has been read.
+    /// How the recording ends; known once all lines have been read.
     pub(super) fn ending(&self) -> Option<Ending> {
         self.ending
     }

@@ -1,18 +1,19 @@
-//! Lines with check sums. This module does not read their content.
+//! Lines with check sums. The module seals and checks lines of recordings, but does not read what they contain.
 
 use std::io::{BufRead, Read as _};
 
 use super::error::{Fault, RecordingError};
 use crate::limits::LARGEST_RECORDING_BYTES;
 
-/// The text between the fields of a line and its check sum. After the check sum the line has a quote and a brace.
+/// The text that stands between the fields of a line and its check sum. After its check sum, a line has a quotation
+/// mark and a brace.
 const KEY: &str = ",\"sum\":\"";
 const DIGITS: usize = 8;
 const TAIL: usize = KEY.len() + DIGITS + 2;
 
-/// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3. The sum of each line starts from the sum of
-/// the line before. CRC-32 detects every change within 32 consecutive bits, and misses one in 2³² of other changes. The
-/// check sum gives no protection against malice.
+/// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3. The check sum of each line starts from the
+/// check sum of the line before. The check sum detects every change within 32 consecutive bits, and misses one in 2³²
+/// of other changes. The check sum gives no protection against a forged recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Chain(u32);
 
@@ -24,7 +25,8 @@ impl Chain {
         format!("{body}{KEY}{:08x}\"}}\n", self.0)
     }
 
-    /// Length of the object in the next line, without its last brace. `None` if the check sum is wrong.
+    /// Length of the JSON object in the next line, without its last brace. The length is `None` if the check sum is
+    /// wrong.
     fn unseal(&mut self, line: &str) -> Option<usize> {
         let at = line.len().checked_sub(TAIL)?;
         let (body, tail) = line.split_at_checked(at)?;
@@ -44,11 +46,11 @@ impl Chain {
     }
 }
 
-/// The next part of a file.
+/// What the reader of lines finds next in a file.
 pub(super) enum Sealed<'b> {
-    /// A line with a correct check sum. The text is its object.
+    /// A line with a correct check sum. The text is the JSON object in the line.
     Object(&'b str),
-    /// A last line that is cut off. The number is its length (bytes).
+    /// The last line of the file is cut off. The number is the length of the cut-off line (bytes).
     Torn(u64),
     /// The end of the file.
     Nothing,
@@ -60,9 +62,9 @@ pub(super) struct SealedLines<R> {
     input: R,
     buffer: Vec<u8>,
     pub(super) chain: Chain,
-    /// Number of the last line read.
+    /// Number of the last line that was read.
     pub(super) line: usize,
-    /// Length of all whole lines (bytes).
+    /// Length of all whole lines so far (bytes).
     pub(super) bytes: u64,
 }
 
@@ -71,7 +73,8 @@ impl<R: BufRead> SealedLines<R> {
         SealedLines { input, buffer: Vec::new(), chain: Chain::default(), line: 0, bytes: 0 }
     }
 
-    /// The next line without its line end. The line's check sum is not verified. `Torn` if the line end is missing.
+    /// The next whole line of the file, without its line end. Reading a line in this way does not verify the line's
+    /// check sum. The result is `Torn` if the line end is missing.
     pub(super) fn raw(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         self.line += 1;
         self.buffer.clear();
@@ -97,7 +100,7 @@ impl<R: BufRead> SealedLines<R> {
         str::from_utf8(&self.buffer).map(Sealed::Object).map_err(|_| error)
     }
 
-    /// The object of the next line, after a check of its check sum.
+    /// The JSON object in the next line, after a check of the line's check sum.
     pub(super) fn next(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         match self.raw(longest_bytes)? {
             Sealed::Object(_) => self.unsealed().map(Sealed::Object),
@@ -106,14 +109,19 @@ impl<R: BufRead> SealedLines<R> {
         }
     }
 
-    /// The object of the last line that was read, after a check of its check sum.
+    /// The JSON object in the last line that was read, after a check of the line's check sum.
     pub(super) fn unsealed(&mut self) -> Result<&str, RecordingError> {
         let error = RecordingError { line: self.line, fault: Fault::Damaged };
         let Ok(line) = str::from_utf8(&self.buffer) else { return Err(error) };
         let Some(length) = self.chain.unseal(line) else { return Err(error) };
         self.buffer.truncate(length);
         self.buffer.push(b'}');
-        Ok(str::from_utf8(&self.buffer).unwrap_or_else(|e| unreachable!("a part of a text: {e}")))
+        Ok(str::from_utf8(&self.buffer).unwrap_or_else(|e| {
+            unreachable!(
+                "the check sum follows the object, so that the text can be cut \
+                                              between them: {e}"
+            )
+        }))
     }
 
     pub(super) fn error(&self, fault: Fault) -> RecordingError {

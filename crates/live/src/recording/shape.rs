@@ -1,16 +1,16 @@
-//! Checks each line against the lines before it, without replaying them. A recording that passes the check is within
-//! the limits of a session.
+//! Checks each line of a recording against the lines before it, without replaying them. A recording that passes the
+//! check is within the limits of a session.
 
 use super::Line;
 use crate::limits::{MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_TICKS};
 
-/// The last tick that a branch has reached according to the lines so far.
+/// The last tick that a branch of the recording has reached, according to the lines so far.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     ends_tick: u64,
 }
 
-/// The branches according to the lines so far.
+/// The branches of the recording, according to the lines so far.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     branches: Vec<Reach>,
@@ -31,7 +31,7 @@ impl Shape {
     /// Checks the next line.
     ///
     /// # Errors
-    /// Why this line cannot follow the lines before it.
+    /// Fails with the reason why the line cannot follow the lines before it.
     pub(super) fn take(&mut self, line: &Line) -> Result<(), String> {
         match line {
             Line::Command { branch, tick, .. } => {
@@ -44,7 +44,7 @@ impl Shape {
             Line::Reached { branch, tick, bits } => {
                 let digit = |c: char| matches!(c, '0'..='9' | 'a'..='f');
                 if bits.len() != 16 || !bits.chars().all(digit) {
-                    return Err("bits are sixteen hexadecimal digits".to_owned());
+                    return Err("the bits of a state are sixteen hexadecimal digits".to_owned());
                 }
                 self.reach(*branch, *tick)
             }
@@ -58,11 +58,11 @@ impl Shape {
             return Err(format!("there is no branch {branch}"));
         };
         let Some(ticks) = tick.checked_sub(*ends_tick) else {
-            return Err(format!("branch {branch} is at tick {ends_tick} already"));
+            return Err(format!("branch {branch} has reached tick {ends_tick} already"));
         };
         if ticks > MARKS {
             return Err(format!(
-                "branch {branch} goes from tick {ends_tick} to {tick} without a line every {MARKS} ticks"
+                "branch {branch} goes from tick {ends_tick} to {tick}, but needs a line every {MARKS} ticks"
             ));
         }
         *ends_tick = tick;
@@ -81,7 +81,7 @@ impl Shape {
             return Err("branches must be numbered in order".to_owned());
         }
         let Some(Reach { ends_tick }) = self.branches.get(parent) else {
-            return Err(format!("there is no branch {parent}"));
+            return Err(format!("there is no branch {parent} from which a branch could begin"));
         };
         // A branch cannot begin at the end of its parent.
         if from_tick >= *ends_tick {

@@ -4,26 +4,27 @@ use super::{Chain, FORMAT, Header, Line};
 use crate::limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 use crate::source::Source;
 
-/// Space reserved for the last line and for a `reached` line (bytes).
+/// Space reserved in a recording for the last line and for a `reached` line (bytes).
 const END_BYTES: u64 = 512;
 const MARK_BYTES: u64 = 512;
-/// Upper bound of the length that a check sum adds to a line (bytes).
+/// The most that a check sum adds to the length of a line (bytes).
 const SUM_BYTES: u64 = 64;
 
-/// The lines that the owner of the session has not taken yet, and the totals over all lines.
+/// The lines of a recording that the owner of the session has not taken yet, and the totals over all lines.
 #[derive(Clone, Debug)]
 pub(crate) struct Writer {
     text: String,
     chain: Chain,
     bytes: u64,
-    /// True during a replay: nothing is written then.
+    /// True during a replay, when the writer writes nothing.
     is_silent: bool,
     /// Branch and tick of the last line, if the last line is a `reached` line.
     marked: Option<(usize, u64)>,
 }
 
 impl Writer {
-    /// A writer that has written the first line. `None` if this line is longer than the limit.
+    /// A writer that has written the first line of a recording. The result is `None` if the first line is longer than
+    /// the limit.
     pub(crate) fn begin(source: &Source) -> Option<Writer> {
         let header = Header {
             fenderline_session: FORMAT,
@@ -36,7 +37,7 @@ impl Writer {
         (writer.bytes <= LONGEST_HEADER_BYTES).then_some(writer)
     }
 
-    /// A writer that continues after existing lines.
+    /// A writer that continues a recording after its present lines.
     pub(crate) fn after(chain: Chain, bytes: u64) -> Writer {
         Writer { text: String::new(), chain, bytes, is_silent: false, marked: None }
     }
@@ -46,12 +47,12 @@ impl Writer {
         Writer { is_silent: true, ..Writer::after(Chain::default(), 0) }
     }
 
-    /// True if there is space for a line of any length.
+    /// True if the recording has space for a line of any length.
     pub(crate) fn has_room(&self) -> bool {
         self.bytes + LONGEST_LINE_BYTES + MARK_BYTES + END_BYTES <= LARGEST_RECORDING_BYTES
     }
 
-    /// The JSON of a line, if there is space for it. [`Writer::put`] writes the line.
+    /// The JSON of a line, if the recording has space for it. [`Writer::put`] writes the line.
     pub(crate) fn prepare(&self, line: &Line) -> Result<String, Full> {
         if self.is_silent {
             return Ok(String::new());
@@ -72,8 +73,8 @@ impl Writer {
         self.marked = None;
     }
 
-    /// Writes a `reached` line, unless the last line is the same. If there is no space, the line is left out, and the
-    /// recording is still valid.
+    /// Writes a `reached` line, unless the last line is already the same. If the recording has no space for the
+    /// `reached` line, the line is left out, and the recording is still valid.
     pub(crate) fn mark(&mut self, branch: usize, tick: u64, bits: impl FnOnce() -> String) {
         if self.is_silent || self.marked == Some((branch, tick)) {
             return;
@@ -84,13 +85,13 @@ impl Writer {
         }
     }
 
-    /// The line that would end the recording here.
+    /// The line that would end the recording at this point.
     pub(crate) fn end_line(&self) -> String {
         let mut chain = self.chain;
         chain.seal(&Line::End {}.json())
     }
 
-    /// Length of all lines so far (bytes).
+    /// Length of all lines of the recording so far (bytes).
     pub(crate) fn bytes(&self) -> u64 {
         self.bytes
     }

@@ -1,10 +1,10 @@
-//! A ship and her berth: how far the ship is from lying alongside.
+//! Tells how a ship lies relative to her berth, and how far she is from lying alongside.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation, Vec2};
 use fenderline_scenario::Scenario;
 
-/// Size of the basin (m): along the quay, and off the quay.
+/// Size of the basin of the docking environment (m): along the quay, and off the quay.
 const BASIN_ALONG_M: f64 = 400.0;
 const BASIN_OFF_M: f64 = 200.0;
 
@@ -13,23 +13,23 @@ const BASIN_OFF_M: f64 = 200.0;
 pub(super) struct Berth {
     /// Index of the ship's body.
     pub(super) ship: usize,
-    /// Points of the ship's starboard side.
+    /// Points of the ship's starboard side in her own axes (m).
     side_m: Vec<Vec2>,
     half_length_m: f64,
-    /// East of the fenders' faces (m).
+    /// East coordinate of the fenders' faces (m).
     faces_east_m: f64,
     /// Distance along the quay from the berth at which the ship is still alongside (m).
     berthed_within_m: f64,
 }
 
-/// How a ship lies at a berth.
+/// How a ship lies relative to a berth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lie {
-    /// Her heading relative to the quay, from −π to π (rad).
+    /// The ship's heading relative to the quay, from −π to π (rad).
     pub(super) heading_rad: f64,
     /// Least clearance between the ship's side and the line of the fenders' faces (m).
     pub(super) off_m: f64,
-    /// Distance from the berth (m); a deviation of heading counts with half the ship's length.
+    /// Distance of the ship from the berth (m); a deviation of her heading counts with half her length.
     pub(super) far_m: f64,
 }
 
@@ -50,7 +50,7 @@ impl Berth {
         })
     }
 
-    /// Position of the ship relative to the berth.
+    /// How the ship lies relative to the berth, if she is in the state `state`.
     pub(super) fn lie(&self, state: &BodyState) -> Lie {
         let turned = Rotation::from_angle(state.heading_rad);
         let east_m = |point: &Vec2| turned.apply(*point).y;
@@ -64,7 +64,7 @@ impl Berth {
         Lie { heading_rad, off_m, far_m }
     }
 
-    /// Whether the ship lies alongside, parallel and at rest.
+    /// Whether the ship lies alongside the berth, parallel and at rest.
     pub(super) fn is_alongside(&self, state: &BodyState, lie: &Lie) -> bool {
         state.position_m.x.abs() < self.berthed_within_m
             && lie.off_m < 0.2
@@ -75,13 +75,13 @@ impl Berth {
 }
 
 impl Lie {
-    /// Whether the ship is at the line of the quay, beside or beyond the fenders. The faces are 1.8 m in front of the
-    /// quay: within 0.2 m of its line, a ship counts as touching the quay.
+    /// Whether the ship has reached the line of the quay, beside the fenders or beyond them. The fenders' faces are 1.8
+    /// m in front of the quay: a ship within 0.2 m of the quay's line counts as touching the quay.
     pub(super) fn is_over_quay_line(&self) -> bool {
         self.off_m < -1.6
     }
 
-    /// Whether the ship has left the basin.
+    /// Whether the ship has left the basin of the docking environment.
     pub(super) fn is_out_of_basin(&self, state: &BodyState) -> bool {
         state.position_m.x.abs() > BASIN_ALONG_M || self.off_m > BASIN_OFF_M
     }

@@ -13,17 +13,17 @@ use crate::run::Run;
 
 /// Numbers of an observation.
 pub(super) const SEEN: usize = 17;
-/// Orders to the ship among the numbers of an action: rudder, engine, bow and stern thruster.
+/// Number of orders to the ship in an action: rudder, engine, bow and stern thruster.
 pub(super) const SHIP_ORDERS: usize = 4;
-/// Steps after which an episode is truncated.
+/// Number of steps after which an episode is cut off.
 const STEPS: u32 = 900;
 
-/// What each number of an observation is divided by.
+/// Divisor of each number of an observation.
 const SCALES: [f64; SEEN] =
     [100.0, 50.0, 0.5, 1.0, 0.3, 0.005, 1.0, 1.0, 1.0, 1.0, 10.0, 10.0, 0.5, 1.0, 10.0, 5.0, 0.05];
 
-/// The largest value of each number; the least value is the negative of the largest, for the energy
-/// 0.
+/// Largest value of each number of an observation; the least value is the negative of the largest, but 0 for the
+/// energy.
 const MOST: [f32; SEEN] = {
     let mut most = [10.0; SEEN];
     let ones = [6, 7, 8, 9, 14, 15, 16];
@@ -34,7 +34,7 @@ const MOST: [f32; SEEN] = {
     }
     most
 };
-/// The place of the energy among the numbers.
+/// Place of the energy among the numbers of an observation.
 const ENERGY: usize = 13;
 
 pub(super) type Seen = [f32; SEEN];
@@ -57,7 +57,7 @@ pub(super) struct Outcome {
     pub(super) is_truncated: bool,
 }
 
-/// Where an episode starts, and its weather.
+/// Where and how fast the ship of an episode starts, and the weather.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Drawn {
     pub(super) position_m: Vec2,
@@ -69,7 +69,7 @@ pub(super) struct Drawn {
     pub(super) current_towards_rad: f64,
 }
 
-/// A number of an action as the value of a control.
+/// The control that a number of an action sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever {
     pub(super) control: usize,
@@ -84,11 +84,11 @@ pub(super) struct Episode {
     /// Values of the controls.
     controls: Vec<f64>,
     pub(super) orders: [f64; SHIP_ORDERS],
-    /// Wind along the quay and towards it, current along it (m/s).
+    /// Wind along the quay, wind towards the quay, and current along the quay (m/s).
     pub(super) weather_mps: [f64; 3],
-    /// Distance from the berth (m).
+    /// Distance of the ship from the berth (m).
     far_m: f64,
-    /// The largest energy that a fender has stored over its rated energy.
+    /// The largest share of its rated energy that a fender has stored in the episode.
     pub(super) share: f64,
     pub(super) steps: u32,
 }
@@ -134,7 +134,7 @@ impl Episode {
         Ok(self.observe(&lie, berth))
     }
 
-    /// One step with an action of finite numbers, one for each lever.
+    /// Takes one step of the episode with an action of finite numbers, one for each lever.
     pub(super) fn step(
         &mut self,
         action: &[f64],
@@ -186,7 +186,7 @@ impl Episode {
         Ok(Outcome { seen: self.observe(&lie, berth), reward, ended, is_truncated })
     }
 
-    /// The present observation, from the position of the ship.
+    /// The present observation, from how the ship lies relative to the berth.
     fn observe(&self, lie: &Lie, berth: &Berth) -> Seen {
         let state = &self.run.simulation.states()[berth.ship];
         let [rudder, engine, bow, stern] = self.orders;

@@ -1,5 +1,5 @@
-//! The docking environment: many ships that come to a berth, with observation, reward and end of each episode. Python draws the
-//! starts and speaks Gymnasium's interface.
+//! The docking environment: many ships that come to a berth, with observation, reward and end of each episode. The
+//! package's Python code draws the starts of the episodes and has Gymnasium's interface.
 
 mod berth;
 mod episode;
@@ -17,11 +17,11 @@ use crate::scenario::Scenario;
 use crate::variants::{self, Common};
 use crate::whole;
 
-/// Numbers of a start: position north and east, heading, velocity ahead and to starboard, speed of the wind and where it comes
-/// from, speed of the current and where it goes.
+/// Number of values of an episode's start: position north and east, heading, velocity ahead and to starboard, speed and
+/// origin of the wind, speed and direction of the current.
 const START: usize = 9;
 
-/// Observations, rewards, how episodes ended, and which were truncated.
+/// What a step returns for each episode: observation, reward, how the episode ended, and whether it was cut off.
 type Stepped<'py> = (
     Bound<'py, PyArray2<f32>>,
     Bound<'py, PyArray1<f64>>,
@@ -29,11 +29,13 @@ type Stepped<'py> = (
     Bound<'py, PyArray1<bool>>,
 );
 
-/// Orders to the ship, wind along the quay and towards it (m/s), steps taken, share of the rated energy.
+/// What `shown` returns: orders to the ship, wind along the quay and towards it (m/s), steps taken, share of the rated
+/// energy.
 type Shown = ([f64; SHIP_ORDERS], (f64, f64), u32, f64);
 
-/// Episodes of `fenderline.docking` in parallel, on `threads` threads. `levers` names the controls that the numbers of an action set,
-/// each with its value at 1; the first four are the ship's. All calls return new arrays.
+/// Episodes of `fenderline.docking` that go in parallel, on `threads` threads. `levers` names the controls that the
+/// numbers of an action set, and gives for each the value that a number 1 sets; the first four controls are the ship's.
+/// All methods return new arrays.
 #[pyclass(module = "fenderline._native")]
 pub(crate) struct Docking {
     berth: Berth,
@@ -54,19 +56,23 @@ impl Docking {
         #[pyo3(from_py_with = whole::berthed_within_m)] berthed_within_m: f64,
     ) -> PyResult<Docking> {
         let common = Common::of(scenario);
-        let other = || errors::bad_argument("the scenario is not one of a ship at a berth");
+        let other = || {
+            errors::bad_argument(
+                "the docking environment needs a scenario of a ship at a berth, but this scenario has another form",
+            )
+        };
         let berth = Berth::of(&common.base, berthed_within_m).ok_or_else(other)?;
         if !common.base.setup.restarts_in_place() {
             return Err(other());
         }
         let lever = |(name, full): &(String, f64)| {
             let control = common.controls.iter().position(|control| control.name == *name);
-            let unknown = || errors::bad_argument(format!("there is no control {name}"));
+            let unknown = || errors::bad_argument(format!("the scenario has no control {name}"));
             Ok(Lever { control: control.ok_or_else(unknown)?, full: *full })
         };
         let levers = levers.iter().map(lever).collect::<PyResult<Vec<_>>>()?;
         if levers.len() < SHIP_ORDERS {
-            return Err(errors::bad_argument("the ship has four controls"));
+            return Err(errors::bad_argument("the first four controls must be those of the ship"));
         }
         // Clones of one simulation share its contact model: a thousand of them wait for memory most of the time.
         let first = common.run(&[]).map_err(|error| variants::exception(py, 0, &error))?;
@@ -74,8 +80,9 @@ impl Docking {
         Ok(Docking { berth, levers, episodes, threads: parallel::threads(Some(threads)) })
     }
 
-    /// Starts some of the episodes, each by its row of `starts`: position north and east, heading, velocity ahead and to starboard,
-    /// speed of the wind and where it comes from, speed of the current and where it goes. Returns their observations.
+    /// Starts some of the episodes, each with its row of `starts`: position north and east, heading, velocity ahead and
+    /// to starboard, speed of the wind and where it comes from, speed of the current and where it goes to. Returns
+    /// their observations.
     fn begin<'py>(
         &mut self,
         py: Python<'py>,
@@ -105,8 +112,8 @@ impl Docking {
         PyArray1::from_vec(py, seen).reshape([which.len(), SEEN])
     }
 
-    /// One step of each episode by its row of `actions`, numbers from −1 to 1. Returns observations, rewards, how episodes ended and
-    /// which were truncated.
+    /// Takes one step of each episode with its row of `actions`, which are numbers from −1 to 1. Returns for each
+    /// episode the observation, the reward, how it ended and whether it was cut off.
     fn step<'py>(
         &mut self,
         py: Python<'py>,
@@ -146,7 +153,7 @@ impl Docking {
         Ok((seen, rewards, ended, truncated))
     }
 
-    /// The ships' states, (episodes, 6), as `Simulation.states`.
+    /// The states of the ships, an array (episodes, 6) with rows as in `Simulation.states`.
     #[getter]
     fn states<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let count = self.episodes.len();
@@ -158,8 +165,8 @@ impl Docking {
         PyArray1::from_vec(py, rows).reshape([count, STATE])
     }
 
-    /// Of one episode: the ship's orders, wind along the quay and towards it (m/s), steps taken, and the largest energy that a fender
-    /// has stored over its rated energy.
+    /// Shows one episode: the ship's orders, wind along the quay and towards it (m/s), steps taken, and the largest
+    /// share of its rated energy that a fender has stored.
     fn shown(&self, index: &Bound<'_, PyAny>) -> PyResult<Shown> {
         let index = whole::index(index, "episode", self.episodes.len() as u64)?;
         let episode = &self.episodes[index as usize];

@@ -1,10 +1,10 @@
-//! Axes: title, range and ticks.
+//! Axes of charts: title, range and ticks.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
 use super::number::{fixed, order_of};
 
-/// An axis of a chart: its name, its unit, and the values it must cover beside the data.
+/// An axis of a chart: its name, its unit, and values that it must cover besides the data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     label: String,
@@ -15,7 +15,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis whose title reads `label [unit]`; an empty `unit` leaves the bracket out. The range covers
+    /// An axis whose title reads `label [unit]`; an empty `unit` leaves the bracket out. The range of the axis covers
     /// the data, widened to round numbers.
     pub fn new(label: &str, unit: &str) -> Axis {
         Axis {
@@ -27,14 +27,14 @@ impl Axis {
         }
     }
 
-    /// Extends the range to `value`.
+    /// Extends the range of the axis so that it covers `value`.
     pub fn including(mut self, value: f64) -> Axis {
         let (lo, hi) = self.included.unwrap_or((value, value));
         self.included = Some((lesser(lo, value), greater(hi, value)));
         self
     }
 
-    /// Ends exactly at the last value in place of a round number.
+    /// Makes the axis end exactly at the last value, not at a round number.
     pub fn tight(mut self) -> Axis {
         self.is_tight = true;
         self
@@ -58,8 +58,7 @@ impl Axis {
         &self.unit
     }
 
-    /// The range and ticks for data between the extremes of `values`; values that are not finite are
-    /// ignored.
+    /// Fits the range and ticks of the axis to `values`; values that are not finite are ignored.
     pub(super) fn fit(&self, values: impl Iterator<Item = f64>, ticks_wanted: u32) -> Fitted {
         if self.is_logarithmic {
             return self.fit_decades(values);
@@ -102,7 +101,7 @@ impl Axis {
     }
 }
 
-/// A range that has a length, even if all the data are one value.
+/// Widens a range so that it has a length even if all data have the same value.
 fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
     let scale = greater(lo.abs(), hi.abs());
     if hi - lo > 1e-12 * scale && (hi - lo).is_finite() {
@@ -119,7 +118,7 @@ fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
     (lo - 0.05 * scale, hi + 0.05 * scale)
 }
 
-/// The step of 1, 2 or 5 times a power of ten that cuts `span` into about `wanted` parts.
+/// The step, 1, 2 or 5 times a power of ten, that divides `span` into about `wanted` parts.
 pub(super) fn nice_step(span: f64, wanted: u32) -> f64 {
     let rough = greater(span / f64::from(wanted.max(1)), f64::MIN_POSITIVE);
     let power = libm::exp10(f64::from(order_of(rough)));
@@ -139,7 +138,7 @@ pub(super) struct Fitted {
     pub(super) lo: f64,
     pub(super) hi: f64,
     step: f64,
-    /// Ends and step are powers of ten.
+    /// Whether the axis is logarithmic, with powers of ten as ends and step.
     is_logarithmic: bool,
 }
 
@@ -148,13 +147,13 @@ impl Fitted {
         Fitted { lo, hi, step, is_logarithmic: false }
     }
 
-    /// Where `value` lies, 0 at the low end and 1 at the high end.
+    /// Place of `value` on the axis: 0 at the low end, 1 at the high end.
     pub(super) fn share(&self, value: f64) -> f64 {
         let value = if self.is_logarithmic { libm::log10(value) } else { value };
         (value - self.lo) / (self.hi - self.lo)
     }
 
-    /// The ticks and their labels.
+    /// The ticks of the axis and their labels.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         // Multiples by whole numbers, so that no rounding adds up; bounded for any input.
         let slack = 1e-9;
@@ -174,7 +173,7 @@ impl Fitted {
     }
 }
 
-/// A power of ten as a label: whole numbers and decimals near 1, else with a raised exponent.
+/// The label of a power of ten: a whole or decimal number near 1, else 10 with a raised exponent.
 fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0..=3 => fixed(libm::exp10(f64::from(exponent)), 0),

@@ -1,4 +1,4 @@
-//! Horizontal bars in groups: shares of a limit, one group for each thing.
+//! A chart of horizontal bars in groups that show shares of a limit, with one group for each fender, line or the like.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -9,27 +9,27 @@ use maud::{Markup, html};
 use super::axis::{Fitted, nice_step};
 use super::number::{fixed, shortened};
 
-/// Bars to draw, in per cent of a limit that is 100 %.
+/// A bar chart to draw, in per cent of a limit that is 100 %.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bars {
-    /// Printed above.
+    /// Title, printed above the chart.
     pub title: String,
-    /// What the bars of a group are, at most four.
+    /// Names of the bars in a group, such as reaction and energy; at most four.
     pub kinds: Vec<&'static str>,
-    /// One group a thing, from the top.
+    /// The groups of bars, from the top, one for each fender, line or the like.
     pub groups: Vec<Group>,
-    /// What the horizontal axis is.
+    /// Title of the horizontal axis.
     pub axis: &'static str,
-    /// The note below; empty for none.
+    /// Note below the chart; empty for none.
     pub note: String,
 }
 
-/// The bars of one thing.
+/// The group of bars of one fender, line or the like.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Label, printed left of the bars.
+    /// Label of the group, printed left of its bars.
     pub name: String,
-    /// One value per kind (%); `None`: no bar.
+    /// Value of each bar of the group (%); `None` for no bar.
     pub values: Vec<Option<f64>>,
 }
 
@@ -44,14 +44,14 @@ const BETWEEN: f64 = 9.0;
 const NAME: usize = 22;
 /// Mean width of a letter of a name (px).
 const LETTER: f64 = 6.6;
-/// Bars end here, however large their value (%): one failure must not flatten the others.
+/// Longest drawn bar (%): a longer bar is cut here, so that one failure does not flatten the other bars.
 const LONGEST: f64 = 250.0;
 
-/// Fills from dark to light, so they can be distinguished in grey print.
+/// Fill colours of the bars from dark to light, so that the bars can be distinguished in grey print.
 const FILLS: [&str; 4] = ["#0b3a5b", "#3f8fc4", "#b5daf0", "#ffffff"];
 
 impl Bars {
-    /// The bars as a `figure`.
+    /// Draws the bar chart as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let values = self.groups.iter().flat_map(|g| g.values.iter().flatten());
         let largest = lesser(values.copied().fold(110.0, greater), LONGEST);
@@ -136,7 +136,7 @@ fn bar(kind: usize, left: f64, right: f64, top: f64) -> Markup {
     }
 }
 
-/// The value at the end of its bar. A bar that is cut is marked.
+/// Draws the value at the end of its bar. A bar that is cut gets a mark.
 fn label(value: f64, right: f64, top: f64) -> Markup {
     let weight = if value > 100.0 { "700" } else { "400" };
     html! {

@@ -1,4 +1,4 @@
-//! A chart: series over two axes.
+//! A chart that shows series of points over two axes.
 
 use fenderline_contact::number::greater;
 
@@ -13,17 +13,17 @@ use super::{colour, dash};
 /// A chart to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// Printed above the chart.
+    /// Title, printed above the chart.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// What to draw, in the units of the axes.
+    /// The series to draw, in the units of the axes.
     pub series: Vec<Series>,
-    /// Horizontal lines, such as a limit or an expected value.
+    /// Horizontal lines to draw, such as a limit or an expected value.
     pub references: Vec<Reference>,
-    /// Charts of the same group share the read-out under the pointer; `None`: no read-out.
+    /// Name of the group of charts that share the read-out under the pointer; `None` for no read-out.
     pub linked: Option<&'static str>,
     /// The note below the chart; empty for none.
     pub note: String,
@@ -32,25 +32,25 @@ pub struct Chart {
 /// A horizontal line of a chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// Printed at the line's end.
+    /// Label, printed at the end of the line.
     pub label: String,
-    /// Where, in the unit of the vertical axis.
+    /// Height of the line, in the unit of the vertical axis.
     pub value: f64,
 }
 
 pub(super) const WIDTH: f64 = 720.0;
-/// Four charts go on a page of A4.
+/// Height of a chart, so that four charts go on a page of A4 (px).
 const HEIGHT: f64 = 216.0;
-/// Of a tall chart.
+/// Height of a tall chart (px).
 const TALL: f64 = 400.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
 const RIGHT: f64 = 16.0;
-/// Least left margin: charts of a page line up unless their numbers are long (px).
+/// Smallest left margin (px), with which the charts of a page line up unless their numbers are long.
 const LEAST_LEFT: f64 = 66.0;
 /// Mean width of a digit at the size of the tick labels (px).
 const DIGIT: f64 = 6.4;
-/// Points closer than this to the previous point are not drawn (px).
+/// Smallest distance of drawn points: a point closer than this to the previous point is not drawn (px).
 const FINEST: f64 = 0.05;
 
 /// A chart with its axes fitted and its area measured.
@@ -85,7 +85,7 @@ impl Area {
         self.left + self.x.share(x) * (self.right() - self.left)
     }
 
-    /// Whether a point has a place: on a logarithmic axis zero has no place.
+    /// Whether a point has a place in the chart: on a logarithmic axis zero has no place.
     fn holds(&self, point: &Point) -> bool {
         self.px(point.x).is_finite() && self.py(point.y).is_finite()
     }
@@ -96,12 +96,12 @@ impl Area {
 }
 
 impl Chart {
-    /// The chart as a `figure` with its title, legend and note.
+    /// Draws the chart as an HTML `figure` with its title, legend and note.
     pub fn render(&self) -> Markup {
         self.render_of(HEIGHT, "chart")
     }
 
-    /// As [`Chart::render`], twice as high: for curves that are read off.
+    /// Draws the chart like [`Chart::render`], but twice as high, for curves from which values are read off.
     pub fn render_tall(&self) -> Markup {
         self.render_of(TALL, "chart tall")
     }
@@ -124,7 +124,7 @@ impl Chart {
         }
     }
 
-    /// What is within the picture: axes, reference lines, series.
+    /// Draws what stands within the picture of the chart: axes, reference lines, series.
     fn drawing(&self, area: &Area) -> Markup {
         let is_empty = self.series.iter().all(|s| s.points.is_empty());
         html! {
@@ -140,12 +140,12 @@ impl Chart {
         }
     }
 
-    /// The drawing of a given height without title, legend and note, as wide as [`WIDTH`].
+    /// Draws the chart with a given height and the width [`WIDTH`], without title, legend and note.
     pub(super) fn bare(&self, height: f64) -> Markup {
         self.drawing(&Area::of(self, height))
     }
 
-    /// The series with a name, each with its style: a series without a name belongs to the series
+    /// The series that have a name, each with the number of its style: a series without a name belongs to the series
     /// before it.
     pub(super) fn named(&self) -> impl Iterator<Item = (usize, &Series)> {
         let styled = self.series.iter().enumerate();
@@ -203,7 +203,7 @@ impl Chart {
     }
 }
 
-/// How a series is drawn, 30 px wide and 12 px high.
+/// The legend's sample of how a series is drawn, 30 px wide and 12 px high.
 pub(super) fn key_of(series: &Series, style: usize) -> Markup {
     html! {
         @if series.drawn == Drawn::Band {
@@ -251,7 +251,7 @@ fn drawn_series(series: &Series, style: usize, area: &Area) -> Markup {
     }
 }
 
-/// The line through the points; a point that is not finite breaks it.
+/// The SVG path of the line through the points; a point that is not finite breaks the line.
 fn path_of(points: &[Point], area: &Area) -> String {
     let mut path = String::with_capacity(points.len() * 12);
     let mut last: Option<(f64, f64)> = None;
@@ -278,7 +278,7 @@ fn path_of(points: &[Point], area: &Area) -> String {
     path
 }
 
-/// The closed line around a band.
+/// The SVG path of the closed line around a band.
 fn area_of(points: &[Point], area: &Area) -> String {
     let mut path = String::new();
     for point in points.iter().filter(|point| area.holds(point)) {
@@ -291,7 +291,7 @@ fn area_of(points: &[Point], area: &Area) -> String {
     path
 }
 
-/// Dots as lines without length, which have round ends.
+/// The SVG path that draws dots as lines without length, which have round ends.
 fn dots_of(points: &[Point], area: &Area) -> String {
     let mut path = String::with_capacity(points.len() * 14);
     for point in points.iter().filter(|point| area.holds(point)) {
@@ -300,7 +300,7 @@ fn dots_of(points: &[Point], area: &Area) -> String {
     path
 }
 
-/// The mark of style number `style`: hollow, so that it covers nothing.
+/// Draws the mark of style number `style`, which is hollow, so that the mark covers nothing.
 fn mark(style: usize, x: f64, y: f64) -> Markup {
     let r = 3.6;
     let path = match style % 4 {

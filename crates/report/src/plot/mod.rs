@@ -1,8 +1,8 @@
 //! Charts and plan views as SVG, and the page that holds them.
 //!
-//! Everything is written as plain markup with no outside resource: a page is complete without its
-//! script, prints on A4, and reads in black and white because series differ in dash and mark as
-//! well as in colour. The same input gives the same bytes.
+//! Pages are plain markup without outside resources. A page is complete without its script, prints on A4, and can be
+//! read in black and white, because series differ in dash and mark as well as in colour. The same input gives the same
+//! bytes of a page.
 
 mod axis;
 mod bars;
@@ -39,15 +39,15 @@ pub use system::{
 pub use timeline::{Fill, Lane, Span, Timeline};
 pub use tornado::{Tornado, Whisker};
 
-/// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
-/// series take them; yellow is left out because it does not show on white, and a brown is added.
+/// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which the series of a chart take
+/// them. Yellow is left out because it does not show on white, and a brown is added.
 const COLOURS: [&str; STYLES] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F5F3F"];
 
 /// Largest number of series that can be distinguished in one chart.
 pub const STYLES: usize = 8;
 
-/// Dashes in the same order, so series can be distinguished in print without colour.
+/// Dashes of the series, in the order of their colours, so that series can be distinguished in print without colour.
 const DASHES: [&str; STYLES] =
     ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4", "16 3 3 3"];
 

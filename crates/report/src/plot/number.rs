@@ -1,15 +1,15 @@
-//! Numbers as a reader wants them.
+//! Writes numbers in the form that a reader wants.
 
-/// Separates groups of three digits: a narrow space at which no line breaks.
+/// The sign between groups of three digits: a narrow space at which no line breaks.
 const GROUP: char = '\u{202f}';
 const MINUS: char = '\u{2212}';
 
-/// A number with its noun, in the singular or plural.
+/// Writes a number with its noun, in the singular or plural.
 pub fn counted(count: u64, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// A number in words that give an order: `first`, `second`, `21st`.
+/// Writes an ordinal number: `first`, `second`, `21st`.
 pub fn ordinal(number: u32) -> String {
     match (number, number % 10, number % 100) {
         (1, ..) => "first".to_owned(),
@@ -23,13 +23,13 @@ pub fn ordinal(number: u32) -> String {
     }
 }
 
-/// How often, in words that fit one as well as many.
+/// Writes how often something happened: `once`, `twice` or a number of times.
 pub fn times(count: u64) -> String {
     if count == 1 { "once".to_owned() } else { format!("{count} times") }
 }
 
-/// `value` with a true minus sign and grouped thousands, to `decimals` places; in powers of ten if
-/// there would be too many digits.
+/// Writes `value` with a true minus sign and grouped thousands, to `decimals` places; with a power of ten if there
+/// would be too many digits.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -59,7 +59,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     text
 }
 
-/// `value` to about `digits` significant digits, never more than six decimals; zero is `0`.
+/// Writes `value` to about `digits` significant digits, with at most six decimals; zero is `0`.
 pub fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 || !value.is_finite() {
         return fixed(value, 0);
@@ -72,7 +72,7 @@ pub fn significant(value: f64, digits: i32) -> String {
     fixed(value, usize::try_from(decimals.max(0)).unwrap_or(0))
 }
 
-/// As [`significant`], without the zeros that end the decimals: for values that a user set.
+/// Writes a number like [`significant`], but without zeros at the end of the decimals, for values that a user gave.
 pub fn plain(value: f64, digits: i32) -> String {
     let text = significant(value, digits);
     if !text.contains('.') || text.contains('e') {
@@ -81,7 +81,7 @@ pub fn plain(value: f64, digits: i32) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A user's name cut to `longest` characters.
+/// Cuts a name of the user to `longest` characters.
 pub fn shortened(name: &str, longest: usize) -> String {
     if name.chars().count() <= longest {
         return name.to_owned();
@@ -102,18 +102,18 @@ fn is_whole(value: f64) -> bool {
     (value - libm::round(value)).abs() < 1e-6 && value > 0.5
 }
 
-/// The power of ten of the first digit.
+/// The exponent of ten that belongs to the first digit of a number.
 pub(super) fn order_of(value: f64) -> i32 {
     // Saturating cast: the argument is finite and non-zero at every caller.
     libm::floor(libm::log10(value.abs())) as i32
 }
 
-/// A unit with the prefix that suits the largest value shown with it.
+/// A prefix for a unit, such as kilo, that suits the largest value shown with the unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled {
-    /// What to multiply SI values by.
+    /// Factor by which values in SI units are multiplied.
     pub factor: f64,
-    /// The prefix to put before the unit.
+    /// The prefix that is put before the unit.
     pub prefix: &'static str,
 }
 
@@ -128,7 +128,7 @@ impl Scaled {
         }
     }
 
-    /// The unit with its prefix.
+    /// The text of a unit with its prefix.
     pub fn unit(self, base: &str) -> String {
         format!("{}{base}", self.prefix)
     }

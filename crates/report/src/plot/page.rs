@@ -7,13 +7,13 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// A whole page with `title` and `body`, and the title at the foot of each printed page. Style and script are included,
-/// nothing is loaded, and the page is complete without scripts.
+/// A whole page with `title` and `body`, and the title at the foot of each printed page. The page contains its style
+/// and script, loads nothing, and is complete without scripts.
 pub fn page(title: &str, body: &Markup) -> String {
     page_of(title, title, body)
 }
 
-/// As [`page`], with `footer` at the foot of each printed page, beside the page number.
+/// Makes a page like [`page`], with `footer` at the foot of each printed page, beside the page number.
 pub fn page_of(title: &str, footer: &str, body: &Markup) -> String {
     html! {
         (DOCTYPE)
@@ -35,7 +35,7 @@ pub fn page_of(title: &str, footer: &str, body: &Markup) -> String {
     .into_string()
 }
 
-/// The rule that prints `text` at the foot of each page.
+/// The CSS rule that prints `text` at the foot of each printed page.
 fn footer_style(text: &str) -> String {
     let mut rule = String::from("@page { @bottom-left { content: \"");
     for c in text.chars() {

@@ -26,7 +26,7 @@ pub use map::{Arrow, Frame, Label, Place};
 pub use passing::PassingDrawn;
 
 impl Plan {
-    /// The view as a `figure` with its title and note.
+    /// Draws the plan view as an HTML `figure` with its title and note.
     pub fn render(&self) -> Markup {
         let map = Map::of(self.frame);
         let (full_width, full_height) = (WIDTH, TOP + map.height + BOTTOM);
@@ -69,7 +69,7 @@ impl Plan {
     }
 }
 
-/// Fill, its opacity, stroke width and dash of a stage.
+/// How the outlines of a stage (such as the start of the run) are drawn: fill opacity, stroke width and dash.
 fn look(stage: Stage) -> (&'static str, &'static str, &'static str) {
     match stage {
         Stage::Fixed => ("0.55", "1.2", ""),
@@ -94,7 +94,7 @@ fn outlined(outline: &Outlined, map: &Map) -> Markup {
     }
 }
 
-/// The key to the outlines.
+/// The legend for the outlines of bodies.
 pub fn outlined_legend() -> Markup {
     let entries = [
         (Stage::Start, "at the start"),
@@ -164,7 +164,7 @@ fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
     }
 }
 
-/// A point where a force acts: a ring, so that the colour of a fender below it can be seen.
+/// Draws the point where a force acts as a ring, so that the colour of a fender below it can be seen.
 fn point(x: f64, y: f64) -> Markup {
     let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
     html! {

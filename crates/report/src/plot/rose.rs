@@ -1,4 +1,4 @@
-//! A rose: rings of sectors by direction, each filled by a share.
+//! A rose chart: rings of sectors by direction, in which the fill of each sector shows a share.
 
 use core::f64::consts::TAU;
 
@@ -6,25 +6,25 @@ use maud::{Markup, html};
 
 use super::number::fixed;
 
-/// A rose to draw. Sector 0 is centred on north, the others follow clockwise.
+/// A rose chart to draw. Sector 0 is centred on north, and the other sectors follow clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rose {
-    /// Printed above.
+    /// Title, printed above the rose.
     pub title: String,
-    /// Rings from the inside, all with the same number of sectors.
+    /// Rings of the rose from the inside, all with the same number of sectors.
     pub rings: Vec<Ring>,
-    /// What the shares are, for the legend.
+    /// Words for the legend that say what the shares are.
     pub quantity: String,
-    /// The note below; empty for none.
+    /// Note below the rose; empty for none.
     pub note: String,
 }
 
 /// A ring of sectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring {
-    /// Label, printed at the outer edge of the ring.
+    /// Label of the ring, printed at its outer edge.
     pub label: String,
-    /// A share from 0 to 1 for each sector; `None` without a value.
+    /// Share of each sector of the ring, from 0 to 1; `None` for a sector without a value.
     pub shares: Vec<Option<f64>>,
 }
 
@@ -34,7 +34,8 @@ const CENTRE: (f64, f64) = (300.0, 230.0);
 const INNER: f64 = 22.0;
 const OUTER: f64 = 196.0;
 
-/// Least share and fill of each class, from the best: dark is bad, so that grey print tells them apart.
+/// Smallest share, fill colour and label of each class of shares, from the best class; a dark colour is bad, so that
+/// grey print tells the classes apart.
 const CLASSES: [(f64, &str, &str); 5] = [
     (0.99, "#e2f2ea", "99 % and more"),
     (0.95, "#a8dcc3", "95 to 99 %"),
@@ -50,7 +51,7 @@ fn fill(share: Option<f64>) -> &'static str {
 }
 
 impl Rose {
-    /// The rose as a `figure`.
+    /// Draws the rose as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let width = (OUTER - INNER) / self.rings.len().max(1) as f64;
         let radius = |ring: usize| INNER + width * ring as f64;
@@ -97,7 +98,7 @@ impl Rose {
     }
 }
 
-/// The outline of a sector between two radii.
+/// The SVG path of a sector between two radii.
 fn sector_path(sector: usize, of: usize, inner: f64, outer: f64) -> String {
     let width = TAU / of.max(1) as f64;
     let at = |radius: f64, edge: f64| {
@@ -107,7 +108,7 @@ fn sector_path(sector: usize, of: usize, inner: f64, outer: f64) -> String {
     ring_path([at(inner, -0.5), at(outer, -0.5), at(outer, 0.5), at(inner, 0.5)], inner, outer)
 }
 
-/// The outline of a part of a ring between two radii, from its corners: inner, outer, outer, inner.
+/// The SVG path of a part of a ring between two radii, from its four corners: inner, outer, outer, inner.
 pub(super) fn ring_path([a, b, c, d]: [(f64, f64); 4], inner: f64, outer: f64) -> String {
     format!(
         "M{:.1},{:.1}L{:.1},{:.1}A{outer:.1},{outer:.1} 0 0 1 {:.1},{:.1}L{:.1},{:.1}A{inner:.1},{inner:.1} 0 0 0 {:.1},{:.1}Z",

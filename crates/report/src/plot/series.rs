@@ -1,17 +1,17 @@
-//! Series of points, and how a long one is cut to a length that can be drawn.
+//! Series of points, and the thinning of a long series to a number of points that can be drawn.
 
 use fenderline_contact::number::greater;
 
-/// A point of a series, in the units of the chart's axes. A `y` that is NaN breaks the line.
+/// A point of a series, in the units of the chart's axes. A point whose `y` is NaN breaks the line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// On the horizontal axis.
+    /// Value on the horizontal axis.
     pub x: f64,
-    /// On the vertical axis.
+    /// Value on the vertical axis.
     pub y: f64,
 }
 
-/// How a series is drawn.
+/// The way in which a series is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Drawn {
     Line,
@@ -19,7 +19,7 @@ pub(super) enum Drawn {
     LineAndMarks,
     /// Many small dots.
     Dots,
-    /// The area that the points go around.
+    /// A filled area, whose border the points are.
     Band,
 }
 
@@ -33,41 +33,41 @@ pub struct Series {
 }
 
 impl Series {
-    /// A line through `points`, which are in the order of x.
+    /// Makes a series that is a line through `points`, which are in the order of x.
     pub fn line(name: &str, points: Vec<Point>) -> Series {
         Series { name: name.to_owned(), points, drawn: Drawn::Line, style: None }
     }
 
-    /// A mark at each point, without a line.
+    /// Makes a series with a mark at each point, without a line.
     pub fn marks(name: &str, points: Vec<Point>) -> Series {
         Series { name: name.to_owned(), points, drawn: Drawn::Marks, style: None }
     }
 
-    /// A small dot at each point, for many points.
+    /// Makes a series with a small dot at each point, for many points.
     pub fn dots(name: &str, points: Vec<Point>) -> Series {
         Series { name: name.to_owned(), points, drawn: Drawn::Dots, style: None }
     }
 
-    /// The area between a lower and an upper line, each in the order of x.
+    /// Makes a series that is the area between a lower and an upper line, each in the order of x.
     pub fn band(name: &str, lower: Vec<Point>, upper: Vec<Point>) -> Series {
         let points = lower.into_iter().chain(upper.into_iter().rev()).collect();
         Series { name: name.to_owned(), points, drawn: Drawn::Band, style: None }
     }
 
-    /// Adds a mark at each point to a line.
+    /// Adds a mark at each point to the line of the series.
     pub fn with_marks(mut self) -> Series {
         self.drawn = Drawn::LineAndMarks;
         self
     }
 
-    /// Colour, dash and mark number `style` in place of those of the series' place in the chart,
-    /// so that the marks of a reference share the colour of the line they belong to.
+    /// Gives the series colour, dash and mark number `style`, in place of those by its order in the chart, so that the
+    /// marks of a reference can have the colour of their line.
     pub fn styled(mut self, style: usize) -> Series {
         self.style = Some(style);
         self
     }
 
-    /// The same series with y multiplied by `factor`.
+    /// The series with the y of its points multiplied by `factor`.
     pub fn scaled(mut self, factor: f64) -> Series {
         for point in &mut self.points {
             point.y *= factor;
@@ -75,7 +75,7 @@ impl Series {
         self
     }
 
-    /// The same series with every point mapped.
+    /// The series with the function `map` applied to every point.
     pub fn mapped(mut self, map: impl Fn(&Point) -> Point) -> Series {
         for point in &mut self.points {
             *point = map(point);
@@ -83,25 +83,25 @@ impl Series {
         self
     }
 
-    /// The largest |y|, 0 for a series without points.
+    /// The largest |y| of the points; 0 for a series without points.
     pub fn largest(&self) -> f64 {
         self.points.iter().map(|p| p.y.abs()).filter(|y| y.is_finite()).fold(0.0, greater)
     }
 }
 
-/// Keeps a series of any length in bounded memory: what lies within one bucket is kept as its
-/// first, lowest, highest and last sample, so that no peak is lost. A full store halves its number
+/// Keeps a series of any length in bounded memory: of the samples within one bucket the first, lowest, highest and last
+/// are kept, so that no peak is lost. When the memory is full, neighbouring buckets are merged, which halves the number
 /// of buckets.
 #[derive(Clone, Debug)]
 pub struct Decimator {
-    /// Ends of a stretch of rest before the first sample, which no merging touches.
+    /// Ends of a time of rest before the first sample; the merging of buckets does not touch these two points.
     rest: Option<[Point; 2]>,
     buckets: Vec<Bucket>,
     samples_per_bucket: u64,
     samples_in_last: u64,
 }
 
-/// Largest number of buckets; at most four points each.
+/// Largest number of buckets, each of at most four points.
 const BUCKETS: usize = 1000;
 
 #[derive(Clone, Copy, Debug)]
@@ -134,18 +134,18 @@ impl Default for Decimator {
 }
 
 impl Decimator {
-    /// Without samples.
+    /// Makes a decimator without samples.
     pub fn new() -> Decimator {
         Decimator { rest: None, buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
     }
 
-    /// Nothing happened from 0 until `x`, after which the samples begin: a stretch of zeros that counts as
-    /// no sample.
+    /// Notes that nothing happened from 0 until `x`, where the samples begin: the line is zero there, but this counts
+    /// as no sample.
     pub fn rest_until(&mut self, x: f64) {
         self.rest = Some([0.0, x].map(|x| Point { x, y: 0.0 }));
     }
 
-    /// Adds a sample of finite values; x must not fall.
+    /// Adds a sample of finite values; x must not be less than that of the sample before.
     pub fn push(&mut self, x: f64, y: f64) {
         let sample = Bucket::of(Point { x, y });
         match self.buckets.last_mut() {
@@ -172,7 +172,7 @@ impl Decimator {
         self.samples_per_bucket *= 2;
     }
 
-    /// The points kept, at most four a bucket, in the order of x.
+    /// The points that are kept, at most four for each bucket, in the order of x.
     pub fn points(&self) -> Vec<Point> {
         let mut points: Vec<Point> = Vec::with_capacity(self.buckets.len());
         points.extend(self.rest.into_iter().flatten());

@@ -1,4 +1,4 @@
-//! Amounts by several reasons, stacked: as petals by direction and as columns.
+//! A chart of stacked amounts, such as hours lost by reason: drawn as petals by direction, or as columns.
 
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
@@ -13,37 +13,38 @@ use super::rose::ring_path;
 /// Amounts of several kinds for each of several things, such as hours lost by reason for each month.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stacked {
-    /// Printed above.
+    /// Title, printed above the chart.
     pub title: String,
-    /// The kinds, in the order of the stack.
+    /// The kinds of amounts (such as reasons), in the order of the stack.
     pub kinds: Vec<String>,
-    /// The things with an amount for each kind.
+    /// The groups (such as months), each with an amount for each kind.
     pub groups: Vec<(String, Vec<f64>)>,
-    /// What is counted, and its unit.
+    /// Title of the axis: what is counted, and its unit.
     pub axis: (&'static str, &'static str),
-    /// The note below; empty for none.
+    /// Note below the chart; empty for none.
     pub note: String,
 }
 
 const WIDTH: f64 = 720.0;
-/// Columns.
+/// Sizes of the chart of columns (px).
 const HEIGHT: f64 = 250.0;
 const LEFT: f64 = 58.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 40.0;
-/// Share of its place that a column is wide.
+/// Width of a column as a share of its place.
 const FILLED: f64 = 0.66;
-/// Longest name of a thing (characters).
+/// Longest name of a group (characters); longer names are cut.
 const NAME: usize = 3;
-/// Petals.
+/// Sizes of the chart of petals (px).
 const SIZE: f64 = 440.0;
 const CENTRE: (f64, f64) = (360.0, 220.0);
 const OUTER: f64 = 184.0;
-/// Share of its sector that a petal fills.
+/// Width of a petal as a share of its sector.
 const PETAL: f64 = 0.8;
 
-/// Fills that grey print and the colour-blind tell apart: dark and light in turn.
+/// Fill colours of the kinds, dark and light in turn, so that they can be told apart in grey print and by the
+/// colour-blind.
 const FILLS: [&str; 8] =
     ["#0b3a5b", "#E69F00", "#56B4E9", "#7a0019", "#a8dcc3", "#CC79A7", "#5b6675", "#F0E442"];
 
@@ -57,7 +58,8 @@ impl Stacked {
         sums.fold(0.0, greater)
     }
 
-    /// A petal for each thing, the first towards the top and the others clockwise; their lengths are the amounts.
+    /// Draws a petal for each group, the first towards the top and the others clockwise; the lengths of the petals are
+    /// the amounts.
     pub fn petals(&self) -> Markup {
         let axis = Axis::new(self.axis.0, self.axis.1).including(0.0);
         let axis = axis.fit([self.largest()].into_iter(), 4);
@@ -105,7 +107,7 @@ impl Stacked {
         }
     }
 
-    /// A column for each thing.
+    /// Draws a column for each group.
     pub fn columns(&self) -> Markup {
         let axis = Axis::new(self.axis.0, self.axis.1).including(0.0);
         let title = axis.title();
@@ -174,7 +176,7 @@ impl Stacked {
     }
 }
 
-/// Kind, start and end of each part of a stack that is not empty.
+/// Kind, start and end of each part of a stack, without empty parts.
 fn stack(amounts: &[f64]) -> Vec<(usize, f64, f64)> {
     let mut sum = 0.0;
     let mut parts = Vec::new();
@@ -185,7 +187,7 @@ fn stack(amounts: &[f64]) -> Vec<(usize, f64, f64)> {
     parts
 }
 
-/// The outline of a part of a petal.
+/// The SVG path of a part of a petal.
 fn petal(
     at: &dyn Fn(f64, f64) -> (f64, f64),
     (inner, outer): (f64, f64),

@@ -9,13 +9,13 @@ const HEIGHT: f64 = 300.0;
 const MARGIN: f64 = 10.0;
 const TITLE: f64 = 24.0;
 const LEGEND_LINE: f64 = 18.0;
-/// Width of the sign of a series in the legend, and the space after a name (px).
+/// Width of a series' line sample in the legend, and of the space after a name (px).
 const KEY: f64 = 35.0;
 const GAP: f64 = 16.0;
 /// Mean width of a letter of the legend (px).
 const LETTER: f64 = 6.6;
 
-/// What `page.css` says of charts, for a picture without a page.
+/// The rules of `page.css` about charts, for a picture that stands without a page.
 const STYLE: &str = "
 text { font: 11px 'Segoe UI', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; fill: #3a4552; }
 text.axis { font-size: 11.5px; fill: #1b2430; }
@@ -34,7 +34,7 @@ path.reference { stroke: #333; stroke-width: 1; stroke-dasharray: 5 4; fill: non
 ";
 
 impl Chart {
-    /// The chart as a whole SVG file on white, without its note: for documents that show pictures.
+    /// Writes the chart as a whole SVG file on a white ground, without its note, for documents that show pictures.
     #[must_use]
     pub fn stand_alone(&self) -> String {
         let (legend, lines) = self.legend_lines();
@@ -53,7 +53,7 @@ impl Chart {
         format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", picture.into_string())
     }
 
-    /// The legend, broken into lines, and how many lines it has.
+    /// Draws the legend, broken into lines, and returns its number of lines.
     fn legend_lines(&self) -> (Markup, u32) {
         if self.series.len() < 2 {
             return (html! {}, 0);

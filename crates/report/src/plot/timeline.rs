@@ -1,4 +1,4 @@
-//! Lanes over time: marks for what happened at a moment, bars for what lasted.
+//! A chart of lanes over time: marks show what happened at a moment, bars show what lasted.
 
 use core::fmt::Write as _;
 
@@ -7,27 +7,27 @@ use maud::{Markup, html};
 use super::axis::Axis;
 use super::number::shortened;
 
-/// Lanes to draw, the first on top.
+/// A timeline of lanes to draw, the first lane on top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timeline {
-    /// Printed above.
+    /// Title, printed above the chart.
     pub title: String,
-    /// The horizontal axis, with its range.
+    /// The horizontal axis of the chart, with its range.
     pub x: Axis,
-    /// One line each.
+    /// The lanes of the chart, each on its own line.
     pub lanes: Vec<Lane>,
-    /// The note below; empty for none.
+    /// Note below the chart; empty for none.
     pub note: String,
 }
 
 /// A lane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lane {
-    /// Printed left of it.
+    /// Name of the lane, printed left of it.
     pub name: String,
-    /// True for a lane whose bars and marks are drawn dark.
+    /// Whether the bars and marks of the lane are drawn dark.
     pub is_grave: bool,
-    /// Its bars and marks.
+    /// Bars and marks of the lane.
     pub spans: Vec<Span>,
 }
 
@@ -45,11 +45,11 @@ pub struct Span {
 /// The fill of a bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
-    /// The lane's colour.
+    /// The bar has the lane's colour.
     Full,
-    /// The lane's colour, faint.
+    /// The bar has the lane's colour, but faint.
     Faint,
-    /// None: the outline alone, dashed.
+    /// The bar is not filled; only its dashed outline is drawn.
     Hollow,
 }
 
@@ -60,7 +60,7 @@ impl Span {
         Span { from: at, to: at, fill: Fill::Full }
     }
 
-    /// The span with its ends divided by a unit.
+    /// The bar or mark with its ends converted to another unit, by division.
     #[must_use]
     pub fn over(self, unit: f64) -> Span {
         Span { from: self.from / unit, to: self.to / unit, ..self }
@@ -87,12 +87,12 @@ const BAR: f64 = 11.0;
 const NAME: usize = 34;
 /// Mean width of a letter of a name (px).
 const LETTER: f64 = 6.3;
-/// A bar is at least as wide, so that a short alarm can be seen (px).
+/// Smallest width of a bar (px), so that a short alarm can be seen.
 const LEAST: f64 = 2.0;
 const TICKS: u32 = 8;
 
 impl Timeline {
-    /// The lanes as a `figure`.
+    /// Draws the timeline as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let axis = self.x.fit(self.lanes.iter().flat_map(Lane::ends), TICKS);
         let names = self.lanes.iter().map(|lane| lane.name.chars().count().min(NAME)).max();

@@ -1,4 +1,4 @@
-//! Horizontal bars from −1 to 1 with whiskers: rank correlations, the strongest on top.
+//! A tornado chart: horizontal bars from −1 to 1 with whiskers for rank correlations, the strongest on top.
 
 use core::fmt::Write as _;
 
@@ -10,26 +10,26 @@ use super::number::{fixed, shortened};
 /// Correlations to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tornado {
-    /// Printed above.
+    /// Title, printed above the chart.
     pub title: String,
-    /// One bar each, from the top.
+    /// The bars of the chart, from the top.
     pub bars: Vec<Whisker>,
-    /// What the horizontal axis is.
+    /// Title of the horizontal axis.
     pub axis: &'static str,
-    /// The note below; empty for none.
+    /// Note below the chart; empty for none.
     pub note: String,
 }
 
-/// A bar with its interval, all from −1 to 1.
+/// A bar with its confidence interval; all values are from −1 to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Whisker {
-    /// Printed left of it.
+    /// Name of the bar, printed left of it.
     pub name: String,
     /// End of the bar.
     pub value: f64,
-    /// Lower end of the interval.
+    /// Lower end of the confidence interval.
     pub low: f64,
-    /// Upper end of the interval.
+    /// Upper end of the confidence interval.
     pub high: f64,
 }
 
@@ -45,7 +45,7 @@ const NAME: usize = 26;
 const LETTER: f64 = 6.6;
 
 impl Tornado {
-    /// The bars as a `figure`.
+    /// Draws the tornado chart as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let axis = Fitted::new(-1.0, 1.0, 0.2);
         let names = self.bars.iter().map(|bar| bar.name.chars().count().min(NAME)).max();

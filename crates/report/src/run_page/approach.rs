@@ -1,4 +1,4 @@
-//! How ships come to their berths.
+//! The report's sentences on how ships come to their berths.
 
 use fenderline_results::Outcome;
 use maud::{Markup, html};

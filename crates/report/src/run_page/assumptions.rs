@@ -1,4 +1,4 @@
-//! The page of assumptions: method, ships, fenders, water, and the assumptions that must be checked.
+//! The report's section of assumptions: method, ships, fenders, water, and the data that must be checked.
 
 use fenderline_contact::BodyState;
 use fenderline_contact::number::greater;
@@ -12,12 +12,12 @@ use super::{fenders, scene, vessels};
 use crate::plot::{fixed, plain};
 use fenderline_results::Outcome;
 
-/// Times from this on are given in hours too (s).
+/// Times of at least this length are given in hours too (s).
 const HOUR_S: f64 = 3600.0;
-/// Ships listed.
+/// Largest number of listed ships.
 const SHIPS: usize = 8;
 
-/// The whole section.
+/// Writes the section of assumptions.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     html! {
@@ -60,7 +60,7 @@ fn computation(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// Mass and added mass of everything that floats.
+/// The list of floating bodies with their mass and added mass.
 fn ships(setup: &Setup) -> Markup {
     let floating: Vec<(usize, &BodySetup)> =
         setup.bodies.iter().enumerate().filter(|(_, body)| body.mass.is_some()).collect();
@@ -74,7 +74,8 @@ fn ships(setup: &Setup) -> Markup {
                     (fixed(100.0 * mass.added_sway_kg / mass.mass_kg, 0))
                     " % in sway (virtual mass factor C" sub { "m" } " " (fixed(1.0 + mass.added_sway_kg / mass.mass_kg, 2))
                     @if let Some(ratio) = extrapolated(setup, index) {
-                        ", by our extrapolation: the ship has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
+                        ", by our extrapolation: the ship has " (fixed(ratio, 2)) " draughts of \
+                            water, and published tests end at "
                         (PUBLISHED_RATIO)
                     }
                     "); radius of gyration " (plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 3)) "\u{a0}m"
@@ -88,7 +89,8 @@ fn ships(setup: &Setup) -> Markup {
     }
 }
 
-/// Depth over draught of a vessel at the start where her added mass is our extrapolation.
+/// Ratio of water depth to draught at the start, for a vessel whose added mass is our extrapolation in such shallow
+/// water; else `None`.
 fn extrapolated(setup: &Setup, body: usize) -> Option<f64> {
     let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == body)?;
     let own = &setup.bodies[body];
@@ -99,7 +101,7 @@ fn extrapolated(setup: &Setup, body: usize) -> Option<f64> {
     Some(ratio).filter(|ratio| *ratio < PUBLISHED_RATIO)
 }
 
-/// Friction and factors of the fenders, each range once.
+/// The lines about friction and factors of the fenders, each range of values once.
 fn contact(setup: &Setup) -> Markup {
     let range = |values: &mut dyn Iterator<Item = f64>| {
         let (low, high) = values.fold((f64::INFINITY, 0.0), |(low, high), value: f64| {
@@ -127,7 +129,7 @@ fn contact(setup: &Setup) -> Markup {
     }
 }
 
-/// What the berthing energy by formula assumes.
+/// The lines about the assumptions of the berthing energy by formula.
 fn formula(outcome: &Outcome<'_>) -> Markup {
     let Some(Ok(berthing)) = outcome.berthing else { return html! {} };
     html! { dt { "Energy by formula" } dd { (super::berthing::factors_in_words(berthing)) } }
@@ -153,7 +155,7 @@ fn water(setup: &Setup, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Data that were recalled, derived or estimated: to be checked before the design is used.
+/// The list of data that were recalled, derived or estimated, and must be checked before the design is used.
 fn to_check(outcome: &Outcome<'_>) -> Markup {
     let mut all = fenders::to_check(outcome.setup);
     all.extend(vessels::to_check(outcome));

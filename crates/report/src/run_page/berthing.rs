@@ -1,4 +1,4 @@
-//! A berthing by PIANC's formula beside the run.
+//! The report's section that compares a berthing by PIANC's formula with the run.
 
 use fenderline_sim::berthing::{
     AddedMass, AddedMassFormula, BerthingError, BerthingOutcome, BerthingSetup, LaterHit,
@@ -10,16 +10,16 @@ use crate::plot::{decimals_for, fixed, ordinal, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// Differences of Ce below this share are within the uncertainty of the formula.
+/// Differences of the eccentricity coefficient Ce below this share are within the uncertainty of the formula.
 const ALIKE: f64 = 0.05;
 
-/// The whole section; nothing if the scenario does not ask for it.
+/// Writes the section; empty if the scenario does not ask for a berthing study.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(setup) = &outcome.setup.berthing else { return html! {} };
     html! {
         h2 { "Berthing energy by formula and in the run" }
         @match outcome.berthing {
-            None => p { "The ship touched no fender: nothing to compare." },
+            None => p { "The ship touched no fender, so there is nothing to compare with the formula." },
             Some(Err(error)) => (refused(error)),
             Some(Ok(berthing)) => {
                 (particulars(outcome, setup, berthing))
@@ -31,7 +31,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The factors of the formula in one sentence: the Cm that is used, and those of the other formulas.
+/// The factors of the formula in one sentence, with the added mass coefficient Cm that is used, and the Cm of the other
+/// formulas.
 pub(super) fn factors_in_words(berthing: &BerthingOutcome) -> String {
     let chosen = match berthing.chosen {
         AddedMass::By(formula) => format!("by {}", formula.name()),
@@ -54,7 +55,7 @@ pub(super) fn factors_in_words(berthing: &BerthingOutcome) -> String {
 }
 
 fn refused(error: &BerthingError) -> Markup {
-    html! { p { "The formulas do not apply to this first touch: " (error.to_string()) "." } }
+    html! { p { (format!("The formulas do not apply to this first touch: {error}.")) } }
 }
 
 fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &BerthingOutcome) -> Markup {
@@ -203,7 +204,7 @@ fn factors(berthing: &BerthingOutcome) -> Markup {
                     }
                     tr class="strong" {
                         td class="name" {
-                            "Measured in the first hit: energy in the fenders over ½ M V² Cm of the run"
+                            "Measured in the first hit: energy in the fenders divided by ½ M V² Cm of the run"
                         }
                         (number(&fixed(berthing.gyradius_simulated_m, 1)))
                         (factor(berthing.eccentricity_measured))
@@ -214,7 +215,8 @@ fn factors(berthing: &BerthingOutcome) -> Markup {
     }
 }
 
-/// The abnormal energy beside the capacity of the fender with the most energy; nothing if no factor or no rating is given.
+/// Compares the abnormal energy with the capacity of the fender that took the most energy; empty if no factor or no
+/// rating is given.
 fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     let most = outcome.fenders.iter().max_by(|a, b| a.peak_energy_j.total_cmp(&b.peak_energy_j));
     let capacity = most.and_then(|fender| fender.capacity_j.map(|capacity_j| (fender, capacity_j)));
@@ -223,54 +225,66 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     };
     html! {
         p {
-            "The abnormal energy by the formula is " (fixed(100.0 * abnormal_j / capacity_j, 0))
-            " % of the rated energy of one fender. This fender is "
-            (outcome.setup.fenders[fender.fender].name) ", which took the largest energy; with its \
-                factors the rated energy is "
-            (significant(capacity_j / 1e3, 4)) " kJ. The formula gives the energy of one contact. \
-                How many "
-            "fenders share this energy depends on their spacing and on the hull."
+            (format!(
+                "The abnormal energy by the formula is {} % of the rated energy of one fender. This \
+                 fender is {}, which took the largest energy; with its factors the rated energy is \
+                 {} kJ. The formula gives the energy of one contact. How many fenders share this \
+                 energy depends on their spacing and on the hull.",
+                fixed(100.0 * abnormal_j / capacity_j, 0),
+                outcome.setup.fenders[fender.fender].name,
+                significant(capacity_j / 1e3, 4),
+            ))
         }
     }
 }
 
-/// What the difference between the measured Ce and the formula's means.
+/// Explains the difference between the Ce that was measured in the run and the Ce of the formula.
 fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     let (measured, formula) = (berthing.eccentricity_measured, berthing.eccentricity_of_run);
     let off = measured / formula - 1.0;
     let larger = |later: &LaterHit| later.energy_j > (1.0 + ALIKE) * berthing.fender_energy_j;
     html! {
         p {
-            "The formula's Ce is the share of the energy that one contact takes if it does not slip and ends "
-            "when the hull stops there. The rest of the energy remains as rotation of the ship. "
+            "The formula's Ce is the share of the energy that one contact takes if it does not slip and ends \
+            when the hull stops there. The rest of the energy remains as rotation of the ship. "
             @if off.abs() <= ALIKE {
-                "With the radius of gyration of the simulated ship, the fenders took this share in \
-                 the first "
-                "hit to within " (fixed(100.0 * ALIKE, 0)) " %. "
+                (format!(
+                    "With the radius of gyration of the simulated ship, the fenders took this share \
+                     in the first hit to within {} %. ",
+                    fixed(100.0 * ALIKE, 0),
+                ))
             } @else {
-                "In the first hit the fenders took " (fixed(100.0 * off.abs(), 0)) " % "
-                @if off > 0.0 { "more" } @else { "less" }
-                " than this share, with the radius of gyration of the simulated ship: "
+                (format!(
+                    "In the first hit the fenders took {} % {} than this share, with the radius of \
+                     gyration of the simulated ship. ",
+                    fixed(100.0 * off.abs(), 0),
+                    if off > 0.0 { "more" } else { "less" },
+                ))
                 @if off > 0.0 {
-                    "loads during the hit, an initial turn or speed along the berth, or neighbouring fenders on the "
-                    "other side of the centre of gravity add to it. "
+                    "The loads during the hit, an initial turn or speed along the berth, or \
+                     neighbouring fenders on the other side of the centre of gravity add energy. "
                 } @else {
-                    "friction and damping took a part, or the hull slid along the face. "
+                    "Friction and damping took a part of the energy, or the hull slid along the face. "
                 }
             }
             @if let Some(later) = berthing.later.filter(larger) {
-                "In the " (ordinal(later.number)) " hit, at " (fixed(later.at_s, decimals_for(outcome.setup.step_s)))
-                " s, they took " (fixed(later.energy_j / berthing.fender_energy_j, 1)) " times as much: the energy that "
-                "the formula leaves in the ship's rotation reaches the fenders when the ship \
-                 swings in, together with the work of the loads. "
+                (format!(
+                    "In the {} hit, at {} s, the fenders took {} times as much: the energy that the \
+                     formula leaves in the ship's rotation reaches the fenders when the ship swings \
+                     in, together with the work of the loads. ",
+                    ordinal(later.number),
+                    fixed(later.at_s, decimals_for(outcome.setup.step_s)),
+                    fixed(later.energy_j / berthing.fender_energy_j, 1),
+                ))
             }
         }
         p class="note" {
-            "In the run the hull is rigid and there is no water cushion between hull and berth: Cs and Cc "
-            "are 1. If the hull meets several fenders at once, Ce is for a point on the line between the two outermost of these fenders: the point "
-            "nearest to the centre of gravity. The formula of UFC 4-152-01 is taken from a public calculator, the \
-             other formulas from public manuals; we did not read the text of PIANC's guidelines, "
-            "and no conformity with them is claimed."
+            "In the run the hull is rigid and there is no water cushion between hull and berth: Cs \
+             and Cc are 1. If the hull meets several fenders at once, Ce is for a point on the \
+             line between the two outermost of these fenders: the point nearest to the centre of \
+             gravity. The formula of UFC 4-152-01 is taken from a public calculator, the other \
+             formulas from public manuals; we did not read the text of PIANC's guidelines, and no \
+             conformity with them is claimed."
         }
     }
 }

@@ -1,5 +1,5 @@
-//! The branches of a session side by side: the outcome of each, the tracks in one plan, speeds and distances in one
-//! chart.
+//! The report's section that shows the branches of a session side by side: a table of their outcomes, a plan of their
+//! tracks, and charts of speeds and distances.
 
 use fenderline_contact::Vec2;
 use fenderline_results::{BranchOutcome, Outcome, WayPoint};
@@ -15,10 +15,10 @@ use crate::{Head, table_head};
 
 /// Knot (m/s).
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
-/// Room around the ways in the plan, over their extent.
+/// Room around the ships' tracks in the plan, as a share of their extent.
 const ROOM: f64 = 0.08;
 
-/// All branches beside each other; nothing for a session with one.
+/// Shows all branches of the session side by side; empty for a session with only one branch.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(session) = outcome.session else { return html! {} };
     let all = session.beside.as_slice();
@@ -34,8 +34,13 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
         }
         (table(all, session.branch))
         p class="note" {
-            "Approach: fastest closing speed of an end of the ship within " (fixed(BranchOutcome::NEAR_M, 0))
-            " m of the fenders. Commands: those after the branch goes off. Alarms: with cautions."
+            (format!(
+                "Approach: fastest closing speed of the ship's bow or stern within {} m of the \
+                 fenders. ",
+                fixed(BranchOutcome::NEAR_M, 0),
+            ))
+            "Commands: the commands that were given after the branch splits \
+             off. Alarms: with cautions."
             @if session.branches > all.len() {
                 " The latest " (all.len()) " of " (session.branches) " branches."
             }
@@ -49,7 +54,7 @@ fn name(id: usize) -> String {
     if id == 0 { "the first run".to_owned() } else { format!("branch {id}") }
 }
 
-/// The name at the head of a row, or of a line.
+/// The name of a branch in a table or a legend.
 fn title(id: usize) -> String {
     if id == 0 { "First run".to_owned() } else { format!("Branch {id}") }
 }
@@ -101,7 +106,7 @@ fn goes_off(branch: &BranchOutcome) -> String {
     }
 }
 
-/// The score with its mark; the number of findings without an exercise.
+/// The text of a branch's exercise score with its mark; without an exercise, the number of findings.
 fn score(branch: &BranchOutcome, has_score: bool) -> String {
     match branch.score {
         Some((score, Some(true))) => format!("{} passed", fixed(score, 1)),
@@ -112,7 +117,7 @@ fn score(branch: &BranchOutcome, has_score: bool) -> String {
     }
 }
 
-/// The ways of all branches, with the hull at the end of each.
+/// The plan view of the ship's tracks in all branches, with her hull at the end of each branch.
 fn plan(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
     let points = || {
         all.iter().flat_map(|of| of.way.iter().map(|at| at.at_m).chain(of.hull_m.iter().copied()))

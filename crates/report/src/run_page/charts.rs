@@ -9,12 +9,12 @@ use super::recorder::{BodyTrace, PairTrace};
 use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
 use fenderline_results::Outcome;
 
-/// Charts of a report share the read-out under the pointer.
+/// Name of the group of charts that share the read-out under the pointer.
 const LINK: &str = "time";
-/// Bodies drawn in a chart at most.
+/// Largest number of bodies in a chart.
 const DRAWN_BODIES: usize = 6;
 
-/// All charts of a run, for the pairs in `drawn`.
+/// All charts of a run; those of contacts show the pairs of bodies in `drawn`.
 pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
     let page = Charts::new(outcome);
     html! {
@@ -34,11 +34,11 @@ pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrac
     }
 }
 
-/// What all charts over time have in common.
+/// The data that all charts over time have in common.
 pub(super) struct Charts<'a> {
     pub(super) outcome: &'a Outcome<'a>,
     end_s: f64,
-    /// Unit of the time axis, and its length (s).
+    /// Unit of the time axis, and the length of this unit in seconds.
     unit: (&'static str, f64),
 }
 
@@ -53,7 +53,7 @@ impl<'a> Charts<'a> {
         Charts { outcome, end_s, unit }
     }
 
-    /// Unit of the time axis, and its length (s).
+    /// Unit of the time axis, and the length of this unit in seconds.
     pub(super) fn unit(&self) -> (&'static str, f64) {
         self.unit
     }
@@ -63,13 +63,13 @@ impl<'a> Charts<'a> {
         self.end_s
     }
 
-    /// The axis of the whole time of the run.
+    /// The time axis, which covers the whole run.
     pub(super) fn time_axis(&self) -> Axis {
         let (unit, unit_s) = self.unit;
         Axis::new("time", unit).including(0.0).including(self.end_s / unit_s).tight()
     }
 
-    /// A chart over the whole time of the run, from series over seconds.
+    /// Makes a chart over the whole time of the run, from series whose times are in seconds.
     pub(super) fn chart(&self, title: &str, y: Axis, series: Vec<Series>) -> Chart {
         let (_, unit_s) = self.unit;
         let in_unit = |p: &Point| Point { x: p.x / unit_s, y: p.y };
@@ -93,7 +93,7 @@ impl<'a> Charts<'a> {
         pairs.iter().map(|pair| Series::line(&self.pair_name(pair), of(pair).points())).collect()
     }
 
-    /// Normal and tangential force of the only pair, with the peak marked.
+    /// The chart of normal and tangential force if only one pair touched, with the peak marked.
     fn forces_of_one(&self, pair: &PairTrace) -> Markup {
         let peak = Point { x: pair.peak.t_s, y: pair.peak.normal_n };
         let series = vec![
@@ -144,7 +144,7 @@ impl<'a> Charts<'a> {
         chart.render()
     }
 
-    /// The rebound speed −γV⁰ that the limiter aims at, after the first touch.
+    /// The line of the rebound speed −γV⁰ after the first touch, at which the impulse-momentum limiter aims.
     fn rebound(&self, pair: &PairTrace) -> Option<Reference> {
         let summary = self.outcome.pairs.iter().find(|p| p.bodies == pair.bodies)?;
         let restitution = self.restitution_of(pair.bodies)?;
@@ -152,7 +152,8 @@ impl<'a> Charts<'a> {
         Some(Reference { label: "−γV⁰".to_owned(), value })
     }
 
-    /// γ of the outlines of a pair; `None` if they touched through fenders, which have separate materials.
+    /// The coefficient of restitution γ of two outlines; `None` if the bodies touched through fenders, which have
+    /// separate materials.
     fn restitution_of(&self, bodies: [usize; 2]) -> Option<f64> {
         let setup = self.outcome.setup;
         if self.outcome.fenders.iter().any(|f| bodies.contains(&setup.fenders[f.fender].body)) {
@@ -200,7 +201,7 @@ impl<'a> Charts<'a> {
     }
 }
 
-/// The series in the unit with the prefix that suits the largest of them.
+/// Converts the series to the unit whose prefix suits the largest of them, and returns that unit.
 pub(super) fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
     let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, greater));
     let series = series.into_iter().map(|s| s.scaled(scaled.factor)).collect();

@@ -1,4 +1,4 @@
-//! The title page: kind of document, verdict, governing numbers, a picture.
+//! The report's title page: kind of document, verdict, governing numbers, a picture.
 
 use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
@@ -13,7 +13,7 @@ use crate::words::interrupted_text;
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// Longest text of a detail that shares its line with another (characters).
+/// Longest text of a detail that shares its line with another detail (characters).
 const HALF_LINE: usize = 26;
 
 /// The title page.
@@ -40,7 +40,7 @@ pub(super) fn cover(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// What the document is. Scenario and program are always given.
+/// The details of the document, such as project and client. Scenario and program are always given.
 fn details(outcome: &Outcome<'_>) -> Markup {
     html! {
         dl class="details" {
@@ -54,13 +54,13 @@ fn details(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// A line of the details. A long one takes the whole width.
+/// A detail of the title page. A long detail takes the whole width.
 fn detail(label: &str, text: &str) -> Markup {
     let is_long = text.chars().count() > HALF_LINE;
     html! { div class=[is_long.then_some("long")] { dt { (label) } dd { (text) } } }
 }
 
-/// The label of a line of the title page, from its key.
+/// The label of a detail on the title page, from its key.
 #[must_use]
 pub fn detail_label(key: &str) -> String {
     let text = match key {
@@ -111,13 +111,13 @@ fn numbers(outcome: &Outcome<'_>, governing: &[Governing]) -> Markup {
     }
 }
 
-/// The time of the number, and the hit of the berthing in which it occurred.
+/// The time of a governing number, and the hit of the berthing in which it occurred.
 fn time(row: &Governing, decimals: usize) -> String {
     let at = row.at_s.map_or_else(|| "–".to_owned(), |at_s| fixed(at_s, decimals));
     row.hit.map_or(at.clone(), |hit| format!("{at}, {} hit", ordinal(hit)))
 }
 
-/// A value with its unit, and in tonnes or knots where the profession uses them too.
+/// The text of a governing number with its unit, also in tonnes or knots where mariners use them.
 fn value(row: &Governing) -> String {
     match row.unit {
         "m/s" => {

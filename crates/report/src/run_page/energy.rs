@@ -12,13 +12,14 @@ use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_sim::LoadWork;
 
-/// A part below this share of the largest is not drawn: its line would be on zero.
+/// A part of the energy below this share of the largest part is not drawn, because its line would lie on zero.
 const LEAST: f64 = 1e-4;
 
-/// The split of the contacts' energy is drawn if its residual is below this share of the energy given.
+/// The split of the contacts' energy into its parts is drawn if the unexplained rest is below this share of the energy
+/// given.
 const LARGEST_RESIDUAL: f64 = 0.05;
 
-/// Table and chart.
+/// The energy section: table and chart.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     html! {
         (table(outcome, recorder))
@@ -26,8 +27,8 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// The energy over time. If the contacts' stored and lost energies do not add up, as with large explicit steps, only the
-/// work of the forces is drawn, which is exact.
+/// The chart of the energy over time. If the contacts' stored and lost energies do not add up, as with large explicit
+/// steps, only the work of the forces is drawn, which is exact.
 fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let trace = &recorder.energy;
     let end = charts.outcome.energy;
@@ -67,7 +68,8 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
-/// From start to end: the energy at the start, the energy given, and where it is.
+/// The table of energies from start to end of the run: the energy at the start, the energy given, and where the energy
+/// went.
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
     let works: Vec<(&str, f64)> =
@@ -123,21 +125,27 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         }
         @if end.exchanged_j() > 0.0 {
             p class="note" {
-                "Energies are in the ground frame, added mass included. Work is force times distance over the ground. \
-                 The residual is " (share(end.residual_j.abs(), end.exchanged_j()))
-                " % of all energy exchanged by loads and contacts."
+                (format!(
+                    "Energies are in the ground frame, added mass included. Work is force times \
+                     distance over the ground. The residual is {} % of all energy exchanged by loads \
+                     and contacts.",
+                    share(end.residual_j.abs(), end.exchanged_j()),
+                ))
             }
         }
         @if most_j > 0.0 {
             p class="note" {
-                "The springs stored the most energy at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
-                (amount(most_j, given_j)) " kJ."
+                (format!(
+                    "The springs stored the most energy at {} s: {} kJ.",
+                    fixed(at_s, decimals_for(outcome.setup.step_s)),
+                    amount(most_j, given_j),
+                ))
             }
         }
     }
 }
 
-/// In kJ, with the digits that are significant beside the whole.
+/// The text of an energy in kJ, with as many digits as are significant beside the total energy.
 fn amount(value_j: f64, of_j: f64) -> String {
     let whole_kj = (of_j / 1e3).abs();
     match whole_kj {

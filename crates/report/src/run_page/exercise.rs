@@ -1,4 +1,4 @@
-//! The exercise: its result on the title page, and each condition and limit with its deduction.
+//! The exercise in the report: its result on the title page, and each condition and limit with its deduction.
 
 use fenderline_results::Outcome;
 use fenderline_sim::Setup;
@@ -9,7 +9,7 @@ use super::tables::number;
 use crate::plot::fixed;
 use crate::{Head, table_head};
 
-/// The result in a sentence, and what was deducted; nothing without an exercise.
+/// The result of the exercise in a sentence, and the deductions; empty if there is no exercise.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     let Some(exercise) = outcome.exercise else { return html! {} };
     let class = match exercise.is_passed() {
@@ -31,7 +31,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// Goal and limits in tables.
+/// The tables of the exercise's goal and limits.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(exercise) = outcome.exercise else { return html! {} };
     let of = exercise.setup();
@@ -43,10 +43,14 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             h3 { "Limits" }
             (limits(exercise, outcome.setup))
             p class="note" {
-                "The score begins at 100. An exceeded limit costs points in proportion to the \
-                 excess, all its points at its worst value and beyond. The exercise is passed with \
-                 the goal reached, " (fixed(of.pass_mark, 0))
-                " points, and no limit exceeded that decides it. What happened after the end of the exercise does not count."
+                (format!(
+                    "The score begins at 100. An exceeded limit costs points in proportion to the \
+                     excess; at its worst value and beyond it costs all its points. The exercise is \
+                     passed if the goal is reached with {} points and no limit is exceeded that \
+                     decides the exercise. What happened after the end of the exercise does not \
+                     count.",
+                    fixed(of.pass_mark, 0),
+                ))
             }
         }
     }
@@ -72,7 +76,12 @@ fn goal(exercise: &Assessment) -> Markup {
             }
         }
         @if of.hold_s > 0.0 {
-            p class="note" { "The goal is reached when all hold together for " (fixed(of.hold_s, 0)) " s." }
+            p class="note" {
+                (format!(
+                    "The goal is reached when all conditions hold together for {} s.",
+                    fixed(of.hold_s, 0),
+                ))
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Partial factors of the user, and the factored loads.
+//! The report's section of the user's partial factors and the factored loads.
 
 use fenderline_results::Outcome;
 use fenderline_sim::factors::Factored;
@@ -8,22 +8,27 @@ use super::tables::{ROWS, more, number};
 use crate::plot::{fixed, plain, significant};
 use crate::{Head, table_head};
 
-/// A row: the fender or line, the quantity with its unit, and the factored effect.
+/// A row of the table: the fender or line, the quantity with its unit, and the factored effect.
 struct Row<'o> {
     name: &'o str,
     quantity: &'static str,
     of: Factored,
 }
 
-/// The whole section; nothing if the scenario has no factors.
+/// Writes the section of partial factors; empty if the scenario has no factors.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let factors = &outcome.setup.world.factors;
     let rows = rows(outcome);
     html! {
         @if !factors.is_empty() {
             h3 { "Partial factors" }
-            p { "The factors come from the scenario, with the source " (factors.source) ". \
-                fenderline has no factors of its own." }
+            p {
+                (format!(
+                    "The factors come from the scenario, with the source {}. fenderline has no \
+                     factors of its own.",
+                    factors.source,
+                ))
+            }
             div class="wide" {
                 table {
                     (table_head(&[
@@ -40,8 +45,11 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             }
             (more(rows.len()))
             p class="note" {
-                "Energy beside the rated energy with the factors of the run, reaction beside the scenario's limit, tension beside the "
-                (factors.line_capacity.words()) "."
+                (format!(
+                    "Energy is compared with the rated energy with the factors of the run, reaction \
+                     with the scenario's limit, tension with the {}.",
+                    factors.line_capacity.words(),
+                ))
             }
         }
     }

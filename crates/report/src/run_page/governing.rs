@@ -1,4 +1,4 @@
-//! The numbers that govern a design, in one list for title page and workbook.
+//! The numbers that govern a design, in one list for the title page and the workbook.
 
 use fenderline_contact::number::greater;
 use fenderline_results::{LineTotals, Outcome, worst_first};
@@ -9,21 +9,21 @@ use fenderline_sim::{DolphinSummary, FenderSummary, Finding, PanelSummary, Rated
 /// A governing number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Governing {
-    /// The quantity, such as `Reaction of a fender`.
+    /// Name of the quantity, such as `Reaction of a fender`.
     pub quantity: &'static str,
-    /// The fender, line, ship or contact to which the number belongs; empty for all together.
+    /// The fender, line, ship or contact to which the number belongs; empty if the number belongs to all together.
     pub subject: String,
-    /// Its value, in `unit`.
+    /// Value of the number, in `unit`.
     pub value: f64,
-    /// The unit.
+    /// Unit of the value.
     pub unit: &'static str,
-    /// Its share of a limit, and the limit's name.
+    /// The number as a share of a limit, and the limit's name.
     pub share: Option<(f64, &'static str)>,
-    /// When (s).
+    /// Time at which the number occurred (s).
     pub at_s: Option<f64>,
     /// The hit of the berthing in which the number occurred, 1 for the first.
     pub hit: Option<u32>,
-    /// The number is above its limit.
+    /// Whether the number is above its limit.
     pub is_over: bool,
 }
 
@@ -53,7 +53,7 @@ pub fn governing(outcome: &Outcome<'_>) -> Vec<Governing> {
     all
 }
 
-/// Notes the hit of the berthing in which each of these numbers was.
+/// Notes for each governing number the hit of the berthing in which it occurred.
 fn note_hits(outcome: &Outcome<'_>, all: &mut [Governing]) {
     let Some(Ok(berthing)) = outcome.berthing else { return };
     for of in all {
@@ -124,7 +124,7 @@ const RATED_REACTION: &str = "rated reaction";
 const ENERGY: &str = "Governing fender, energy";
 const REACTION: &str = "Governing fender, reaction";
 
-/// The quantity of a fender that governs.
+/// The governing number of the most used fender.
 fn of_fender(summary: &FenderSummary, rated: Rated, quantity: &str, share: f64) -> Governing {
     let (quantity, value, unit, limit, at_s) = match quantity {
         "deflection" => (
@@ -156,7 +156,7 @@ fn of_fender(summary: &FenderSummary, rated: Rated, quantity: &str, share: f64) 
     }
 }
 
-/// The largest moment of a panel on several cones.
+/// Adds the largest moment of a panel on several cones.
 fn panels(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let panels = outcome.fenders.iter().filter_map(|of| Some((of.fender, of.panel.as_ref()?)));
     let size = |of: &(usize, &PanelSummary)| of.1.peak_moment_nm.abs();
@@ -174,7 +174,7 @@ fn panels(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The chain that came nearest to its break load.
+/// Adds the tension of the chain that came nearest to its break load.
 fn chains(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let each = outcome.fenders.iter();
     let each = each.flat_map(|of| of.chains.iter().map(move |chain| (of.fender, chain)));
@@ -191,7 +191,8 @@ fn chains(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The dolphin that came nearest to its yield load; the one with the largest load where none is known.
+/// Adds the load of the dolphin that came nearest to its yield load; if no yield load is known, that of the dolphin
+/// with the largest load.
 fn dolphins(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let share = |of: &DolphinSummary| of.share_of_yield_load.unwrap_or(0.0);
     let most = outcome
@@ -210,7 +211,7 @@ fn dolphins(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The berthing energy by formula and in the run.
+/// Adds the berthing energies by formula and in the run.
 fn energies(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let Some(Ok(berthing)) = outcome.berthing else { return };
     let ship = outcome.setup.berthing.as_ref();
@@ -260,14 +261,15 @@ fn energies(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The rated energy of the fender that she meets first, with its factors (J); `None` if she meets several at once, which share the
-/// energy.
+/// The rated energy (J), with its factors, of the fender that the ship meets first; `None` if she meets several fenders
+/// at once, which share the energy.
 fn capacity_of_one_j(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Option<f64> {
     let [one] = berthing.fenders[..] else { return None };
     outcome.fenders.iter().find(|of| of.fender == one)?.capacity_j
 }
 
-/// The largest strike of a structure; without one, the largest contact without a fender.
+/// Adds the largest force on a structure that was struck; if none was struck, the largest contact force without a
+/// fender.
 fn structure(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let strikes = outcome.findings.iter().filter_map(|finding| match finding {
         Finding::StructureStruck { bodies, first_s, peak_force_n, .. } => {
@@ -327,7 +329,7 @@ fn lines(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }
 }
 
-/// The motion that is nearest to its limit in the scenario.
+/// Adds the ship motion that is nearest to its limit in the scenario.
 fn motions(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let limits = outcome.setup.world.statistics.limits.iter().zip(outcome.limit_values);
     let shares = limits.filter_map(|(limit, value)| match limit.what {
@@ -353,7 +355,7 @@ fn motions(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The fastest first touch of a fender, or of two bodies where no fender was touched.
+/// Adds the largest speed at the first touch of a fender, or of two bodies if no fender was touched.
 fn approach(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     let setups = &outcome.setup.fenders;
     let of_fenders = outcome.fenders.iter().map(|summary| {

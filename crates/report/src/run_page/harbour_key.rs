@@ -1,11 +1,11 @@
-//! The key to what a harbour has in the plan views.
+//! The legend for the parts of a harbour in the plan views.
 
 use fenderline_results::Outcome;
 use maud::{Markup, html};
 
 use crate::plot::{chart_note, harbour_legend};
 
-/// The key to lines, tugs, banks and passing ships, if there are any.
+/// The legend for mooring lines, tugs, banks and passing ships, if there are any.
 pub(super) fn harbour(outcome: &Outcome<'_>) -> Markup {
     let world = &outcome.setup.world;
     let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());

@@ -1,5 +1,5 @@
-//! `report.html`: one page that an engineer can put before a client. It holds no date but the one that the user gives, and
-//! no path, so that the same scenario gives the same bytes.
+//! `report.html`: one page that an engineer can put before a client. The page holds no date but the one that the user
+//! gives, and no path, so that the same scenario gives the same bytes.
 
 mod approach;
 mod assumptions;
@@ -44,10 +44,10 @@ use strongest::strongest;
 
 /// Longest title at the foot of printed pages (characters).
 const TITLE: usize = 80;
-/// Most pairs with a close-up.
+/// Largest number of pairs of bodies that are shown in a close-up.
 const CLOSE_UPS: usize = 2;
 
-/// The page, from the outcome of the run and the record of its steps.
+/// Writes the report page from the outcome of the run and the record of its time steps.
 pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     let drawn = strongest(recorder);
     let body = html! {
@@ -88,7 +88,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     page_of(outcome.title, &footer(outcome), &body)
 }
 
-/// The results in numbers. Those of a session come after its exercise.
+/// The tables of results. For a session they come after its exercise.
 fn results(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     html! {
         h2 { "Results" }
@@ -103,7 +103,7 @@ fn results(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Views beside that of the title page; nothing if there are none.
+/// The plan views besides that of the title page; empty if there are none.
 fn views(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
     let whole = [scene::whole(outcome, recorder), scene::moored(outcome, recorder)];
     let close_ups = drawn.iter().take(CLOSE_UPS).map(|trace| scene::close_up(outcome, trace));
@@ -120,7 +120,7 @@ fn views(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Ma
     }
 }
 
-/// Document number, revision and title, at the foot of each printed page.
+/// The footer of each printed page: document number, revision and title.
 fn footer(outcome: &Outcome<'_>) -> String {
     let detail = |key: &str| outcome.report.iter().find(|(own, _)| *own == key);
     let number = detail("number").map(|(_, text)| text.clone());
@@ -135,20 +135,26 @@ fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
     html! {
         @if recorder.pairs_not_followed {
             p class="note" {
-                "More than " (touched) " pairs touched. The charts draw the " (drawn.len())
-                " with the largest forces among the first " (touched)
-                "; all pairs are in summary.json and in the contacts table."
+                (format!(
+                    "More than {touched} pairs touched. The charts draw the {} pairs with the \
+                     largest forces among the first {touched}; all pairs are in summary.json and in \
+                     the contacts table.",
+                    drawn.len(),
+                ))
             }
         } @else if touched > drawn.len() {
             p class="note" {
-                (touched) " pairs touched; the charts draw the " (drawn.len())
-                " with the largest forces. All are in summary.json and in the contacts table."
+                (format!(
+                    "{touched} pairs touched; the charts draw the {} pairs with the largest forces. \
+                     All pairs are in summary.json and in the contacts table.",
+                    drawn.len(),
+                ))
             }
         }
     }
 }
 
-/// What the author of the scenario and the reader should know about this run.
+/// The remarks that the author of the scenario and the reader should know about this run.
 fn remarks(outcome: &Outcome<'_>) -> Markup {
     let count = |wanted| {
         let found = outcome.events.counts().find(|(kind, _)| *kind == wanted);

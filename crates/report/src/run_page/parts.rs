@@ -1,4 +1,4 @@
-//! The components of the largest contact force.
+//! The report's chart of the components of the largest contact force.
 
 use maud::{Markup, html};
 
@@ -7,7 +7,7 @@ use super::recorder::PartsTrace;
 use super::recorder::Recorder;
 use crate::plot::{Axis, Series};
 
-/// Spring, stop, damper and limiter over time; nothing without contact.
+/// The chart of spring, stop, damper and limiter force over time; empty if there was no contact.
 pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let Some((name, parts)) = hardest(charts, recorder) else { return html! {} };
     let lines = [
@@ -29,13 +29,13 @@ pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let axis = Axis::new("force", &unit).including(0.0);
     let title = format!("Components of the contact force, {name}");
     let mut chart = charts.chart(&title, axis, series);
-    chart.note = "N is the sum of the other lines. The impulse-momentum limiter removes spring force that would make the \
-                  hull rebound faster than the coefficient of restitution allows."
+    chart.note = "N is the sum of the other lines. The impulse-momentum limiter removes spring \
+        force that would make the hull rebound faster than the coefficient of restitution allows."
         .to_owned();
     chart.render()
 }
 
-/// The fender, or the pair of outlines, with the largest force.
+/// Name and record of the fender, or of the pair of outlines, with the largest force.
 fn hardest<'a>(charts: &Charts<'_>, recorder: &'a Recorder) -> Option<(String, &'a PartsTrace)> {
     let setup = charts.outcome.setup;
     let fenders = recorder

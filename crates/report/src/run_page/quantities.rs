@@ -1,4 +1,4 @@
-//! Columns of tables that come from the catalogue of summary quantities.
+//! Table columns that come from the catalogue of summary quantities.
 
 use fenderline_results::{Catalogue, Digits, Reported, Shown};
 use maud::{Markup, html};
@@ -13,13 +13,13 @@ fn reported<S, T>(
     catalogue.shown.iter().filter_map(|column| Some((column, column.reported?)))
 }
 
-/// The heads of these columns.
+/// The heads of the catalogue's columns that the report shows.
 pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> Vec<Head<'static>> {
     let columns = reported(catalogue);
     columns.map(|(of, _)| Head::Number(of.head, of.scale.page_unit())).collect()
 }
 
-/// The cells of a part in these columns.
+/// The cells of one part in the catalogue's columns.
 pub(super) fn cells<S, T>(
     catalogue: &Catalogue<S, T>,
     setup: &S,
@@ -41,8 +41,8 @@ pub(super) fn cells<S, T>(
     }
 }
 
-/// The share of a limit below a value, in bold if the value is over the limit, and the share of the catalogue's rating where
-/// that differs.
+/// The share of a limit that stands below a value, in bold if the value is over the limit; with the share of the
+/// catalogue's rating if it differs.
 fn share_below(share: f64, of_catalogue: Option<f64>, deciding: Option<f64>) -> Markup {
     let percent = |share: f64| fixed(100.0 * share, 0);
     let is_over = deciding.is_some_and(|share| share > 1.0);

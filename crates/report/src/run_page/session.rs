@@ -1,4 +1,5 @@
-//! The session that a run repeats: who did what and when, and the alarms, on one time axis and as a list.
+//! The report's section on the session that a run repeats: who did what and when, and the alarms, on a time axis and as
+//! a list.
 
 use fenderline_contact::number::lesser;
 use fenderline_results::{LogKind, LogLine, Outcome, RecordedSession};
@@ -9,22 +10,22 @@ use super::tables::number;
 use crate::plot::{Fill, Lane, Span, Timeline, counted, fixed};
 use crate::{Head, table_head};
 
-/// Most lanes of the picture for each kind: more cannot be read.
+/// Largest number of lanes of the chart for each kind; more lanes cannot be read.
 const LANES: usize = 12;
-/// Most lines of the list.
+/// Largest number of lines of the list.
 const LINES: usize = 400;
 
-/// Description of the session, its picture and its log; nothing for a run that nobody steered.
+/// Writes the description of the session, its chart and its log; empty for a run that nobody steered.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(session) = outcome.session else { return html! {} };
     html! {
         h2 { "Log of the session" }
         p { (sentence(session)) }
         @if let Some(missing) = &session.missing_at_end {
-            p class="note" { "The recording is not complete: " (missing) "." }
+            p class="note" { (format!("The recording is not complete: {missing}.")) }
         }
         @if session.log.is_empty() {
-            p { "Nobody gave a command, and there was no alarm." }
+            p { "Nobody gave a command in this session, and there was no alarm." }
         } @else {
             (picture(outcome, session))
             (list(&session.log))
@@ -52,7 +53,8 @@ fn sentence(session: &RecordedSession) -> String {
     )
 }
 
-/// A lane for the notes, one for each person with marks for the commands, then one for each alarm and caution with its states.
+/// The chart of the session: a lane for the notes, a lane for each person with marks for the commands, and a lane for
+/// each alarm and caution with its states.
 fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     let charts = Charts::new(outcome);
     let (_, unit_s) = charts.unit();
@@ -96,13 +98,13 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     people.truncate(LANES);
     alarms.truncate(LANES);
     let mut note =
-        "Marks: commands, notes, and when a limit of the exercise was exceeded first. Dark red: \
-         alarms; amber: cautions; the text belongs to the first of them. Full bar: active and not \
-         acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but \
+        "Marks: commands, notes, and the moment when a limit of the exercise was first exceeded. \
+         Dark red: alarms; amber: cautions; the text is that of the first alarm or caution. Full \
+         bar: active and not acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but \
          nobody has acknowledged the alarm."
             .to_owned();
     if left_out > 0 {
-        note += &format!(" {left_out} more are only in the list.");
+        note += &format!(" {left_out} more lanes are only in the list.");
     }
     let lanes: Vec<Lane> = people.into_iter().chain(alarms).collect();
     if lanes.is_empty() {
@@ -116,7 +118,8 @@ fn lane(name: &str, is_grave: bool, spans: Vec<Span>) -> Lane {
     Lane { name: name.to_owned(), is_grave, spans }
 }
 
-/// The states of an alarm as bars (s). A caution is removed when its cause ends; an alarm waits until it is acknowledged.
+/// The states of an alarm as bars (s). A caution is removed when its cause ends; an alarm waits until it is
+/// acknowledged.
 fn states(line: &LogLine, end_s: f64) -> Vec<Span> {
     let over_s = line.until_s.unwrap_or(end_s);
     let seen_s = line.acknowledged.as_ref().map_or(f64::INFINITY, |(at_s, _)| *at_s);
@@ -161,8 +164,8 @@ fn list(log: &[LogLine]) -> Markup {
             p class="note" { "and " (log.len() - LINES) " more lines, in summary.json" }
         }
         p class="note" {
-            "A command takes effect at its time. An alarm whose cause comes back within ten seconds, before anybody \
-            acknowledged it, is one line."
+            "A command takes effect at the time that is shown. An alarm whose cause comes back \
+             within ten seconds, before anybody acknowledged it, is one line."
         }
     }
 }
@@ -182,7 +185,7 @@ fn lasted(line: &LogLine) -> String {
     }
 }
 
-/// When and by whom an alarm was acknowledged.
+/// Words that say when and by whom an alarm was acknowledged.
 fn acknowledged(line: &LogLine) -> String {
     match (&line.acknowledged, line.kind) {
         (Some((at_s, who)), _) => format!("{}, {who}", clock(*at_s)),
@@ -191,7 +194,7 @@ fn acknowledged(line: &LogLine) -> String {
     }
 }
 
-/// Minutes and seconds since the start.
+/// The text of a time as minutes and seconds since the start.
 pub(super) fn clock(t_s: f64) -> String {
     let tenths = libm::round(t_s * 10.0);
     let minutes = libm::floor(tenths / 600.0);

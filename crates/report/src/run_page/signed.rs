@@ -2,7 +2,7 @@
 
 use crate::plot::fixed;
 
-/// A height with its sign.
+/// The text of a height with its sign.
 pub(super) fn signed(height_m: f64) -> String {
     if height_m > 0.0 { format!("+{}", fixed(height_m, 2)) } else { fixed(height_m, 2) }
 }

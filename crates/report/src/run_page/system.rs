@@ -1,4 +1,5 @@
-//! Drawing of the fender system: plan and elevation of each face with fenders, a section, and the table of fenders.
+//! The report's drawings of the fender system: plan and elevation of each face with fenders, a section, and the table
+//! of fenders.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Pose, Rotation, Vec2, vec2};
@@ -18,24 +19,24 @@ use crate::plot::{
 
 /// Largest number of drawn faces: the faces with most fenders, each with more than one fender.
 const FACES: usize = 3;
-/// Faces whose directions differ by less count as one face (rad).
+/// Faces whose directions differ by less than this count as one face (rad).
 const SAME_FACING_RAD: f64 = 0.035;
-/// Mountings that are farther apart square to the face are not on one face (m).
+/// Mountings that are farther apart than this, at right angles to the face, are not on one face (m).
 const SAME_LINE_M: f64 = 6.0;
-/// A hull is drawn if it is this near to the line of mountings (m).
+/// A hull is drawn if its distance from the line of mountings is at most this (m).
 const NEAR_M: f64 = 20.0;
-/// Hulls drawn at most at a face.
+/// Largest number of hulls drawn at a face.
 const HULLS: usize = 3;
-/// A seabed below this is not drawn (m).
+/// Depth below which the seabed is not drawn (m).
 const DEEP_M: f64 = 40.0;
-/// Chains listed beside the section.
+/// Largest number of chains listed beside the section.
 const CHAINS: usize = 6;
-/// Cones listed beside the panel.
+/// Largest number of cones listed beside the panel.
 const CONES: usize = 8;
 /// Longest name in a drawing (characters).
 const NAME: usize = 26;
 
-/// The whole section; nothing without fenders.
+/// Writes the section with the drawings of the fender system; empty if there are no fenders.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     if setup.fenders.is_empty() {
@@ -56,8 +57,10 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @for group in &groups { (sight.face(group).render()) }
         @if left > 0 {
             p class="note" {
-                "The drawing shows the faces with the most fenders; " (left) " more "
-                @if left == 1 { "has" } @else { "have" } " fenders."
+                (format!(
+                    "The drawing shows the faces with the most fenders; {left} more {} fenders.",
+                    if left == 1 { "face has" } else { "faces have" },
+                ))
             }
         }
         (sight.section().render())
@@ -66,7 +69,8 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Fenders by face: of one floating body, or of all fixed bodies, in one direction and on one line.
+/// Groups the fenders by face: a face is on one floating body, or on all fixed bodies, with fenders in one direction
+/// and on one line.
 fn groups(setup: &Setup, states: &[BodyState]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for index in 0..setup.fenders.len() {
@@ -89,7 +93,8 @@ fn is_one_face(one: &Frame, other: &Frame) -> bool {
     one.outward.dot(other.outward) > libm::cos(SAME_FACING_RAD) && out_m.abs() < SAME_LINE_M
 }
 
-/// A frame on the face of a fender, earth-fixed: right along the face as seen from the water, and outwards.
+/// A coordinate system at the face of a fender, earth-fixed: one axis goes to the right along the face as seen from the
+/// water, the other outwards.
 struct Frame {
     mount_m: Vec2,
     origin_m: Vec2,
@@ -111,13 +116,13 @@ impl Frame {
         }
     }
 
-    /// Along the face from the body's origin, and outwards from the mounting (m).
+    /// Coordinates of a point: along the face from the body's origin, and outwards from the mounting (m).
     fn at(&self, point_m: Vec2) -> [f64; 2] {
         [(point_m - self.origin_m).dot(self.right), (point_m - self.mount_m).dot(self.outward)]
     }
 }
 
-/// Everything as at the largest force.
+/// The bodies and the water level at the moment of the largest force, which the drawings show.
 struct Sight<'a> {
     outcome: &'a Outcome<'a>,
     states: &'a [BodyState],
@@ -192,7 +197,7 @@ impl Sight<'_> {
         vertices.iter().map(|vertex| frame.at(pose.apply(*vertex))).collect()
     }
 
-    /// The side of the nearest hull at a fender; vertical for a hull without outlines by height.
+    /// The side of the nearest hull at a fender; vertical for a hull without outlines at heights.
     fn side(&self, fender: &FenderSetup, frame: &Frame) -> Option<Side> {
         let carriers = [fender.body];
         let (body, hull) = self.near(&carriers, frame).into_iter().next()?;
@@ -218,12 +223,12 @@ impl Sight<'_> {
         Some(Side { name: hull.name, keel_m: hull.keel_m, side_m })
     }
 
-    /// Hulls to draw before the face, the nearest first.
+    /// The hulls to draw before the face, the nearest first.
     fn hulls(&self, carriers: &[usize], frame: &Frame) -> Vec<Hull> {
         self.near(carriers, frame).into_iter().take(HULLS).map(|(_, hull)| hull).collect()
     }
 
-    /// Floating bodies before the face, the nearest first, by their index.
+    /// Indices and hulls of the floating bodies before the face, the nearest first.
     fn near(&self, carriers: &[usize], frame: &Frame) -> Vec<(usize, Hull)> {
         let bodies = &self.outcome.setup.bodies;
         let mut near: Vec<(f64, usize, Hull)> = Vec::new();
@@ -246,7 +251,7 @@ impl Sight<'_> {
         near.into_iter().map(|(_, body, hull)| (body, hull)).collect()
     }
 
-    /// Height of a keel in the heights of a face (m), if the draught is known.
+    /// Height of a hull's keel (m), measured as the heights of a face are, if the draught is known.
     fn keel_m(&self, body: usize, carriers: &[usize]) -> Option<f64> {
         let setup = self.outcome.setup;
         let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == body);
@@ -258,7 +263,7 @@ impl Sight<'_> {
         Some(if is_fixed { self.level_m } else { 0.0 } - draught_m)
     }
 
-    /// Levels in the heights of a fender's face.
+    /// The levels that are drawn (such as water and seabed), measured as the heights of a fender's face are.
     fn levels(&self, fender: &FenderSetup) -> Vec<Level> {
         let environment = &self.outcome.setup.world.environment;
         let water = |height_m: f64, text: &str| Level {
@@ -289,7 +294,7 @@ impl Sight<'_> {
         all
     }
 
-    /// Through the most used fender; the first one where none was touched.
+    /// The section through the most used fender, or through the first fender if none was touched.
     fn section(&self) -> Section {
         let (outcome, setup) = (self.outcome, self.outcome.setup);
         let worst =
@@ -320,8 +325,8 @@ impl Sight<'_> {
     }
 }
 
-/// From above, the most used fender among those with a panel on several cones, in its largest turn; nothing if none was
-/// touched.
+/// The drawing from above of the most used fender with a panel on several cones, at its largest turn; `None` if no such
+/// fender was touched.
 fn panel_plan(outcome: &Outcome<'_>) -> Option<PanelPlan> {
     let setups = &outcome.setup.fenders;
     let order = worst_first(setups, outcome.fenders);
@@ -378,7 +383,7 @@ fn panel_plan(outcome: &Outcome<'_>) -> Option<PanelPlan> {
     })
 }
 
-/// The chains of a fender, with what they bore in the run.
+/// The chains of a fender, each with a text on its load in the run.
 fn chains(fender: &FenderSetup, summary: Option<&FenderSummary>) -> Vec<(Chain, String)> {
     let drawn = |(index, chain): (usize, &ChainSetup)| {
         let (kind, name) = match chain.kind {
@@ -396,7 +401,8 @@ fn chains(fender: &FenderSetup, summary: Option<&FenderSummary>) -> Vec<(Chain, 
     fender.chains.iter().enumerate().map(drawn).take(CHAINS).collect()
 }
 
-/// Where an outline is nearest to the face at a place along it (m); `None` if it does not reach there.
+/// Smallest distance of an outline from the face, at a place along the face (m); `None` if the outline does not reach
+/// this place.
 fn nearest_m(outline_m: &[[f64; 2]], along_m: f64) -> Option<f64> {
     let next = outline_m.iter().cycle().skip(1);
     let crossings = outline_m.iter().zip(next).filter_map(|(from, to)| {
@@ -410,7 +416,7 @@ fn nearest_m(outline_m: &[[f64; 2]], along_m: f64) -> Option<f64> {
     crossings.min_by(f64::total_cmp)
 }
 
-/// How far out a side is at a height (m), beyond its ends as at the end.
+/// Distance outwards of a hull's side at a height (m); above and below its points it is that of the nearest point.
 fn out_at_m(side_m: &[[f64; 2]], height_m: f64) -> f64 {
     let pairs = side_m.windows(2).find(|pair| pair[1][1] >= height_m);
     match (pairs, side_m.last()) {

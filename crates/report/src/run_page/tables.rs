@@ -1,4 +1,4 @@
-//! Tables of the report: results, bodies, materials, loads and how the run was made.
+//! Tables of the report: results, bodies, materials, loads, and settings of the run.
 
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::{BodySetup, Load, NamedMaterial, PairSummary, Setup};
@@ -8,10 +8,10 @@ use crate::plot::{decimals_for, fixed, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// Rows shown of a long table.
+/// Number of rows that are shown of a long table.
 pub(super) const ROWS: usize = 30;
 
-/// Newtons of a tonne-force, which lines, chains and tugs are rated in too.
+/// Newtons in a tonne-force, the unit in which lines, chains and tugs are rated too.
 pub(super) const TONNE_N: f64 = 9806.65;
 
 pub(super) fn number(text: &str) -> Markup {
@@ -21,12 +21,12 @@ pub(super) fn number(text: &str) -> Markup {
 pub(super) fn more(total: usize) -> Markup {
     html! {
         @if total > ROWS {
-            p class="note" { "and " (total - ROWS) " more rows are not shown." }
+            p class="note" { (format!("and {} more rows are not shown.", total - ROWS)) }
         }
     }
 }
 
-/// The key results, one row a pair, the largest force first.
+/// The table of key results, with one row for each pair of bodies, the largest force first.
 pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
     let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
     pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
@@ -57,8 +57,8 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
         }
         (more(pairs.len()))
         p class="note" {
-            "Speeds are relative and along the contact normal: the approach speed at the first touch, positive "
-            "when closing; the final speed at the end of the last step with contact, positive when separating."
+            "Speeds are relative and along the contact normal: the approach speed at the first touch, positive \
+            when closing; the final speed at the end of the last step with contact, positive when separating."
             @if pairs.iter().any(|p| p.touching_at_end) {
                 " † Still touching at the end of the run."
             }
@@ -84,7 +84,8 @@ fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
     }
 }
 
-/// A contact through a fender has no penetration but the fender's deflection.
+/// The head of the column of depths: a contact through a fender has a deflection of the fender instead of a
+/// penetration.
 fn depth_head(pairs: &[&PairSummary]) -> &'static str {
     let by_fender = pairs.iter().filter(|pair| pair.peak_depth_fender.is_some()).count();
     match by_fender {
@@ -94,18 +95,18 @@ fn depth_head(pairs: &[&PairSummary]) -> &'static str {
     }
 }
 
-/// A length (m) to the millimetre; what is less reads 0.
+/// Rounds a length (m) to the millimetre; less than half a millimetre becomes 0.
 fn to_millimetres(length_m: f64) -> f64 {
     // No −0.
     libm::round(1e3 * length_m) / 1e3 + 0.0
 }
 
-/// A speed in m/s with knots beside it.
+/// The text of a speed in m/s, with knots beside it.
 fn speed(speed_mps: f64) -> String {
     format!("{} ({})", fixed(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 2))
 }
 
-/// Everything that the scenario set.
+/// The tables of everything that the scenario set.
 pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
     let setup = outcome.setup;
     html! {
@@ -150,8 +151,7 @@ fn bodies(bodies: &[BodySetup]) -> Markup {
         (more(bodies.len()))
         p class="note" {
             "Length and breadth are measured on the outline. Gyradius and displacement are without \
-             "
-            "added mass. Speed is over ground at the start."
+             added mass. Speed is the speed over ground at the start."
         }
     }
 }

@@ -7,10 +7,10 @@ use fenderline_sim::{Gravity, Verdict};
 
 use crate::words::with_code;
 
-/// Findings shown at most.
+/// Largest number of shown findings.
 const FINDINGS: usize = 8;
 
-/// The verdict, and its findings from the worst on.
+/// The verdict on the run, and its findings, the worst first.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     let verdict = Verdict::of(outcome.findings);
     let (shown, rest) = outcome.findings.split_at(outcome.findings.len().min(FINDINGS));
@@ -27,7 +27,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The class that colours a verdict.
+/// The CSS class that colours a verdict.
 fn class(gravity: Gravity) -> &'static str {
     match gravity {
         Gravity::Ok => "ok",

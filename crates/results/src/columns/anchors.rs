@@ -7,7 +7,7 @@ use fenderline_sim::anchor::AnchorPosition;
 use super::{Column, Layout, List, flag, float, known, name, word};
 use crate::row::Row;
 
-/// One anchor in one interval.
+/// A row of the table of anchors: one anchor in one output interval.
 pub(crate) struct AnchorRow {
     t_s: f64,
     anchor: usize,
@@ -24,7 +24,7 @@ pub(crate) struct AnchorRow {
 }
 
 impl AnchorRow {
-    /// The row of anchor number `anchor` of a ship with a heading.
+    /// The row of anchor number `anchor` of a ship with the given heading.
     pub(crate) fn new(t_s: f64, anchor: usize, heading_rad: f64, now: &AnchorAtWork) -> AnchorRow {
         let AnchorAtWork { state, load, .. } = now;
         let place_m = match state.position {

@@ -5,11 +5,11 @@ use fenderline_sim::{AzimuthOrder, AzimuthState};
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One azimuth unit of a vessel in one interval.
+/// A row of the table: one azimuth unit of a vessel in one output interval.
 pub(crate) struct AzimuthRow {
     pub(crate) t_s: f64,
     pub(crate) vessel: usize,
-    /// Index among the azimuth units of all vessels.
+    /// Index of the unit among the azimuth units of all vessels.
     pub(crate) azimuth: usize,
     pub(crate) order: AzimuthOrder,
     pub(crate) now: AzimuthState,
@@ -37,14 +37,17 @@ pub(crate) fn azimuths_table() -> Layout<AzimuthRow> {
         float("t_s", "s", "start of the interval", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
         name("azimuth", "name of the azimuth unit", List::Azimuths, |r| Some(r.azimuth)),
-        float("power_order", "1", "ordered thrust over the bollard thrust at full power", |r| {
-            r.order.power
-        }),
+        float(
+            "power_order",
+            "1",
+            "ordered thrust divided by the bollard thrust at full power",
+            |r| r.order.power,
+        ),
         float(
             "power",
             "1",
-            "power, as thrust at zero speed over the bollard thrust at full power; \
-            at speed the thrust is less",
+            "power, given as thrust at zero speed divided by the bollard thrust at full power; at \
+            speed the thrust is less",
             |r| r.now.power.value,
         ),
         float(

@@ -6,7 +6,8 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench};
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One body: its state at the start of an interval, the contact force over it.
+/// A row of the table of bodies: the state of one body at the start of an interval, and the contact force on it during
+/// the interval.
 pub(crate) struct BodyRow {
     t_s: f64,
     body: usize,
@@ -76,12 +77,15 @@ pub(crate) fn bodies_table() -> Layout<BodyRow> {
         float(
             "v_mps",
             "m/s",
-            "sway velocity v, body-fixed, positive to starboard; at the time of u",
+            "sway velocity v, body-fixed, positive to starboard; at the same time as surge velocity u",
             |r| r.velocity_mps.y,
         ),
-        float("r_radps", "rad/s", "yaw rate r, positive to starboard; at the time of u", |r| {
-            r.yaw_rate_radps
-        }),
+        float(
+            "r_radps",
+            "rad/s",
+            "yaw rate r, positive to starboard; at the same time as surge velocity u",
+            |r| r.yaw_rate_radps,
+        ),
         float(
             "force_x_n",
             "N",

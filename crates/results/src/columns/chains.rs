@@ -6,7 +6,7 @@ use fenderline_sim::ChainTension;
 use super::{Column, Layout, List, Value, flag, float, name};
 use crate::row::Row;
 
-/// One chain in one interval.
+/// A row of the table of chains: one fender chain in one output interval.
 pub(crate) struct ChainRow {
     pub(crate) t_s: f64,
     pub(crate) chain: ChainTension,
@@ -54,7 +54,7 @@ pub(crate) fn chains_table() -> Layout<ChainRow> {
              parts; 0 after that",
             |r| r.chain.peak_tension_n,
         ),
-        float("share_of_break_load", "1", "largest tension over the break load", |r| {
+        float("share_of_break_load", "1", "largest tension as a share of the break load", |r| {
             r.chain.share_of_break_load
         }),
         flag("parted", "whether the chain has parted, in this interval or before", |r| {

@@ -8,7 +8,7 @@ use fenderline_sim::ContactEnergy;
 use super::{Column, Layout, List, Value, flag, float, name};
 use crate::row::Row;
 
-/// One patch of contact, in the step of an interval in which its normal force is largest.
+/// A row of the table of contacts: one contact patch, in the step of an interval in which its normal force is largest.
 pub(crate) struct ContactRow {
     pub(crate) t_s: f64,
     pub(crate) contact: Contact,
@@ -18,21 +18,21 @@ pub(crate) struct ContactRow {
 
 /// The work of the contacts of a step, each written to one row only.
 ///
-/// The ledger accumulates by pair and by fender. If several patches touch, the first row has the
-/// work of all patches, so the sum over rows equals the ledger. One exception: with the paper's
-/// method and Runge–Kutta the later stages may see a contact one step before its first row.
+/// The energy ledger adds up the work by pair and by fender. If several patches touch, the first row has the work of
+/// all patches, so that the sum over rows equals the ledger. There is one exception: with the paper's method and
+/// Runge–Kutta the later stages may see a contact one step before its first row.
 pub(crate) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }
 
 impl ContactWorks {
-    /// The work of the contacts of a step.
+    /// Collects the work of the contacts of a step.
     pub(crate) fn of(books: &[ContactEnergy]) -> ContactWorks {
         let left = books.iter().map(|b| ((b.bodies, b.fender), [b.normal_j, b.tangential_j]));
         ContactWorks { left: left.collect() }
     }
 
-    /// The work for the row of this contact; 0 if an earlier row has it.
+    /// The work for the row of this contact; 0 if an earlier row has the work.
     pub(crate) fn take(&mut self, contact: &Contact) -> [f64; 2] {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
         let fender = contact.fender.map(|id| id.0 as usize);
@@ -66,7 +66,7 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
         name("body_1", "name of the body that comes first in the scenario", List::Bodies, |r| {
             Some(r.contact.body_1.0 as usize)
         }),
-        name("body_2", "name of the other body", List::Bodies, |r| {
+        name("body_2", "name of the second body of the pair", List::Bodies, |r| {
             Some(r.contact.body_2.0 as usize)
         }),
         float("area_m2", "m²", "overlap area S", |r| r.contact.area_m2),
@@ -75,28 +75,34 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
         }),
         float("point_x_m", "m", "centroid C of the overlap, north", |r| r.contact.point_m.x),
         float("point_y_m", "m", "centroid C of the overlap, east", |r| r.contact.point_m.y),
-        float("normal_x", "1", "outward normal n of body 1, north component", |r| {
+        float("normal_x", "1", "outward normal n of the first body, north component", |r| {
             r.contact.normal.x
         }),
-        float("normal_y", "1", "outward normal n of body 1, east component", |r| {
+        float("normal_y", "1", "outward normal n of the first body, east component", |r| {
             r.contact.normal.y
         }),
-        float("v_normal_mps", "m/s", "relative velocity along n, positive approaching", |r| {
-            r.contact.v_normal_mps
-        }),
+        float(
+            "v_normal_mps",
+            "m/s",
+            "relative velocity along the normal n, positive approaching",
+            |r| r.contact.v_normal_mps,
+        ),
         float(
             "v_tangential_mps",
             "m/s",
-            "velocity of body 1 relative to body 2 along the tangent, n turned by +90°",
+            "velocity of the first body relative to the second along the tangent, which is the normal n turned by +90°",
             |r| r.contact.v_tangential_mps,
         ),
         float("shear_m", "m", "shear Δs of the contact", |r| r.contact.shear_m),
         float("normal_force_n", "N", "normal force N, positive in compression", |r| {
             r.contact.normal_force_n
         }),
-        float("tangential_force_n", "N", "tangential force T on body 1, along the tangent", |r| {
-            r.contact.tangential_force_n
-        }),
+        float(
+            "tangential_force_n",
+            "N",
+            "tangential force T on the first body, along the tangent",
+            |r| r.contact.tangential_force_n,
+        ),
         Column {
             name: "friction_state",
             unit: "-",
@@ -115,20 +121,22 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
             meaning: "number of the patch of contact within the pair, from 0",
             value: Value::Count(|r| r.contact.patch),
         },
-        name(
-            "fender",
-            "name of the fender; empty where outline meets outline",
-            List::Fenders,
-            |r| r.contact.fender.map(|id| id.0 as usize),
-        ),
-        float("spring_n", "N", "part of N: area spring or reaction curve, with its factors", |r| {
-            r.contact.parts.spring_n
+        name("fender", "name of the fender; empty if two outlines touch", List::Fenders, |r| {
+            r.contact.fender.map(|id| id.0 as usize)
         }),
-        float("stop_n", "N", "part of N: stop past a fender's travel", |r| r.contact.parts.stop_n),
+        float(
+            "spring_n",
+            "N",
+            "part of the normal force N: area spring or reaction curve, with its factors",
+            |r| r.contact.parts.spring_n,
+        ),
+        float("stop_n", "N", "part of the normal force N: stop beyond a fender's travel", |r| {
+            r.contact.parts.stop_n
+        }),
         float(
             "damper_n",
             "N",
-            "part of N: damper c Ṡ, negative while the overlap shrinks",
+            "part of the normal force N: damper c Ṡ, negative while the overlap shrinks",
             |r| r.contact.parts.damper_n,
         ),
         float(

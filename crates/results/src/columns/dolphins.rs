@@ -7,7 +7,7 @@ use fenderline_sim::DolphinMotion;
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One dolphin in one interval.
+/// A row of the table of dolphins: one flexible dolphin in one output interval.
 pub(crate) struct DolphinRow {
     t_s: f64,
     body: usize,
@@ -15,7 +15,7 @@ pub(crate) struct DolphinRow {
 }
 
 impl DolphinRow {
-    /// The row of a dolphin in a step.
+    /// The row of a dolphin in a time step.
     pub(crate) fn new(t_s: f64, now: &DolphinMotion) -> DolphinRow {
         DolphinRow { t_s, body: now.body, pile: now.pile }
     }
@@ -69,7 +69,12 @@ pub(crate) fn dolphins_table() -> Layout<DolphinRow> {
         float("stored_j", "J", "energy in the pile's bending at the end of the interval", |r| {
             r.pile.stored_j
         }),
-        float("peak_stored_j", "J", "the largest within the interval", |r| r.pile.peak_stored_j),
+        float(
+            "peak_stored_j",
+            "J",
+            "largest energy in the pile's bending within the interval",
+            |r| r.pile.peak_stored_j,
+        ),
         float("damping_j", "J", "energy lost to damping of the pile in the interval", |r| {
             r.pile.damping_j
         }),

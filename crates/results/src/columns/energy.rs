@@ -4,7 +4,7 @@ use fenderline_sim::{Energy, LoadWork};
 
 use super::{Column, Layout, Value, float};
 
-/// The ledger at one time.
+/// A row of the table: the energy ledger at one time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct EnergyRow {
     pub(crate) t_s: f64,
@@ -59,8 +59,8 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "contact_residual_j",
             "J",
-            "numerical energy loss of contacts by the method or the time step; negative: \
-             energy gain",
+            "numerical energy loss of contacts by the method or the time step; negative if energy \
+             is gained",
             |r| r.energy.contact_residual_j,
         ),
         float(

@@ -7,7 +7,7 @@ use super::{Column, Layout, List, float, known, name};
 use crate::row::Row;
 use crate::touched::TouchedFender;
 
-/// One touched fender in one interval.
+/// A row of the table of fenders: one touched fender in one output interval.
 pub(crate) struct FenderRow {
     t_s: f64,
     fender: usize,
@@ -84,8 +84,9 @@ pub(crate) fn fenders_table() -> Layout<FenderRow> {
         known(
             "hull_pressure_npm2",
             "N/m²",
-            "largest pressure on the hull within the interval: reaction over width times height, or by inner \
-             pressure; empty (csv) or NaN (parquet) where not known",
+            "largest pressure on the hull within the interval: reaction divided by the area of the \
+             face (width times height), or from the inner pressure; empty (csv) or NaN (parquet) \
+             if not known",
             |r| r.hull_pressure_npm2,
         ),
     ];

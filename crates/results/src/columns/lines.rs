@@ -6,7 +6,7 @@ use fenderline_sim::Mooring;
 use super::{Column, Layout, List, flag, float, name};
 use crate::row::Row;
 
-/// One line that was made fast, in one interval.
+/// A row of the table of lines: one mooring line that was made fast, in one output interval.
 pub(crate) struct LineRow {
     t_s: f64,
     line: usize,
@@ -18,7 +18,7 @@ pub(crate) struct LineRow {
 }
 
 impl LineRow {
-    /// The row of line number `line`; `None` while the line is not fast.
+    /// The row of mooring line number `line`; `None` while the line is not made fast.
     pub(crate) fn new(t_s: f64, line: usize, now: &Mooring) -> Option<LineRow> {
         let (_, state) = now.line.as_ref()?;
         Some(LineRow {

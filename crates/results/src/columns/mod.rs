@@ -2,8 +2,9 @@
 //! header, the parquet schema and its metadata, Python's tables and the reference of `fenderline columns` all come from
 //! here.
 
-/// The columns of a force in the horizontal plane, in body axes: surge, sway and yaw moment about midship. `$row`: the type
-/// of a row; `$prefix`: the beginning of the names; `$of`: the source of the force; `$force`: the field of the row.
+/// The columns of a force in the horizontal plane, in body axes: surge, sway and yaw moment about midship. `$row`: the
+/// type of a row; `$prefix`: the beginning of the names; `$of`: the source of the force; `$force`: the field of the
+/// row.
 macro_rules! force_columns {
     ($row:ty, $prefix:literal, $of:literal, $($force:ident).+) => {
         [
@@ -61,12 +62,12 @@ pub(crate) use thrusters::{ThrusterRow, thrusters_table};
 pub(crate) use tugs::{TugRow, tugs_table};
 pub(crate) use vessels::{VesselRow, vessels_table};
 
-/// A table with rows of type `R`: its name and its columns.
+/// The layout of a table with rows of type `R`: its name and its columns.
 pub(crate) struct Layout<R> {
     pub(crate) name: &'static str,
     /// Meaning of one row.
     pub(crate) rows: &'static str,
-    /// In the order of the file.
+    /// The columns, in the order of the file.
     pub(crate) columns: Vec<Column<R>>,
 }
 
@@ -84,9 +85,9 @@ pub struct TableReference {
 /// A column as the reference describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ColumnReference {
-    /// Name; it ends with the unit, if it has one.
+    /// Name of the column; it ends with the unit, if the column has one.
     pub name: &'static str,
-    /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
+    /// Unit of the column as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
     /// Meaning of the column.
     pub meaning: &'static str,
@@ -124,13 +125,13 @@ fn refer<R>(layout: Layout<R>) -> TableReference {
 
 /// One column of a table with rows of type `R`.
 pub struct Column<R> {
-    /// Name; it ends with the unit, if it has one.
+    /// Name of the column; it ends with the unit, if the column has one.
     pub name: &'static str,
-    /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
+    /// Unit of the column as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
     /// Meaning of the column.
     pub meaning: &'static str,
-    /// Takes the value from a row.
+    /// Takes the column's value from a row.
     pub value: Value<R>,
 }
 
@@ -138,13 +139,13 @@ pub struct Column<R> {
 pub enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
-    /// The number with this index in a list that each row has.
+    /// A number of a list that each row has: the number with this index.
     Nth(usize, fn(&R, usize) -> f64),
     /// A number that some rows do not have: empty in csv, NaN elsewhere.
     Known(fn(&R) -> Option<f64>),
     /// An index into one of the lists of [`Names`], written as the name at this index; empty without an index.
     Name(List, fn(&R) -> Option<usize>),
-    /// One of a few words.
+    /// A word of a small set of words.
     Word(fn(&R) -> &'static str),
     /// A truth value.
     Flag(fn(&R) -> bool),
@@ -153,7 +154,7 @@ pub enum Value<R> {
 }
 
 impl<R> Value<R> {
-    /// The number of a row; `None` if it is not known, or the column does not hold numbers.
+    /// The column's number of a row; `None` if the number is not known, or if the column does not hold numbers.
     pub fn number(&self, row: &R) -> Option<f64> {
         match self {
             Value::Float(number) => Some(number(row)),
@@ -164,7 +165,7 @@ impl<R> Value<R> {
     }
 }
 
-/// Which list of names an index is into.
+/// The list of names to which an index refers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {
     /// Bodies.
@@ -187,12 +188,12 @@ pub enum List {
     Azimuths,
 }
 
-/// Names that rows hold by index.
+/// The names that rows hold as indices.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     bodies: Vec<String>,
     fenders: Vec<String>,
-    /// A vessel has the name of the vessel's body.
+    /// Names of the vessels; a vessel has the name of its body.
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,
@@ -203,7 +204,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// The names in a set-up.
+    /// Collects the names in a set-up.
     #[must_use]
     pub fn of(setup: &Setup) -> Names {
         let world = &setup.world;
@@ -229,7 +230,7 @@ impl Names {
         }
     }
 
-    /// The name at an index; empty without one.
+    /// The name at an index; empty if there is no index.
     #[must_use]
     pub fn get(&self, list: List, index: Option<usize>) -> &str {
         index.map_or("", |index| &self.list(list)[index])

@@ -6,7 +6,7 @@ use fenderline_contact::number::{greater, lesser};
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One panel under one hull in one interval.
+/// A row of the table of panels: one panel pressed by one hull in one output interval.
 pub(crate) struct PanelRow {
     t_s: f64,
     motion: PanelMotion,
@@ -69,8 +69,8 @@ pub(crate) fn panels_table() -> Layout<PanelRow> {
         float(
             "tilt_rad",
             "rad",
-            "turn about the vertical axis at the start of the interval, positive if the right end, \
-             as seen from the water, is deflected more",
+            "turn of the panel about the vertical axis at the start of the interval, positive if the \
+             right end, as seen from the water, is deflected more",
             |r| r.motion.tilt_rad,
         ),
         float(
@@ -83,13 +83,13 @@ pub(crate) fn panels_table() -> Layout<PanelRow> {
         float(
             "peak_tilt_rad",
             "rad",
-            "turn of the largest size within the interval, with its sign",
+            "turn with the largest magnitude within the interval, with its sign",
             |r| r.motion.peak_tilt_rad,
         ),
         float(
             "peak_moment_nm",
             "N·m",
-            "moment of the largest size within the interval, with its sign",
+            "moment with the largest magnitude within the interval, with its sign",
             |r| r.motion.peak_moment_nm,
         ),
         float(

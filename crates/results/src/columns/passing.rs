@@ -6,7 +6,7 @@ use fenderline_sim::track::OnTrack;
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One passing ship at the start of one interval.
+/// A row of the table: one passing ship at the start of one output interval.
 pub(crate) struct PassingRow {
     t_s: f64,
     ship: usize,
@@ -42,5 +42,9 @@ pub(crate) fn passing_table() -> Layout<PassingRow> {
         float("heading_rad", "rad", "heading, clockwise from north", |r| r.now.heading_rad),
         float("speed_mps", "m/s", "speed over ground along the track", |r| r.now.speed_mps),
     ];
-    Layout { name: "passing", rows: "one row per passing ship and interval, at its start", columns }
+    Layout {
+        name: "passing",
+        rows: "one row per passing ship and interval, with the state at the start of the interval",
+        columns,
+    }
 }

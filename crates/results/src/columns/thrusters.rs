@@ -3,11 +3,11 @@
 use super::{Column, Layout, List, float, name};
 use crate::row::Row;
 
-/// One thruster of a vessel at the start of an interval.
+/// A row of the table: one thruster of a vessel at the start of an output interval.
 pub(crate) struct ThrusterRow {
     pub(crate) t_s: f64,
     pub(crate) vessel: usize,
-    /// Index among the thrusters of all vessels.
+    /// Index of the thruster among the thrusters of all vessels.
     pub(crate) thruster: usize,
     pub(crate) order: f64,
     pub(crate) power: f64,
@@ -34,16 +34,19 @@ pub(crate) fn thrusters_table() -> Layout<ThrusterRow> {
         float(
             "thrust_order",
             "1",
-            "ordered thrust over full thrust, −1 (to port) to 1 (to starboard)",
+            "ordered thrust divided by full thrust, −1 (to port) to 1 (to starboard)",
             |r| r.order,
         ),
-        float("thrust", "1", "thrust over full thrust, −1 (to port) to 1 (to starboard)", |r| {
-            r.power
-        }),
+        float(
+            "thrust",
+            "1",
+            "thrust divided by full thrust, −1 (to port) to 1 (to starboard)",
+            |r| r.power,
+        ),
     ];
     Layout {
         name: "thrusters",
-        rows: "one row per tunnel thruster and interval, with its state at the start",
+        rows: "one row per tunnel thruster and interval, with the thruster's state at the start of the interval",
         columns,
     }
 }

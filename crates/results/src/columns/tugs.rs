@@ -9,7 +9,7 @@ use fenderline_sim::tug::TugOrder;
 use super::{Column, Layout, List, flag, float, name};
 use crate::row::Row;
 
-/// One tug in one interval.
+/// A row of the table of tugs: one tug in one output interval.
 pub(crate) struct TugRow {
     t_s: f64,
     tug: usize,

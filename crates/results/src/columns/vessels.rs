@@ -8,7 +8,7 @@ use fenderline_sim::{Environment, VesselForces, VesselSetup, VesselState};
 use super::{Column, Layout, List, flag, float, name};
 use crate::row::Row;
 
-/// One vessel in one interval.
+/// A row of the table of vessels: one vessel in one output interval.
 pub(crate) struct VesselRow {
     t_s: f64,
     vessel: usize,
@@ -26,7 +26,7 @@ pub(crate) struct VesselRow {
 }
 
 impl VesselRow {
-    /// The row of vessel number `vessel` in a step that began at `t_s` in `state`.
+    /// The row of vessel number `vessel` in a time step that began at `t_s` with the vessel in `state`.
     pub(crate) fn new(
         t_s: f64,
         vessel: usize,
@@ -52,7 +52,7 @@ impl VesselRow {
         }
     }
 
-    /// The same row with the start of its interval.
+    /// The same row, with the time `start_s` as the start of its interval.
     pub(crate) fn at(self, start_s: f64) -> VesselRow {
         VesselRow { t_s: start_s, ..self }
     }
@@ -76,7 +76,8 @@ impl Row for VesselRow {
     }
 }
 
-/// Replaces each force; `with` also gets the function that takes this force from other rows.
+/// Replaces each force of the row; the function `with` gets the force and the function that takes this force from other
+/// rows.
 fn each_force(
     forces: &VesselForces,
     with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,

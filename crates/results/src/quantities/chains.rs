@@ -17,15 +17,21 @@ pub static CHAINS: Catalogue<ChainSetup, ChainSummary> = Catalogue {
         number("peak_tension_at_s", "s", "start of the step of the largest tension", |_, c| {
             c.peak_tension_at_s
         }),
-        number("share_of_break_load", "1", "largest tension over the break load", |_, c| {
-            c.share_of_break_load
-        }),
+        number(
+            "share_of_break_load",
+            "1",
+            "largest tension as a share of the break load",
+            |_, c| c.share_of_break_load,
+        ),
         given("at_m", "m", "place of a tension chain to the right of the panel's middle", |s| {
             (s.kind == ChainKind::Tension).then_some(s.at_m)
         }),
-        given("slack_m", "m", "motion before the chain holds", |s: &ChainSetup| {
-            (s.kind != ChainKind::Weight).then_some(s.slack_m)
-        })
+        given(
+            "slack_m",
+            "m",
+            "slack: motion of the panel before the chain holds",
+            |s: &ChainSetup| (s.kind != ChainKind::Weight).then_some(s.slack_m),
+        )
         .not_in_summary(),
         given("stiffness_npm", "N/m", "stiffness", |s: &ChainSetup| {
             (s.kind != ChainKind::Weight).then_some(s.stiffness_npm)

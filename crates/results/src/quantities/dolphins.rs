@@ -43,7 +43,7 @@ pub static DOLPHINS: Catalogue<BodySetup, DolphinSummary> = Catalogue {
         given("yield_load_n", "N", "load at which the pile yields", |s| {
             s.dolphin.as_ref()?.yield_load_n
         }),
-        known("share_of_yield_load", "1", "largest load over the yield load", |_, d| {
+        known("share_of_yield_load", "1", "largest load as a share of the yield load", |_, d| {
             d.share_of_yield_load
         }),
         known("yielded_at_s", "s", "start of the step in which the pile first yielded", |_, d| {

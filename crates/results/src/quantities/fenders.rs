@@ -43,35 +43,48 @@ pub static FENDERS: Catalogue<FenderSetup, FenderSummary> = Catalogue {
             "factor on the reaction: temperature, tolerance, speed and angle",
             |_, f| f.factor,
         ),
-        number("peak_deflection_m", "m", "largest deflection", |_, f: &FenderSummary| f.peak_deflection_m)
-            .output("deflection", MILLIMETRES),
-        number("peak_deflection_at_s", "s", "start of the step of the largest deflection", |_, f| {
-            f.peak_deflection_at_s
-        }),
-        number("peak_reaction_n", "N", "largest reaction along the fender's axis", |_, f: &FenderSummary| {
-            f.peak_reaction_n
+        number("peak_deflection_m", "m", "largest deflection", |_, f: &FenderSummary| {
+            f.peak_deflection_m
         })
+        .output("deflection", MILLIMETRES),
+        number(
+            "peak_deflection_at_s",
+            "s",
+            "start of the step of the largest deflection",
+            |_, f| f.peak_deflection_at_s,
+        ),
+        number(
+            "peak_reaction_n",
+            "N",
+            "largest reaction along the fender's axis",
+            |_, f: &FenderSummary| f.peak_reaction_n,
+        )
         .output("reaction", KILONEWTONS),
         number("peak_reaction_at_s", "s", "start of the step of the largest reaction", |_, f| {
             f.peak_reaction_at_s
         }),
-        number("peak_energy_j", "J", "largest energy absorbed", |_, f: &FenderSummary| f.peak_energy_j)
-            .output("energy", KILOJOULES)
-            .in_fmu(),
+        number("peak_energy_j", "J", "largest energy absorbed", |_, f: &FenderSummary| {
+            f.peak_energy_j
+        })
+        .output("energy", KILOJOULES)
+        .in_fmu(),
         number("peak_energy_at_s", "s", "start of the step of the largest energy", |_, f| {
             f.peak_energy_at_s
         }),
         number("last_deflection_m", "m", "deflection in the last step", |_, f| f.last_deflection_m),
         number("last_reaction_n", "N", "reaction in the last step", |_, f| f.last_reaction_n),
-        known("peak_hull_pressure_npm2", "N/m²", "largest pressure on the hull", |_, f: &FenderSummary| {
-            f.peak_hull_pressure_npm2
-        })
+        known(
+            "peak_hull_pressure_npm2",
+            "N/m²",
+            "largest pressure on the hull",
+            |_, f: &FenderSummary| f.peak_hull_pressure_npm2,
+        )
         .output("hull_pressure", KILONEWTONS_PER_M2),
         known("capacity_j", "J", "rated energy times the run's factors", |_, f| f.capacity_j),
         known(
             "share_of_rated_energy",
             "1",
-            "largest energy over the rated energy times the run's factors",
+            "largest energy as a share of the rated energy with the run's factors",
             |_, f: &FenderSummary| f.share_of_rated_energy,
         )
         .output("energy_share", PERCENT)
@@ -79,56 +92,62 @@ pub static FENDERS: Catalogue<FenderSetup, FenderSummary> = Catalogue {
         known(
             "share_of_rated_reaction",
             "1",
-            "largest reaction over the rated reaction times the run's factors",
+            "largest reaction as a share of the rated reaction with the run's factors",
             |_, f: &FenderSummary| f.share_of_rated_reaction,
         )
         .output("reaction_share", PERCENT),
         known(
             "share_of_rated_deflection",
             "1",
-            "largest deflection over the rated deflection",
+            "largest deflection as a share of the rated deflection",
             |_, f: &FenderSummary| f.share_of_rated_deflection,
         )
         .output("deflection_share", PERCENT),
         known(
             "share_of_catalogue_energy",
             "1",
-            "largest energy over the rated energy without the run's factors",
+            "largest energy as a share of the rated energy without the run's factors",
             |s, f| f.share_of_catalogue_energy(s),
         ),
         known(
             "share_of_catalogue_reaction",
             "1",
-            "largest reaction over the rated reaction without the run's factors",
+            "largest reaction as a share of the rated reaction without the run's factors",
             |_, f| f.share_of_catalogue_reaction(),
         ),
         known(
             "share_of_largest_reaction",
             "1",
-            "largest reaction over the largest reaction that the curve has up to the rated deflection, \
-             times the run's factors",
+            "largest reaction as a share of the largest reaction of the curve up to the rated \
+             deflection, with the run's factors",
             |_, f: &FenderSummary| f.share_of_largest_reaction,
         )
         .not_in_summary(),
         word("governing", "the quantity that is nearest to its rated value", |_, f| {
             f.governing().map(|(quantity, _)| quantity)
         }),
-        known("governing_share", "1", "share of the rated value of this quantity", |_, f| {
-            f.governing().map(|(_, share)| share)
-        }),
+        known(
+            "governing_share",
+            "1",
+            "largest share of a rated value, that of the quantity `governing`",
+            |_, f| f.governing().map(|(_, share)| share),
+        ),
         known(
             "share_of_hull_pressure",
             "1",
-            "largest pressure on the hull over the permissible pressure",
+            "largest pressure on the hull as a share of the permissible pressure",
             |_, f: &FenderSummary| f.share_of_hull_pressure,
         )
         .output("hull_pressure_share", PERCENT),
         given("rated_deflection_m", "m", "rated deflection", |s| s.rated.map(|r| r.deflection_m)),
         given("rated_reaction_n", "N", "rated reaction", |s| s.rated.map(|r| r.reaction_n)),
         given("rated_energy_j", "J", "rated energy", |s| s.rated.map(|r| r.energy_j)),
-        given("above_water_m", "m", "height of the face's middle above datum or water", |s: &FenderSetup| {
-            Some(s.above_water_m)
-        })
+        given(
+            "above_water_m",
+            "m",
+            "height of the face's middle above datum or water",
+            |s: &FenderSetup| Some(s.above_water_m),
+        )
         .not_in_summary(),
         given("hull_pressure_limit_npm2", "N/m²", "permissible pressure on the hull", |s| {
             s.hull_pressure_limit_npm2
@@ -145,7 +164,7 @@ pub static FENDERS: Catalogue<FenderSetup, FenderSummary> = Catalogue {
         known(
             "peak_vertical_force_n",
             "N",
-            "vertical force on the hull of the largest size, positive up",
+            "vertical force on the hull with the largest magnitude, positive up",
             |_, f| f.hull.map(|hull| hull.peak_vertical_force_n),
         ),
     ],

@@ -28,19 +28,24 @@ pub static LINES: Catalogue<MooringSetup, LineTotals> = Catalogue {
         known("made_fast_s", "s", "start of the first step in which the line was fast", |_, l| {
             l.made_fast_s
         }),
-        known("break_load_n", "N", "least break load of rope and tail", |_, l| l.break_load_n),
+        known(
+            "break_load_n",
+            "N",
+            "break load of the line: that of the weaker of rope and tail",
+            |_, l| l.break_load_n,
+        ),
         known("working_load_n", "N", "working load", |_, l| l.working_load_n),
         known(
             "share_of_break_load",
             "1",
-            "largest tension over the break load",
+            "largest tension as a share of the break load",
             |_, l: &LineTotals| l.share_of_break_load(),
         )
         .output("break_share", PERCENT),
         known(
             "share_of_working_load",
             "1",
-            "largest tension over the working load",
+            "largest tension as a share of the working load",
             |_, l: &LineTotals| l.share_of_working_load(),
         )
         .output("working_share", PERCENT)

@@ -1,6 +1,6 @@
-//! The catalogue of summary quantities: name, unit, meaning and value of each, and how tables show the quantity, defined
-//! once. `summary.json`, the summary that `run` prints, the tables of the report, the workbook, the outputs of campaigns,
-//! outputs of FMUs, the tables of Python and the types of the npm package all come from here.
+//! The catalogue of summary quantities. The catalogue defines once the name, unit, meaning and value of each quantity,
+//! and how tables show it. `summary.json`, the summary that `run` prints, the tables of the report, the workbook, the
+//! outputs of campaigns, outputs of FMUs, the tables of Python and the types of the npm package all come from here.
 
 mod anchors;
 mod chains;
@@ -30,23 +30,25 @@ pub use vessels::VESSELS;
 pub struct Catalogue<S: 'static, T: 'static> {
     /// The kind of part, such as `fender`.
     pub subject: &'static str,
-    /// In the order of `summary.json`.
+    /// The quantities, in the order of `summary.json`.
     pub quantities: &'static [Quantity<S, T>],
-    /// The columns of the tables for people, in their order.
+    /// The columns of the tables that people read, in order.
     pub shown: &'static [Shown],
 }
 
 /// One quantity of the summary of a part.
 pub struct Quantity<S, T> {
-    /// Key in `summary.json` and column of Python's tables; it ends with the unit, if it has one.
+    /// Key of the quantity in `summary.json` and column of Python's tables; the key ends with the unit, if the quantity
+    /// has one.
     pub name: &'static str,
-    /// Unit in SI as a reader writes it; `1` for a pure number, `-` for a word or a truth value.
+    /// Unit of the quantity in SI as a reader writes it; `1` for a pure number, `-` for a word or a truth value.
     pub unit: &'static str,
     /// Meaning of the quantity.
     pub meaning: &'static str,
-    /// Takes the value from set-up and summary.
+    /// Takes the value of the quantity from the set-up and the summary.
     pub value: Taken<S, T>,
-    /// Name and unit as an output of a campaign, `fender.NAME.reaction` for example; `None`: no such output.
+    /// Name and unit of the quantity as an output of a campaign, for example `fender.NAME.reaction`; `None` if it is no
+    /// such output.
     pub output: Option<(&'static str, Scale)>,
     /// Whether the FMU of a simulation has the quantity as an output.
     pub is_in_fmu: bool,
@@ -54,7 +56,7 @@ pub struct Quantity<S, T> {
     pub is_in_summary: bool,
 }
 
-/// How a value is taken, which sets the type of the quantity.
+/// The way in which a value is taken, which sets the type of the quantity.
 pub enum Taken<S, T> {
     /// A number.
     Number(fn(&S, &T) -> f64),
@@ -77,14 +79,15 @@ pub enum Amount {
     Flag(bool),
     /// A word.
     Word(&'static str),
-    /// The part has no such value.
+    /// The part does not have a value of this quantity.
     Missing,
 }
 
-/// A column of the tables for people: the sheet of the workbook, the table of the report, the table that `run` prints.
+/// A column of the tables that people read: the sheet of the workbook, the table of the report, and the table that
+/// `run` prints.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
-    /// Head in workbook and report.
+    /// Head of the column in workbook and report.
     pub head: &'static str,
     /// Name of the quantity in the catalogue.
     pub quantity: &'static str,
@@ -92,9 +95,9 @@ pub struct Shown {
     pub scale: Scale,
     /// Width of the column in the workbook (characters); `None`: the workbook does not have the column.
     pub sheet_width: Option<f64>,
-    /// How `run` prints the column; `None`: it does not.
+    /// How `run` prints the column; `None` if `run` does not print it.
     pub printed: Option<Printed>,
-    /// How the report shows the column; `None`: it does not.
+    /// How the report shows the column; `None` if the report does not show it.
     pub reported: Option<Reported>,
 }
 
@@ -114,11 +117,11 @@ pub struct Printed {
 pub struct Reported {
     /// Digits of the value.
     pub digits: Digits,
-    /// The share of a limit that stands below the value: name of the quantity.
+    /// Name of the quantity that gives the share of a limit, which stands below the value.
     pub share: Option<&'static str>,
-    /// The share of the catalogue's rating, which stands in brackets where it differs: name of the quantity.
+    /// Name of the quantity that gives the share of the catalogue's rating, which stands in brackets if it differs.
     pub catalogue_share: Option<&'static str>,
-    /// The share that decides whether the value is over its limit, where that is another than `share`.
+    /// Name of the quantity whose share decides whether the value is over its limit, if this is not `share`.
     pub over: Option<&'static str>,
 }
 
@@ -129,21 +132,21 @@ pub enum Digits {
     Fixed(usize),
     /// Digits that count.
     Significant(i32),
-    /// As many digits after the point as the time step has.
+    /// As many decimals as the time step has.
     OfStep,
 }
 
 impl<S, T> Catalogue<S, T> {
-    /// The quantity of a name.
+    /// The quantity that has the given name.
     ///
     /// # Panics
-    /// The catalogue has no such quantity: a test looks up every name that a [`Shown`] has.
+    /// Panics if the catalogue has no such quantity; a test looks up every name that a [`Shown`] has.
     pub fn get(&self, name: &str) -> &Quantity<S, T> {
         let quantity = self.quantities.iter().find(|quantity| quantity.name == name);
         quantity.unwrap_or_else(|| panic!("no quantity of a {} is `{name}`", self.subject))
     }
 
-    /// The number of a name, in SI; `None` if the part has none.
+    /// The number of the quantity with the given name, in SI; `None` if the part does not have it.
     ///
     /// # Panics
     /// As [`Catalogue::get`].
@@ -165,7 +168,8 @@ impl<S, T> Catalogue<S, T> {
 }
 
 impl<S, T> Quantity<S, T> {
-    /// The value for a part; `None` for the summary of a part that has none, such as a fender that was not touched.
+    /// The value of the quantity for a part; `summary` is `None` for a part without results, such as a fender that was
+    /// not touched.
     pub fn amount(&self, setup: &S, summary: Option<&T>) -> Amount {
         let known = |value: Option<f64>| value.map_or(Amount::Missing, Amount::Number);
         match (&self.value, summary) {
@@ -180,21 +184,21 @@ impl<S, T> Quantity<S, T> {
         }
     }
 
-    /// As an output of campaigns, in a unit.
+    /// Makes the quantity an output of campaigns, in a unit.
     #[must_use]
     pub const fn output(mut self, name: &'static str, scale: Scale) -> Self {
         self.output = Some((name, scale));
         self
     }
 
-    /// Also an output of the FMU of a simulation.
+    /// Makes the quantity also an output of the FMU of a simulation.
     #[must_use]
     pub(crate) const fn in_fmu(mut self) -> Self {
         self.is_in_fmu = true;
         self
     }
 
-    /// Without a key in `summary.json`.
+    /// Leaves the quantity out of `summary.json`.
     #[must_use]
     pub(crate) const fn not_in_summary(mut self) -> Self {
         self.is_in_summary = false;
@@ -218,7 +222,7 @@ impl<S, T> fmt::Debug for Quantity<S, T> {
 }
 
 impl Amount {
-    /// The number, if it is one.
+    /// The number of the amount, if it is a number.
     #[must_use]
     pub fn number(self) -> Option<f64> {
         match self {
@@ -229,25 +233,26 @@ impl Amount {
 }
 
 impl Shown {
-    /// In the workbook, in a column of a width (characters).
+    /// Shows the quantity in the workbook, in a column of the given width (characters).
     const fn sheet(mut self, width: f64) -> Shown {
         self.sheet_width = Some(width);
         self
     }
 
-    /// In the summary that `run` prints.
+    /// Shows the quantity in the summary that `run` prints.
     const fn printed(mut self, head: &'static str, width: usize, decimals: usize) -> Shown {
         self.printed = Some(Printed { head, width, decimals });
         self
     }
 
-    /// In the table of the report, with a share of a limit below the value.
+    /// Shows the quantity in the table of the report, with the share of a limit below the value.
     const fn reported(mut self, digits: Digits, share: Option<&'static str>) -> Shown {
         self.reported = Some(Reported { digits, share, catalogue_share: None, over: None });
         self
     }
 
-    /// In the report, with the share of the catalogue's rating, and the share that decides whether the value is over its limit.
+    /// Adds to the report's column the share of the catalogue's rating, and the share that decides whether the value is
+    /// over its limit.
     const fn with_catalogue(mut self, share: &'static str, over: &'static str) -> Shown {
         if let Some(reported) = &mut self.reported {
             reported.catalogue_share = Some(share);
@@ -257,7 +262,7 @@ impl Shown {
     }
 }
 
-/// A number that every part has.
+/// Makes a quantity that is a number and that every part has.
 pub const fn number<S, T>(
     name: &'static str,
     unit: &'static str,
@@ -267,7 +272,7 @@ pub const fn number<S, T>(
     Quantity::new(name, unit, meaning, Taken::Number(value))
 }
 
-/// A number that not every part has.
+/// Makes a quantity that is a number and that not every part has.
 const fn known<S, T>(
     name: &'static str,
     unit: &'static str,

@@ -1,8 +1,8 @@
-//! Units of tables for people.
+//! Units of the tables that people read.
 
 use core::f64::consts::PI;
 
-/// A unit of tables for people, and how a value in SI becomes a number in this unit.
+/// A unit of the tables that people read, and how a value in SI becomes a number in this unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
     /// The unit, such as `kN`; empty for words.
@@ -25,7 +25,7 @@ impl Scale {
         Scale { unit, by: By::Per(divisor) }
     }
 
-    /// A value in SI in this unit, rounded once.
+    /// Converts a value in SI to this unit, rounded once.
     #[must_use]
     pub fn of(self, value: f64) -> f64 {
         match self.by {
@@ -34,8 +34,8 @@ impl Scale {
         }
     }
 
-    /// A value in SI times the factor of this unit. The tables of campaigns hold this product; its last bit can differ from
-    /// [`Scale::of`].
+    /// Multiplies a value in SI by the factor of this unit. The tables of campaigns hold this product, whose last bit
+    /// can differ from that of [`Scale::of`].
     #[must_use]
     pub fn product(self, value: f64) -> f64 {
         match self.by {
@@ -78,7 +78,7 @@ pub mod scales {
     pub const DEGREES: Scale = Scale::times("deg", 180.0 / PI);
     /// Rates of turn.
     pub const DEGREES_PER_SECOND: Scale = Scale::times("deg/s", 180.0 / PI);
-    /// Rates of turn of ships.
+    /// Degrees per minute, for the rates of turn of ships.
     pub const DEGREES_PER_MINUTE: Scale = Scale::times("deg/min", 60.0 * (180.0 / PI));
     /// Speeds.
     pub const METRES_PER_SECOND: Scale = Scale::times("m/s", 1.0);

@@ -28,7 +28,7 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
             "largest rate of turn, positive to starboard",
             |_, v| v.rate_of_turn_radps.value,
         ),
-        number("peak_rate_of_turn_at_s", "s", "time of this rate of turn", |_, v| {
+        number("peak_rate_of_turn_at_s", "s", "time of the largest rate of turn", |_, v| {
             v.rate_of_turn_radps.at_s
         }),
         number(
@@ -37,9 +37,12 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
             "largest rudder angle, positive turns to starboard",
             |_, v| v.rudder_rad.value,
         ),
-        number("peak_rudder_at_s", "s", "time of this rudder angle", |_, v: &VesselTotals| {
-            v.rudder_rad.at_s
-        })
+        number(
+            "peak_rudder_at_s",
+            "s",
+            "time of the largest rudder angle",
+            |_, v: &VesselTotals| v.rudder_rad.at_s,
+        )
         .not_in_summary(),
         number(
             "peak_roll_rad",

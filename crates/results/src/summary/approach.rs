@@ -4,7 +4,7 @@ use fenderline_sim::{Approach, Setup};
 
 use crate::json::{Json, object};
 
-/// The approaches of a set-up.
+/// The approaches to berths of a set-up, as JSON.
 pub(super) fn approaches_json(setup: &Setup) -> Json {
     let one = |approach: &Approach| {
         object!({

@@ -5,7 +5,7 @@ use fenderline_sim::berthing::{AddedMass, AddedMassFormula, BerthingError, Berth
 
 use crate::json::{Json, object};
 
-/// The factors and energies, or the reason why there are none.
+/// The factors and energies of a berthing, or the reason why there are none.
 pub(super) fn berthing_json(
     berthing: Result<&BerthingOutcome, &BerthingError>,
     setup: &Setup,

@@ -5,7 +5,8 @@ use fenderline_sim::{DolphinSummary, Setup};
 use crate::json::{Json, object};
 use crate::quantities::DOLPHINS;
 
-/// One object per flexible dolphin, in the order of the scenario. What is not known, or was not reached, has no key.
+/// One object per flexible dolphin, in the order of the scenario. A value that is not known, or that was not reached,
+/// has no key.
 pub(super) fn dolphins_json(dolphins: &[DolphinSummary], setup: &Setup) -> Vec<Json> {
     dolphins.iter().map(|dolphin| dolphin_json(dolphin, setup)).collect()
 }

@@ -1,4 +1,4 @@
-//! Events as `summary.json` has them.
+//! Writes events into `summary.json`.
 
 use fenderline_contact::EventKind;
 use fenderline_sim::Setup;
@@ -7,7 +7,7 @@ use crate::events::event_key;
 use crate::json::{Json, object};
 use crate::run_events::Events;
 
-/// The events as `summary.json` has them.
+/// The JSON of the events in `summary.json`.
 pub(super) fn events_json(events: &Events, setup: &Setup) -> Json {
     let counts: Json = events.counts().map(|(kind, n)| (event_key(kind).to_owned(), n)).collect();
     let first = events.first().iter().map(|(t_s, event)| {

@@ -5,7 +5,8 @@ use fenderline_sim::factors::Factored;
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
-/// Adds `factors`, if the scenario has some: each with the user's source, and the factored values of fenders and lines.
+/// Adds the key `factors` if the scenario has partial factors: each factor with the user's source, and the factored
+/// values of fenders and lines.
 pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, factors) = (outcome.setup, &outcome.setup.world.factors);
     if factors.is_empty() {

@@ -1,4 +1,4 @@
-//! Fenders as `summary.json` has them.
+//! Writes fenders into `summary.json`.
 
 use fenderline_sim::{
     ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource, FenderSummary,
@@ -9,8 +9,8 @@ use crate::json::{Json, object};
 use crate::outcome::Outcome;
 use crate::quantities::{CHAINS, FENDERS};
 
-/// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
-/// have no key.
+/// One object per touched fender, in the order of the scenario. Missing data of a fender (rating, permissible hull
+/// pressure, source) have no key.
 pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Json> {
     let setup = outcome.setup;
     let objects = outcome.fenders.iter().map(|summary| {
@@ -39,7 +39,7 @@ fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Jso
     object
 }
 
-/// The turn, the moment and the cones of a panel.
+/// The turn, the moment and the cones of a panel, as JSON.
 fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummary) -> Json {
     let cone = |cone: &ConeSummary| {
         let mut object = object!({
@@ -65,7 +65,7 @@ fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummar
     })
 }
 
-/// The time of parting has no key if the chain has not parted.
+/// The results of a fender chain, as JSON; the time of parting has no key if the chain has not parted.
 fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Json {
     let mut object = object!({});
     CHAINS.put(&mut object, setup, chain);

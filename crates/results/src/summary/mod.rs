@@ -31,7 +31,7 @@ use statistics::put_statistics;
 use verdict::verdict_json;
 use world::put_world;
 
-/// The word that a scenario file uses.
+/// The word for the contact method, as a scenario file has it.
 pub fn method_text(method: Method) -> &'static str {
     match method {
         Method::Coupled => "coupled",
@@ -39,7 +39,7 @@ pub fn method_text(method: Method) -> &'static str {
     }
 }
 
-/// The word that a scenario file uses.
+/// The word for the time integrator, as a scenario file has it.
 pub fn integrator_text(integrator: Integrator) -> &'static str {
     match integrator {
         Integrator::Euler => "euler",
@@ -51,7 +51,7 @@ pub fn integrator_text(integrator: Integrator) -> &'static str {
 /// The text of `summary.json`.
 ///
 /// # Errors
-/// A value that is not finite: JSON cannot hold it, and a summary without it would mislead.
+/// Fails if a value is not finite: JSON cannot hold such a value, and a summary without it would mislead.
 pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, NumberNotFinite> {
     let setup = outcome.setup;
     let name = |body: usize| setup.bodies[body].name.as_str();
@@ -107,7 +107,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, N
     Ok(format!("{checked:#}\n"))
 }
 
-/// The lines of the report's title page.
+/// The lines of the report's title page, as JSON.
 fn report_json(lines: &[(&str, String)]) -> Json {
     lines.iter().map(|(key, text)| ((*key).to_owned(), text)).collect()
 }

@@ -16,7 +16,7 @@ pub(super) fn session_json(session: &RecordedSession) -> Json {
     })
 }
 
-/// A branch for comparison with other branches, without its track.
+/// The outcome of a branch as JSON, for comparison with other branches, without the ship's track.
 fn branch_json(branch: &BranchOutcome) -> Json {
     let BranchOutcome { id, parent, from_s, ends_s, verdict, findings, score, .. } = branch;
     let BranchOutcome { fender_share, line_share, approach_mps, commands, alarms, .. } = branch;

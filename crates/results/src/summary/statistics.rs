@@ -5,7 +5,7 @@ use fenderline_sim::statistics::MotionName;
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
-/// Adds `motions`, `limits` and the cycles of lines, if the scenario asks for them.
+/// Adds `motions`, `limits` and the load cycles of lines, if the scenario asks for these.
 pub(super) fn put_statistics(whole: &mut Json, outcome: &Outcome<'_>) {
     let Some(statistics) = outcome.statistics else { return };
     let setup = outcome.setup;

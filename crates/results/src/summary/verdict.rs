@@ -5,7 +5,7 @@ use fenderline_sim::{Departure, Verdict};
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
-/// The verdict, and its findings from the worst on.
+/// The verdict on the run and its findings as JSON, the worst finding first.
 pub(super) fn verdict_json(outcome: &Outcome<'_>) -> Json {
     let verdict = Verdict::of(outcome.findings);
     let findings = outcome.findings.iter().map(|finding| {

@@ -12,7 +12,7 @@ use crate::provider_notices::provider_event_key;
 use crate::quantities::{ANCHORS, LINES, TUGS, VESSELS};
 use crate::world_totals::{AnchorTotals, LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
 
-/// Adds a section each for vessels, tugs and lines, if the set-up has any.
+/// Adds one section for vessels, one for tugs and one for mooring lines, if the set-up has any.
 pub(super) fn put_world(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     if !world.vessels.is_empty() {
@@ -56,7 +56,7 @@ pub(super) fn put_world(whole: &mut Json, outcome: &Outcome<'_>) {
     put_events(whole, outcome);
 }
 
-/// Peaks of the flow of passing ships and of other vessels.
+/// Adds the largest forces and the largest moment on a vessel by the flow around passing ships and other vessels.
 fn put_peaks(vessel: &mut Json, totals: &VesselTotals) {
     for (name, unit, peak) in [
         ("surge", "n", totals.passing[0]),
@@ -85,7 +85,7 @@ fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> J
     object
 }
 
-/// In deep water there is no key for the under-keel clearance.
+/// The results of a vessel, as JSON; in deep water there is no key for the under-keel clearance.
 fn vessel_json(name: &str, setup: &VesselSetup, totals: &VesselTotals) -> Json {
     let mut object = object!({ "name": name });
     VESSELS.put(&mut object, setup, totals);
@@ -98,14 +98,15 @@ fn tug_json(tug: &TugSetup, totals: &TugTotals) -> Json {
     object
 }
 
-/// Missing values (the break load before the line is fast, the time of parting) have no key.
+/// The results of a mooring line, as JSON; missing values (the break load before the line is fast, the time of parting)
+/// have no key.
 fn line_json(line: &MooringSetup, totals: &LineTotals) -> Json {
     let mut object = object!({ "name": line.line.name });
     LINES.put(&mut object, line, totals);
     object
 }
 
-/// Missing values (place of the anchor, time of its loss) have no key.
+/// The results of an anchor, as JSON; missing values (place of the anchor, time of its loss) have no key.
 fn anchor_json(anchor: &AnchorSetup, totals: &AnchorTotals) -> Json {
     let mut object = object!({ "name": anchor.gear.name });
     ANCHORS.put(&mut object, anchor, totals);
@@ -119,7 +120,7 @@ fn anchor_json(anchor: &AnchorSetup, totals: &AnchorTotals) -> Json {
     object
 }
 
-/// Adds the counts to the counts of contact events, and the first events by name.
+/// Adds the counts of the world's events to those of contact events, and the first events by name.
 fn put_events(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     let of_world = world.events.counts().iter().map(|&(kind, n)| (world_event_key(kind), n));

@@ -14,25 +14,25 @@ pub struct AnchorTotals {
     pub break_load_n: f64,
     /// Peak tension of the chain at the hawse pipe (N); for a lost chain, the tension at its loss.
     pub tension_n: Peak,
-    /// Most chain out (m).
+    /// Largest length of chain out (m).
     pub chain_m: Peak,
-    /// How long the anchor was on the bottom.
+    /// Time for which the anchor was on the bottom.
     pub on_bottom: Lasting,
-    /// How far the anchor dragged (m).
+    /// Distance by which the anchor dragged (m).
     pub dragged_m: f64,
-    /// How long the anchor dragged.
+    /// Time for which the anchor dragged.
     pub dragging: Lasting,
     /// Energy that the bottom absorbed from the anchor (J).
     pub dragged_j: f64,
-    /// Chain that the brake rendered (m).
+    /// Length of chain that the windlass brake let run out under load (m).
     pub rendered_m: f64,
-    /// When the anchor was lost (s), and how.
+    /// Time at which the anchor was lost (s), and the way in which it was lost.
     pub lost: Option<(f64, LostBy)>,
-    /// Where the anchor is at the end of the run.
+    /// Position of the anchor at the end of the run.
     pub position: AnchorPosition,
-    /// Chain out at the end of the run (m).
+    /// Length of chain out at the end of the run (m).
     pub last_chain_m: f64,
-    /// Tension at the end of the run (N).
+    /// Tension of the chain at the end of the run (N).
     pub last_tension_n: f64,
 }
 
@@ -103,7 +103,7 @@ pub enum AnchorVerdict {
     Dragged,
     /// The anchor was slipped by order.
     Slipped,
-    /// Its chain parted or ran out.
+    /// The anchor was lost because its chain parted or ran out.
     Lost,
 }
 

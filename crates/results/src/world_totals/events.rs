@@ -1,14 +1,15 @@
-//! Events of vessels, tugs and lines, counted.
+//! Counts the events of vessels, tugs, lines and anchors.
 
 use fenderline_sim::{Setup, StepRecord, WorldEvent, WorldEventKind};
 
-/// Events kept one by one at most.
+/// Largest number of events that are kept one by one.
 const FIRST: usize = 40;
 
-/// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.
+/// Events of a run: the count of each kind, and the first few. The size of this list does not grow with the length of
+/// the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldEvents {
-    /// In the order of first occurrence.
+    /// Count of each kind of event, in the order of first occurrence.
     counts: Vec<(WorldEventKind, u64)>,
     first: Vec<(f64, WorldEvent)>,
 }
@@ -26,12 +27,12 @@ impl WorldEvents {
         }
     }
 
-    /// The kinds that occurred, with their counts.
+    /// The kinds of events that occurred, with their counts.
     pub fn counts(&self) -> &[(WorldEventKind, u64)] {
         &self.counts
     }
 
-    /// The first of them, with the start of their step (s).
+    /// The first events, each with the start of its time step (s).
     pub fn first(&self) -> &[(f64, WorldEvent)] {
         &self.first
     }
@@ -40,14 +41,14 @@ impl WorldEvents {
 /// The vessel, tug, line or anchor that an event is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Who<'a> {
-    /// `vessel`, `tug`, `line` or `anchor`.
+    /// Kind of the part: `vessel`, `tug`, `line` or `anchor`.
     pub kind: &'static str,
-    /// Name of the vessel in the scenario.
+    /// Name of the vessel, tug, line or anchor in the scenario.
     pub name: &'a str,
 }
 
 impl<'a> Who<'a> {
-    /// The subject of an event.
+    /// Finds the vessel, tug, line or anchor that an event is about.
     pub fn of(event: &WorldEvent, setup: &'a Setup) -> Who<'a> {
         let world = &setup.world;
         match event.kind {

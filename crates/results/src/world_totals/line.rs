@@ -12,21 +12,21 @@ pub struct LineTotals {
     pub made_fast_s: Option<f64>,
     /// Peak tension at the ship's end (N); for a parted line, the tension at which it parted.
     pub tension_n: Peak,
-    /// Least break load of rope and tail (N); `None` before the line is made fast.
+    /// Break load of the line (N), that of the weaker of rope and tail; `None` before the line is made fast.
     pub break_load_n: Option<f64>,
     /// Working load (N), if the kind of line has a working load.
     pub working_load_n: Option<f64>,
-    /// How long the tension was above the working load.
+    /// Time for which the tension was above the working load.
     pub over_working: Lasting,
-    /// Line rendered by the winch brake (m).
+    /// Length of line that the winch brake let run out under load (m).
     pub rendered_m: f64,
-    /// When the line parted (s).
+    /// Time at which the line parted (s).
     pub parted_s: Option<f64>,
-    /// Tension at the end of the run (N).
+    /// Tension of the line at the end of the run (N).
     pub last_tension_n: f64,
-    /// The line is fast at the end of the run.
+    /// Whether the line is fast at the end of the run.
     pub is_fast: bool,
-    /// Place of the far end when the line was last fast.
+    /// Position of the line's shore end when the line was last fast.
     pub end: Option<LineEnd>,
     /// The bollard to which an order last sent the line, as an index into
     /// [`fenderline_sim::WorldSetup::bollards`].
@@ -61,12 +61,12 @@ impl LineTotals {
         self.rendered_m += now.load.winch.rendered_m;
     }
 
-    /// Peak tension over break load; `None` before the line is made fast.
+    /// Peak tension as a share of the break load; `None` before the line is made fast.
     pub fn share_of_break_load(&self) -> Option<f64> {
         self.break_load_n.map(|break_load_n| self.tension_n.value / break_load_n)
     }
 
-    /// Peak tension over working load; `None` without a working load.
+    /// Peak tension as a share of the working load; `None` if the line has no working load.
     pub fn share_of_working_load(&self) -> Option<f64> {
         self.working_load_n.map(|load_n| self.tension_n.value / load_n)
     }
@@ -92,13 +92,13 @@ impl LineTotals {
 pub enum LineVerdict {
     /// The line was never fast in this run.
     NotMadeFast,
-    /// Made fast, and within the working load.
+    /// The line was made fast, and its tension stayed within the working load.
     Ok,
-    /// The brake of the winch rendered.
+    /// The brake of the winch let the line run out under load (it rendered).
     Rendered,
-    /// Above the working load.
+    /// The tension was above the working load.
     OverWorking,
-    /// Parted.
+    /// The line parted.
     Parted,
 }
 

@@ -1,4 +1,5 @@
-//! Totals of vessels, tugs, lines and anchors over a run. Their size does not grow with the run.
+//! Totals of vessels, tugs, lines and anchors over a run. The size of these totals does not grow with the length of the
+//! run.
 
 mod anchor;
 mod events;
@@ -17,29 +18,29 @@ pub use passing::PassingTotals;
 pub use tug::TugTotals;
 pub use vessel::VesselTotals;
 
-/// The totals of a run.
+/// The totals of vessels, tugs, lines, anchors and passing ships over a run.
 #[derive(Clone, Debug)]
 pub struct WorldTotals {
     setup: WorldSetup,
     step_s: f64,
-    /// Vessels, in the order of the set-up.
+    /// Totals of the vessels, in the order of the set-up.
     pub vessels: Vec<VesselTotals>,
-    /// Tugs, in the order of the set-up.
+    /// Totals of the tugs, in the order of the set-up.
     pub tugs: Vec<TugTotals>,
-    /// Mooring lines, in the order of the set-up.
+    /// Totals of the mooring lines, in the order of the set-up.
     pub lines: Vec<LineTotals>,
-    /// Anchors, in the order of the set-up.
+    /// Totals of the anchors, in the order of the set-up.
     pub anchors: Vec<AnchorTotals>,
-    /// Passing ships, in the order of the set-up.
+    /// Totals of the passing ships, in the order of the set-up.
     pub passing: Vec<PassingTotals>,
-    /// Their events.
+    /// Events of vessels, tugs, lines and anchors.
     pub events: WorldEvents,
     /// Outlines and poses of the vessels, if ships pass.
     hulls: Vec<(Vec<Vec2>, Pose)>,
 }
 
 impl WorldTotals {
-    /// Before the first step.
+    /// Makes the totals before the first time step.
     pub fn new(setup: &Setup) -> WorldTotals {
         let world = setup.world.clone();
         WorldTotals {
@@ -90,12 +91,12 @@ impl WorldTotals {
     }
 }
 
-/// The value of largest magnitude, and its time.
+/// A peak: the value with the largest magnitude, and its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak {
-    /// The value with its sign.
+    /// The peak value, with its sign.
     pub value: f64,
-    /// When (s).
+    /// Time of the peak (s).
     pub at_s: f64,
 }
 
@@ -115,13 +116,13 @@ pub struct Lasting {
 }
 
 impl Lasting {
-    /// Counts a step in which the condition holds.
+    /// Counts a time step if the condition holds in it.
     fn count(&mut self, is_so: bool, step_s: f64) {
         self.step_s = step_s;
         self.steps += u32::from(is_so);
     }
 
-    /// The sum (s).
+    /// The duration in seconds.
     pub fn s(self) -> f64 {
         f64::from(self.steps) * self.step_s
     }

@@ -4,12 +4,12 @@ use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::Setup;
 use fenderline_sim::passing::{Nearest, PassingSetup};
 
-/// How near one passing ship came to the vessels.
+/// Records how near one passing ship came to the vessels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PassingTotals {
-    /// Nearest of all vessels: index of the vessel, clear distance (m) and time (s).
+    /// The nearest vessel: its index, the clear distance (m) and the time (s).
     pub nearest: Option<(usize, Nearest)>,
-    /// Speed of the passing ship then (m/s).
+    /// Speed of the passing ship at the moment of the smallest distance (m/s).
     pub speed_mps: f64,
 }
 

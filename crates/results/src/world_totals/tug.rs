@@ -8,11 +8,11 @@ use super::{Lasting, Peak};
 /// Totals of one tug.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TugTotals {
-    /// Force on the ship (N).
+    /// Largest force of the tug on the ship (N).
     pub force_n: Peak,
-    /// Time in which speed and angle allowed less than the ordered force.
+    /// Time for which speed and angle allowed less than the ordered force.
     pub limited: Lasting,
-    /// Time with an order to push or pull.
+    /// Time for which the tug had an order to push or pull.
     pub at_work: Lasting,
 }
 

@@ -9,27 +9,27 @@ use super::{Lasting, Peak};
 /// Totals of one vessel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VesselTotals {
-    /// Speed over ground (m/s).
+    /// Largest speed over ground (m/s).
     pub over_ground_mps: Peak,
-    /// Speed through the water at midship (m/s).
+    /// Largest speed through the water at midship (m/s).
     pub through_water_mps: Peak,
-    /// Rate of turn, positive to starboard (rad/s).
+    /// Largest rate of turn, positive to starboard (rad/s).
     pub rate_of_turn_radps: Peak,
-    /// Rudder, positive turns to starboard (rad).
+    /// Largest rudder angle; a positive angle turns the ship to starboard (rad).
     pub rudder_rad: Peak,
-    /// Roll with wave motion, positive to starboard (rad).
+    /// Largest roll with wave motion, positive to starboard (rad).
     pub roll_rad: Peak,
-    /// Heel: roll without first-order wave motion (rad).
+    /// Largest heel, which is the roll without first-order wave motion (rad).
     pub heel_rad: Peak,
-    /// Pitch with wave motion, positive bow up (rad).
+    /// Largest pitch with wave motion, positive bow up (rad).
     pub pitch_rad: Peak,
-    /// Squat (m).
+    /// Largest squat (m).
     pub squat_m: Peak,
     /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
-    /// Surge, sway and yaw of the flow of passing ships and of other vessels (N, N, N·m).
+    /// Largest surge force, sway force and yaw moment by the flow around passing ships and other vessels (N, N, N·m).
     pub passing: [Peak; 3],
-    /// Time aground.
+    /// Time for which the vessel was aground.
     pub aground: Lasting,
 }
 

@@ -14,7 +14,8 @@ use fenderline_keys::held::Number;
 use fenderline_keys::keys::anchor::{AnchorKey, BowSide};
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// Place of a hawse pipe over length and beam, from midship: our assumption.
+/// Assumed place of a hawse pipe: its distances ahead of midship and to the side, as shares of the ship's length and
+/// beam.
 const HAWSE: (f64, f64) = (0.45, 0.1);
 
 impl Assembly<'_, '_> {
@@ -101,7 +102,7 @@ impl Assembly<'_, '_> {
         Ok(anchor)
     }
 
-    /// Where an anchor is at the start: `placed` and `chain_out` go together.
+    /// Reads where an anchor is at the start; the keys `placed` and `chain_out` must be given together.
     fn anchor_start(&self, table: Of<'_, AnchorKey>) -> Checked<Option<AnchorStart>> {
         let (placed, chain_out) = (table.item(AnchorKey::PLACED), table.item(AnchorKey::CHAIN_OUT));
         let alone = |item: Entry<'_, _>, other: AnyKey<AnchorKey>| {

@@ -1,4 +1,4 @@
-//! Approaches: from a speed and an angle at a fender to position, heading and velocity.
+//! Approaches: computes a ship's position, heading and velocity at the start from a speed and an angle at a fender.
 
 mod sweep;
 
@@ -22,10 +22,11 @@ use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 use fenderline_keys::typed_key::Key;
 
-/// A fender met this much before the intended one is worth a notice (m).
+/// A hull that meets something this much before the intended fender gets a warning (m).
 const EARLIER_M: f64 = 0.01;
 
-/// The words of `contact`, and the share of the length from the end of the ship.
+/// The words that `contact` may have, each with the distance of the contact point from the end of the ship as a share
+/// of her length.
 const POINTS: [(&str, f64); 3] =
     [("quarter point", 0.25), ("third point", 1.0 / 3.0), ("midship", 0.5)];
 
@@ -94,14 +95,14 @@ impl Assembly<'_, '_> {
         let Some(item) = start else { return Ok(()) };
         let path = body.path_to(item);
         let message = format!(
-            "`{path}` does not go together with `approach`, which gives the \
-            start"
+            "`{path}` does not go together with `approach`, which already gives the start of the \
+             ship"
         );
         let error = self.sources.error(&item.key_span, &path, message);
-        Err(error.with_help("keep one of the two"))
+        Err(error.with_help("keep only one of the two keys"))
     }
 
-    /// The bodies of the berth: the body that `to` names, or the dolphins of a row.
+    /// The bodies that form the berth: the body that the key `to` names, or the dolphins of a row.
     fn berth(
         &self,
         table: Of<'_, ApproachKey>,
@@ -136,7 +137,7 @@ impl Assembly<'_, '_> {
         Ok(berth)
     }
 
-    /// The approach, and position, heading and velocity at its start.
+    /// Reads an approach, and computes position, heading and velocity of the ship at the start of the approach.
     fn approach(
         &self,
         table: Of<'_, ApproachKey>,
@@ -172,7 +173,8 @@ impl Assembly<'_, '_> {
                 let item = table.given(ApproachKey::CONTACT);
                 let path = table.path_of(ApproachKey::CONTACT);
                 let message = format!(
-                    "`{path}`: {} m forward of midship is off the hull, which reaches from {} to {} m",
+                    "`{path}`: {} m forward of midship is off the hull, which reaches from {} to \
+                     {} m",
                     rounded(x_m - midship_m),
                     rounded(low.x - midship_m),
                     rounded(high.x - midship_m)
@@ -206,7 +208,7 @@ impl Assembly<'_, '_> {
         Ok((approach, (position_m, heading_rad, velocity)))
     }
 
-    /// The fender that the ship meets, and whether `contact` names it.
+    /// The fender that the ship meets, and whether the key `contact` names this fender.
     fn fender_met<'t>(
         &self,
         table: Of<'_, ApproachKey>,
@@ -228,7 +230,7 @@ impl Assembly<'_, '_> {
                 let path = table.path_of(ApproachKey::FENDER);
                 let message = format!("`{path}` does not go together with a fender in `contact`");
                 let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
+                return Err(error.with_help("keep only one of the two keys"));
             }
             let target = named(text)
                 .ok_or_else(|| self.no_fender(table, contact, text, targets, fenders))?;
@@ -263,10 +265,11 @@ impl Assembly<'_, '_> {
         error.with_help(match nearest(name, words.chain(known())) {
             Some(near) => format!("did you mean \"{near}\"?"),
             None if item.is(ApproachKey::CONTACT) => format!(
-                "write \"quarter point\", \"third point\", \"midship\", a distance forward of midship, or one of {}",
+                "write \"quarter point\", \"third point\", \"midship\", a distance forward of \
+                 midship, or one of {}",
                 listed(known())
             ),
-            None => format!("it has {}", listed(known())),
+            None => format!("{to} has the fenders {}", listed(known())),
         })
     }
 
@@ -295,8 +298,10 @@ impl Assembly<'_, '_> {
                 let path = abnormal.path_of(AbnormalKey::SPEED_FACTOR);
                 let message = format!("`{path}` does not go together with `energy_factor`");
                 let error = self.sources.error(&speed.key_span, &path, message);
-                Err(error
-                    .with_help("keep one of the two: energy goes with the square of the speed"))
+                Err(error.with_help(
+                    "keep only one of the two keys: energy is proportional to the \
+                                square of the speed",
+                ))
             }
             (None, None) => {
                 let help = "write energy_factor = 1.5, or speed_factor = 1.25";
@@ -305,7 +310,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses a start inside the berth, and notes what the hull meets before the fender.
+    /// Refuses a start of the ship inside the berth, and warns if the hull meets something before the intended fender.
     fn check_way(
         &mut self,
         table: Of<'_, ApproachKey>,
@@ -388,7 +393,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// How far out of the berth a hull must move until it is clear of it (m).
+/// How far a hull must move out of the berth until the hull is clear of the berth (m).
 fn distance_to_clear_m<'b>(
     hull: &[Vec2],
     targets: &[Target],
@@ -405,7 +410,7 @@ fn distance_to_clear_m<'b>(
     back_m.map_or(0.0, |back_m| FAR_M - back_m)
 }
 
-/// The share of the length from the end of the ship that a word of `contact` stands for.
+/// The distance of the contact point from the end of the ship, as a share of her length, for a word of `contact`.
 fn point(text: &str) -> Option<f64> {
     let plain = text.replace(['-', '_'], " ");
     POINTS.iter().find(|(word, _)| *word == plain).map(|(_, share)| *share)
@@ -437,7 +442,8 @@ fn targets(berth: &[usize], bodies: &[BodySetup], fenders: &[FenderSetup]) -> Ve
     on_berth.map(target).collect()
 }
 
-/// The point of an outline that is foremost in a direction: the middle of an edge at right angles to it.
+/// The point of an outline that is foremost in a direction. If an edge at right angles to the direction is foremost,
+/// the middle of this edge.
 fn foremost(outline: &[Vec2], direction: Vec2) -> Vec2 {
     let reach_m = outline.iter().map(|point| point.dot(direction)).fold(f64::MIN, greater);
     let far: Vec<Vec2> =
@@ -445,7 +451,8 @@ fn foremost(outline: &[Vec2], direction: Vec2) -> Vec2 {
     far.iter().fold(Vec2::ZERO, |sum, point| sum + *point) * (1.0 / far.len() as f64)
 }
 
-/// The point of a side of an outline, at a distance forward of the origin; `None` beyond bow and stern.
+/// The point on the port or starboard side of an outline at a distance forward of the origin; `None` beyond bow and
+/// stern.
 fn side_point(outline: &[Vec2], x_m: f64, side: Side) -> Option<Vec2> {
     let outer = |one: f64, other: f64| match side {
         Side::Starboard => greater(one, other),

@@ -1,4 +1,5 @@
-//! What all parts of the assembly share: the sources of the file, the names in it, and the notices about it.
+//! What all parts of the assembly of a set-up share: the sources of the scenario file, the names in the file, and the
+//! warnings about the file.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +15,7 @@ use fenderline_keys::typed_key::Key;
 
 pub(super) type Checked<T> = Result<T, ScenarioError>;
 
-/// The names that pairs and loads refer to.
+/// The names of bodies and materials, to which pairs and loads refer.
 pub(super) struct Names {
     pub(super) bodies: BTreeMap<String, usize>,
     pub(super) materials: BTreeMap<String, usize>,
@@ -49,7 +50,8 @@ impl Assembly<'_, '_> {
         self.reference("body", "bodies", &names.bodies, table, item, name)
     }
 
-    /// The floating body that a key names; `why` says in an error what a fixed body cannot do.
+    /// The floating body that a key names; the text `why` says in the error for a fixed body what a fixed body cannot
+    /// do.
     pub(super) fn floating_body<T>(
         &self,
         table: Of<'_, T>,
@@ -102,7 +104,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The first few names, in quotes.
+/// The first few names of a list, in quotes, for a message.
 pub(super) fn listed<'n>(names: impl Iterator<Item = &'n str> + Clone) -> String {
     const SHOWN: usize = 8;
     let left_out = names.clone().count().saturating_sub(SHOWN);

@@ -8,7 +8,7 @@ use fenderline_keys::held::Number;
 use fenderline_keys::keys::azimuth::AzimuthKey;
 use fenderline_keys::typed_key::Key;
 
-/// The units of a kind of vessel.
+/// Reads the azimuth units of a kind of vessel.
 pub(crate) fn azimuths(tables: Tables<'_, AzimuthKey>) -> Vec<AzimuthSetup> {
     let read = |(name, table): (&String, Of<'_, _>)| {
         let number = |name: Key<_, Number>| *table.given(name).number();

@@ -1,4 +1,4 @@
-//! The study of berthing energy.
+//! Reads the particulars for the comparison of the run's berthing energy with the formula.
 
 use fenderline_sim::berthing::{AddedMass, BerthingSetup};
 use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup, VesselSetup};
@@ -27,7 +27,7 @@ impl Assembly<'_, '_> {
                 let path = table.path_to(factor);
                 let message = format!("`{path}` does not go together with `added_mass`");
                 let error = self.sources.error(&factor.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
+                return Err(error.with_help("keep only one of the two keys"));
             }
             Some(factor) => AddedMass::Given(*factor.number()),
         };

@@ -1,4 +1,4 @@
-//! Bodies: outline, mass and initial state.
+//! Reads bodies: outline, mass, and position, heading and velocity at the start.
 
 use fenderline_contact::Outline;
 use fenderline_sim::chart::Chart;
@@ -29,7 +29,7 @@ impl Assembly<'_, '_> {
                 ScenarioKey::BODY.name(),
                 "the scenario has no bodies",
             );
-            return Err(error.with_help("write [body.NAME] with its keys below"));
+            return Err(error.with_help("write [body.NAME] with the keys of the body below"));
         }
         let with_kinds = bodies.iter().zip(kinds.of_bodies());
         with_kinds.map(|((name, table), kind)| self.body(name, table, kind, chart)).collect()
@@ -79,7 +79,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The body's outline: from the body's table, or from the vessel.
+    /// The outline of a body, from the body's table or from its vessel.
     pub(super) fn outline(
         &mut self,
         table: Of<'_, BodyKey>,
@@ -93,7 +93,7 @@ impl Assembly<'_, '_> {
         if let (Some(item), Some(_)) = (of_chart, own) {
             let message = format!("`{path}` and `outline` both give the body's shape");
             let error = self.sources.error(&item.key_span, &path, message);
-            return Err(error.with_help("keep one of the two"));
+            return Err(error.with_help("keep only one of the two keys"));
         }
         let of_kind = kind.and_then(vessel::Kind::outline_m);
         let (points, span) = match (own, of_chart, of_kind) {
@@ -103,7 +103,7 @@ impl Assembly<'_, '_> {
             (None, None, None) => {
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
                 return Err(error.with_help(match kind {
-                    Some(_) => "the vessel has no outline: give one here",
+                    Some(_) => "the vessel has no outline: give the body an `outline`",
                     None => "write outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
                 }));
             }
@@ -121,7 +121,7 @@ impl Assembly<'_, '_> {
         Ok(outline)
     }
 
-    /// The outline at the waterline of a body with outlines by height.
+    /// The outline at the waterline, for a body with outlines at several heights.
     fn at_waterline(
         &mut self,
         table: Of<'_, BodyKey>,
@@ -137,7 +137,7 @@ impl Assembly<'_, '_> {
         Ok(outline)
     }
 
-    /// A notice if an outline does not have the size of the vessel.
+    /// Adds a warning if an outline does not have the size of the vessel.
     fn note_size(
         &mut self,
         kind: Option<&vessel::Kind>,
@@ -196,8 +196,8 @@ impl Assembly<'_, '_> {
             Some(item) => {
                 let path = table.path_to(item);
                 let message = format!(
-                    "`{path}` does not go together with `vessel`, whose model gives this \
-                        value"
+                    "`{path}` does not go together with `vessel`: the model of the vessel gives \
+                     this value"
                 );
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
@@ -225,7 +225,7 @@ impl Assembly<'_, '_> {
                     let path = table.path_of(BodyKey::YAW_INERTIA);
                     let message = format!("`{path}` and `gyradius` both give the yaw inertia");
                     let error = self.sources.error(&inertia.key_span, &path, message);
-                    return Err(error.with_help("keep one of the two"));
+                    return Err(error.with_help("keep only one of the two keys"));
                 }
                 (None, None) => {
                     return Err(missing(

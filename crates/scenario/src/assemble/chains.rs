@@ -1,4 +1,4 @@
-//! Chains of fenders: from their tables to a set-up.
+//! Turns the tables of fender chains into the set-up of the chains.
 
 use fenderline_contact::Panel;
 use fenderline_sim::{ChainGrade, ChainKind, ChainLink, ChainSetup, ChainSize};
@@ -13,7 +13,7 @@ use fenderline_keys::keys::panel::ChainKey;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
 impl Assembly<'_, '_> {
-    /// The chains of a fender, and the mass that its weight chains carry (kg).
+    /// Reads the chains of a fender, and the mass that the fender's weight chains carry (kg).
     pub(super) fn chains(
         &self,
         table: Of<'_, FenderKey>,
@@ -32,7 +32,7 @@ impl Assembly<'_, '_> {
         };
         if has(ChainKind::Tension) > 0 && table.item(FenderKey::CONES).is_none() {
             let message = format!(
-                "`{}`: a tension chain holds a panel that turns, and this fender has no `cones`",
+                "`{}`: a tension chain holds a panel that turns, but this fender has no `cones`",
                 table.path_of(FenderKey::CHAINS)
             );
             return refused(message, "give the panel its `cones`, or leave the chain out");
@@ -81,7 +81,7 @@ impl Assembly<'_, '_> {
                 self.missing(
                     chain,
                     ChainKey::BREAK_LOAD,
-                    "give it, or the chain's `diameter` and `grade`",
+                    "give `break_load`, or the chain's `diameter` and `grade`",
                 )
             })?,
         };
@@ -108,7 +108,8 @@ impl Assembly<'_, '_> {
                 self.missing(
                     chain,
                     ChainKey::LENGTH,
-                    "a chain's stiffness by its `diameter` goes with its length",
+                    "the stiffness of a chain with a `diameter` follows from its length: give \
+                     `length`",
                 )
             })?),
             None => given(ChainKey::STIFFNESS).ok_or_else(|| {
@@ -119,27 +120,27 @@ impl Assembly<'_, '_> {
         Ok(ChainSetup { kind, at_m, slack_m, stiffness_npm, break_load_n })
     }
 
-    /// The chain's size; `None` without a `diameter`.
+    /// Reads the size of a chain; `None` if the chain has no `diameter`.
     fn chain_size(&self, chain: Of<'_, ChainKey>) -> Checked<Option<ChainSize>> {
-        let refuse = |keys: &[AnyKey<ChainKey>], why: &str| match keys
+        let refuse = |keys: &[AnyKey<ChainKey>], message: fn(&str) -> String| match keys
             .iter()
             .find_map(|key| chain.item(*key))
         {
             None => Ok(()),
             Some(item) => {
                 let path = chain.path_to(item);
-                let message = format!("`{path}` {why}");
-                Err(self.sources.error(&item.key_span, &path, message))
+                Err(self.sources.error(&item.key_span, &path, message(&path)))
             }
         };
         let Some(diameter) = chain.item(ChainKey::DIAMETER) else {
-            refuse(any_keys![ChainKey: GRADE, LINK], "is for chains with a `diameter`")?;
+            refuse(any_keys![ChainKey: GRADE, LINK], |path| {
+                format!("`{path}` is for chains with a `diameter`")
+            })?;
             return Ok(None);
         };
-        refuse(
-            any_keys![ChainKey: BREAK_LOAD, STIFFNESS],
-            "does not go together with `diameter`, which gives this value",
-        )?;
+        refuse(any_keys![ChainKey: BREAK_LOAD, STIFFNESS], |path| {
+            format!("`{path}` does not go together with `diameter`, which gives this value")
+        })?;
         let grade: ChainGrade = match chain.item(ChainKey::GRADE) {
             Some(item) => item.choice(),
             None => return Err(self.missing(chain, ChainKey::GRADE, "write grade = \"u2\"")),
@@ -156,7 +157,7 @@ impl Assembly<'_, '_> {
         Ok(Some(ChainSize { diameter_m: *diameter.number(), grade, link }))
     }
 
-    /// Slack of a chain: its length less its span.
+    /// Slack of a chain: the length of the chain less its span.
     fn slack_m(&self, chain: Of<'_, ChainKey>) -> Checked<f64> {
         let [slack, length, span] =
             [ChainKey::SLACK, ChainKey::LENGTH, ChainKey::SPAN].map(|name| chain.item(name));
@@ -165,7 +166,7 @@ impl Assembly<'_, '_> {
             let path = chain.path_to(other);
             let message = format!("`{path}` does not go together with `slack`");
             let error = self.sources.error(&other.key_span, &path, message);
-            return Err(error.with_help("keep one of the two"));
+            return Err(error.with_help("keep only one of the two keys"));
         }
         let need = |key: Key<ChainKey, Number>| {
             chain.item(key).ok_or_else(|| {
@@ -177,7 +178,8 @@ impl Assembly<'_, '_> {
         if length_m < span_m {
             let path = chain.path_of(ChainKey::LENGTH);
             let message = format!(
-                "`{path}` of {length_m} m is shorter than the `span` of {span_m} m between its fastenings"
+                "`{path}` of {length_m} m is shorter than the `span` of {span_m} m between the \
+                 chain's fastenings"
             );
             let error = self.sources.error(&length.span, &path, message);
             return Err(error.with_help("the chain must reach from one fastening to the other"));

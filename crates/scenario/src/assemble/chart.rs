@@ -1,4 +1,4 @@
-//! The chart, and outlines of bodies from it.
+//! Reads the chart, and the outlines of bodies from the chart.
 
 use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
@@ -46,8 +46,8 @@ impl Assembly<'_, '_> {
         Ok(Charted { chart, projected })
     }
 
-    /// The conversion from the coordinates of the files to those of the scenario, and the place of the scenario's
-    /// origin on the earth.
+    /// How the coordinates in the files become coordinates of the scenario, and where the scenario's origin lies on the
+    /// earth.
     fn placing(&self, table: Of<'_, ChartKey>) -> Checked<(Placing, Option<GeographicPlace>)> {
         let (projection, origin) = (table.item(ChartKey::PROJECTION), table.item(ChartKey::ORIGIN));
         let coordinates = table.given(ChartKey::COORDINATES);
@@ -56,9 +56,8 @@ impl Assembly<'_, '_> {
                 let path = table.path_to(item);
                 let message = format!("`{path}` is for a chart in longitude and latitude");
                 let error = self.sources.error(&item.key_span, &path, message);
-                return Err(
-                    error.with_help("remove it, or write coordinates = \"longitude_latitude\"")
-                );
+                return Err(error
+                    .with_help("remove this key, or write coordinates = \"longitude_latitude\""));
             }
             return Ok((Placing::Metres, None));
         }
@@ -69,7 +68,8 @@ impl Assembly<'_, '_> {
             };
             let path = table.path_of(missing);
             let message = format!(
-                "`{path}` is missing: longitude and latitude become metres only by a projection about an origin"
+                "`{path}` is missing: longitude and latitude become metres only by a projection \
+                 about an origin"
             );
             let error = self.sources.error(&coordinates.span, &path, message);
             return Err(error.with_help(
@@ -134,7 +134,9 @@ impl Assembly<'_, '_> {
                     None if chart.features.is_empty() => {
                         error.with_help("the scenario has no [chart] with files")
                     }
-                    None => error.with_help("an area has its name in its property `name`"),
+                    None => {
+                        error.with_help("an area of the chart has its name in its property `name`")
+                    }
                 })
             }
             several => Err(complain(format!(

@@ -1,5 +1,5 @@
-//! Wind and current coefficients of the user: from a file and its convention to forces over dynamic
-//! pressure in this program's axes.
+//! Reads the user's wind and current coefficients: turns a file and its sign convention into forces divided by dynamic
+//! pressure in the program's own axes.
 
 mod angles;
 mod row;
@@ -27,18 +27,18 @@ use fenderline_keys::keys::coefficients::{
 use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// Bounds of coefficients: beyond anything that a ship has.
+/// Bounds of coefficients, wider than the coefficients of any ship.
 const COEFFICIENT: [f64; 2] = [-20.0, 20.0];
-/// Bounds of forces in their units.
+/// Bounds of the forces in a table, in the unit of the column.
 const FORCE: [f64; 2] = [-1e12, 1e12];
-/// Units of force and moment in the names of columns, in N and N m.
+/// Units of force and of moment as they stand in the names of columns, with the size of the unit in N and N m.
 const UNITS: [(&str, &str, f64); 3] =
     [("n", "nm", 1.0), ("kn", "knm", 1e3), ("tf", "tfm", 9806.65)];
 
-/// Where the numbers of a table are.
+/// The columns of a file in which the numbers of a table are.
 struct Columns {
     angle: usize,
-    /// Degrees in a unit of the column of angles.
+    /// Number of degrees in one unit of the column of angles.
     degrees: f64,
     depth: Option<usize>,
     draught: Option<usize>,
@@ -46,14 +46,15 @@ struct Columns {
     across: Across,
 }
 
-/// Columns of side force and yaw moment, each with its factor to SI.
+/// Columns of side force and yaw moment, each with the factor that turns its numbers into SI units.
 enum Across {
     ForceAndMoment([(usize, f64); 2]),
     AtPerpendiculars([(usize, f64); 2]),
 }
 
 impl Assembly<'_, '_> {
-    /// The windage of a vessel with the user's wind coefficients, if the vessel's table has them.
+    /// The windage of a vessel from the user's wind coefficients; `None` if the vessel's table has no wind
+    /// coefficients.
     pub(super) fn own_wind(
         &mut self,
         vessel: Of<'_, VesselKey>,
@@ -76,8 +77,8 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: self.sources.place(&other.key_span),
                 key: vessel.path_of(VesselKey::WINDAGE),
-                message: "only the height of its centroid is used: areas and coefficients come \
-                    from `wind_coefficients`"
+                message: "only the height of the centroid in `windage` is used: areas and \
+                          coefficients come from `wind_coefficients`"
                     .to_owned(),
             });
         }
@@ -98,7 +99,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// The current coefficients of a vessel, if the vessel's table has them.
+    /// The user's current coefficients of a vessel; `None` if the vessel's table has no current coefficients.
     pub(super) fn own_current(
         &mut self,
         vessel: Of<'_, VesselKey>,
@@ -120,7 +121,7 @@ impl Assembly<'_, '_> {
             .map_err(|error| self.refused(vessel, item, &error))
     }
 
-    /// Notes depths of the run that are outside the depths of the table.
+    /// Adds warnings if the depths of the water in the run are outside the depths of the table.
     fn note_depths(
         &mut self,
         of: Of<'_, CoefficientsKey>,
@@ -150,20 +151,20 @@ impl Assembly<'_, '_> {
         let run = environment.depth_range_m().map(|depths_m| depths_m.map(|m| m / ship.draught_m));
         match run {
             None => note(format!(
-                "the water is deep: the table's forces at its greatest depth, {most} draughts, are \
-                 used"
+                "the water is deep: the run uses the table's forces at the greatest depth of the \
+                 table, {most} draughts"
             )),
             Some([low, high]) => {
                 if low < least {
                     note(format!(
                         "the water is down to {low:.3} draughts deep, but the table begins at \
-                         {least}: in less water the forces at {least} are used"
+                         {least}: in shallower water the run uses the forces at {least}"
                     ));
                 }
                 if high > most {
                     note(format!(
                         "the water is up to {high:.3} draughts deep, but the table ends at {most}: \
-                         in deeper water the forces at {most} are used"
+                         in deeper water the run uses the forces at {most}"
                     ));
                 }
             }
@@ -190,7 +191,7 @@ impl Assembly<'_, '_> {
             return Err(self.refused(
                 of,
                 item,
-                &format!("it must be a whole number, but is {skip_lines}"),
+                &format!("the number of lines to skip must be a whole number, but is {skip_lines}"),
             ));
         }
         let layout = Layout {
@@ -250,7 +251,7 @@ impl Assembly<'_, '_> {
             match &of_first {
                 Some(first) if first.degrees != found.degrees || first.sides != found.sides => {
                     return Err(csv.header_error(format!(
-                        "the angles{} are not those{}",
+                        "the angles{} are not the same as the angles{}",
                         place(group),
                         place(0)
                     )));
@@ -277,7 +278,8 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: csv.place_of(None),
                 key: key.clone(),
-                message: "the angles cover one side: the other side is taken as the mirror image"
+                message: "the angles cover one side of the ship: the other side is taken as the \
+                          mirror image"
                     .to_owned(),
             });
         }
@@ -287,7 +289,7 @@ impl Assembly<'_, '_> {
             .map_err(|error| csv.header_error(error.to_string()))
     }
 
-    /// The tables of all depths at the vessel's draught.
+    /// Interpolates the tables of all depths to the draught of the vessel.
     fn at_draught(
         &mut self,
         of: Of<'_, CoefficientsKey>,
@@ -303,8 +305,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&of.given(CoefficientsKey::FILE).span),
                 key: of.path_of(CoefficientsKey::FILE),
                 message: format!(
-                    "her draught of {draught_m} m is outside the draughts of the table, {} to {} \
-                     m: the nearest draught is used",
+                    "the vessel's draught of {draught_m} m is outside the draughts of the table, \
+                     which go from {} to {} m: the nearest draught of the table is used",
                     draughts[0], draughts[last]
                 ),
             });
@@ -335,7 +337,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// Checks that some keys are given where another key has a word, and not otherwise.
+    /// Checks that the keys `keys` are given if the key `key` has the word `word`, and are not given otherwise.
     fn only_with<T, C>(
         &self,
         of: Of<'_, T>,
@@ -366,7 +368,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The columns that a file may have.
+/// The columns that a file of coefficients may have.
 fn known(held: Held, flow: Flow) -> Vec<String> {
     let mut known: Vec<String> =
         ["angle_deg", "angle_rad", "draught_m"].map(str::to_owned).to_vec();
@@ -390,7 +392,9 @@ fn known(held: Held, flow: Flow) -> Vec<String> {
 fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     let (angle, degrees) = match (csv.has("angle_deg"), csv.has("angle_rad")) {
         (true, true) => {
-            return Err(csv.header_error("the angles are given twice, in degrees and in radians"));
+            return Err(
+                csv.header_error("the file gives the angles twice, in degrees and in radians")
+            );
         }
         (false, true) => (csv.column("angle_rad")?, 180.0 / PI),
         _ => (csv.column("angle_deg")?, 1.0),
@@ -399,9 +403,9 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     let one = |names: &[(String, f64)]| -> Checked<Option<(usize, f64)>> {
         let mut there = names.iter().filter(|(name, _)| csv.has(name));
         match (there.next(), there.next()) {
-            (Some((name, _)), Some((other, _))) => {
-                Err(csv.header_error(format!("`{name}` and `{other}` are the same quantity")))
-            }
+            (Some((name, _)), Some((other, _))) => Err(csv.header_error(format!(
+                "the columns `{name}` and `{other}` give the same quantity"
+            ))),
             (Some((name, scale)), None) => Ok(Some((csv.column(name)?, *scale))),
             (None, _) => Ok(None),
         }
@@ -433,7 +437,8 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     let across = match (of_sway.or(of_yaw), of_fore.or(of_aft)) {
         (Some(_), Some(_)) => {
             return Err(csv.header_error(
-                "side force and moment are given twice: keep either them or the forces at the two perpendiculars",
+                "the file gives side force and moment twice: keep either side force and moment, or \
+                 the forces at the two perpendiculars",
             ));
         }
         (None, Some(_)) => Across::AtPerpendiculars([needed(fore, of_fore)?, needed(aft, of_aft)?]),
@@ -452,7 +457,7 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     })
 }
 
-/// Refuses radians under the name of degrees, and degrees under the name of radians.
+/// Refuses angles in radians in a column named for degrees, and angles in degrees in a column named for radians.
 fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     let is_rad = columns.degrees != 1.0;
     let (mut most, mut at) = (0.0, 0);
@@ -467,11 +472,11 @@ fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
         (false, false) if csv.row_count() > 2 && most > 0.0 => ("radians", "angle_rad"),
         _ => return Ok(()),
     };
-    let message = format!("the largest angle is {most}: these are {found}");
+    let message = format!("the largest angle is {most}: the angles of this column are {found}");
     Err(csv.cell_error(at, columns.angle, message).with_help(format!("name the column `{other}`")))
 }
 
-/// The values of a column, rising, each once.
+/// The different values of a column in rising order, each value once.
 fn axis(csv: &Csv<'_>, column: usize, bounds: [f64; 2]) -> Checked<Vec<f64>> {
     let numbers: Checked<Vec<f64>> =
         (0..csv.row_count()).map(|row| csv.number(row, column, bounds)).collect();
@@ -481,7 +486,8 @@ fn axis(csv: &Csv<'_>, column: usize, bounds: [f64; 2]) -> Checked<Vec<f64>> {
     Ok(numbers)
 }
 
-/// What a number of the table is times, for X, Y and N over dynamic pressure (m², m², m³).
+/// The factors by which the numbers of the table are multiplied, to get X, Y and N divided by dynamic pressure (m², m²,
+/// m³).
 fn scales(of: Of<'_, CoefficientsKey>, held: Held) -> [f64; 3] {
     let number = |name: Key<_, Number>| *of.given(name).number();
     match held {
@@ -500,7 +506,7 @@ fn scales(of: Of<'_, CoefficientsKey>, held: Held) -> [f64; 3] {
     }
 }
 
-/// A row of the file in this program's axes.
+/// Turns a row of the file into the program's own axes.
 fn own_row(
     csv: &Csv<'_>,
     columns: &Columns,
@@ -530,7 +536,8 @@ fn own_row(
     Ok(Row { row, angle_deg: own_angle(convention, degrees), value: [surge, sway, yaw] })
 }
 
-/// An angle of the table as γ: from ahead, positive over port, above −180 and up to 180 degrees.
+/// Turns an angle of the table into the angle γ, which is 0 from ahead, positive over port, and above −180 and up to
+/// 180 degrees.
 fn own_angle(convention: &Convention, degrees: f64) -> f64 {
     let from_ahead = if convention.zero_is_ahead { degrees } else { 180.0 - degrees };
     let over_port = if convention.side_is_port { from_ahead } else { -from_ahead };

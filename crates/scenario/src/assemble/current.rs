@@ -1,4 +1,4 @@
-//! Current: uniform, by depth, or by place and time from a file.
+//! Reads the current: uniform, by depth, or by place and time from a file.
 
 use fenderline_contact::vec2;
 use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile};
@@ -11,7 +11,7 @@ use fenderline_keys::csv::Csv;
 use fenderline_keys::held::{Number, TableOf, Text};
 use fenderline_keys::keys::environment::{CurrentKey, LayerKey};
 
-/// Columns of a file of currents.
+/// Columns of a file with the current by place and time.
 const COLUMNS: [&str; 7] =
     ["t_s", "north_m", "east_m", "north_mps", "east_mps", "speed_mps", "towards_deg"];
 /// Bounds of places (m) and times (s) in a file of the current.
@@ -52,7 +52,8 @@ impl Assembly<'_, '_> {
             .map_err(|error| self.refused(table, item, &error))
     }
 
-    /// A file of currents. Without columns of time or place the current does not depend on them.
+    /// A file of currents. Reads a file with the current by place and time. Without a column of time or place the
+    /// current does not depend on time or place.
     fn grid(&self, of: Of<'_, CurrentKey>, file: Entry<'_, Text>) -> Checked<CurrentGrid> {
         let key = of.path_of(CurrentKey::FILE);
         let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &COLUMNS)?;
@@ -66,12 +67,16 @@ impl Assembly<'_, '_> {
             columns.extend([csv.column("north_m")?, csv.column("east_m")?]);
         }
         if columns.is_empty() {
-            let message = "the file has neither times (t_s) nor places (north_m, east_m)";
-            return Err(csv.header_error(message).with_help("write `speed` and `towards` instead"));
+            let message =
+                "the file of the current has neither times (t_s) nor places (north_m, east_m)";
+            return Err(csv
+                .header_error(message)
+                .with_help("write `speed` and `towards` instead of a `file`"));
         }
         let by_direction = csv.has("speed_mps") || csv.has("towards_deg");
         if by_direction && (csv.has("north_mps") || csv.has("east_mps")) {
-            let message = "give the velocity as north_mps and east_mps or as speed_mps and towards_deg, not as both";
+            let message = "give the velocity as north_mps and east_mps or as speed_mps and \
+                           towards_deg, not as both";
             return Err(csv.header_error(message));
         }
         let [one, other] = match by_direction {

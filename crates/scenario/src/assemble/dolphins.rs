@@ -1,4 +1,4 @@
-//! Dolphins of rows of fenders: bodies that are fixed or on piles, and pairs with them.
+//! Makes the dolphins of a row of fenders: bodies that are fixed or stand on piles, and pairs with these bodies.
 
 use super::rows::keys::check_placing;
 use fenderline_keys::checked::{Entry, Item, Of, Table, Value};
@@ -13,8 +13,8 @@ use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::typed_key::Key;
 use fenderline_keys::{any_keys, key_path, reader};
 
-/// Adds a body for each dolphin to the bodies of the file. A pair that names a row becomes a pair with each dolphin of
-/// the row.
+/// Adds a body for each dolphin of a row to the bodies of the file. A pair of bodies that names a row becomes a pair
+/// with each dolphin of the row.
 pub(crate) fn add_dolphins(sources: &Sources<'_>, file: &mut Table) -> Result<(), ScenarioError> {
     let mut rows: Vec<(String, Vec<String>)> = Vec::new();
     let mut dolphins = Vec::new();
@@ -66,7 +66,7 @@ pub(crate) fn add_dolphins(sources: &Sources<'_>, file: &mut Table) -> Result<()
     Ok(())
 }
 
-/// The table of a dolphin's body. The table keeps the path of the row, so errors name the row's keys.
+/// Makes the table of a dolphin's body. The table keeps the path of the row, so that errors name the keys of the row.
 fn dolphin<V>(
     sources: &Sources<'_>,
     row: Of<'_, FenderRowKey>,

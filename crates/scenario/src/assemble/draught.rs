@@ -1,4 +1,4 @@
-//! Notices about how deep ships float: in too little water, or with their sides below a fender.
+//! Warnings about ships that float in too little water, or whose sides end below a fender.
 
 use fenderline_sim::{BodySetup, FenderSetup, Setup};
 
@@ -11,22 +11,22 @@ use fenderline_keys::keys::environment::EnvironmentKey;
 use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 
-/// A fender whose lower edge is no higher above the water than this meets most ships (m). Our choice.
+/// Height of a fender's lower edge above the water up to which the fender meets most ships (m). Our choice.
 const LOW_M: f64 = 3.0;
-/// Height of a ship's side above the water over the draught, up to which there is no notice: loaded tankers and
-/// bulk carriers have 0.4 to 0.6. Our choice.
+/// Largest height of a ship's side above the water, as a share of her draught, for which there is no warning; loaded
+/// tankers and bulk carriers have 0.4 to 0.6. Our choice.
 const SIDE_OVER_DRAUGHT: f64 = 0.6;
 /// The draught of a floating body, and the source of the draught.
 struct Draught {
     at_least_m: f64,
     from: &'static str,
-    /// Outlines by height give the place of the side.
+    /// True if outlines at several heights say where the body's side is.
     has_outlines: bool,
 }
 
 impl Assembly<'_, '_> {
-    /// Notes ships that draw more than the depth of the water, and fenders above the usual side of a ship of
-    /// this draught.
+    /// Warns of ships that draw more than the depth of the water, and of fenders above the usual height of the side of
+    /// a ship with this draught.
     pub(super) fn note_draughts(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -60,7 +60,8 @@ impl Assembly<'_, '_> {
         let environment = file.given(ScenarioKey::ENVIRONMENT).table();
         let item = environment.given(EnvironmentKey::DEPTH);
         let message = format!(
-            "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was expected",
+            "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was \
+             expected",
             rounded(least_m),
             quoted(&setup.bodies[body].name),
             rounded(draught.at_least_m),
@@ -114,13 +115,13 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The level of the water above the zero of a fender's height (m).
+/// The level of the water above the point from which a fender's height is measured (m).
 fn level_m(setup: &Setup, fender: &FenderSetup, level_m: f64) -> f64 {
     let rides = fender.floating || !setup.bodies[fender.body].is_fixed();
     if rides { 0.0 } else { level_m }
 }
 
-/// The floating bodies that each body may touch, by the named pairs.
+/// For each body, the floating bodies that it may touch according to the named pairs.
 fn partners(setup: &Setup) -> Vec<Vec<usize>> {
     let mut partners = vec![Vec::new(); setup.bodies.len()];
     for pair in &setup.pairs {
@@ -146,7 +147,10 @@ fn draughts(setup: &Setup) -> Vec<Option<Draught>> {
         let has_outlines = body.hull.is_some();
         let (at_least_m, from) = match &body.hull {
             Some(hull) => (hull.draught_m(), ""),
-            None => (least_m(body)?, " or more, by her mass over her outline"),
+            None => (
+                least_m(body)?,
+                " or more, which follows from her mass and the area of her outline",
+            ),
         };
         body.mass.map(|_| Draught { at_least_m, from, has_outlines })
     };

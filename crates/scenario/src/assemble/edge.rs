@@ -1,25 +1,25 @@
-//! Edges of a body's outline, and which way a fender on them faces.
+//! Edges of a body's outline, and the direction in which a fender on an edge faces.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{Outline, Vec2};
 use fenderline_sim::BodySetup;
 
-/// A point this near to an edge lies on it (m).
+/// A point that is this near to an edge counts as lying on the edge (m).
 const ON_EDGE_M: f64 = 0.01;
 
 /// An edge of an outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) from_m: Vec2,
-    /// Unit vector along the edge.
+    /// Unit vector along the edge of the outline.
     pub(super) along: Vec2,
     pub(super) length_m: f64,
-    /// Unit vector out of the body, at right angles to the edge.
+    /// Unit vector that points out of the body, at right angles to the edge.
     pub(super) outward: Vec2,
 }
 
 impl Edge {
-    /// Distance of a point from the start, along the edge (m).
+    /// Distance of a point from the start of the edge, measured along the edge (m).
     pub(super) fn reach_m(&self, point_m: Vec2) -> f64 {
         (point_m - self.from_m).dot(self.along)
     }
@@ -47,14 +47,14 @@ pub(super) fn edges(outline: &Outline) -> impl Iterator<Item = Edge> {
     })
 }
 
-/// The edges that hold all of these points.
+/// The edges of an outline on which all the points `points_m` lie.
 pub(super) fn edges_with(outline: &Outline, points_m: &[Vec2]) -> Vec<Edge> {
     let holds_all = |edge: &Edge| points_m.iter().all(|point| edge.holds(*point));
     edges(outline).filter(holds_all).collect()
 }
 
-/// The direction in which a fender at a point of the outline faces (rad): out from the edge, at a corner
-/// midway between the two edges; `None` away from the outline.
+/// The direction in which a fender at a point of the outline faces (rad). It faces out from the edge, and at a corner
+/// midway between the two edges; `None` if the point is not on the outline.
 pub(super) fn facing_rad(outline: &Outline, point_m: Vec2) -> Option<f64> {
     match edges_with(outline, &[point_m]).as_slice() {
         [edge] => Some(direction_rad(edge.outward)),
@@ -69,7 +69,7 @@ pub(super) fn direction_rad(direction: Vec2) -> f64 {
     libm::atan2(direction.y + 0.0, direction.x + 0.0)
 }
 
-/// Whether a point lies inside a body's outline, and further from its edges than a point on them may lie.
+/// Whether a point lies inside a body's outline and not on its edges.
 pub(super) fn is_inside(body: &BodySetup, point_m: Vec2) -> bool {
     let mut inside = false;
     for edge in edges(&body.outline) {

@@ -1,4 +1,4 @@
-//! Wind, waves, water and banks.
+//! Reads wind, waves, water and banks.
 
 use std::f64::consts::PI;
 
@@ -26,13 +26,13 @@ use fenderline_keys::keys::environment::{
 };
 use fenderline_keys::typed_key::AnyKey;
 
-/// Number of harmonics of a sea or a gusty wind.
+/// Number of harmonics from which a sea or a gusty wind is built.
 const HARMONICS: usize = 200;
 /// A depth that counts as deep water for every wave (m).
 const DEEP_M: f64 = 10_000.0;
-/// Bounds of times in a file (s).
+/// Bounds of the times in a file of wind, current, tide or waves (s).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
-/// Bounds of directions in a file (deg).
+/// Bounds of the directions in a file of wind or current (deg).
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
 impl Assembly<'_, '_> {
@@ -112,7 +112,7 @@ impl Assembly<'_, '_> {
             self.all_of(
                 of,
                 any_keys![WindKey: SPEED, FROM],
-                "a wind has a `speed` and a `from`, or a `file`",
+                "a wind needs a `speed` and a `from`, or a `file`",
             )?;
             return wind(of).map_err(|error| self.refused(table, item, &error));
         };
@@ -135,7 +135,7 @@ impl Assembly<'_, '_> {
         let of = item.table();
         let constituents = of.given(TideKey::CONSTITUENT).list();
         let Some(file) = of.item(TideKey::FILE) else {
-            self.all_of(of, any_keys![TideKey: LEVEL], "a tide has a `level` or a `file`")?;
+            self.all_of(of, any_keys![TideKey: LEVEL], "a tide needs a `level` or a `file`")?;
             let mean_m = *of.given(TideKey::LEVEL).number();
             let constituents: Vec<TideConstituent> = constituents
                 .iter()
@@ -164,7 +164,7 @@ impl Assembly<'_, '_> {
         Ok(tide)
     }
 
-    /// A file that must have all of these columns and no others, with the index of each column.
+    /// Reads a file that must have all the columns `columns` and no others, and returns the index of each column.
     pub(super) fn csv_of<'c, const N: usize>(
         &'c self,
         file: Entry<'c, Text>,
@@ -185,7 +185,9 @@ impl Assembly<'_, '_> {
         };
         if table.first_of(any_keys![EnvironmentKey: DEPTH, BOTTOM]).is_none() {
             let path = table.path_of(EnvironmentKey::SQUAT);
-            let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
+            let message = format!(
+                "`{path}` needs a `depth` in the same table: in deep water there is no squat"
+            );
             return Err(self.sources.error(&item.key_span, &path, message));
         }
         Ok(item.choice())
@@ -201,7 +203,7 @@ impl Assembly<'_, '_> {
         banks.map(bank).collect()
     }
 
-    /// Adds notices if a part of the environment is unvalidated, or a formula is used outside its range.
+    /// Adds warnings if a part of the environment is unvalidated, or if a formula is used outside its range.
     pub(super) fn note_unvalidated(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -214,8 +216,8 @@ impl Assembly<'_, '_> {
         if let Some((first, _)) = banks.find(|(_, bank)| bank.method() == BankMethod::Norrbin) {
             self.note(
                 first,
-                "bank suction is UNVALIDATED: Norrbin's formulas are from memory; we read no \
-                 source",
+                "bank suction is UNVALIDATED: Norrbin's formulas are from memory, because we could \
+                 not read a source",
             );
         }
         // Over a bottom by place the verdict names the depths that a vessel meets.
@@ -234,14 +236,15 @@ impl Assembly<'_, '_> {
             if least < SHALLOWEST_RATIO {
                 notify(format!(
                     "{name} in water of {least:.2} draughts: no shallow-water formula covers less \
-                     than {SHALLOWEST_RATIO}; in less water added mass, hull forces and squat keep \
-                     their values at {SHALLOWEST_RATIO}; only the drag of a flow across the ship \
-                     grows further"
+                     than {SHALLOWEST_RATIO} draughts; in shallower water added mass, hull forces \
+                     and squat keep their values at {SHALLOWEST_RATIO} draughts, and only the drag \
+                     of a flow across the ship grows further"
                 ));
             } else if least < PUBLISHED_RATIO {
                 notify(format!(
                     "{name} in water of {least:.2} draughts: shallow-water corrections are valid \
-                     from {PUBLISHED_RATIO} on; in less water they are extrapolated linearly"
+                     from {PUBLISHED_RATIO} draughts on; in shallower water the program \
+                     extrapolates them linearly"
                 ));
             }
             if let Some((squat, [_, high])) =
@@ -277,7 +280,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses keys that would have no effect beside another key.
+    /// Refuses keys that would have no effect because the table also has the key `beside`.
     pub(super) fn none_of<T>(
         &self,
         of: Of<'_, T>,

@@ -1,4 +1,4 @@
-//! Events: planned changes of the weather and faults.
+//! Reads events: planned changes of the weather, and faults.
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ impl Assembly<'_, '_> {
             None => {
                 let path = table.path_of(EventKey::VESSEL);
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
-                Err(error.with_help("name the body of the vessel"))
+                Err(error.with_help("name the body of the vessel in `vessel`"))
             }
         };
         let change = if let Some(fault) = table.item(EventKey::FAULT) {
@@ -62,14 +62,14 @@ impl Assembly<'_, '_> {
         Ok(PlannedChange { at_s: *table.given(EventKey::AT).number(), change })
     }
 
-    /// The one key that says what happens.
+    /// The one key of an event that says what happens.
     fn what_happens<'t>(&self, table: Of<'t, EventKey>) -> Checked<Entry<'t, Anything>> {
         let mut given = WHAT.iter().filter_map(|key| table.item(*key));
         match (given.next(), given.next()) {
             (Some(what), None) => Ok(what),
             (Some(_), Some(second)) => {
                 let path = table.path_to(second);
-                let message = format!("`{path}`: a second event in one table");
+                let message = format!("`{path}` is a second event in one table");
                 let error = self.sources.error(&second.key_span, &path, message);
                 Err(error.with_help("write a second [[event]]"))
             }
@@ -82,7 +82,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses keys that the event does not use.
+    /// Refuses keys that do not apply to this kind of event.
     fn check_beside<V>(&self, table: Of<'_, EventKey>, what: Entry<'_, V>) -> Checked<()> {
         if !OF_VESSEL.iter().any(|key| what.is(*key)) {
             self.none_of(table, any_keys![EventKey: VESSEL], what.name)?;
@@ -96,7 +96,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// The number of a thruster or an azimuth unit.
+    /// The index of the thruster or azimuth unit that an event names.
     fn thruster<T>(
         &self,
         table: Of<'_, T>,
@@ -119,7 +119,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// A change of wind, current or visibility.
+/// Reads a change of wind, current or visibility.
 fn of_weather(event: Of<'_, EventKey>) -> Change {
     if let Some(wind) = event.item(EventKey::WIND).map(Entry::table) {
         return Change::Wind {
@@ -137,7 +137,8 @@ fn of_weather(event: Of<'_, EventKey>) -> Change {
         };
     }
     let visibility = event.item(EventKey::VISIBILITY).map(Entry::table);
-    let visibility = visibility.unwrap_or_else(|| unreachable!("all other words are above"));
+    let visibility =
+        visibility.unwrap_or_else(|| unreachable!("all other kinds of events were handled above"));
     Change::Visibility {
         distance_m: visibility.item(VisibilityChangeKey::DISTANCE).map(|of| *of.number()),
         over_s: *visibility.given(VisibilityChangeKey::OVER).number(),

@@ -105,7 +105,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The conditions that the word of the goal stands for.
+    /// The conditions for which the word of the goal stands.
     fn goal(
         &self,
         table: Of<'_, ExerciseKey>,
@@ -133,7 +133,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Refuses keys that the goal does not use.
+    /// Refuses keys that do not apply to the goal of the exercise.
     fn check_keys_of_goal(&self, table: Of<'_, ExerciseKey>, word: GoalWord) -> Checked<()> {
         let unused = word.unused().iter();
         let given = unused.filter_map(|key| table.item(*key)).find(|item| !item.is_default);
@@ -184,7 +184,7 @@ impl Assembly<'_, '_> {
         Ok(Condition::LinesFast { lines, at_least, tension_n })
     }
 
-    /// How many of the lines or anchors that count are needed; `None` without a number.
+    /// How many of the counted lines or anchors the goal needs; `None` if the scenario gives no number.
     fn at_least(
         &self,
         table: Of<'_, ExerciseKey>,
@@ -194,7 +194,8 @@ impl Assembly<'_, '_> {
         let Some(item) = table.item(ExerciseKey::AT_LEAST) else { return Ok(None) };
         let (number, path) = (*item.number(), table.path_of(ExerciseKey::AT_LEAST));
         if number.fract() != 0.0 || number > of as f64 {
-            let message = format!("`{path}`: {number} is not a whole number of up to {of} {what}");
+            let message =
+                format!("`{path}` must be a whole number of at most {of} {what}, but is {number}");
             return Err(self.sources.error(&item.span, &path, message));
         }
         Ok(Some(number as usize))
@@ -238,7 +239,8 @@ impl Assembly<'_, '_> {
             if enough < at_least {
                 let path = table.path_of(ExerciseKey::CHAIN_OUT);
                 let message = format!(
-                    "`{path}`: {enough} of the anchors have a chain of {chain_m} m, but {at_least} are needed"
+                    "`{path}`: {enough} of the anchors have a chain of {chain_m} m, but the goal \
+                     needs {at_least} such anchors"
                 );
                 return Err(self.sources.error(&item.span, &path, message));
             }
@@ -246,7 +248,7 @@ impl Assembly<'_, '_> {
         Ok(Condition::AnchorsHold { anchors, at_least, chain_m, place: self.anchor_place(table)? })
     }
 
-    /// Where anchors must lie: `distance` goes with `position`.
+    /// Reads where anchors must lie; the key `distance` needs the key `position`.
     fn anchor_place(&self, table: Of<'_, ExerciseKey>) -> Checked<Option<AnchorPlace>> {
         let within_m = table.item(ExerciseKey::DISTANCE).map(|item| *item.number());
         match (table.item(ExerciseKey::POSITION), table.item(ExerciseKey::DISTANCE)) {
@@ -263,7 +265,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Things of the scenario by their names, each once: `what` is their kind, `all` the names.
+    /// Finds things of the scenario, such as lines, by a list of names that has each name once. `what` is the kind of
+    /// thing, `all` the names of all things of this kind.
     fn named<T>(
         &self,
         table: Of<'_, T>,
@@ -315,10 +318,17 @@ impl Assembly<'_, '_> {
             body.is_fixed() && berth.is_none_or(|berth| berth.body != index)
         };
         if measure == Measure::Clearance && !setup.bodies.iter().enumerate().any(is_structure) {
-            self.note(table, "no effect: never exceeded, as there is no fixed body but the berth");
+            self.note(
+                table,
+                "no effect: the limit is never exceeded, because there is no fixed body but the \
+                 berth",
+            );
         }
         if measure == Measure::UnderKeel && setup.world.environment.is_deep() {
-            self.note(table, "no effect: never exceeded, as `[environment]` has no `depth`");
+            self.note(
+                table,
+                "no effect: the limit is never exceeded, because `[environment]` has no `depth`",
+            );
         }
         let number = |name: Key<_, Number>| table.item_if_any(name).map(|item| *item.number());
         let (bound, worst) = match measure {
@@ -336,8 +346,7 @@ impl Assembly<'_, '_> {
             let path = table.path_of(ScoreKey::WORST);
             let side = if measure.is_least() { "above `least`" } else { "below `most`" };
             let message = format!(
-                "`{path}` is {side}: the value that costs all points must be the worse \
-                    value"
+                "`{path}` is {side}, but the value that costs all points must be the worse value"
             );
             return Err(self.sources.error(&table.given(ScoreKey::WORST).span, &path, message));
         }
@@ -352,7 +361,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The lines of a ship: the lines whose fairlead is on the ship.
+/// The indices of a ship's lines, which are the lines whose fairlead is on the ship.
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

@@ -1,4 +1,4 @@
-//! Partial factors of the user.
+//! Reads the user's partial factors.
 
 use fenderline_sim::factors::PartialFactors;
 
@@ -9,7 +9,7 @@ use fenderline_keys::keys::factors::FactorsKey;
 use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
-    /// The factors of a scenario; none without its table.
+    /// Reads the partial factors of a scenario; there are no factors if the scenario has no table `[factors]`.
     pub(super) fn factors(&self, table: Option<Of<'_, FactorsKey>>) -> Checked<PartialFactors> {
         let Some(table) = table else { return Ok(PartialFactors::default()) };
         let number = |key: Key<_, Number>| table.item(key).map(|item| *item.number());
@@ -21,8 +21,9 @@ impl Assembly<'_, '_> {
             let given = table.item(key).filter(|item| !item.is_default);
             if let (Some(item), None) = (given, table.item(other)) {
                 let path = table.path_of(key);
-                let message =
-                    format!("`{path}` needs `{other}`: without that factor this key does nothing");
+                let message = format!(
+                    "`{path}` needs the factor `{other}`, without which this key does nothing"
+                );
                 return Err(self.sources.error(&item.key_span, &path, message));
             }
         }
@@ -40,13 +41,15 @@ impl Assembly<'_, '_> {
                 &table.path,
                 format!("`{}` has no factor", table.path),
             );
-            return Err(error.with_help("give `energy`, `reaction` or `line_load`"));
+            return Err(
+                error.with_help("give one of the factors `energy`, `reaction` and `line_load`")
+            );
         }
         factors.check().map_err(|error| self.wrong(table, &error))?;
         Ok(factors)
     }
 
-    /// Notes factors without a fender or line to which they could apply.
+    /// Warns of partial factors for fenders or lines if the scenario has no fenders or lines.
     pub(super) fn note_factors(
         &mut self,
         table: Option<Of<'_, FactorsKey>>,
@@ -63,7 +66,7 @@ impl Assembly<'_, '_> {
                 self.note_item(
                     table,
                     item,
-                    &format!("the scenario has no {what}: the factor does nothing"),
+                    &format!("the factor does nothing, because the scenario has no {what}"),
                 );
             }
         }

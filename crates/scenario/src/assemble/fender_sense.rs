@@ -1,5 +1,5 @@
-//! Notices of fenders whose numbers do not fit each other: newtons for kilonewtons, a face nearer to the quay than the
-//! fender is high.
+//! Warnings about fenders whose numbers do not fit each other, such as newtons in place of kilonewtons, or a face
+//! nearer to the quay than the fender is high.
 
 use fenderline_sim::FenderSetup;
 
@@ -12,11 +12,11 @@ use fenderline_keys::held::Text;
 use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::rating::odd_reaction;
 
-/// Fenders are usually less high than this (m): the largest pneumatic fenders of ISO 17357 have 4.5 m.
+/// Height below which fenders usually are (m); the largest pneumatic fenders of ISO 17357 have 4.5 m.
 const HIGH_M: f64 = 6.0;
 
 impl Assembly<'_, '_> {
-    /// Notes fenders whose reaction, height and projection do not fit each other.
+    /// Warns of fenders whose reaction, height and projection do not fit each other.
     pub(super) fn note_odd_fenders(
         &mut self,
         tables: Tables<'_, FenderKey>,
@@ -31,8 +31,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes a rated reaction that does not fit the height of a fender of the library, and a projection that does not
-    /// fit.
+    /// For a fender of the library: warns of a rated reaction or a projection that does not fit the fender's height.
     fn note_odd_size(
         &mut self,
         table: Of<'_, FenderKey>,
@@ -58,8 +57,8 @@ impl Assembly<'_, '_> {
         }
         if let Some(item) = table.item(FenderKey::HEIGHT).filter(|_| height_m > HIGH_M) {
             let message = format!(
-                "a fender {} m high is higher than those of catalogues; the height is measured in the direction of \
-                 compression, in metres",
+                "a fender {} m high is higher than the fenders of catalogues; the height is \
+                 measured in the direction of compression, in metres",
                 rounded(height_m)
             );
             self.note_at(&item.span, table.path_to(item), message);
@@ -68,8 +67,8 @@ impl Assembly<'_, '_> {
             table.item(FenderKey::PROJECTION).filter(|item| *item.number() < height_m - 1e-9)
         {
             let message = format!(
-                "the face is {} m from the mounting, but the fender itself is {} m high: at least \
-                 the fender's height plus the panel's thickness was expected",
+                "the face is {} m from the mounting, but the fender itself is {} m high: the \
+                 distance should be at least the fender's height plus the panel's thickness",
                 rounded(*item.number()),
                 rounded(height_m)
             );
@@ -77,8 +76,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes a fender with a `stiffness` or a `curve` whose reaction at the rated deflection, or whose end of the
-    /// curve, is unusual.
+    /// For a fender with a `stiffness` or a `curve`: warns of an unusual reaction at the rated deflection, or an
+    /// unusual end of the curve.
     fn note_weak_law(&mut self, table: Of<'_, FenderKey>, fender: &FenderSetup) {
         let curve = table.item(FenderKey::CURVE);
         let Some(item) = table.first_of(any_keys![FenderKey: CURVE, STIFFNESS]) else { return };
@@ -93,7 +92,8 @@ impl Assembly<'_, '_> {
         {
             let message = format!(
                 "the curve goes on to a deflection of {} m, but the face is only {} m from the \
-                 mounting: the hull would strike the body itself before that",
+                 mounting: the hull would strike the body behind the fender before the end of the \
+                 curve",
                 rounded(end_m),
                 rounded(fender.projection_m)
             );

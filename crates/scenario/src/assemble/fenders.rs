@@ -1,4 +1,4 @@
-//! Fenders: from their tables and the fender data to a set-up.
+//! Turns the tables of fenders and the fender data into the set-up of the fenders.
 
 use fenderline_contact::{Rotation, Stop, vec2};
 use fenderline_sim::{BodySetup, FenderSetup, HullPressure, NamedMaterial};
@@ -121,13 +121,13 @@ impl Assembly<'_, '_> {
                 let path = table.path_to(own);
                 let message = format!("`{path}` does not go together with `belting`");
                 let error = self.sources.error(&own.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
+                return Err(error.with_help("keep only one of the two keys"));
             }
             return self.belting(table, item, deck);
         }
         let given = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
         let missing = |key: AnyKey<FenderKey>| {
-            self.missing(table, key, "give position and width, or a `belting`")
+            self.missing(table, key, "give the fender a `position` and a `width`, or a `belting`")
         };
         let position_m = *table
             .item(FenderKey::POSITION)
@@ -136,8 +136,8 @@ impl Assembly<'_, '_> {
         let facing_rad = match given(FenderKey::FACING) {
             Some(facing_rad) => facing_rad,
             None => facing_rad(&body.outline, position_m).ok_or_else(|| {
-                let help = "the fender does not stand on an edge or at a corner of its body's outline: give the \
-                            direction";
+                let help = "the fender does not stand on an edge or at a corner of its body's \
+                            outline: give its direction in `facing`";
                 self.missing(table, FenderKey::FACING, help)
             })?,
         };
@@ -170,8 +170,7 @@ impl Assembly<'_, '_> {
         let span = table.item(FenderKey::FACING).map_or(&table.span, |item| &item.item().span);
         let name = quoted(&body.name);
         let message = format!(
-            "`{path}`: the fender faces into {name}, the body that carries the \
-            fender"
+            "`{path}`: the fender faces into {name}, which is the body that carries the fender"
         );
         let error = self.sources.error(span, &path, message);
         let out_of_edge = facing_rad(&body.outline, face.middle_m);
@@ -181,7 +180,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// Refuses keys that give one thing twice, and keys of catalogue fenders on a fender without a type.
+    /// Refuses two keys that give the same thing, and keys of catalogue fenders on a fender without a type.
     fn refuse_what_does_not_go_together(&self, table: Of<'_, FenderKey>) -> Checked<()> {
         const TWICE: [&[AnyKey<FenderKey>; 2]; 12] = [
             any_keys![FenderKey: COUNT, CONES],
@@ -202,7 +201,7 @@ impl Assembly<'_, '_> {
                 let path = table.path_of(two);
                 let message = format!("`{path}` does not go together with `{one}`");
                 let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
+                return Err(error.with_help("keep only one of the two keys"));
             }
         }
         if table.item(FenderKey::TYPE).is_some() {
@@ -215,7 +214,8 @@ impl Assembly<'_, '_> {
         for &name in OF_A_TYPE {
             if let Some(item) = table.item(name) {
                 let path = table.path_of(name);
-                let message = format!("`{path}` is for fenders of a `type`, but this one has none");
+                let message =
+                    format!("`{path}` is for fenders of a `type`, but this fender has no `type`");
                 let error = self.sources.error(&item.key_span, &path, message);
                 return Err(error.with_help(format!("remove `{name}` or give a `type`")));
             }
@@ -247,9 +247,9 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Height of the face (m), and the kind of pressure on the hull. A pneumatic fender has no panel: the
-/// height is the diameter, unless the scenario gives another height. For a panel without a given height no
-/// pressure is computed, unless a permissible pressure is given: then the height equals the width.
+/// Height of the fender's face (m), and how the pressure on the hull is computed. A pneumatic fender has no panel: the
+/// height of its face is the diameter, unless the scenario gives another height. For a panel without a given height the
+/// program computes no pressure, unless the scenario gives a permissible pressure: then the height equals the width.
 fn face_height(
     table: Of<'_, FenderKey>,
     face: &Belting,

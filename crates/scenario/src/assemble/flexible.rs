@@ -1,4 +1,4 @@
-//! Flexible dolphins: from their tables to a set-up.
+//! Turns the tables of flexible dolphins into their set-up.
 
 use fenderline_sim::{DolphinSetup, SteelPiles};
 
@@ -11,40 +11,47 @@ use fenderline_keys::keys::body::BodyKey;
 use fenderline_keys::keys::dolphin::DolphinKey;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// Keys of steel piles, and keys whose values follow from them.
+/// Keys of steel piles, and keys of a dolphin whose values follow from the piles.
 const OF_PILES: &[AnyKey<DolphinKey>] = any_keys![
     DolphinKey: DIAMETER, WALL, LENGTH, PILES, MODULUS, YIELD_STRESS, HEAD_MASS
 ];
 const GIVEN_BY_PILES: &[AnyKey<DolphinKey>] = any_keys![DolphinKey: MASS, YIELD_LOAD];
 
-/// Plausible periods (s). A slender monopile with a heavy head has some 2 s.
+/// Plausible natural periods of a dolphin (s). A slender monopile with a heavy head has a natural period of about 2 s.
 const PERIODS_S: [f64; 2] = [0.05, 20.0];
-/// A softer dolphin would bend by metres under a ship (N/m).
+/// Least plausible stiffness of a dolphin (N/m); a softer dolphin would bend by metres under a ship.
 const SOFTEST_NPM: f64 = 1e5;
 
 impl Assembly<'_, '_> {
-    /// The pile of a body that is a flexible dolphin.
+    /// Reads the piles of a body that is a flexible dolphin; `None` for any other body.
     pub(super) fn dolphin(&mut self, body: Of<'_, BodyKey>) -> Checked<Option<DolphinSetup>> {
         let Some(item) = body.item(BodyKey::DOLPHIN) else { return Ok(None) };
         let fixed = body.given(BodyKey::FIXED);
         if *fixed.flag() && !fixed.is_default {
             let path = body.path_of(BodyKey::FIXED);
-            let message = format!("`{path}` does not go together with `dolphin`, which bends");
+            let message =
+                format!("`{path}` does not go together with `dolphin`, because a dolphin bends");
             let error = self.sources.error(&fixed.key_span, &path, message);
-            return Err(error.with_help("remove one of the two"));
+            return Err(error.with_help("remove one of the two keys"));
         }
         let table = item.table();
         let damping_ratio = *table.given(DolphinKey::DAMPING).number();
         let given = |name: Key<_, Number>| table.item(name).map(|item| *item.number());
         let dolphin = if let Some(stiffness_npm) = given(DolphinKey::STIFFNESS) {
-            self.refuse(table, OF_PILES, "`stiffness`, which they would give")?;
+            self.refuse(table, OF_PILES, |path| {
+                format!(
+                    "`{path}` does not go together with `stiffness`, which follows from the piles"
+                )
+            })?;
             let mass_kg = given(DolphinKey::MASS)
                 .ok_or_else(|| self.missing(table, DolphinKey::MASS, "write mass = \"60 t\""))?;
             let yield_load_n = given(DolphinKey::YIELD_LOAD);
             DolphinSetup { mass_kg, stiffness_npm, damping_ratio, yield_load_n }
         } else {
             let piles = self.steel_piles(table)?;
-            self.refuse(table, GIVEN_BY_PILES, "`diameter`: it follows from the piles")?;
+            self.refuse(table, GIVEN_BY_PILES, |path| {
+                format!("`{path}` does not go together with `diameter`: the piles give this value")
+            })?;
             DolphinSetup {
                 mass_kg: given(DolphinKey::HEAD_MASS).unwrap_or(0.0) + piles.moving_mass_kg(),
                 stiffness_npm: piles.stiffness_npm(),
@@ -82,12 +89,12 @@ impl Assembly<'_, '_> {
                 piles.wall_m, piles.diameter_m
             );
             let error = self.sources.error(&table.given(DolphinKey::WALL).span, &path, message);
-            return Err(error.with_help("the wall of a tube, as \"40 mm\""));
+            return Err(error.with_help("give the thickness of the tube's wall, as \"40 mm\""));
         }
         Ok(piles)
     }
 
-    /// A whole number; 1 unless given.
+    /// Reads a whole number; 1 if the file does not give the key.
     fn whole(&self, table: Of<'_, DolphinKey>, name: Key<DolphinKey, Number>) -> Checked<u32> {
         let Some(item) = table.item(name) else { return Ok(1) };
         let number = *item.number();
@@ -103,16 +110,18 @@ impl Assembly<'_, '_> {
         &self,
         table: Of<'_, DolphinKey>,
         keys: &[AnyKey<DolphinKey>],
-        with: &str,
+        message: fn(&str) -> String,
     ) -> Checked<()> {
         let Some(item) = keys.iter().find_map(|key| table.item(*key)) else { return Ok(()) };
         let path = table.path_to(item);
-        let message = format!("`{path}` does not go together with {with}");
-        let error = self.sources.error(&item.key_span, &path, message);
-        Err(error.with_help("give `stiffness` and `mass`, or `diameter`, `wall` and `length`"))
+        let error = self.sources.error(&item.key_span, &path, message(&path));
+        Err(error.with_help(
+            "give the dolphin `stiffness` and `mass`, or `diameter`, `wall` and \
+                             `length` of its piles",
+        ))
     }
 
-    /// Notes a stiffness or mass that does not fit a dolphin.
+    /// Warns of a stiffness or mass that does not fit a dolphin.
     fn note_dolphin(&mut self, table: Of<'_, DolphinKey>, dolphin: &DolphinSetup) {
         let is_by_stiffness = table.item(DolphinKey::STIFFNESS).is_some();
         let key = if is_by_stiffness { DolphinKey::STIFFNESS } else { DolphinKey::DIAMETER };

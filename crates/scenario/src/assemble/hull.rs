@@ -1,4 +1,4 @@
-//! The hull by height: from a body's outlines at several heights.
+//! Builds a hull from a body's outlines at several heights.
 
 use fenderline_contact::Outline;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
@@ -14,11 +14,11 @@ use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::keys::hull::OutlineAtHeightKey;
 use fenderline_keys::sources::quoted;
 
-/// How far above the water the sides of a vessel with one outline reach (m): higher than any fender.
+/// Height above the water to which the sides of a vessel with one outline reach (m); it is higher than any fender.
 const HIGH_M: f64 = 60.0;
 
 impl Assembly<'_, '_> {
-    /// The body's outlines by height; `None` for a body with one outline.
+    /// Reads the outlines of a body at several heights; `None` for a body with one outline.
     pub(super) fn hull(
         &self,
         table: Of<'_, BodyKey>,
@@ -29,7 +29,8 @@ impl Assembly<'_, '_> {
             return match draught {
                 None => Ok(None),
                 Some(draught) => {
-                    Err(self.draught_refused(table, draught, "is for a body with `outlines`"))
+                    let why = |path: &str| format!("`{path}` is for a body with `outlines`");
+                    Err(self.draught_refused(table, draught, why))
                 }
             };
         };
@@ -37,23 +38,32 @@ impl Assembly<'_, '_> {
             let path = table.path_to(outline);
             let message = format!("`{path}` does not go together with `outlines`");
             let error = self.sources.error(&outline.key_span, &path, message);
-            return Err(error.with_help("keep one of the two"));
+            return Err(error.with_help("keep only one of the two keys"));
         }
         let fixed = *table.given(BodyKey::FIXED).flag();
         let draught_m = match (fixed, kind, draught) {
             (true, _, Some(draught)) => {
-                let why = "is for floating bodies: heights on a fixed one are above datum";
+                let why = |path: &str| {
+                    format!(
+                        "`{path}` is for floating bodies: heights on a fixed body are above datum"
+                    )
+                };
                 return Err(self.draught_refused(table, draught, why));
             }
             (true, _, None) => 0.0,
             (false, Some(_), Some(draught)) => {
-                let why = "does not go together with `vessel`, whose draught it is";
+                let why = |path: &str| {
+                    format!(
+                        "`{path}` does not go together with `vessel`, which has its own draught"
+                    )
+                };
                 return Err(self.draught_refused(table, draught, why));
             }
             (false, Some(kind), None) => kind.draught_m(),
             (false, None, Some(draught)) => *draught.number(),
             (false, None, None) => {
-                let help = "write draught = \"9 m\": heights of `outlines` are above the keel";
+                let help =
+                    "write draught = \"9 m\", because the heights of `outlines` are above the keel";
                 return Err(self.missing(table, BodyKey::DRAUGHT, help));
             }
         };
@@ -65,8 +75,8 @@ impl Assembly<'_, '_> {
         hull.map(Some).map_err(|error| self.no_hull(table, item, fixed, &error))
     }
 
-    /// Vertical sides with one outline, for a vessel whose heave, roll and pitch move the sides at fenders. The
-    /// upper end of the sides is not known, so the sides are taken to be high.
+    /// Makes a hull with vertical sides from one outline, for a vessel whose heave, roll and pitch move her sides at
+    /// the fenders. The upper end of these sides is not known, so the program takes the sides to be high.
     pub(super) fn vertical_sides<T>(
         &self,
         table: Of<'_, T>,
@@ -83,13 +93,13 @@ impl Assembly<'_, '_> {
         &self,
         table: Of<'_, T>,
         draught: Entry<'_, V>,
-        why: &str,
+        why: fn(&str) -> String,
     ) -> ScenarioError {
         let path = table.path_to(draught);
-        self.sources.error(&draught.key_span, &path, format!("`{path}` {why}"))
+        self.sources.error(&draught.key_span, &path, why(&path))
     }
 
-    /// The error for outlines that do not form a hull, at the outline that causes the error.
+    /// The error for outlines that do not form a hull; it points to the outline that causes the error.
     fn no_hull<T>(
         &self,
         table: Of<'_, T>,
@@ -115,23 +125,37 @@ impl Assembly<'_, '_> {
         };
         let complaint = self.sources.error(span, &path, format!("`{path}`: {error}"));
         complaint.with_help(match error {
-            HullError::TooFew { .. } => "give a second outline, or one `outline` for a hull with vertical sides",
+            HullError::TooFew { .. } => {
+                "give a second outline in `outlines`, or one `outline` for \
+                a hull with vertical sides"
+            }
             HullError::TooMany { .. } => "two or three outlines are enough for most hulls",
-            HullError::TooManyVertices { .. } => "leave out vertices where the side is nearly straight",
-            HullError::NotAscending { .. } => "write the lowest outline first",
+            HullError::TooManyVertices { .. } => {
+                "leave out vertices where the side is nearly \
+                straight"
+            }
+            HullError::NotAscending { .. } => {
+                "write the lowest outline first, and the others with \
+                rising heights"
+            }
             HullError::BadOutline { .. } => "an outline is a polygon whose sides do not cross",
             HullError::TurnsBack { .. } => "give the same number of vertices in every outline",
             HullError::Crossing { .. } => {
-                "vertex n of one outline must be at the same place of the hull as vertex n of the next"
+                "vertex n of one outline must be at the same place of the hull as vertex n of the \
+                 next"
             }
-            HullError::WaterlineOutside { .. } if fixed => "heights on a fixed body are above datum; add an outline",
+            HullError::WaterlineOutside { .. } if fixed => {
+                "heights of `outlines` on a fixed body \
+                are above datum; add an outline"
+            }
             HullError::WaterlineOutside { .. } => {
-                "heights are above the keel, so the waterline is at the draught; add an outline above or below it"
+                "heights of `outlines` are above the keel, so the waterline is at the height of \
+                 the draught; add an outline above or below this height"
             }
         })
     }
 
-    /// Notices about fenders that lie outside the heights of a hull, at some level of the water.
+    /// Warns of fenders that, at some level of the water, lie above or below all outlines of a hull.
     pub(super) fn note_outside_hulls(&mut self, fenders: Tables<'_, FenderKey>, setup: &Setup) {
         let levels_m = setup.world.environment.level_range_m();
         // First of all the few bodies with a hull by height: fenders times bodies times pairs may be very many.
@@ -143,23 +167,19 @@ impl Assembly<'_, '_> {
                 if index == fender.body || !setup.may_touch([index, fender.body]) {
                     continue;
                 }
-                let Some(outside) = outside(fender, host, body, levels_m) else { continue };
+                let Some(message) = outside(fender, host, body, levels_m) else { continue };
                 let above = table.item_if_any(FenderKey::ABOVE_WATER);
                 let (span, key) = match above {
                     Some(item) => (&item.item().span, table.path_to(item)),
                     None => (&table.span, table.path.clone()),
                 };
-                let message = format!(
-                    "{outside} of {}: at rest there is no contact at this fender",
-                    quoted(&body.name)
-                );
                 self.notices.push(Notice { place: self.sources.place(span), key, message });
             }
         }
     }
 }
 
-/// The place of a fender that misses a hull at rest at some level of the water; `None` if the fender meets the
+/// A message about a fender that misses a hull at rest at some level of the water; `None` if the fender meets the
 /// hull at every level.
 fn outside(
     fender: &FenderSetup,
@@ -180,7 +200,11 @@ fn outside(
     let from = if body.is_fixed() { "datum" } else { "the keel" };
     heights_m.into_iter().find_map(|height_m| {
         let off = |words: &str, end_m: f64| {
-            format!("it is {height_m:.2} m above {from}, {words} outline, at {end_m} m,")
+            format!(
+                "the fender is {height_m:.2} m above {from}, {words} outline, at {end_m} m, of {}: \
+                 at rest there is no contact at this fender",
+                quoted(&body.name)
+            )
         };
         if height_m - half_m > high_m {
             return Some(off("above the highest", high_m));

@@ -1,5 +1,6 @@
-//! Notices of keys that have no effect in this scenario, whatever happens in the run. The criterion is in
-//! `docs/design/files.md`; `crates/wasm/tests/keys_without_effect.rs` looks for keys that are missing here.
+//! Warns of keys that have no effect in a scenario, whatever happens in the run. `docs/design/files.md` says when a key
+//! counts as without effect; `crates/wasm/tests/keys_without_effect.rs` looks for keys without effect that get no
+//! warning.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +28,7 @@ use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
-    /// Notices of all keys that the set-up does not use.
+    /// Adds warnings about all keys that the set-up does not use.
     pub(super) fn note_idle_keys(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -43,19 +44,19 @@ impl Assembly<'_, '_> {
         self.note_after_the_end(file, setup.duration_s);
     }
 
-    /// A notice that a key has no effect, if the file gives the key.
+    /// Adds a warning that a key has no effect, if the file gives the key.
     pub(super) fn note_idle<T, V>(&mut self, table: Of<'_, T>, key: Key<T, V>, why: &str) {
         if let Some(item) = table.item_if_any(key).filter(|item| !item.is_default) {
             self.note_at(&item.span, table.path_of(key), format!("{NO_EFFECT}{why}"));
         }
     }
 
-    /// A notice that a table has no effect.
+    /// Adds a warning that a table has no effect.
     pub(super) fn note_idle_table<T>(&mut self, table: Of<'_, T>, why: &str) {
         self.note_at(&table.span, table.path.clone(), format!("{NO_EFFECT}{why}"));
     }
 
-    /// Notes numbers of materials that pairs and fenders do not use.
+    /// Warns of numbers of materials that pairs and fenders do not use.
     pub(super) fn note_idle_materials(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -74,7 +75,8 @@ impl Assembly<'_, '_> {
             }
             let has_area_law = own.iter().any(|(fender, _)| fender.law == FenderLaw::Area);
             if !is_of_pair && !has_area_law && *table.given(MaterialKey::STIFFNESS).number() > 0.0 {
-                let why = "the fenders of this material have laws of their own, and no pair uses it; write stiffness = 0";
+                let why = "the fenders of this material have their own laws of reaction, and no \
+                           pair uses the material; write stiffness = 0";
                 self.note_idle(table, MaterialKey::STIFFNESS, why);
             }
             let resistance = |of: Of<'_, FenderKey>| {
@@ -82,25 +84,27 @@ impl Assembly<'_, '_> {
             };
             let slides = is_of_pair || own.iter().any(|(_, of)| resistance(*of).is_none());
             if !slides {
-                let why = "all fenders of this material have a `rolling_resistance` instead";
+                let why =
+                    "all fenders of this material have a `rolling_resistance` in place of friction";
                 self.note_idle(table, MaterialKey::FRICTION_STATIC, why);
                 self.note_idle(table, MaterialKey::FRICTION_DYNAMIC, why);
             }
             let friction = *table.given(MaterialKey::FRICTION_STATIC).number();
             let rolls = own.iter().filter_map(|(_, of)| resistance(*of)).any(|of| of > 0.0);
             if !(rolls || slides && friction > 0.0) {
-                let why = "the material has no `friction_static`, and the shear spring carries no more than friction allows";
+                let why = "the material has no `friction_static`, and the shear spring carries no \
+                           more than friction allows";
                 self.note_idle(table, MaterialKey::SHEAR_STIFFNESS, why);
             }
         }
     }
 
-    /// Notes wind, current and waves that act on nothing, and numbers of them that are not used.
+    /// Warns of wind, current and waves that act on nothing, and of their numbers that are not used.
     fn note_idle_weather(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let environment = file.given(ScenarioKey::ENVIRONMENT).table();
         let vessels = &setup.world.vessels;
         if vessels.is_empty() {
-            let why = "it acts on vessels, and no body has a `vessel`";
+            let why = "this key acts on vessels only, and no body has a `vessel`";
             let keys = any_keys![EnvironmentKey: WIND, AIR_DENSITY, CURRENT, WAVES, SQUAT, BANK];
             for &key in keys {
                 self.note_idle(environment, key, why);
@@ -110,7 +114,7 @@ impl Assembly<'_, '_> {
             self.note_idle(environment, EnvironmentKey::WIND, why);
             self.note_idle(environment, EnvironmentKey::AIR_DENSITY, why);
         } else if setup.world.environment.wind.is_none() && !has_wind_event(setup) {
-            let why = "there is no wind, and no event that lets it blow";
+            let why = "there is no wind, and no event sets a wind";
             self.note_idle(environment, EnvironmentKey::AIR_DENSITY, why);
         }
         if let Some(wind) = environment.item(EnvironmentKey::WIND).map(Entry::table)
@@ -128,7 +132,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes numbers of the flow about ships that no flow uses.
+    /// Warns of numbers for the flow about ships if there is no such flow.
     fn note_idle_flow(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let interaction =
             file.given(ScenarioKey::ENVIRONMENT).table().given(EnvironmentKey::INTERACTION).table();
@@ -139,7 +143,7 @@ impl Assembly<'_, '_> {
             self.note_idle(interaction, InteractionKey::SECTIONS, why);
         }
         if setup.world.vessels.len() < 2 {
-            let why = "interaction needs two vessels, and there are fewer";
+            let why = "interaction needs two vessels, and the scenario has fewer";
             self.note_idle(interaction, InteractionKey::BETWEEN_VESSELS, why);
         }
         for (_, ship) in file.given(ScenarioKey::PASSING).named() {
@@ -150,7 +154,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes kinds of vessels that no body has, and numbers that other numbers replace.
+    /// Warns of kinds of vessels that no body has, and of numbers of vessels that other numbers replace.
     fn note_idle_vessels(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let has_waves = setup.world.environment.sea.is_some();
         let bodies = file.given(ScenarioKey::BODY).named().iter();
@@ -167,7 +171,7 @@ impl Assembly<'_, '_> {
                 self.note_idle(
                     table,
                     VesselKey::STABILITY,
-                    "the stability data of `hydrodynamics` are used",
+                    "the stability data of `hydrodynamics` are used instead",
                 );
             }
             if !has_waves {
@@ -179,12 +183,12 @@ impl Assembly<'_, '_> {
         {
             self.note_idle_table(
                 study.table(),
-                "there are no fenders, and the study is that of a berthing against them",
+                "the scenario has no fenders against which the ship could berth",
             );
         }
     }
 
-    /// Notes keys of anchors that other keys replace.
+    /// Warns of keys of anchors that other keys replace.
     fn note_idle_anchors(&mut self, file: Of<'_, ScenarioKey>) {
         for (_, anchor) in file.given(ScenarioKey::ANCHOR).named() {
             if anchor.item(AnchorKey::HOLDING_FACTOR).is_some() {
@@ -198,14 +202,14 @@ impl Assembly<'_, '_> {
                     BowSide::Starboard => across_m < 0.0,
                 };
                 if is_other {
-                    let why = "the hawse pipe of `hawse` is on the other side";
+                    let why = "the key `hawse` puts the hawse pipe on the other side of the bow";
                     self.note_idle(anchor, AnchorKey::SIDE, why);
                 }
             }
         }
     }
 
-    /// Notes keys of fenders for parts that the fender does not have.
+    /// Warns of keys for parts of a fender that the fender does not have.
     fn note_idle_fenders(&mut self, tables: Tables<'_, FenderKey>, setup: &Setup) {
         let level_m = setup.world.environment.level_range_m();
         for ((_, table), fender) in tables.iter().zip(&setup.fenders) {
@@ -219,13 +223,17 @@ impl Assembly<'_, '_> {
                     let why = "the body that carries the fender floats";
                     self.note_idle(table, FenderKey::FLOATING, why);
                 } else if level_m == [0.0, 0.0] {
-                    self.note_idle(table, FenderKey::FLOATING, "the water stays at datum");
+                    self.note_idle(
+                        table,
+                        FenderKey::FLOATING,
+                        "the level of the water stays at datum",
+                    );
                 }
             }
         }
     }
 
-    /// Notes limits of things that the scenario does not have.
+    /// Warns of limits of lines or fenders if the scenario has no lines or fenders.
     fn note_idle_limits(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let limits =
             file.given(ScenarioKey::LIMIT).named().iter().zip(&setup.world.statistics.limits);
@@ -242,9 +250,9 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// What is planned for a time after the end of the run.
+    /// Warns of orders, events, loads and lines that are planned for a time after the end of the run.
     fn note_after_the_end(&mut self, file: Of<'_, ScenarioKey>, duration_s: f64) {
-        let why = format!("the run ends before, at {duration_s} s");
+        let why = format!("the run ends before this time, at {duration_s} s");
         for load in file.given(ScenarioKey::LOAD).list() {
             if load.item(LoadKey::UNTIL).is_some_and(|item| *item.number() >= duration_s) {
                 self.note_idle(load, LoadKey::UNTIL, &why);
@@ -271,7 +279,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Whether an event of the scenario lets the wind blow.
+/// Whether an event of the scenario sets a wind.
 fn has_wind_event(setup: &Setup) -> bool {
     setup.world.planned.iter().any(|planned| matches!(planned.change, Change::Wind { .. }))
 }

@@ -1,4 +1,4 @@
-//! Statistics of motions, and limits.
+//! Reads the statistics of motions, and the limits.
 
 use fenderline_sim::VesselSetup;
 use fenderline_sim::statistics::{LimitSetup, Limited, StatisticsSetup};
@@ -26,7 +26,7 @@ impl Assembly<'_, '_> {
             let duration_s =
                 *file.given(ScenarioKey::TIME).table().given(TimeKey::DURATION).number();
             if *from.number() >= duration_s {
-                return Err(self.refused(item.table(), from, &"the run has ended by then"));
+                return Err(self.refused(item.table(), from, &"the run ends before this time"));
             }
         }
         let limits =
@@ -52,7 +52,7 @@ impl Assembly<'_, '_> {
                 self.all_of(
                     table,
                     any_keys![LimitKey: SHARE],
-                    "a limit of lines or fenders has a `share`",
+                    "a limit of lines or fenders needs a `share`",
                 )?;
                 let what = if others == Subject::Lines { Limited::Lines } else { Limited::Fenders };
                 let most = *table.given(LimitKey::SHARE).number();
@@ -64,7 +64,7 @@ impl Assembly<'_, '_> {
             false => (LimitKey::DISTANCE, any_keys![LimitKey: ANGLE, SHARE]),
         };
         self.none_of(table, others, subject.word())?;
-        let help = "a limit of a motion has a `statistic`, and a `distance` or an `angle`";
+        let help = "a limit of a motion needs a `statistic`, and a `distance` or an `angle`";
         self.all_of(table, &[LimitKey::STATISTIC.any(), key.any()], help)?;
         let vessel = self.vessel_that_moves(table, subject, vessels, names)?;
         let measure = table.given(LimitKey::STATISTIC).choice();

@@ -1,4 +1,4 @@
-//! Long waves at a berth: a spectrum, a regular wave or a file.
+//! Reads long waves at a berth: a spectrum, a regular wave or a file.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::vec2;
@@ -18,24 +18,25 @@ use fenderline_keys::keys::long_waves::LongWavesKey;
 use fenderline_keys::printable::printable_number;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// Harmonics of a spectrum of long waves.
+/// Number of harmonics from which a spectrum of long waves is built.
 const HARMONICS: usize = 40;
 /// The keys of a spectrum that a regular wave does not have.
 const OF_SPECTRUM: &[AnyKey<LongWavesKey>] =
     any_keys![LongWavesKey: SHORTEST_PERIOD, LONGEST_PERIOD, PEAKEDNESS, SEED];
-/// The shortest period of a spectrum (s), if half the peak's is less.
+/// The shortest period of a spectrum of long waves (s), if half of the peak period is less.
 const SHORTEST_S: f64 = 25.0;
-/// Bounds of level (m) and velocity (m/s) in a file.
+/// Bounds of the level (m) and the velocity (m/s) in a file of long waves.
 const LEVELS_M: [f64; 2] = [-10.0, 10.0];
 const VELOCITIES_MPS: [f64; 2] = [-15.0, 15.0];
-/// A step between two rows of a file counts as a gap if it is this many times the usual step.
+/// A time step between two rows of a file counts as a gap if it is this many times as long as the usual step.
 const GAP: f64 = 1.5;
-/// A ship longer than this share of the wave length gets a notice. On a ship of this share, with the wave along
-/// the ship, the true force is 0.90 of the computed force: the mean of a cosine over a quarter of its length.
+/// A ship that is longer than this share of the wave length gets a warning. If a wave runs along a ship of this length,
+/// the true force is 0.90 of the computed force, which is the mean of a cosine over a quarter of a wave length.
 const LONG_SHIP: f64 = 0.25;
 
 impl Assembly<'_, '_> {
-    /// The long waves of a table in water of a depth at the start (m), beside a sea, for a run of a duration (s).
+    /// Reads the long waves of a table. `start_m` is the depth of the water at the start (m), `sea` the short waves,
+    /// and `duration_s` the length of the run (s).
     pub(super) fn long_waves(
         &self,
         (table, item): (Of<'_, EnvironmentKey>, Entry<'_, TableOf<LongWavesKey>>),
@@ -56,13 +57,13 @@ impl Assembly<'_, '_> {
             }
             return self.long_wave_file(of, file, duration_s);
         }
-        let help = "long waves have a `height`, a `period` and a `towards`, or a `file`";
+        let help = "long waves need a `height`, a `period` and a `towards`, or a `file`";
         self.all_of(of, any_keys![LongWavesKey: HEIGHT, PERIOD, TOWARDS], help)?;
         let Some(depth_m) = start_m else {
             let path = table.path_of(EnvironmentKey::LONG_WAVES);
             let message = format!(
-                "`{path}` needs a `depth` beside it: the depth decides the velocity of the \
-                    water"
+                "`{path}` needs a `depth` in the same table, because the velocity of the water \
+                 follows from the depth"
             );
             return Err(self.sources.error(&item.key_span, &path, message));
         };
@@ -99,8 +100,9 @@ impl Assembly<'_, '_> {
         {
             let path = of.path_to(shortest);
             let message = format!(
-                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of \
-                 `environment.waves`, of {:.1} s: energy between the two would be counted twice",
+                "`{path}`: the shortest long wave, of {} s, is not longer than the longest wave of \
+                 `environment.waves`, of {:.1} s: energy between the two periods would be counted \
+                 twice",
                 printable_number(shortest_s),
                 of_sea_s
             );
@@ -142,7 +144,8 @@ impl Assembly<'_, '_> {
         let rows = rows.collect::<Checked<Vec<_>>>()?;
         let mut steps_s: Vec<f64> = rows.windows(2).map(|two| two[1].0 - two[0].0).collect();
         if let Some(row) = steps_s.iter().position(|step_s| *step_s <= 0.0) {
-            let message = "its time is not later than the time of the row before".to_owned();
+            let message =
+                "the time of this row is not later than the time of the row before".to_owned();
             return Err(csv.cell_error(row + 1, time, message));
         }
         let gaps_s = steps_s.clone();
@@ -172,7 +175,7 @@ impl Assembly<'_, '_> {
         LongWaves::series(&rows).map_err(|error| self.refused(of, file, &error))
     }
 
-    /// Notices about a ship that is too long for the waves, or that touches the bottom in a trough.
+    /// Warns of a ship that is too long for the long waves, or that touches the bottom in a trough.
     pub(super) fn note_long_waves(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -197,7 +200,8 @@ impl Assembly<'_, '_> {
             && depth_m + lowest_m - trough_m >= draught_m
         {
             let message = format!(
-                "in a trough of the long waves, {:.2} m below the tide, there are {:.2} m of water, but a vessel draws {:.2} m",
+                "in a trough of the long waves, {:.2} m below the level of the tide, the water is \
+                 {:.2} m deep, but a vessel draws {:.2} m",
                 -trough_m,
                 depth_m + lowest_m,
                 draught_m
@@ -213,9 +217,9 @@ impl Assembly<'_, '_> {
         let wave_m = site.length_m(*period.number());
         if longest_m > LONG_SHIP * wave_m {
             let message = format!(
-                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a \
-                 quarter of it: the force along the vessel is computed from the water amidships, \
-                 and is more than 10 % too large",
+                "a wave of {} s is {:.0} m long here, and a vessel is {:.0} m long, more than a \
+                 quarter of the wave: the force along the vessel is computed from the water \
+                 amidships, and is more than 10 % too large",
                 printable_number(*period.number()),
                 wave_m,
                 longest_m

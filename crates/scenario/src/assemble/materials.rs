@@ -9,8 +9,8 @@ use fenderline_keys::error::Notice;
 use fenderline_keys::held::Number;
 use fenderline_keys::keys::material::MaterialKey;
 
-/// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
-/// about 0.2 (from memory, no source read); the margin is for rough surfaces.
+/// Coefficient of friction above which there is a warning. Rubber on dry steel or concrete has a coefficient of about
+/// 1, polyethylene facings of about 0.2 (from memory, not from a source); the margin is for rough surfaces.
 const HIGHEST_USUAL_FRICTION: f64 = 1.5;
 
 impl Assembly<'_, '_> {
@@ -43,8 +43,9 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&item.span),
                 key: table.path_of(MaterialKey::FRICTION_STATIC),
                 message: format!(
-                    "{friction_static} is more than {HIGHEST_USUAL_FRICTION}, and facings, rubber, steel and concrete \
-                     mostly have 0.1 to 1 on each other: hulls will stick rather than slide"
+                    "a coefficient of friction of {friction_static} is more than \
+                     {HIGHEST_USUAL_FRICTION}; facings, rubber, steel and concrete mostly have 0.1 \
+                     to 1 on each other, so hulls will stick rather than slide"
                 ),
             });
         }
@@ -58,10 +59,11 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Refuses friction or rolling resistance on a material without shear stiffness. In the paper, friction is the
-    /// force of a shear spring (eq. 4). The stiffness of this spring is a parameter of the fender (Table 1) and does
-    /// not follow from other parameters; without a stiffness there is no friction at any slip. A default would be wrong
-    /// without a message: how far a hull moves before it slides, and how it surges alongside, depend on the stiffness.
+    /// Refuses friction or rolling resistance on a material without shear stiffness. In the paper, friction acts as the
+    /// force of a shear spring (eq. 4). The stiffness of the shear spring is a parameter of the fender (Table 1) and
+    /// does not follow from other parameters; with a stiffness of zero there is no friction at any slip. A default of
+    /// the shear stiffness would give wrong results without a message, because the stiffness decides how far a hull
+    /// moves before it slides, and how the hull surges alongside.
     pub(super) fn need_shear_stiffness<T>(
         &self,
         of: Of<'_, T>,
@@ -75,13 +77,13 @@ impl Assembly<'_, '_> {
         let path = of.path_to(friction);
         let key = material.path_of(MaterialKey::SHEAR_STIFFNESS);
         let message = format!(
-            "`{path}` needs `{key}`: friction acts through a shear spring, and is zero without a \
-             stiffness"
+            "`{path}` needs `{key}`: friction acts through a shear spring, and is zero if the \
+             spring has no stiffness"
         );
         let error = self.sources.error(&friction.span, &path, message);
         Err(error.with_help(
-            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or the value of the \
-             fender's maker; without friction, remove `friction_static`",
+            "write shear_stiffness = \"3000 kN/m\", which is the value of the paper, or the value \
+             of the fender's maker; for a contact without friction, remove `friction_static`",
         ))
     }
 }

@@ -1,4 +1,4 @@
-//! Lines, bollards and line handlers.
+//! Reads mooring lines, bollards and line handlers.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
@@ -114,7 +114,8 @@ impl Assembly<'_, '_> {
         let (friction, wrap) = (of.given(OnDeckKey::FRICTION), of.given(OnDeckKey::WRAP));
         if friction.is_default && !wrap.is_default {
             let path = of.path_of(OnDeckKey::WRAP);
-            let message = format!("`{path}` needs `friction`: without friction it does nothing");
+            let message =
+                format!("`{path}` needs `friction`: without friction this key does nothing");
             return Err(self.sources.error(&wrap.key_span, &path, message));
         }
         let length_m = *of.given(OnDeckKey::LENGTH).number();
@@ -127,7 +128,7 @@ impl Assembly<'_, '_> {
             let path = table.path_of(LineKey::CONSTANT_TENSION);
             let error =
                 self.sources.error(&item.key_span, &path, format!("`{path}` needs `winch = true`"));
-            return Err(error.with_help("a line on bitts is held until it parts"));
+            return Err(error.with_help("a line on bitts is held until the line parts"));
         }
         let number = |name: Key<_, Number>| *item.table().given(name).number();
         Ok(Some(ConstantTension {
@@ -138,7 +139,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// The far end of a line that is fast from the start.
+    /// Reads the far end of a line that is fast from the start.
     fn far_end(
         &self,
         table: Of<'_, LineKey>,
@@ -175,7 +176,7 @@ impl Assembly<'_, '_> {
         Ok(FarEnd { end: LineEnd::OnBody { body, at_m, above_water_m }, initial_length })
     }
 
-    /// A line on board has no key that says where or how it is made fast.
+    /// Refuses keys that say where or how a line is made fast, for a line that is on board.
     fn check_on_board(&self, table: Of<'_, LineKey>) -> Checked<()> {
         let given =
             AT_THE_FAR_END.iter().find_map(|key| table.item(*key).filter(|item| !item.is_default));
@@ -183,7 +184,7 @@ impl Assembly<'_, '_> {
         let path = table.path_to(item);
         let message = format!("`{path}` needs `to`: a line without `to` is on board");
         let error = self.sources.error(&item.key_span, &path, message);
-        Err(error.with_help("name the body at the other end in `to`, or remove this key"))
+        Err(error.with_help("name the body at the far end of the line in `to`, or remove this key"))
     }
 
     pub(super) fn bollards(
@@ -221,7 +222,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// A whole number.
+    /// Reads a whole number.
     fn count<T>(&self, table: Of<'_, T>, key: Key<T, Number>) -> Checked<usize> {
         let item = table.given(key);
         let value = *item.number();
@@ -233,7 +234,7 @@ impl Assembly<'_, '_> {
         Ok(value as usize)
     }
 
-    /// A line's end, by coordinates or by the name of a point of the vessel.
+    /// Reads where a line's end is fastened, by coordinates or by the name of a point of the vessel.
     fn one_of<'t>(
         &self,
         table: Of<'t, LineKey>,
@@ -250,7 +251,7 @@ impl Assembly<'_, '_> {
             (None, None) => {
                 let path = table.path_of(place);
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
-                Err(error.with_help(format!("give it, or `{name}` by name")))
+                Err(error.with_help(format!("give `{place}`, or the name of a point in `{name}`")))
             }
         }
     }
@@ -264,13 +265,13 @@ impl Assembly<'_, '_> {
         let path = table.path_to(item);
         let message = format!("`{path}` does not go together with `{other}`");
         let error = self.sources.error(&item.key_span, &path, message);
-        error.with_help("keep one of the two")
+        error.with_help("keep only one of the two keys")
     }
 }
 
-/// Where a line ends.
+/// Where the end of a line is fastened.
 enum LinePoint<'t> {
-    /// From the body's origin, and above the water (m).
+    /// A place relative to the body's origin, and a height above the water (m).
     At(Vec2, f64),
     /// A chock or bitts.
     Named(Entry<'t, Text>),

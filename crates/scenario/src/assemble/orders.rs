@@ -1,5 +1,5 @@
-//! Orders: from the names in a file to the arguments of the table of orders in `fenderline_sim`, which checks limits
-//! and gear.
+//! Reads orders: turns the names in a file into arguments for the table of orders in `fenderline_sim`, which checks
+//! limits and gear.
 
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ impl<'w> OrderNames<'w> {
     }
 }
 
-/// The index of each key; of equal keys the first.
+/// The index of each item in a list; of equal items the index of the first.
 pub(super) fn places<K: Ord>(things: impl Iterator<Item = K>) -> BTreeMap<K, usize> {
     let mut places = BTreeMap::new();
     for (place, thing) in things.enumerate() {
@@ -90,7 +90,7 @@ impl Assembly<'_, '_> {
         Ok(Order { at_s, action })
     }
 
-    /// The kind of the one target that an order names.
+    /// The kind of target that an order names; an order must have one target.
     fn target(&self, table: Of<'_, OrderKey>) -> Checked<TargetKind> {
         let mut named = TARGETS.into_iter().filter(|kind| table.item(target_key(*kind)).is_some());
         match (named.next(), named.next()) {
@@ -105,7 +105,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// The one key of the table that is an order.
+    /// The key of an [[order]] table that says what is ordered; there must be one such key.
     fn what<'t>(&self, table: Of<'t, OrderKey>, kind: TargetKind) -> Checked<Entry<'t, Anything>> {
         let known = words(kind);
         let target = target_key(kind);
@@ -124,7 +124,7 @@ impl Assembly<'_, '_> {
             }
             [_, second, ..] => {
                 let path = table.path_to(*second);
-                let message = format!("`{path}`: a second order in one table");
+                let message = format!("`{path}` is a second order in one table");
                 let error = self.sources.error(&second.key_span, &path, message);
                 return Err(error.with_help("write a second [[order]]"));
             }
@@ -143,7 +143,7 @@ impl Assembly<'_, '_> {
         Ok(what)
     }
 
-    /// The order and its arguments.
+    /// Reads an order and the order's arguments.
     fn arguments(
         &self,
         table: Of<'_, OrderKey>,
@@ -216,7 +216,7 @@ impl Assembly<'_, '_> {
         Ok((order, arguments))
     }
 
-    /// The index of what an argument names, other than a body.
+    /// The index of the thing, other than a body, that an argument of an order names.
     fn index_named(
         &self,
         named: Named,
@@ -245,7 +245,7 @@ impl Assembly<'_, '_> {
                 let index = known().position(|known| known == item.text());
                 index.ok_or_else(|| self.unknown("bollard", table, item, item.text(), known()))
             }
-            Named::Body => unreachable!("a body's name is not a text"),
+            Named::Body => unreachable!("the name of a body is not read as a text"),
         }
     }
 
@@ -260,7 +260,7 @@ impl Assembly<'_, '_> {
         index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))
     }
 
-    /// The simulation's error about an order, at the key with the mistake.
+    /// Turns the simulation's error about an order into an error that points to the key with the mistake.
     fn refused_order(
         &self,
         table: Of<'_, OrderKey>,
@@ -285,13 +285,13 @@ impl Assembly<'_, '_> {
         self.sources.error(span, &path, format!("`{path}`: {error}"))
     }
 
-    /// `let_go = false` would order nothing.
+    /// Checks that the key of an order without arguments is true, because `let_go = false` would order nothing.
     fn only_true(&self, table: Of<'_, OrderKey>, key: Key<OrderKey, Flag>) -> Checked<()> {
         let what = table.given(key);
         if *what.flag() {
             return Ok(());
         }
         let path = table.path_of(key);
-        Err(self.sources.error(&what.span, &path, format!("`{path}` can only be true")))
+        Err(self.sources.error(&what.span, &path, format!("`{path}` must be true")))
     }
 }

@@ -8,11 +8,12 @@ use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 use fenderline_sim::{OutputPlan, OutputTable};
 
-/// Largest difference of the interval from a whole number of steps that counts as rounding, as a share of the interval.
+/// Largest difference between the interval and a whole number of time steps that counts as rounding error, as a share
+/// of the interval.
 const ROUNDING: f64 = 1e-9;
 
 impl Assembly<'_, '_> {
-    /// The plan of the table `[output]` for a run of `duration_s` in steps of `step_s`.
+    /// Reads from the table `[output]` what a run of `duration_s` in steps of `step_s` writes.
     pub(super) fn output(
         &self,
         table: Option<Of<'_, OutputKey>>,
@@ -44,17 +45,20 @@ impl Assembly<'_, '_> {
             return Ok(1);
         }
         let path = table.path_to(item);
-        let refused = |why: String, help: String| {
-            let message = format!("`{path}` of {interval_s} s {why}");
+        let refused = |message: String, help: String| {
             Err(self.sources.error(&item.span, &path, message).with_help(help))
         };
         if interval_s > duration_s && interval_s > step_s {
-            let why = format!("is longer than `time.duration`, which is {duration_s} s");
-            return refused(why, "take a shorter interval".to_owned());
+            let message = format!(
+                "`{path}` of {interval_s} s is longer than `time.duration`, which is {duration_s} s"
+            );
+            return refused(message, "take a shorter interval".to_owned());
         }
         let steps = libm::round(interval_s / step_s);
         if steps < 1.0 || (steps * step_s - interval_s).abs() > ROUNDING * interval_s {
-            let why = format!("is not a whole number of time steps of {step_s} s");
+            let message = format!(
+                "`{path}` of {interval_s} s is not a whole number of time steps of {step_s} s"
+            );
             let below = libm::floor(interval_s / step_s);
             // Without the rounding of the product.
             let near = |steps: f64| format!("{} s", libm::round(steps * step_s * 1e9) / 1e9);
@@ -62,7 +66,7 @@ impl Assembly<'_, '_> {
                 0.0 => format!("take {} or 0, which both write every step", near(1.0)),
                 _ => format!("take {} or {}", near(below), near(below + 1.0)),
             };
-            return refused(why, help);
+            return refused(message, help);
         }
         Ok(steps as u64)
     }

@@ -1,4 +1,4 @@
-//! Which bodies may touch, and with which material.
+//! Reads which bodies may touch, and which material their contact has.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use fenderline_keys::sources::quoted;
 pub(super) struct Pairs {
     pub(super) named: Vec<PairSetup>,
     pub(super) every_other: Option<usize>,
-    /// The bodies of the named pairs, the lower index first.
+    /// The indices of the two bodies of each named pair, the lower index first.
     touching: BTreeSet<[usize; 2]>,
 }
 
@@ -26,7 +26,7 @@ impl Pairs {
 }
 
 impl Pairs {
-    /// Whether two bodies may touch.
+    /// Whether some pair allows two bodies to touch.
     pub(super) fn may_touch(&self, bodies: [usize; 2]) -> bool {
         self.every_other.is_some() || self.touching.contains(&ordered(bodies))
     }

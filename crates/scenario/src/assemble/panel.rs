@@ -1,4 +1,4 @@
-//! A panel on several cones: from its table to a set-up.
+//! Turns the table of a panel on several cones into the set-up of the panel.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{FenderLaw, Panel, Unloading};
@@ -13,14 +13,14 @@ use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::keys::panel::ConeKey;
 use fenderline_keys::typed_key::Key;
 
-/// A panel, and the height of the reaction above the middle of the face (m).
+/// A panel on cones, and the height of the reaction above the middle of the fender's face (m).
 pub(super) struct PanelParts {
     pub(super) panel: Panel,
     pub(super) reaction_above_m: f64,
 }
 
 impl Assembly<'_, '_> {
-    /// The panel of a fender with `cones`; `None` without.
+    /// Reads the panel of a fender with `cones`; `None` for a fender without `cones`.
     pub(super) fn panel(
         &self,
         table: Of<'_, FenderKey>,
@@ -44,7 +44,7 @@ impl Assembly<'_, '_> {
                 Panel::MOST_CONES,
                 cones.len()
             );
-            return refused(message, "a panel on one cone is a fender without `cones`");
+            return refused(message, "write a panel on one cone as a fender without `cones`");
         }
         for cone in cones {
             self.within(cone, ConeKey::AT, face.width_m, "width")?;
@@ -72,7 +72,7 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}`: the first line of the cones' curve must rise");
             return refused(
                 message,
-                "behind a panel its slope is the stiffness of a stretched cone",
+                "the slope of this line is the stiffness of a cone that the panel stretches",
             );
         }
         let height_m =
@@ -84,7 +84,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// Refuses a place outside the panel.
+    /// Refuses a place of a cone or chain that is outside the panel.
     pub(super) fn within<T>(
         &self,
         cone: Of<'_, T>,
@@ -100,7 +100,8 @@ impl Assembly<'_, '_> {
         }
         let path = cone.path_of(name);
         let message = format!(
-            "`{path}` must be between {} and {most_m} m, half of the panel's `{of}` from its middle, but is {at_m} m",
+            "`{path}` must be between {} and {most_m} m, which is half of the panel's `{of}` from \
+             the middle of the panel, but is {at_m} m",
             -most_m
         );
         Err(self.sources.error(&item.span, &path, message))
@@ -108,7 +109,7 @@ impl Assembly<'_, '_> {
 }
 
 impl PanelParts {
-    /// The rating of all cones.
+    /// The rating of all cones behind a panel together.
     pub(super) fn rated(&self, of_cone: Option<Rated>) -> Option<Rated> {
         let cones = self.panel.cones_m.len() as f64;
         of_cone.map(|rated| Rated {
@@ -119,8 +120,9 @@ impl PanelParts {
         })
     }
 
-    /// The unloading law of the cones. Of an unloading curve, only the share of the energy that the curve returns from
-    /// the rated deflection is used, because the energy of a panel is a sum over cones of different deflections.
+    /// The unloading law of the cones behind a panel. An unloading curve counts only with the share of the energy that
+    /// it returns from the rated deflection, because the energy of a panel is a sum over cones of different
+    /// deflections.
     pub(super) fn unloading(
         &self,
         of_cone: Option<Unloading>,

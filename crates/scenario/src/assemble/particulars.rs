@@ -1,4 +1,4 @@
-//! Particulars of a berthing: from its table, or from the vessel and the water.
+//! Finds the particulars of a berthing in its table, or takes them from the vessel and the water.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::hydro::Particulars;
@@ -12,14 +12,15 @@ use fenderline_keys::keys::berthing::BerthingKey;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::typed_key::Key;
 
-/// If length, beam, draught or block coefficient in the table differ from the vessel's values by more than this share,
-/// a notice says so.
+/// There is a warning if length, beam, draught or block coefficient in the table differ from the vessel's values by
+/// more than this share.
 const SAME_SHIP: f64 = 0.03;
-/// If the under-keel clearance in the table differs from the clearance by the water depth by more than this share of
-/// the latter, a notice says so. Cm depends on the clearance, which is small compared with the depth.
+/// There is a warning if the under-keel clearance in the table differs from the clearance by the water depth by more
+/// than this share of the clearance by the water depth. The share is of the clearance, because Cm depends on the
+/// clearance, which is small compared with the depth.
 const SAME_CLEARANCE: f64 = 0.05;
 
-/// The particulars that the formulas take.
+/// The particulars of a ship that the formulas of the berthing energy use.
 pub(super) struct Taken {
     pub(super) length_bp_m: f64,
     pub(super) beam_m: f64,
@@ -28,17 +29,18 @@ pub(super) struct Taken {
     pub(super) block_coefficient: f64,
 }
 
-/// A particular from the scenario or the library, which the table may also give: the value, and its source.
+/// A particular that is known from the scenario or the library, with its value and its source; the table of the
+/// berthing may give the same particular.
 struct Known {
     value: f64,
     from: String,
 }
 
 impl Assembly<'_, '_> {
-    /// The particulars of a berthing. A notice says if the table and the vessel, or the water, disagree.
+    /// Finds the particulars of a berthing, and warns if the table disagrees with the vessel or with the water.
     ///
     /// # Errors
-    /// A particular that neither has; a ship that is aground.
+    /// Fails if neither the table nor the vessel gives a particular, or if the ship is aground.
     pub(super) fn particulars(
         &mut self,
         table: Of<'_, BerthingKey>,
@@ -98,10 +100,11 @@ impl Assembly<'_, '_> {
                 figures(depth_m)
             );
             let error = self.sources.error(&table.span, &path, message);
-            return Err(error.with_help("check [environment] depth and tide, and the draught"));
+            return Err(error
+                .with_help("check depth and tide in [environment], and the draught of the ship"));
         }
         let Some(depth_m) = depth_m else {
-            let why = "[environment] has no depth: give it, or this key";
+            let why = "[environment] has no depth: give the depth, or this key";
             return self.particular(table, key, None, " m", why);
         };
         let [least_m, most_m] = match environment.depth_range_m() {
@@ -119,8 +122,8 @@ impl Assembly<'_, '_> {
                 false => format!("{} to {} m", figures(least_m), figures(most_m)),
             };
             let message = format!(
-                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught \
-                 of {1} m is {2} m: {0} m is used",
+                "a clearance of {0} m is given, but `environment.depth` with the tide, {depth}, \
+                 less the draught of {1} m is {2} m: {0} m is used",
                 figures(given_m),
                 figures(draught_m),
                 figures(depth_m - draught_m),
@@ -130,7 +133,7 @@ impl Assembly<'_, '_> {
         Ok(given_m)
     }
 
-    /// The number of the table, else the known number.
+    /// The number in the table for a particular, or else the number that is known from the scenario or the library.
     fn particular(
         &mut self,
         table: Of<'_, BerthingKey>,

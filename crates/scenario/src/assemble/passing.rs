@@ -1,4 +1,4 @@
-//! Passing ships, and the flow between vessels.
+//! Reads passing ships, and the flow between vessels.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{Outline, Pose, Vec2, vec2};
@@ -23,14 +23,16 @@ use fenderline_keys::keys::passing::{InteractionKey, PassingKey, SectionsBy, Sec
 use fenderline_keys::sources::quoted;
 use fenderline_keys::typed_key::Key;
 
-/// Clear distance at the start over the mean length within which the force begins suddenly; our choice.
+/// Clear distance at the start, as a share of the passing ship's length, within which her force begins suddenly; our
+/// choice.
 const SUDDEN: f64 = 1.0;
-/// Angle between a track and a vessel from which factors of parallel passing are named as doubtful (rad); our choice.
+/// Angle between a track and a vessel from which a warning says that the factors are for parallel passing (rad); our
+/// choice.
 const ASKEW_RAD: f64 = 0.35;
 
 impl Assembly<'_, '_> {
-    /// The flow between ships: passing ships, and the hulls of the vessels if passing ships, `between_vessels` or banks
-    /// need them.
+    /// Reads the flow between ships: the passing ships, and the hulls of the vessels if passing ships,
+    /// `between_vessels` or banks need these hulls.
     pub(super) fn flow(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -83,7 +85,7 @@ impl Assembly<'_, '_> {
         Ok(FlowSetup { passing: passing.collect::<Checked<_>>()?, hulls, between_vessels })
     }
 
-    /// The sections of a hull by a table that says how they are found.
+    /// The sectional areas of a hull, found as a table says.
     fn flow_hull(
         &self,
         table: Of<'_, SectionsKey>,
@@ -104,8 +106,8 @@ impl Assembly<'_, '_> {
         environment: &Environment,
     ) {
         let mut message = String::from(
-            "the flow between vessels is for slender ships in deep water, without lift; nearer \
-             than a quarter of the mean beam it is left out",
+            "the flow between vessels is for slender ships in deep water, without lift; for \
+             vessels nearer to each other than a quarter of their mean beam the force is left out",
         );
         if !environment.is_deep() {
             message += ", and the depth is not taken into account";
@@ -114,7 +116,7 @@ impl Assembly<'_, '_> {
         self.note(table, &message);
     }
 
-    /// Names what the flow of images behind banks leaves out.
+    /// Adds a warning that says what the flow of images behind banks leaves out.
     fn note_images<T>(
         &mut self,
         table: Of<'_, T>,
@@ -124,12 +126,12 @@ impl Assembly<'_, '_> {
     ) {
         let mut message = String::from(
             "the pull of a bank by the image of the ship is for slender ships, without waves and \
-             lift: it is 12 to 63 % less than by panels, has no moment that turns the bow away, \
-             and was not compared with measurements; nearer than an eighth of the beam and at more \
-             than 30 degrees it is left out",
+             lift: the pull is 12 to 63 % less than by a panel method, has no moment that turns \
+             the bow away, and was not compared with measurements; nearer to the bank than an \
+             eighth of the beam and at more than 30 degrees to the bank the pull is left out",
         );
         if images > 1 {
-            message += "; between two banks the images of images are left out";
+            message += "; between two banks the images of the images are left out";
         }
         message += &none_for_short(hulls, ships);
         self.note(table, &message);
@@ -161,7 +163,7 @@ impl Assembly<'_, '_> {
                 [ship.length_m, ship.beam_m, ship.draught_m]
             }
             None => {
-                let help = "a passing ship has a `vessel`, or `length`, `beam` and `draught`";
+                let help = "a passing ship needs a `vessel`, or `length`, `beam` and `draught`";
                 self.all_of(table, any_keys![PassingKey: LENGTH, BEAM, DRAUGHT], help)?;
                 [PassingKey::LENGTH, PassingKey::BEAM, PassingKey::DRAUGHT]
                     .map(|key: Key<_, Number>| *table.given(key).number())
@@ -175,7 +177,7 @@ impl Assembly<'_, '_> {
         Ok(PassingSetup { name: name.to_owned(), hull, outline_m, track, depth, berth })
     }
 
-    /// Outline of a passing ship about midship: from her table, from her vessel, or a rectangle.
+    /// Outline of a passing ship relative to midship, from her table or from her vessel, or else a rectangle.
     fn outline_of(
         &self,
         table: Of<'_, PassingKey>,
@@ -205,7 +207,7 @@ impl Assembly<'_, '_> {
             }
             None => {
                 self.none_of(table, any_keys![PassingKey: TURNING_RADIUS], "a straight track")?;
-                let help = "a track has a `position` and a `heading`, or `waypoints`";
+                let help = "a track needs a `position` and a `heading`, or `waypoints`";
                 self.all_of(table, any_keys![PassingKey: POSITION, HEADING], help)?;
                 let heading = table.given(PassingKey::HEADING);
                 let path =
@@ -224,7 +226,7 @@ impl Assembly<'_, '_> {
                 self.all_of(
                     table,
                     any_keys![PassingKey: SPEED],
-                    "a passing ship has a `speed`, or `speeds` by time",
+                    "a passing ship needs a `speed`, or `speeds` by time",
                 )?;
                 let item = table.given(PassingKey::SPEED);
                 Pace::steady(*item.number(), at_s)
@@ -234,7 +236,8 @@ impl Assembly<'_, '_> {
         Ok(Track { path, pace })
     }
 
-    /// Refuses passing ships that would go through a body or faster than long waves, and notes what their forces leave out.
+    /// Refuses passing ships that would go through a body or faster than long waves, and warns of what the forces of
+    /// passing ships leave out.
     pub(super) fn check_passing(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -252,8 +255,8 @@ impl Assembly<'_, '_> {
             self.note_formulas(table, ship, setup);
             if ship.hull.length_m < HARDLY_SLENDER * ship.hull.beam_m {
                 let message = format!(
-                    "she is {} beams long: the flow is for slender ships, and is less accurate for \
-                     a ship of this form",
+                    "the passing ship is {} beams long: the flow is for slender ships, and is less \
+                     accurate for a ship of this form",
                     rounded(ship.hull.length_m / ship.hull.beam_m)
                 );
                 self.note(table, &message);
@@ -319,8 +322,8 @@ impl Assembly<'_, '_> {
         let at_start_m = ship.nearest(body.outline.vertices(), pose, 0.0).distance_m;
         if at_start_m < SUDDEN * ship.hull.length_m && start.speed_mps > 0.0 {
             let message = format!(
-                "she is {} m from {} at the start: the force begins suddenly; let the ship come \
-                 from farther away",
+                "the passing ship is {} m from {} at the start, so the force begins suddenly: let \
+                 the ship come from farther away",
                 rounded(at_start_m),
                 quoted(&body.name)
             );
@@ -331,8 +334,8 @@ impl Assembly<'_, '_> {
             let askew_rad = libm::asin(bounded(libm::sin(turned), -1.0, 1.0)).abs();
             if askew_rad > ASKEW_RAD {
                 let message = format!(
-                    "she passes {} at an angle of {:.0} degrees, but the factors for depth and \
-                     quay are for parallel passing",
+                    "the ship passes {} at an angle of {:.0} degrees, but the factors for depth \
+                     and quay are for parallel passing",
                     quoted(&body.name),
                     askew_rad.to_degrees()
                 );
@@ -354,7 +357,7 @@ impl Assembly<'_, '_> {
         let draught_m = ship.hull.draught_m;
         if draught_m >= shallowest_m {
             let message = format!(
-                "`{}`: she draws {} m, but there are {} m of water at the lowest level",
+                "`{}`: the passing ship draws {} m, but the water is {} m deep at the lowest level",
                 table.path,
                 rounded(draught_m),
                 rounded(shallowest_m)
@@ -375,8 +378,8 @@ impl Assembly<'_, '_> {
         }
         if share > NEARLY_CRITICAL {
             let message = format!(
-                "she goes at {share:.2} of the speed of long waves in {} m of water: the flow has \
-                 no waves, and the forces are too small",
+                "the passing ship goes at {share:.2} of the speed of long waves in {} m of water: \
+                 the computed flow has no waves, and the forces are too small",
                 rounded(shallowest_m)
             );
             self.note_at(&item.span, table.path_to(item), message);
@@ -384,25 +387,27 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// Names what is recalled, estimated or left out in the factors.
+    /// Adds a warning that says which factors on the forces of a passing ship are from memory or estimated, and which
+    /// are missing.
     fn note_formulas<T>(&mut self, table: Of<'_, T>, ship: &PassingSetup, setup: &Setup) {
         let is_deep = setup.world.environment.is_deep();
         let mut parts = Vec::new();
         match ship.depth {
             DepthFactors::Kriebel if is_deep => {
-                parts.push("the water is deep: there are no factors for the depth");
+                parts.push("the water is deep, so there are no factors for the depth");
             }
             DepthFactors::Kriebel => parts.push(
-                "the factors for the depth are recalled (Kriebel 2005, not read) and compared with one worked case",
+                "the factors for the depth are from memory (Kriebel 2005, which we could not \
+                 read), and were compared with one worked case",
             ),
             DepthFactors::DeepWater if !is_deep => parts.push(
-                "the depth is not taken into account: model tests in shallow water found forces \
-                 several times as large",
+                "the depth is not taken into account; in model tests in shallow water the forces \
+                 were several times as large",
             ),
             DepthFactors::DeepWater => {}
         }
         if ship.berth == Berth::Quay {
-            parts.push("the factors for a quay are an estimate (from figures of Swiegers 2011)");
+            parts.push("the factors for a quay are estimated (from figures of Swiegers 2011)");
         }
         if !parts.is_empty() {
             self.note(table, &parts.join("; "));
@@ -410,12 +415,13 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The text about vessels that are too short for the flow of slender ships; empty without such vessels.
+/// The part of a warning about vessels that are too short for the flow of slender ships; empty if there are no such
+/// vessels.
 fn none_for_short(hulls: &[FlowHull], (vessels, bodies): (&[VesselSetup], &[BodySetup])) -> String {
     let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
     let short: Vec<String> = short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();
     if short.is_empty() {
         return String::new();
     }
-    format!("; none for {}, shorter than 3.5 beams", short.join(", "))
+    format!("; there is no such force for {}, shorter than 3.5 beams", short.join(", "))
 }

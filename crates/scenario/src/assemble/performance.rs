@@ -17,22 +17,22 @@ use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::typed_key::Key;
 
-/// Stiffness of a stop over the mean stiffness of the fender up to the stop.
+/// Stiffness of a stop, divided by the mean stiffness of the fender up to the stop.
 const STOP_OVER_MEAN: f64 = 50.0;
 
-/// Beyond the end of a table of factors by compression time, the factor goes to 1 at this time (s): a ship at rest on
-/// her fenders compresses them statically.
+/// Compression time at which the factor by compression time has returned to 1 beyond the end of its table (s), because
+/// a ship at rest compresses her fenders statically.
 const STATIC_TIME_S: f64 = 1000.0;
 
-/// The law of a fender and the data that belong to the law.
+/// The law of a fender's reaction, and the data that belong to this law.
 pub(super) struct Performance {
     pub(super) law: FenderLaw,
     /// The unloading law of the fender's type.
     pub(super) unloading: Option<Unloading>,
     pub(super) rated: Option<Rated>,
-    /// Deflection at which the stop begins, unless the scenario gives a stop (m).
+    /// Deflection at which the fender's stop begins, unless the scenario gives a stop (m).
     pub(super) end_m: f64,
-    /// Stiffness of the stop (N/m).
+    /// Stiffness of the fender's stop (N/m).
     pub(super) stop_stiffness_npm: f64,
     pub(super) height_m: Option<f64>,
     pub(super) factors: ReactionFactors,
@@ -41,11 +41,11 @@ pub(super) struct Performance {
     pub(super) source: Option<FenderSource>,
 }
 
-/// Share of the absorbed energy that a fender without data returns: the share of the built-in fenders of solid rubber
-/// (`fenders/cone.toml` has the reason). Assumed.
+/// Assumed share of the absorbed energy that a fender without data returns; the built-in fenders of solid rubber have
+/// the same share (`fenders/cone.toml` has the reason).
 const ASSUMED_RETURNED_ENERGY: f64 = 0.55;
 
-/// Whether a fender's reaction falls by an unloading law, and not by the restitution of its material.
+/// Whether the reaction of a fender falls by an unloading law, and not by the restitution of the fender's material.
 pub(super) fn wants_unloading(table: Of<'_, FenderKey>) -> bool {
     table.item(FenderKey::UNLOADING_LAW).is_none_or(|item| *item.flag())
 }
@@ -57,7 +57,10 @@ fn assumed(table: Of<'_, FenderKey>, has_type_s: bool, source: String) -> String
         return source;
     }
     let percent = 100.0 * ASSUMED_RETURNED_ENERGY;
-    format!("{source}; unloading (assumed): returns {percent:.0} % of the energy, as solid rubber")
+    format!(
+        "{source}; unloading (assumed): the fender returns {percent:.0} % of the energy, as solid \
+         rubber does"
+    )
 }
 
 impl Assembly<'_, '_> {
@@ -121,7 +124,7 @@ impl Assembly<'_, '_> {
             let item = table.given(FenderKey::MATERIAL);
             let path = table.path_of(FenderKey::MATERIAL);
             let message = format!(
-                "`{path}`: the fender has no law, and its material {} has no stiffness",
+                "`{path}`: the fender has no law of reaction, and its material {} has no stiffness",
                 quoted(item.name())
             );
             let error = self.sources.error(&item.span, &path, message);
@@ -141,8 +144,9 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The unloading law of a fender: from the fender's keys, from the keys of its type, or as assumed for solid
-    /// rubber. `None`: unloading by the restitution of the material, if `unloading_law` is false.
+    /// The unloading law of a fender, which comes from the fender's keys or from the fender's type, or else is assumed
+    /// as for solid rubber. `None` if `unloading_law` is false: the reaction then falls by the restitution of the
+    /// material.
     pub(super) fn unloading(
         &self,
         table: Of<'_, FenderKey>,
@@ -161,7 +165,7 @@ impl Assembly<'_, '_> {
         let FenderLaw::Curve(points) = &performance.law else {
             let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
             let error = self.sources.error(&item.key_span, &path, message);
-            return Err(error.with_help("give `returned_energy`, or the fender a `curve`"));
+            return Err(error.with_help("give `returned_energy`, or give the fender a `curve`"));
         };
         let loading: Vec<(f64, f64)> = points.iter().map(|&[m, n]| (m, n)).collect();
         Ok(Some(Unloading::Curve(unloading_curve(self.sources, item, &path, &loading)?)))
@@ -182,7 +186,7 @@ impl Assembly<'_, '_> {
         Ok(points)
     }
 
-    /// The catalogue fender that the table names.
+    /// The catalogue fender that the table of a fender names.
     pub(super) fn catalogue(
         &self,
         table: Of<'_, FenderKey>,
@@ -289,8 +293,8 @@ impl Assembly<'_, '_> {
             );
             let error = self.sources.error(&item.span, &path, message);
             return Err(error.with_help(format!(
-                "put the maker's factors into the fender file: [family.{:?}.temperature] with points = [[-10, 1.2], [23, 1], \
-                 [50, 0.9]]; or give them as `tolerance`",
+                "put the maker's factors into the fender file: [family.{:?}.temperature] with \
+                 points = [[-10, 1.2], [23, 1], [50, 0.9]]; or give a factor as `tolerance`",
                 fender.family
             )));
         };
@@ -318,7 +322,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The pressure of a catalogue fender on the hull.
+/// How a catalogue fender presses on the hull.
 pub(super) fn hull_pressure(fender: &CatalogueFender) -> HullPressure {
     match (fender.has_panel, fender.initial_pressure_npm2, fender.hull_pressure_npm2) {
         (true, _, _) => HullPressure::OverFace,

@@ -1,5 +1,5 @@
-//! Notices about input that can be computed but is probably a mistake: faces that overlap or stand in the seabed,
-//! masses that do not fit the hull.
+//! Warnings about input that can be computed but is probably a mistake, such as faces that overlap or stand in the
+//! seabed, or masses that do not fit the hull.
 
 use fenderline_contact::number::lesser;
 use fenderline_contact::{Rotation, vec2};
@@ -15,16 +15,17 @@ use fenderline_keys::keys::body::BodyKey;
 use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 
-/// Without a given depth, a face whose middle is farther than this from the water is unusual (m): our choice, beyond
-/// the greatest tides.
+/// Distance of the middle of a fender's face from the water that is unusual if no depth is given (m). It is our choice,
+/// greater than the greatest tides.
 pub(super) const FAR_FROM_WATER_M: f64 = 15.0;
-/// Usual range of draught over beam of floating bodies: ships have 0.2 to 0.6, barges and pontoons less. Our choice,
-/// wide enough for all of these.
+/// Usual range of the ratio of draught to beam of floating bodies; ships have 0.2 to 0.6, barges and pontoons less. The
+/// range is our choice, wide enough for ships, barges and pontoons.
 const DRAUGHT_OVER_BEAM: [f64; 2] = [0.01, 1.2];
-/// Displacement by the particulars of a berthing over the body's mass. Published examples that give particulars and
-/// mass agree to a few per cent.
+/// Plausible range of the displacement by the particulars of a berthing, divided by the body's mass. Published examples
+/// that give particulars and mass agree to a few per cent.
 const DISPLACEMENT_FITS: [f64; 2] = [0.9, 1.1];
-/// Length of the outline over the length between perpendiculars, and beam of the outline over the beam.
+/// Plausible range of the length of the outline divided by the length between perpendiculars, and of the beam of the
+/// outline divided by the beam.
 const LENGTH_FITS: [f64; 2] = [0.85, 1.3];
 const BEAM_FITS: [f64; 2] = [0.8, 1.25];
 
@@ -33,7 +34,7 @@ fn fits([low, high]: [f64; 2], value: f64) -> bool {
 }
 
 impl Assembly<'_, '_> {
-    /// Refuses a fender in the seabed, and notes a fender far from the water.
+    /// Refuses a fender in the seabed, and warns of a fender far from the water.
     pub(super) fn check_heights(
         &mut self,
         tables: Tables<'_, FenderKey>,
@@ -49,7 +50,8 @@ impl Assembly<'_, '_> {
             match environment.depth_m {
                 Some(depth_m) if middle_m < -depth_m => {
                     let message = format!(
-                        "`{path}`: the middle of the face is {} m below the water, under the seabed at {} m",
+                        "`{path}`: the middle of the face is {} m below the water, under the \
+                         seabed at {} m",
                         rounded(-middle_m),
                         rounded(depth_m)
                     );
@@ -67,7 +69,8 @@ impl Assembly<'_, '_> {
                 _ if middle_m.abs() > FAR_FROM_WATER_M => {
                     let side = if middle_m < 0.0 { "below" } else { "above" };
                     let message = format!(
-                        "the middle of the face is {} m {side} the water: no ship's side may be there",
+                        "the middle of the fender's face is {} m {side} the water, where there may \
+                         be no ship's side",
                         rounded(middle_m.abs())
                     );
                     self.note_at(&item.span, path, message);
@@ -78,7 +81,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// Notes faces of fenders of one body that overlap.
+    /// Warns of fenders on one body whose faces overlap.
     pub(super) fn note_overlaps(&mut self, tables: Tables<'_, FenderKey>, fenders: &[FenderSetup]) {
         // Places along the face, for each body and direction: only neighbours in this order must be compared.
         let mut places: Vec<(usize, i64, f64, usize)> = Vec::with_capacity(fenders.len());
@@ -121,7 +124,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes a mass that does not fit the body's outline.
+    /// Warns of a mass that does not fit the body's outline.
     pub(super) fn note_masses(
         &mut self,
         tables: Tables<'_, BodyKey>,
@@ -140,7 +143,8 @@ impl Assembly<'_, '_> {
             let [least_t, most_t] =
                 DRAUGHT_OVER_BEAM.map(|share| share * beam_m * kg_per_m / 1000.0);
             let mut message = format!(
-                "{} t over the {} m² of the outline is a draught of {} m at a beam of {} m; from {} to {} t was expected",
+                "{} t over the {} m² of the outline is a draught of {} m at a beam of {} m; from \
+                 {} to {} t was expected",
                 figures(mass.mass_kg / 1000.0),
                 figures(body.outline.area_m2()),
                 figures(draught_m),
@@ -155,7 +159,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Notes particulars of a berthing that do not fit the body.
+    /// Warns of particulars of a berthing that do not fit the body.
     pub(super) fn note_particulars(
         &mut self,
         table: Of<'_, BerthingKey>,
@@ -205,7 +209,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// A number to three figures, for messages.
+/// Rounds a number to three figures, for messages.
 pub(super) fn figures(value: f64) -> f64 {
     if value == 0.0 {
         return 0.0;

@@ -1,4 +1,4 @@
-//! External programs that apply forces to bodies.
+//! Reads external programs that apply forces to bodies.
 
 use fenderline_sim::{BodySetup, ProviderSetup};
 

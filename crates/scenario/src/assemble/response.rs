@@ -1,4 +1,4 @@
-//! How a vessel moves in waves: by a table of response amplitude operators, or by an estimate.
+//! Reads how a vessel moves in waves: from a table of response amplitude operators, or from an estimate.
 
 use fenderline_sim::Float;
 use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTable};
@@ -10,21 +10,21 @@ use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;
 use fenderline_keys::keys::vessel::VesselKey;
 
-/// A motion of a response table.
+/// One of the six motions in a table of response amplitude operators.
 struct Motion {
-    /// Its column of amplitudes.
+    /// Name of the motion's column of amplitudes.
     amplitude: &'static str,
-    /// Column of the motion of phases.
+    /// Name of the motion's column of phases.
     phase: &'static str,
-    /// Its amplitude is in degrees.
+    /// True if the motion's amplitude is in degrees.
     is_angle: bool,
-    /// The table must have this column.
+    /// True if the table must have the columns of this motion.
     is_needed: bool,
 }
 
 const HEAVE: usize = 2;
 
-/// The motions in the order of [`RaoTable`].
+/// The six motions in the order of [`RaoTable`].
 const MOTIONS: [Motion; 6] = [
     motion("surge_mpm", "surge_phase_deg", false, false),
     motion("sway_mpm", "sway_phase_deg", false, false),
@@ -43,11 +43,11 @@ const fn motion(
     Motion { amplitude, phase, is_angle, is_needed }
 }
 
-/// Tolerance for the first and last heading of a table, which must be 0 and 180 degrees (deg).
+/// Tolerance for the first and the last heading of a table (deg), which must be 0 and 180 degrees.
 const SLACK_DEG: f64 = 0.01;
 
 impl Assembly<'_, '_> {
-    /// The table that a kind of vessel names, if any.
+    /// Reads the table of response amplitude operators that a kind of vessel names; `None` if the kind names no table.
     pub(super) fn rao_table(&mut self, table: Of<'_, VesselKey>) -> Checked<Option<RaoTable>> {
         let Some(item) = table.item(VesselKey::WAVE_RESPONSE) else { return Ok(None) };
         let key = table.path_of(VesselKey::WAVE_RESPONSE);
@@ -98,7 +98,7 @@ impl Assembly<'_, '_> {
                 key: key.clone(),
                 message: format!(
                     "in the longest waves of {} the ship sinks on the crest; heave must be \
-                     positive down: is heave positive up in the file?",
+                     positive down, but may be positive up in the file",
                     item.text()
                 ),
             });
@@ -110,7 +110,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The directions with the first and last at exactly 0 and π.
+/// The headings of a table, with the first heading set to exactly 0 and the last to exactly π.
 fn snapped(mut headings_rad: Vec<f64>) -> Vec<f64> {
     if let [first, .., last] = headings_rad.as_mut_slice() {
         (*first, *last) = (0.0, core::f64::consts::PI);
@@ -118,7 +118,7 @@ fn snapped(mut headings_rad: Vec<f64>) -> Vec<f64> {
     headings_rad
 }
 
-/// The estimate for a box-shaped hull of the ship's size.
+/// Estimates the motion in waves as that of a box-shaped hull of the ship's size.
 pub(super) fn estimate(ship: &Particulars, float: &Float) -> MotionResponse {
     MotionResponse::Estimate(BoxShip {
         length_m: ship.length_m,

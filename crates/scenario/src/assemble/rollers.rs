@@ -8,11 +8,11 @@ use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::keys::material::MaterialKey;
 
 impl Assembly<'_, '_> {
-    /// Gives each roller fender a separate material: the material of the fender's table, with the rolling resistance as
-    /// friction. Equal rollers share a material.
+    /// Gives each roller fender its own material, which is the material in the fender's table with the rolling
+    /// resistance as friction. Equal roller fenders share a material.
     ///
     /// # Errors
-    /// A rolling resistance on a material without shear stiffness.
+    /// Fails if a fender has a rolling resistance and its material has no shear stiffness.
     pub(super) fn roll(
         &self,
         of_materials: Tables<'_, MaterialKey>,

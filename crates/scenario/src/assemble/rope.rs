@@ -1,4 +1,4 @@
-//! Ropes of lines and tails: of a built-in material, or with the user's stretch.
+//! Reads the ropes of lines and tails, which are of a built-in material or stretch as the user says.
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
@@ -14,7 +14,7 @@ use fenderline_keys::printable::printable_number;
 const LONGEST_PERCENT: f64 = 1000.0;
 
 impl Assembly<'_, '_> {
-    /// The rope of a line's or a tail's table.
+    /// Reads the rope in the table of a line or of a tail.
     pub(super) fn rope(&mut self, table: Of<'_, RopeKey>) -> Checked<Rope> {
         let break_load_n = *table.given(RopeKey::BREAK_LOAD).number();
         let material = table.given(RopeKey::ROPE);
@@ -39,7 +39,8 @@ impl Assembly<'_, '_> {
                     self.refused(
                         table,
                         item,
-                        &"the rope would break at more than ten times its length",
+                        &"the rope would only break when stretched to more than ten times its \
+                          length",
                     )
                 })?
             }
@@ -48,19 +49,21 @@ impl Assembly<'_, '_> {
                 let path = table.path_to(item);
                 let message = format!("`{path}` does not go together with `axial_stiffness`");
                 let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("keep one of the two"));
+                return Err(error.with_help("keep only one of the two keys"));
             }
             (None, None) => {
                 let path = table.path_of(RopeKey::AXIAL_STIFFNESS);
                 let message = format!("`{path}` is missing; `rope = \"own\"` needs it");
                 let error = self.sources.error(&material.span, &path, message);
-                return Err(error.with_help("give it, or a curve in `load_extension`"));
+                return Err(
+                    error.with_help("give `axial_stiffness`, or a curve in `load_extension`")
+                );
             }
         };
         Ok(Rope { break_load_n, curve })
     }
 
-    /// A load-extension curve from a file.
+    /// Reads a load-extension curve from a file.
     fn load_extension(&mut self, table: Of<'_, RopeKey>, break_load_n: f64) -> Checked<RopeCurve> {
         let (item, key) =
             (table.given(RopeKey::LOAD_EXTENSION), table.path_of(RopeKey::LOAD_EXTENSION));
@@ -69,7 +72,9 @@ impl Assembly<'_, '_> {
         let extension = csv.column("extension_percent")?;
         let (load, unit) = match (csv.has("load_kn"), csv.has("load_percent")) {
             (true, true) => {
-                return Err(csv.header_error("`load_kn` and `load_percent` are the same quantity"));
+                return Err(csv.header_error(
+                    "the columns `load_kn` and `load_percent` give the same quantity",
+                ));
             }
             (false, true) => (csv.column("load_percent")?, 0.01),
             _ => (csv.column("load_kn")?, 1e3 / break_load_n),
@@ -80,7 +85,9 @@ impl Assembly<'_, '_> {
             let share = unit * csv.number(row, load, [0.0, 1e7])?;
             if row == 0 && (percent, share) != (0.0, 0.0) {
                 let error = csv.cell_error(row, extension, "the curve begins here".to_owned());
-                return Err(error.with_help("its first row must be 0, 0: a rope without load"));
+                return Err(error.with_help(
+                    "the first row of the curve must be 0, 0, for a rope without load",
+                ));
             }
             if share > 10.0 {
                 let message = "the load is more than ten times the break load".to_owned();
@@ -88,13 +95,15 @@ impl Assembly<'_, '_> {
             }
             if let Some([last_strain, last_share]) = points.last() {
                 if 0.01 * percent <= *last_strain {
-                    let message =
-                        format!("the extension must rise from row to row, but {percent} follows");
+                    let message = format!(
+                        "the extension must rise from row to row, but the next value is {percent}"
+                    );
                     return Err(csv.cell_error(row, extension, message));
                 }
                 if share <= *last_share {
                     let message = format!(
-                        "the load must rise with the extension, but falls or stays here, at {}",
+                        "the load must rise with the extension, but falls or stays the same in \
+                         this row, at {}",
                         printable_number(csv.plain(row, load))
                     );
                     return Err(csv.cell_error(row, load, message));
@@ -103,7 +112,7 @@ impl Assembly<'_, '_> {
             points.push([0.01 * percent, share]);
         }
         if points.len() < 2 {
-            return Err(csv.header_error("the curve needs two rows or more"));
+            return Err(csv.header_error("the load-extension curve needs two rows or more"));
         }
         let curve = RopeCurve::new(points).map_err(|error| csv.header_error(error.to_string()))?;
         let last = curve.last_share();
@@ -112,8 +121,8 @@ impl Assembly<'_, '_> {
                 place: csv.place_of(Some((csv.row_count() - 1, load))),
                 key,
                 message: format!(
-                    "the curve ends at {} % of the break load: beyond the end the last slope goes \
-                     on",
+                    "the curve ends at {} % of the break load; beyond its end the curve goes on \
+                     with the last slope",
                     printable_number((1e3 * last).round() / 10.0)
                 ),
             });

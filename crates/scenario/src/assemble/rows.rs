@@ -1,5 +1,5 @@
-//! Rows of fenders: from the table of a row to the tables of its fenders. The tables keep the path of the row, so that
-//! errors and notices name the row, its key and its line.
+//! Turns the table of a row of fenders into the tables of the single fenders of the row. The tables of the single
+//! fenders keep the path of the row, so that errors and warnings name the row, its key and its line.
 
 pub(super) mod keys;
 mod places;
@@ -34,7 +34,7 @@ struct Stand {
 }
 
 impl Assembly<'_, '_> {
-    /// The tables of all fenders, those of rows included, in the order of the file.
+    /// The tables of all fenders, including the fenders of rows, in the order of the file.
     pub(super) fn fender_tables(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -115,7 +115,8 @@ impl Assembly<'_, '_> {
             let outline = &bodies[names.bodies[&body]].outline;
             let facing = row.item(FenderRowKey::FACING).map(|item| *item.number());
             let Some(facing_rad) = facing.or_else(|| facing_rad(outline, position_m)) else {
-                let help = "the fender is not on an edge of its dolphin: give the direction";
+                let help = "the fender is not on an edge of its dolphin: give the direction of the \
+                            fender in `facing`";
                 return Err(self.missing(row, FenderRowKey::FACING, help));
             };
             Ok(Stand { body, position_m, facing_rad })
@@ -150,8 +151,9 @@ impl Assembly<'_, '_> {
             (None, None) => match edges_with(outline, &ends_m).as_slice() {
                 [edge] => direction_rad(edge.outward),
                 _ => {
-                    let help = "the row does not stand along one edge of its body's outline: give the direction in \
-                                which it faces, or places on an edge";
+                    let help = "the row does not stand along one edge of its body's outline: give \
+                                the direction in which the row faces in `facing`, or places on an \
+                                edge";
                     return Err(self.missing(row, FenderRowKey::FACING, help));
                 }
             },
@@ -169,14 +171,18 @@ impl Assembly<'_, '_> {
         }
         let path = row.path_of(FenderRowKey::WIDTH);
         let message = format!(
-            "`{path}`: faces {width_m} m wide overlap at a spacing of {} m",
+            "`{path}`: faces that are {width_m} m wide overlap at a spacing of {} m",
             rounded(spacing_m)
         );
         let error = self.sources.error(&width.span, &path, message);
-        Err(error.with_help("give the width of one panel; the spacing is from middle to middle"))
+        Err(error.with_help(
+            "give the width of one panel; the spacing is measured from the middle \
+                             of one fender to the middle of the next",
+        ))
     }
 
-    /// Refuses fenders beyond the end of the edge, and notes panels that reach beyond it.
+    /// Refuses a row with fenders beyond the end of the edge, and warns of panels that reach beyond the end of the
+    /// edge.
     fn check_ends(&mut self, row: Of<'_, FenderRowKey>, line: &Line) -> Checked<()> {
         let Some(edge) = line.edge else { return Ok(()) };
         let at = |key: AnyKey<FenderRowKey>| {
@@ -202,13 +208,16 @@ impl Assembly<'_, '_> {
         let half_m = 0.5 * row.given(FenderRowKey::WIDTH).number();
         let beyond = |reach: f64| reach - half_m < -1e-6 || reach + half_m > edge.length_m + 1e-6;
         if reaches.iter().any(|reach| beyond(*reach)) {
-            let message = format!("a face of the row reaches beyond the edge from {from} to {to}");
+            let message = format!(
+                "the face of a fender of the row reaches beyond the edge from {from} to {to}"
+            );
             self.note_at(&at(key), row.path_of(key), message);
         }
         Ok(())
     }
 
-    /// The table of one fender: the keys of the row, the keys of the exceptions for this fender, and the place.
+    /// Makes the table of one fender from the keys of the row, the keys of the exceptions for this fender, and the
+    /// fender's place.
     fn fender_of_row(&self, name: &str, row: Of<'_, FenderRowKey>, stand: Stand) -> Checked<Table> {
         let placed = |key: AnyKey<FenderRowKey>, value: Value| {
             let of_row = row.item(key).map_or((row.span.clone(), row.span.clone()), |item| {
@@ -254,8 +263,8 @@ impl Assembly<'_, '_> {
         reader::with_defaults(self.sources, &FENDER, &row.path, &row.span, items)
     }
 
-    /// Rank of a value of a key: the command line precedes the file, and of two values on the command line the later
-    /// value counts; in the file, the exception precedes the row.
+    /// The rank of a key's value, by which one of several values counts. A value on the command line ranks before a
+    /// value in the file, and a later option before an earlier option; in the file, an exception ranks before the row.
     fn rank(&self, is_exception: bool, item: &Item) -> Rank {
         let start = if item.is_default { 0 } else { item.span.start };
         let is_override = start > self.sources.text.len();

@@ -17,22 +17,25 @@ use fenderline_keys::error::Notice;
 use fenderline_keys::keys::vessel::VesselKey;
 use fenderline_keys::printable::printable_number;
 
-/// Viscous damping of roll unless given; our assumption for a hull with bilge keels.
+/// Viscous damping of roll if the scenario gives none; our assumption for a hull with bilge keels.
 const ROLL_DAMPING: f64 = 0.05;
-/// How far the mass of the data may be from the displacement of the vessel.
+/// Largest difference between the mass in the hydrodynamic data and the displacement of the vessel, as a share.
 const MASS: f64 = 0.03;
-/// The shortest period that a time step can follow, over the step: 2π/√6.
+/// The shortest period of a motion that the time integration can follow, divided by the time step: 2π/√6.
 const SHORTEST_PERIOD: f64 = 2.565;
-/// The most that a step (s) times the highest frequency of the data (rad/s) may be. Found by trial with a tanker whose data end at
-/// 3.4 rad/s: in a wave of 37 s heave and pitch are right up to 2.0 and 0.6 % off at 2.4; at 2.7 pitch is 9 % off, at 3.1 heave 15 %.
+/// Largest permitted product of the time step (s) and the highest frequency of the hydrodynamic data (rad/s). We found
+/// this limit by trial with a tanker whose data end at 3.4 rad/s, in a wave of 37 s. Up to a product of 2.0 heave and
+/// pitch are right; at 2.4 they are 0.6 % off, at 2.7 pitch is 9 % off, and at 3.1 heave is 15 % off.
 const FINEST: f64 = 2.0;
-/// From this share of the sea's energy on, a notice tells of waves that the data do not resolve.
+/// There is a warning if waves with more than this share of the sea's energy are not resolved by the hydrodynamic data.
 const TOLD: f64 = 0.05;
-/// From which share on they are refused: most of what moves the ship would then be guessed.
+/// Hydrodynamic data are refused if they do not resolve this share of the sea's energy, because most of the ship's
+/// motion would then be guessed.
 const REFUSED: f64 = 0.5;
 
 impl Assembly<'_, '_> {
-    /// The hydrodynamic data that a kind of vessel names, if any, with the centre of gravity.
+    /// Reads the hydrodynamic data that a kind of vessel names, with the centre of gravity; `None` if the kind names no
+    /// data.
     pub(super) fn seakeeping(
         &mut self,
         table: Of<'_, VesselKey>,
@@ -55,17 +58,19 @@ impl Assembly<'_, '_> {
         if !data.is_resolved_by(step_s) {
             let message = format!(
                 "a step of {step_s} s is too long for these data: heave, roll or pitch has a \
-                 natural period below {} s, and would grow without bound",
+                 natural period below {} s, so that this motion would grow without bound",
                 printable_number((step_s * SHORTEST_PERIOD * 100.0).round() / 100.0)
             );
             return Err(self.refused(table, item, &message).with_help(
-                "take a shorter step, or see whether restoring and added mass are in kg, m, s, N",
+                "take a shorter step, or check whether restoring and added mass are in kg, m, s \
+                 and N",
             ));
         }
         let last_radps = data.last_frequency_radps();
         if step_s * last_radps > FINEST {
             let message = format!(
-                "a step of {step_s} s is too long for these data, whose highest frequency is {} rad/s: heave, roll and pitch would be wrong",
+                "a step of {step_s} s is too long for these data, whose highest frequency is {} \
+                 rad/s: heave, roll and pitch would be wrong",
                 printable_number((last_radps * 100.0).round() / 100.0)
             );
             let longest_s = (100.0 * FINEST / last_radps).floor() / 100.0;
@@ -130,7 +135,8 @@ impl Assembly<'_, '_> {
         Ok(Some((seakeeping, float)))
     }
 
-    /// Notes the share of the sea's energy that the data do not resolve. From half of the energy on, the sea is refused.
+    /// Warns of the share of the sea's energy that the hydrodynamic data do not resolve. Refuses the sea if the data do
+    /// not resolve half of its energy.
     fn tell_unresolved<V>(
         &mut self,
         table: Of<'_, VesselKey>,
@@ -147,7 +153,8 @@ impl Assembly<'_, '_> {
         let mut parts = Vec::new();
         if unresolved.by_headings > 0.0 {
             parts.push(format!(
-                "{} % in waves of less than {} s, for which the headings of the data are too far apart (up to {} degrees)",
+                "{} % in waves of less than {} s, for which the headings of the data are too far \
+                 apart (up to {} degrees)",
                 percent(unresolved.by_headings),
                 printable_number((100.0 * TAU / data.resolved_to_radps(length_m)).round() / 100.0),
                 printable_number(data.widest_heading_step_rad().to_degrees().round()),
@@ -155,18 +162,21 @@ impl Assembly<'_, '_> {
         }
         if unresolved.by_frequencies > 0.0 {
             let share = percent(unresolved.by_frequencies);
-            parts.push(format!("{share} % where the frequencies of the data are too far apart"));
+            parts.push(format!(
+                "{share} % in waves for which the frequencies of the data are too far apart"
+            ));
         }
         if unresolved.beyond > 0.0 {
             let share = percent(unresolved.beyond);
-            parts.push(format!("{share} % beyond the frequencies of the data"));
+            parts.push(format!("{share} % in waves beyond the frequencies of the data"));
         }
         let message = format!(
             "{} % of the sea's energy is in waves that the hydrodynamic data do not resolve: {}",
             percent(unresolved.sum()),
             parts.join("; ")
         );
-        let help = "make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule";
+        let help = "make hydrodynamic data with smaller steps of heading and frequency, by the \
+                    rule in docs/guides/hydrodynamics.md";
         if unresolved.sum() >= REFUSED {
             return Err(self.refused(table, item, &message).with_help(help));
         }

@@ -1,4 +1,4 @@
-//! Notices about parts of a scenario that have no effect.
+//! Warnings about parts of a scenario that have no effect.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,8 @@ use fenderline_keys::keys::material::MaterialKey;
 use fenderline_keys::keys::run::ContactKey;
 
 impl Assembly<'_, '_> {
-    /// Notes bodies that touch nothing, and materials that nothing uses; a single notice if there is no pair.
+    /// Warns of bodies that touch nothing, and of materials that nothing uses. If the scenario has no pair, there is a
+    /// single warning.
     pub(super) fn note_unused(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -41,20 +42,21 @@ impl Assembly<'_, '_> {
         let paired: BTreeSet<usize> = pairs.named.iter().flat_map(|pair| pair.bodies).collect();
         for (index, (_, table)) in file.given(ScenarioKey::BODY).named().iter().enumerate() {
             if !paired.contains(&index) && bodies.len() > 1 {
-                self.note(table, "no pair names this body: it touches nothing");
+                self.note(table, "no pair names this body, so the body touches nothing");
             }
         }
         for (fender, (_, table)) in fenders.iter().zip(fender_tables) {
             if !paired.contains(&fender.body) {
                 self.note(
                     table,
-                    "no pair names the body that carries this fender: nothing touches it",
+                    "no pair names the body that carries this fender, so nothing touches the \
+                     fender",
                 );
             }
         }
     }
 
-    /// Notes materials whose restitution has no effect, because only fenders with an unloading law use the material.
+    /// Warns of materials whose restitution has no effect, because only fenders with an unloading law use the material.
     fn note_restitution(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -78,8 +80,8 @@ impl Assembly<'_, '_> {
                     place: self.sources.place(&item.span),
                     key: table.path_of(MaterialKey::RESTITUTION),
                     message: format!(
-                        "{NO_EFFECT}the fenders of this material return energy by their unloading law; set `returned_energy` of the \
-                         fenders instead, or remove it"
+                        "{NO_EFFECT}the fenders of this material return energy by their unloading \
+                         law; set `returned_energy` of the fenders instead, or remove this key"
                     ),
                 });
             }

@@ -26,7 +26,7 @@ use fenderline_keys::typed_key::Key;
 /// A kind of vessel; several bodies may be of one kind.
 pub(super) struct Kind {
     pub(super) setup: VesselSetup,
-    /// Place for notices about the kind: the table of the kind, or the body that names the kind.
+    /// Place to which warnings about this kind of vessel point: the table of the kind, or the body that names the kind.
     pub(super) place: (Span, String),
     pub(super) mass: MassProperties,
     /// Added mass of the vessel at the lowest water of the run.
@@ -34,19 +34,19 @@ pub(super) struct Kind {
     data: VesselData,
 }
 
-/// Kinds of vessels by their names.
+/// The kinds of vessels in a scenario, by their names.
 #[derive(Default)]
 pub(super) struct Kinds {
-    /// In the order in which the scenario names them first.
+    /// All kinds of vessels, in the order in which the scenario first names each kind.
     pub(super) all: Vec<(String, Kind)>,
-    /// Index in `all` by name.
+    /// Index of each kind in `all`, by its name.
     by_name: BTreeMap<String, usize>,
-    /// Index in `all` by body; `None`: a body that is not a vessel.
+    /// Index in `all` of each body's kind; `None` for a body that is not a vessel.
     of_bodies: Vec<Option<usize>>,
 }
 
 impl Kinds {
-    /// Adds a kind and returns its index.
+    /// Adds a kind of vessel and returns the kind's index.
     fn add(&mut self, name: &str, kind: Kind) -> usize {
         let index = self.all.len();
         self.by_name.insert(name.to_owned(), index);
@@ -54,22 +54,22 @@ impl Kinds {
         index
     }
 
-    /// The data of a kind that the scenario has named or defined.
+    /// The data of a kind of vessel that the scenario has named or defined.
     pub(super) fn data(&self, name: &str) -> Option<&VesselData> {
         self.by_name.get(name).map(|index| &self.all[*index].1.data)
     }
 
-    /// The kind of each body that is a vessel, in the order of the bodies.
+    /// The kind of vessel of each body, in the order of the bodies; `None` for a body that is not a vessel.
     pub(super) fn of_bodies(&self) -> impl Iterator<Item = Option<&Kind>> {
         self.of_bodies.iter().map(|index| index.map(|index| &self.all[index].1))
     }
 }
 
-/// The kind of each body that is a vessel, by the index of the body.
+/// The kind of vessel of each body, by the index of the body; `None` for a body that is not a vessel.
 pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
 
 impl Kind {
-    /// A vessel in the water of a scenario.
+    /// Makes a kind of vessel for the depth and density of the water in the scenario.
     fn new(
         data: VesselData,
         environment: &Environment,
@@ -123,28 +123,28 @@ impl Kind {
         Ok(Kind { setup, place, mass, low_water_mass, data })
     }
 
-    /// From midship to the centre of gravity, which is a body's origin.
+    /// Converts a point relative to midship into a point relative to the centre of gravity, which is a body's origin.
     fn about_gravity(&self, at_m: Vec2) -> Vec2 {
         at_m - vec2(self.data.ship.particulars.centre_of_gravity_m, 0.0)
     }
 
-    /// Her outline about the centre of gravity.
+    /// The vessel's outline, with vertices relative to the centre of gravity.
     pub(super) fn outline_m(&self) -> Option<Vec<Vec2>> {
         let points = self.data.outline_m.as_ref()?;
         Some(points.iter().map(|point| self.about_gravity(*point)).collect())
     }
 
-    /// Draught (m).
+    /// Draught of the vessel (m).
     pub(super) fn draught_m(&self) -> f64 {
         self.data.ship.particulars.draught_m
     }
 
-    /// Length between perpendiculars (m).
+    /// Length of the vessel between perpendiculars (m).
     pub(super) fn length_m(&self) -> f64 {
         self.data.ship.particulars.length_m
     }
 
-    /// Length and beam (m).
+    /// Length overall and beam of the vessel (m).
     pub(super) fn size_m(&self) -> [f64; 2] {
         let hull = &self.data.ship.particulars;
         [self.data.length_overall_m.unwrap_or(hull.length_m), hull.beam_m]
@@ -172,7 +172,7 @@ fn key_of(ratio: Ratio) -> Key<VesselKey, Number> {
 }
 
 impl Assembly<'_, '_> {
-    /// Adds notices for particulars outside the range of the formulas that estimate a vessel.
+    /// Adds warnings for particulars outside the range of the formulas that estimate a vessel.
     fn note_outside_range(&mut self, table: Of<'_, VesselKey>, data: &VesselData) {
         for outside in &data.origin.outside {
             let item = table
@@ -188,8 +188,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Every kind of vessel: first the kinds of the scenario, in the order of the file, then the
-    /// kinds of the library that bodies name.
+    /// Every kind of vessel in a scenario: first the kinds that the scenario defines, in the order of the file, then
+    /// the kinds of the library that bodies name.
     pub(super) fn kinds(
         &mut self,
         file: Of<'_, ScenarioKey>,
@@ -203,7 +203,8 @@ impl Assembly<'_, '_> {
                 let message = format!("the library has a vessel named {} already", quoted(name));
                 let error = self.sources.error(&table.span, &table.path, message);
                 return Err(error.with_help(format!(
-                    "take another name, and from = \"{name}\" if it is that vessel"
+                    "take another name, and write from = \"{name}\" if the library's vessel is \
+                     meant"
                 )));
             }
             let data = own_vessel(self.sources, name, table, library)?;
@@ -300,7 +301,7 @@ impl Assembly<'_, '_> {
         Ok(vessels)
     }
 
-    /// A chock, from the centre of gravity, and its height above the water (m).
+    /// The place of a chock relative to the centre of gravity, and the chock's height above the water (m).
     pub(super) fn chock<T>(
         &self,
         table: Of<'_, T>,
@@ -310,7 +311,7 @@ impl Assembly<'_, '_> {
         self.deck_point(table, item, LineKey::CHOCK.name(), deck, |data| &data.chocks)
     }
 
-    /// Bitts, from the centre of gravity, and their height above the water (m).
+    /// The place of bitts relative to the centre of gravity, and the height of the bitts above the water (m).
     pub(super) fn bitts<T>(
         &self,
         table: Of<'_, T>,
@@ -336,7 +337,7 @@ impl Assembly<'_, '_> {
         Ok((kind.about_gravity(point.at_m), point.above_water_m))
     }
 
-    /// A belting, its middle from the centre of gravity.
+    /// A belting of a vessel, with the middle of the belting relative to the centre of gravity.
     pub(super) fn belting<T>(
         &self,
         table: Of<'_, T>,
@@ -357,7 +358,9 @@ impl Assembly<'_, '_> {
         item: Entry<'_, V>,
         deck: Option<&'k Kind>,
     ) -> Checked<&'k Kind> {
-        deck.ok_or_else(|| self.refused(table, item, &"its body is not a vessel"))
+        deck.ok_or_else(|| {
+            self.refused(table, item, &"the body that is named there is not a vessel")
+        })
     }
 
     fn not_on_her<'n, T>(

@@ -1,4 +1,4 @@
-//! A vessel's wind areas, and the method that computes wind forces from them.
+//! Reads a vessel's wind areas, and the method that computes wind forces from the areas.
 
 use fenderline_sim::environment::wind::{
     BLENDERMANN_TYPES, Blendermann, Fujiwara, Isherwood, ShipWindage, WindMethod,
@@ -52,7 +52,8 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// Checks that the table has all particulars of its method, and no particulars of another method.
+    /// Checks that a table of wind areas has all particulars that its method needs, and no particulars of another
+    /// method.
     fn only_particulars_of<V>(
         &self,
         of: Of<'_, WindageKey>,
@@ -65,7 +66,9 @@ impl Assembly<'_, '_> {
             for &key in foreign.value.keys() {
                 if let Some(item) = of.item(key) {
                     let path = of.path_of(key);
-                    let message = format!("`{path}` is for the method \"{other}\", not \"{name}\"");
+                    let message = format!(
+                        "`{path}` is for the method \"{other}\", not for the method \"{name}\""
+                    );
                     let error = self.sources.error(&item.key_span, &path, message);
                     return Err(
                         error.with_help(format!("remove it, or write method = \"{other}\""))
@@ -77,7 +80,7 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(&key) => {
                 let path = of.path_of(key);
-                let message = format!("`{path}` is missing; the method \"{name}\" needs it");
+                let message = format!("`{path}` is missing; the method \"{name}\" needs this key");
                 let error = self.sources.error(&windage.span, &path, message);
                 let example = of.spec.key(key.name()).and_then(|key| key.examples.first());
                 Err(match example {

@@ -1,4 +1,4 @@
-//! Tugs.
+//! Reads tugs.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -17,7 +17,7 @@ use fenderline_keys::suggest::nearest;
 use fenderline_keys::typed_key::Key;
 
 impl Assembly<'_, '_> {
-    /// An error at a key's value.
+    /// Makes an error that points to the value of a key.
     pub(super) fn refused<T, V>(
         &self,
         table: Of<'_, T>,
@@ -48,7 +48,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The index of the vessel that a key names by its body.
+    /// The index of the vessel whose body a key names.
     pub(super) fn vessel_named<T>(
         &self,
         table: Of<'_, T>,
@@ -96,8 +96,8 @@ impl Assembly<'_, '_> {
                 tug.check().map_err(|error| self.wrong(table, &error))?;
                 let height = table.given(TugKey::ABOVE_WATER);
                 if !height.is_default && vessels[vessel].seakeeping.is_none() {
-                    let message = "the height of the force heels only a vessel with \
-                        `hydrodynamics`, and this vessel has none";
+                    let message = "the height of the force has an effect only on a vessel with \
+                                   `hydrodynamics`, and this vessel has no `hydrodynamics`";
                     return Err(self.refused(table, height, &message));
                 }
                 Ok(TugSetup { vessel, tug, above_water_m: *height.number() })

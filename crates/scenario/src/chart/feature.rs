@@ -1,4 +1,4 @@
-//! From the features of a GeoJSON file to the features of a chart.
+//! Turns the features of a GeoJSON file into the features of a chart.
 
 use fenderline_contact::{Outline, OutlineError, Vec2};
 use fenderline_sim::chart::{
@@ -19,7 +19,7 @@ pub(super) const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
 
 type Read<T> = Result<T, String>;
 
-/// Reads features. Mistakes are reasons without the feature's name, which the caller adds.
+/// Reads features. Reads features of a file. An error is a text without the feature's name; the caller adds the name.
 pub(super) struct Reading<'r> {
     pub(super) placing: &'r Placing,
     pub(super) budget: &'r mut Budget,
@@ -47,13 +47,13 @@ pub(super) enum Refusal {
 }
 
 impl Reading<'_> {
-    /// The features of the chart that a feature of a file makes: one for each part of the geometry.
+    /// The features of the chart that follow from a feature of a file: one feature for each part of the geometry.
     ///
     /// # Errors
-    /// The reason why it is not a feature of a chart.
+    /// Says why the feature of the file is not a feature of a chart.
     pub(super) fn features(&mut self, raw: &Raw) -> Read<Vec<ChartFeature>> {
         if raw.kind != "Feature" {
-            return Err(format!("its `type` is {}, not \"Feature\"", quoted(&raw.kind)));
+            return Err(format!("the feature's `type` is {}, not \"Feature\"", quoted(&raw.kind)));
         }
         let none = Properties::default();
         let given = raw.properties.as_ref().unwrap_or(&none);
@@ -66,7 +66,7 @@ impl Reading<'_> {
         };
         let features: Vec<ChartFeature> = shapes.into_iter().map(feature).collect::<Read<_>>()?;
         if kind == ChartKind::Name && of_kind.name.is_empty() {
-            return Err("it is a name, but has no property `name`".to_owned());
+            return Err("the feature is a name, but has no property `name`".to_owned());
         }
         Ok(features)
     }
@@ -119,10 +119,10 @@ impl Reading<'_> {
     /// The parts of a geometry, each point with its third coordinate.
     fn shapes(&mut self, raw: &Raw) -> Read<Vec<(ChartShape, Option<f64>)>> {
         let Some(geometry) = &raw.geometry else {
-            return Err("it has no `geometry`".to_owned());
+            return Err("the feature has no `geometry`".to_owned());
         };
         let given = || {
-            let missing = || format!("its {} has no `coordinates`", geometry.kind);
+            let missing = || format!("the feature's {} has no `coordinates`", geometry.kind);
             geometry.coordinates.as_ref().ok_or_else(missing)
         };
         let shapes = match geometry.kind.as_str() {
@@ -137,21 +137,23 @@ impl Reading<'_> {
                 self.each(given()?, |this, rings| Ok((ChartShape::Area(this.rings(rings)?), None)))?
             }
             "GeometryCollection" => {
-                return Err("a GeometryCollection is not read: make each part a feature".to_owned());
+                return Err(
+                    "a GeometryCollection cannot be read: make each of its parts a separate \
+                            feature"
+                        .to_owned(),
+                );
             }
             other => {
                 return Err(format!(
-                    "its geometry is {}, which is not a geometry of GeoJSON",
+                    "the feature's geometry is {}, which is not a geometry of GeoJSON",
                     quoted(other)
                 ));
             }
         };
         // Each of these takes a place in messages and pictures.
-        self.budget.features = self
-            .budget
-            .features
-            .checked_sub(shapes.len())
-            .ok_or_else(|| format!("with it the chart has more than {MOST_FEATURES} parts"))?;
+        self.budget.features = self.budget.features.checked_sub(shapes.len()).ok_or_else(|| {
+            format!("with this feature the chart has more than {MOST_FEATURES} parts")
+        })?;
         Ok(shapes)
     }
 
@@ -171,29 +173,30 @@ impl Reading<'_> {
 
     fn point(&mut self, at: &Coordinates) -> Read<Vec2> {
         let Coordinates::Position(position, _) = at else {
-            return Err("a position is a list of two numbers".to_owned());
+            return Err("a position must be a list of two numbers".to_owned());
         };
-        self.budget.points = self
-            .budget
-            .points
-            .checked_sub(1)
-            .ok_or_else(|| format!("with it the chart has more than {MOST_POINTS} points"))?;
+        self.budget.points = self.budget.points.checked_sub(1).ok_or_else(|| {
+            format!("with this feature the chart has more than {MOST_POINTS} points")
+        })?;
         self.placing.place(*position)
     }
 
     fn line(&mut self, line: &Coordinates) -> Read<Vec<Vec2>> {
         let line = self.each(line, |this, at| this.point(at))?;
         if line.len() < 2 {
-            return Err(format!("a line has two points or more, but this one has {}", line.len()));
+            return Err(format!(
+                "a line must have two points or more, but this line has {}",
+                line.len()
+            ));
         }
         Ok(line)
     }
 
-    /// The rings of a polygon, each without its last point, which repeats the first.
+    /// The rings of a polygon, each without its last point, which repeats the first point.
     fn rings(&mut self, rings: &Coordinates) -> Read<Vec<Vec<Vec2>>> {
         let rings = self.each(rings, Reading::ring)?;
         if rings.is_empty() {
-            return Err("its polygon has no ring".to_owned());
+            return Err("the feature's polygon has no ring".to_owned());
         }
         Ok(rings)
     }
@@ -204,18 +207,21 @@ impl Reading<'_> {
         let (Some(Coordinates::Position(first, _)), Some(Coordinates::Position(last, _))) =
             (list(ring)?.first(), list(ring)?.last())
         else {
-            return Err("a ring is a list of positions".to_owned());
+            return Err("a ring of a polygon must be a list of positions".to_owned());
         };
         if first != last {
             return Err(format!(
-                "its ring is not closed: it begins at {first:?} and ends at {last:?}"
+                "the feature's ring is not closed: the ring begins at {first:?} and ends at \
+                 {last:?}"
             ));
         }
         let mut ring = self.each(ring, |this, at| this.point(at))?;
         ring.pop();
         if ring.len() < 3 {
             let count = ring.len();
-            return Err(format!("a ring has three corners or more, but this one has {count}"));
+            return Err(format!(
+                "a ring must have three corners or more, but this ring has {count}"
+            ));
         }
         match self.rings {
             Rings::Outlines => check_ring(&ring)?,
@@ -228,7 +234,7 @@ impl Reading<'_> {
 fn list(of: &Coordinates) -> Read<&[Coordinates]> {
     match of {
         Coordinates::List(list) => Ok(list),
-        _ => Err("its coordinates are not nested as its geometry needs".to_owned()),
+        _ => Err("the feature's coordinates are not nested as its geometry needs".to_owned()),
     }
 }
 
@@ -324,9 +330,9 @@ fn check_ring(ring: &[Vec2]) -> Read<()> {
     match Outline::new(ring) {
         Ok(_) => Ok(()),
         Err(error @ OutlineError::SelfIntersection { .. }) => {
-            Err(format!("its ring crosses or touches itself: {error}"))
+            Err(format!("the feature's ring crosses or touches itself: {error}"))
         }
-        Err(error) => Err(format!("its ring is not an area: {error}")),
+        Err(error) => Err(format!("the feature's ring is not an area: {error}")),
     }
 }
 
@@ -335,14 +341,16 @@ fn kind(given: &Properties) -> Read<ChartKind> {
     let all = || words().collect::<Vec<_>>().join(", ");
     let Some(word) = &given.kind else {
         return Err(format!(
-            "it has no property `kind`, which is one of {}; a feature of S-57 has `OBJL`, or its file the `name` of the layer",
+            "the feature has no property `kind`, which must be one of {}; a feature of S-57 has `OBJL`, or its file the `name` of the layer",
             all()
         ));
     };
     ChartKind::ALL.iter().copied().find(|kind| kind.word() == word).ok_or_else(|| {
         match nearest(word, words()) {
-            Some(near) => format!("its `kind` is {}; did you mean \"{near}\"?", quoted(word)),
-            None => format!("its `kind` is {}, not one of {}", quoted(word), all()),
+            Some(near) => {
+                format!("the feature's `kind` is {}; did you mean \"{near}\"?", quoted(word))
+            }
+            None => format!("the feature's `kind` is {}, not one of {}", quoted(word), all()),
         }
     })
 }
@@ -350,10 +358,12 @@ fn kind(given: &Properties) -> Read<ChartKind> {
 fn name(given: &Properties) -> Read<String> {
     let name = given.name.as_deref().unwrap_or_default();
     if name.len() > LONGEST_NAME {
-        return Err(format!("its name is longer than {LONGEST_NAME} bytes"));
+        return Err(format!("the feature's name is longer than {LONGEST_NAME} bytes"));
     }
     if name.contains(char::is_control) {
-        return Err("its name has a line break or another control character in it".to_owned());
+        return Err(
+            "the feature's name has a line break or another control character in it".to_owned()
+        );
     }
     Ok(name.trim().to_owned())
 }
@@ -393,11 +403,11 @@ fn mark(given: &Properties, kind: ChartKind) -> Read<Option<ChartMark>> {
 fn word<T: Copy>(key: &str, given: &str, words: &[(&str, T)]) -> Read<T> {
     words.iter().find(|(word, _)| *word == given).map(|(_, value)| *value).ok_or_else(|| {
         let all: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
-        format!("its `{key}` is {}, not one of {}", quoted(given), all.join(", "))
+        format!("the feature's `{key}` is {}, not one of {}", quoted(given), all.join(", "))
     })
 }
 
-/// Whether a kind has this shape.
+/// Checks that a kind of feature may have a shape: a point, a line or an area.
 fn check_shape(kind: ChartKind, shape: &ChartShape) -> Read<()> {
     use ChartKind as K;
     let (is, fits) = match shape {

@@ -1,4 +1,5 @@
-//! The syntax of GeoJSON (RFC 7946), feature by feature, so that a mistake names its feature and memory stays small.
+//! Reads the syntax of GeoJSON (RFC 7946) feature by feature, so that an error can name its feature and the program
+//! needs little memory.
 
 use core::fmt;
 
@@ -11,7 +12,7 @@ use super::placing::{LARGEST_FILE, MOST_FEATURES};
 use fenderline_keys::error::{Place, ScenarioError};
 use fenderline_keys::sources::{Sources, quoted};
 
-/// A file whose features are not read yet.
+/// A GeoJSON file whose features are not read yet.
 pub(super) struct File<'a> {
     sources: Sources<'a>,
     text: &'a str,
@@ -21,7 +22,7 @@ pub(super) struct File<'a> {
     features: Vec<&'a RawValue>,
 }
 
-/// The outermost object.
+/// The outermost object of a GeoJSON file.
 #[derive(Deserialize)]
 struct Document<'a> {
     #[serde(rename = "type")]
@@ -32,19 +33,19 @@ struct Document<'a> {
     name: Option<Value>,
 }
 
-/// The coordinate system of a file, which GeoJSON had before its standard.
+/// The coordinate system that a GeoJSON file states; GeoJSON files had this object before the standard.
 #[derive(Deserialize)]
 struct System {
     properties: NameOfSystem,
 }
 
-/// The name of a coordinate system.
+/// The name of the coordinate system that a GeoJSON file states.
 #[derive(Deserialize)]
 struct NameOfSystem {
     name: String,
 }
 
-/// A feature.
+/// A feature of a GeoJSON file.
 #[derive(Debug, Deserialize)]
 pub(super) struct Raw {
     #[serde(rename = "type")]
@@ -53,7 +54,7 @@ pub(super) struct Raw {
     pub(super) properties: Option<Properties>,
 }
 
-/// A geometry; only a collection of geometries has no coordinates.
+/// The geometry of a feature; only a collection of geometries has no coordinates.
 #[derive(Debug, Deserialize)]
 pub(super) struct Geometry {
     #[serde(rename = "type")]
@@ -128,18 +129,18 @@ pub(super) enum Coordinates {
 }
 
 impl Raw {
-    /// The feature's name; empty for none.
+    /// The feature's name; empty if the feature has no name.
     pub(super) fn name(&self) -> String {
         self.properties.as_ref().and_then(|given| given.name.clone()).unwrap_or_default()
     }
 }
 
 impl<'a> File<'a> {
-    /// Finds the features of a file.
+    /// Finds the features of a GeoJSON file.
     ///
     /// # Errors
-    /// A file that is too large, is no JSON, is no collection of features, has too many, or states a coordinate system
-    /// that is not WGS 84 where degrees are expected.
+    /// Fails if the file is too large, is not JSON, is not a collection of features, or has too many features, or if it
+    /// states another coordinate system than WGS 84 where degrees are expected.
     pub(super) fn open(
         name: &'a str,
         text: &'a str,
@@ -166,7 +167,7 @@ impl<'a> File<'a> {
             .ok_or_else(|| sources.file_error("the FeatureCollection has no `features`"))?;
         if features.len() > MOST_FEATURES {
             let message = format!(
-                "the chart has {} features, but at most {MOST_FEATURES} are read",
+                "the chart has {} features, but may have at most {MOST_FEATURES}",
                 features.len()
             );
             return Err(sources.file_error(message));
@@ -180,7 +181,7 @@ impl<'a> File<'a> {
                 quoted(&system)
             );
             let error = sources.file_error(message);
-            return Err(error.with_help("convert it to WGS 84 (EPSG:4326)"));
+            return Err(error.with_help("convert the file to WGS 84 (EPSG:4326)"));
         }
         let layer = match document.name {
             Some(Value::String(name)) => name,
@@ -208,7 +209,8 @@ impl<'a> File<'a> {
     /// Reads a feature.
     ///
     /// # Errors
-    /// A value of the wrong type, a number that is not one, lists that are nested too deep.
+    /// Fails if the feature has a value of the wrong type or something that is not a number, or if its lists are nested
+    /// too deep.
     pub(super) fn feature(&self, index: usize) -> Result<Raw, ScenarioError> {
         let raw = self.features[index].get();
         serde_json::from_str(raw).map_err(|error| {
@@ -218,7 +220,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// An error about a feature.
+    /// Makes an error about a feature of the file.
     pub(super) fn refused(&self, index: usize, name: &str, why: String) -> ScenarioError {
         let start = self.start(index);
         self.error(index, name, start..start + self.features[index].get().len(), &why)
@@ -236,15 +238,15 @@ impl<'a> File<'a> {
         self.sources.error(&span, self.key, message)
     }
 
-    /// Where a feature begins in the file (bytes).
+    /// Place at which a feature begins in the file (bytes).
     fn start(&self, index: usize) -> usize {
         self.features[index].get().as_ptr() as usize - self.text.as_ptr() as usize
     }
 }
 
-/// An error of the reader of JSON.
+/// An error of the JSON parser.
 struct Fault {
-    /// Where (bytes).
+    /// Place of the error in the text (bytes).
     at: usize,
     why: String,
 }
@@ -255,7 +257,7 @@ impl Fault {
         let why = whole.rfind(" at line ").map_or(&*whole, |end| &whole[..end]);
         let why = why
             .strip_prefix("recursion limit exceeded")
-            .map_or_else(|| why.to_owned(), |_| "its lists are nested too deep".to_owned());
+            .map_or_else(|| why.to_owned(), |_| "the lists are nested too deep".to_owned());
         // The reader counts lines from 1 and bytes of a line from 1.
         let line = text.split_inclusive('\n').take(error.line().saturating_sub(1));
         let at = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
@@ -303,7 +305,7 @@ impl<'de> Visitor<'de> for OfCoordinates {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Coordinates, A::Error> {
-        let not_a_position = || Error::custom("a position is a list of two numbers");
+        let not_a_position = || Error::custom("a position must be a list of two numbers");
         match list.next_element()? {
             None => Ok(Coordinates::List(Vec::new())),
             Some(Coordinates::Number(x)) => {

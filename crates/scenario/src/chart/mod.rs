@@ -40,10 +40,10 @@ impl Counts {
     }
 }
 
-/// Reads a GeoJSON file; `key` is the scenario's key that names it.
+/// Reads a GeoJSON file; `key` is the key of the scenario that names the file.
 ///
 /// # Errors
-/// The first mistake, with its line, and its feature by number and name.
+/// Returns the first mistake in the file, with its line and the number and name of its feature.
 pub(crate) fn read(
     (name, text): (&str, &str),
     key: &str,

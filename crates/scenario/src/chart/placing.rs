@@ -1,4 +1,4 @@
-//! From the coordinates of a chart to those of the scenario, and the limits of a chart.
+//! Converts the coordinates of a chart into coordinates of the scenario, and sets the limits of a chart's size.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::chart::GeographicPlace;
@@ -14,20 +14,20 @@ pub(super) const LARGEST_FILE: usize = 16 << 20;
 /// Farthest point from the scenario's origin (m). One that is farther has swapped coordinates, or belongs to another place.
 const FARTHEST_M: f64 = 200e3;
 
-/// From the coordinates of the files to those of the scenario.
+/// How the coordinates in the chart files become coordinates of the scenario.
 #[derive(Clone, Debug)]
 pub(crate) enum Placing {
-    /// They are metres east and north.
+    /// The coordinates in the files are metres east and north.
     Metres,
-    /// They are degrees of longitude and latitude.
+    /// The coordinates in the files are degrees of longitude and latitude.
     Degrees(Projected),
 }
 
 impl Placing {
-    /// A position of a file in metres north and east.
+    /// Converts a position in a file into metres north and east of the scenario's origin.
     ///
     /// # Errors
-    /// Why it is not one.
+    /// Says why the numbers are not a position in the chart.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> Result<Vec2, String> {
         let at_m = match self {
             Placing::Metres => vec2(y, x),
@@ -45,8 +45,8 @@ impl Placing {
             return Ok(at_m);
         }
         let help = match self {
-            Placing::Metres => "GeoJSON has east before north",
-            Placing::Degrees(_) => "GeoJSON has longitude before latitude",
+            Placing::Metres => "in GeoJSON, east stands before north",
+            Placing::Degrees(_) => "in GeoJSON, longitude stands before latitude",
         };
         Err(format!(
             "[{x}, {y}] is more than {} km from the scenario's origin; {help}",
@@ -55,7 +55,7 @@ impl Placing {
     }
 }
 
-/// What is left of the limits while a chart is read.
+/// How many more features and points a chart may have while it is read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     pub(super) features: usize,
@@ -63,6 +63,6 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// The limits of a chart.
+    /// How many features and points a chart may have.
     pub(crate) const OF_CHART: Budget = Budget { features: MOST_FEATURES, points: MOST_POINTS };
 }

@@ -1,25 +1,26 @@
-//! Longitude and latitude to metres: the transverse Mercator projection of the WGS 84 ellipsoid, by Krüger's series.
+//! Converts longitude and latitude into metres: the transverse Mercator projection of the WGS 84 ellipsoid, by Krüger's
+//! series.
 //!
-//! The equations are those of Karney, "Transverse Mercator with an accuracy of a few nanometers", Journal of Geodesy 85
-//! (2011) 475–485: conformal latitude by eq. 7 to 9, the sphere's projection by eq. 10, the series by eq. 11 with the
-//! coefficients of eq. 35 to sixth order, the meridian's length by eq. 14. The coefficients were written from memory;
-//! `tests/chart_projection.rs` compares with PROJ. This is our own code because libraries use the sine and cosine of
-//! the operating system, whose last bits differ from machine to machine; a quay may be taken from a chart, so the bits
-//! of a run would differ.
+//! The equations of the projection are from Karney, "Transverse Mercator with an accuracy of a few nanometers", Journal
+//! of Geodesy 85 (2011) 475–485: conformal latitude by eq. 7 to 9, the sphere's projection by eq. 10, the series by eq.
+//! 11 with the coefficients of eq. 35 to sixth order, the meridian's length by eq. 14. We wrote the coefficients of the
+//! series from memory; `tests/chart_projection.rs` compares the projection with PROJ. The projection is our own code
+//! because libraries use the sine and cosine of the operating system, whose last bits differ from machine to machine. A
+//! quay may be taken from a chart, so the results of a run would differ in their last bits.
 
 use fenderline_contact::{Vec2, vec2};
 
 use fenderline_keys::keys::chart::Projection;
 use fenderline_sim::chart::GeographicPlace;
 
-/// Equatorial radius of WGS 84 (m), and its flattening.
+/// Equatorial radius of the WGS 84 ellipsoid (m), and the ellipsoid's flattening.
 const EQUATOR_M: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
 /// Scale of UTM at its central meridian, and half the width of a zone (rad).
 const UTM_SCALE: f64 = 0.9996;
 const HALF_ZONE_RAD: f64 = core::f64::consts::PI / 60.0;
 
-/// From places on WGS 84 to metres north and east of an origin.
+/// A projection of places on WGS 84 to metres north and east of an origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Projected {
     central_meridian_rad: f64,
@@ -29,7 +30,7 @@ pub(crate) struct Projected {
 }
 
 impl Projected {
-    /// The projection about an origin.
+    /// Makes the projection about an origin.
     pub(crate) fn about(origin: GeographicPlace, projection: Projection) -> Projected {
         let (central_meridian_rad, scale) = match projection {
             Projection::ThroughOrigin => (origin.longitude_rad, 1.0),
@@ -82,7 +83,7 @@ impl Projected {
     }
 }
 
-/// The tangent of the conformal latitude, eq. 7 to 9.
+/// The tangent of the conformal latitude, by eq. 7 to 9 of Karney.
 fn tan_of_conformal_latitude(latitude_rad: f64) -> f64 {
     let eccentricity = libm::sqrt(FLATTENING * (2.0 - FLATTENING));
     let tan = libm::tan(latitude_rad);
@@ -91,7 +92,8 @@ fn tan_of_conformal_latitude(latitude_rad: f64) -> f64 {
     tan * libm::hypot(1.0, sigma) - sigma * secant
 }
 
-/// The coefficients of eq. 35 for an ellipsoid of third flattening n, and the radius of a circle with its meridian's length.
+/// The coefficients of Karney's eq. 35 for an ellipsoid of third flattening n, and the radius of a circle that is as
+/// long as the ellipsoid's meridian.
 #[derive(Clone, Debug)]
 struct Series {
     alpha: [f64; 6],
@@ -118,7 +120,7 @@ impl Series {
         Series { alpha, rectifying_radius_m }
     }
 
-    /// Eq. 11.
+    /// Converts the projection of the sphere into the projection of the ellipsoid, by eq. 11 of Karney.
     fn to_ellipsoid(&self, xi: f64, eta: f64) -> (f64, f64) {
         let (mut north, mut east) = (xi, eta);
         let mut double = 0.0;
@@ -138,7 +140,7 @@ fn zone_meridian_rad(longitude_rad: f64) -> f64 {
     (2.0 * zone + 1.0) * HALF_ZONE_RAD
 }
 
-/// An angle between half a turn to the west and half a turn to the east.
+/// The same direction as an angle between half a turn to the west and half a turn to the east.
 fn wrapped(angle_rad: f64) -> f64 {
     let turn = 2.0 * core::f64::consts::PI;
     angle_rad - turn * libm::rint(angle_rad / turn)

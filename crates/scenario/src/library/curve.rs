@@ -2,7 +2,7 @@
 
 use fenderline_contact::number::lesser;
 
-/// The value at `x`; `None` outside the curve.
+/// The value of a curve at `x`; `None` if `x` is outside the curve.
 pub fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     let (first, last) = (points.first()?, points.last()?);
     if x < first.0 || x > last.0 {
@@ -14,7 +14,7 @@ pub fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     Some(y0 + (y1 - y0) * ((x - x0) / (x1 - x0)))
 }
 
-/// The integral from the curve's start to `x`, which lies on the curve.
+/// The integral of a curve from its start to `x`, which must lie on the curve.
 pub fn integral(points: &[(f64, f64)], x: f64) -> f64 {
     let mut sum = 0.0;
     for piece in points.windows(2) {

@@ -1,4 +1,4 @@
-//! One fender of a catalogue, ready to be used.
+//! One fender of a catalogue, with all data that a run needs.
 
 use super::curve;
 use fenderline_contact::Unloading;
@@ -6,38 +6,39 @@ use fenderline_sim::hydro::vessels::Standing;
 
 use super::family::{FactorTable, Family, FenderSize};
 
-/// A fender with its performance in SI units, uncorrected: rated conditions, no tolerance.
+/// A fender with its performance in SI units under rated conditions, without corrections and tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CatalogueFender {
-    /// Family.
+    /// Name of the fender's family.
     pub family: String,
-    /// Size within the family; for a size that the catalogue does not have, a description of the scaling.
+    /// Designation of the size within the family; for a size that the catalogue does not have, a description of how the
+    /// size was scaled.
     pub designation: String,
-    /// Extent in the direction of compression (m).
+    /// Height of the fender, which is its extent in the direction of compression (m).
     pub height_m: f64,
-    /// Length along the berth (m), if the size has a length.
+    /// Length of the fender along the berth (m), if the size has a length.
     pub length_m: Option<f64>,
-    /// Rated deflection (m).
+    /// Rated deflection of the fender (m).
     pub rated_deflection_m: f64,
     /// Reaction at the rated deflection (N).
     pub rated_reaction_n: f64,
-    /// Energy to the rated deflection (J): the integral of the reaction.
+    /// Energy absorbed up to the rated deflection (J), which is the integral of the reaction.
     pub rated_energy_j: f64,
-    /// Rated energy as published (J), if published. It differs from the integral by several per cent (13 %
-    /// for the smallest pneumatic fender) and is not used.
+    /// Published rated energy (J), if any was published. The published energy differs from the integral of the reaction
+    /// by several per cent (13 % for the smallest pneumatic fender), and the program does not use it.
     pub published_energy_j: Option<f64>,
-    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; piecewise linear. It may reach beyond the
-    /// rated deflection.
+    /// Performance curve, piecewise linear from (0, 0): points of deflection (m) and reaction (N), with rising
+    /// deflections. The curve may reach beyond the rated deflection.
     pub curve: Vec<(f64, f64)>,
     /// Unloading law, if the family has one.
     pub unloading: Option<Unloading>,
-    /// Temperature (°C) against factor on the reaction; empty without data.
+    /// Factors on the reaction by temperature (°C); empty if there are no data.
     pub temperature_factors: Vec<(f64, f64)>,
-    /// Time to rated deflection (s) against factor on the reaction; empty without data.
+    /// Factors on the reaction by the time to the rated deflection (s); empty if there are no data.
     pub velocity_factors: Vec<(f64, f64)>,
-    /// Angle of compression (rad) against factor on the energy; empty without data.
+    /// Factors on the energy by the angle of compression (rad); empty if there are no data.
     pub angle_energy_factors: Vec<(f64, f64)>,
-    /// Angle of compression (rad) against factor on the reaction; empty without data.
+    /// Factors on the reaction by the angle of compression (rad); empty if there are no data.
     pub angle_reaction_factors: Vec<(f64, f64)>,
     /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, if known.
     pub tolerance: Option<f64>,
@@ -45,13 +46,15 @@ pub struct CatalogueFender {
     pub hull_pressure_npm2: Option<f64>,
     /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
-    /// Whether a panel presses on the hull. False in a family in which any size has a hull pressure.
+    /// Whether a panel of the fender presses on the hull. False if any size of the fender's family has a hull pressure
+    /// of its own.
     pub has_panel: bool,
-    /// Where curve and rating come from.
+    /// Sources of the performance curve and of the rating.
     pub source: String,
-    /// The weaker standing of curve and rating. At best `Derived` if the published energy and the integral
-    /// differ by more than [`CatalogueFender::TOLERANCE`]: the curve was then not measured on this size.
-    /// Unloading, factors and tolerance have separate standings in the family.
+    /// The weaker one of the standings of performance curve and rating; a standing says how well a source is known. The
+    /// standing is at best `Derived` if the published energy and the integral of the reaction differ by more than
+    /// [`CatalogueFender::TOLERANCE`], because the curve was then not measured on this size. Unloading, factors and
+    /// tolerance have separate standings in the family.
     pub standing: Standing,
 }
 
@@ -59,13 +62,14 @@ impl CatalogueFender {
     /// The manufacturing tolerance that fenders commonly have, ±10 %.
     pub const TOLERANCE: f64 = 0.1;
 
-    /// Computed energy over published energy, less 1; `None` if no energy was published.
+    /// Difference between computed and published energy, as a share of the published energy; `None` if no energy was
+    /// published.
     #[must_use]
     pub fn energy_difference(&self) -> Option<f64> {
         self.published_energy_j.map(|published_j| self.rated_energy_j / published_j - 1.0)
     }
 
-    /// A size of a family.
+    /// Makes the catalogue fender for a size of a family.
     pub(super) fn new(family: &Family, size: &FenderSize) -> CatalogueFender {
         let (height_m, reaction_n) = (size.height_m, size.rated_reaction_n);
         let rows = |table: &Option<FactorTable>| {
@@ -115,7 +119,7 @@ impl CatalogueFender {
     }
 }
 
-/// The unloading law of a family for a fender of this height and rated reaction.
+/// Scales the unloading law of a family to a fender's height and rated reaction.
 fn scaled_law(law: &Unloading, height_m: f64, reaction_n: f64) -> Unloading {
     match law {
         Unloading::ReturnedEnergy(share) => Unloading::ReturnedEnergy(*share),
@@ -125,8 +129,8 @@ fn scaled_law(law: &Unloading, height_m: f64, reaction_n: f64) -> Unloading {
     }
 }
 
-/// A geometrically similar size of another height: lengths scale with height, reaction with its square, and so energy
-/// with its cube; pressures stay the same.
+/// Makes a geometrically similar size of another height. Lengths scale with the height, the reaction with the square of
+/// the height, and so the energy with the cube of the height; pressures stay the same.
 pub(super) fn scaled(reference: &FenderSize, height_m: f64) -> FenderSize {
     let ratio = height_m / reference.height_m;
     FenderSize {

@@ -1,4 +1,4 @@
-//! Every key of a fender file, in the form of [`fenderline_keys::keys`].
+//! Declares every key of a fender file, in the same way as [`fenderline_keys::keys`] declares the keys of a scenario.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -16,8 +16,9 @@ use fenderline_sim::hydro::vessels::Standing;
 /// The whole file.
 pub(crate) static FENDER_FILE: TableSpec = TableSpec {
     what: "a fender file",
-    doc: "Families of fenders with their performance curves and sizes, and hull pressure limits. A \
-          plain number is in SI units (angles in radians); a string carries its unit, as \"3 m\".",
+    doc: "A fender file has families of fenders with their performance curves and sizes, and hull \
+          pressure limits. A plain number is in SI units (angles in radians); a number with \
+          another unit is a string, as \"3 m\".",
     keys: FenderFileKey::ALL,
     rules: None,
 };
@@ -54,14 +55,14 @@ const STANDING: KeySpec = key(
     "standing",
     Kind::Choice(&STANDINGS),
     Refused,
-    "How well the source is known.",
+    "How well the source of the numbers is known.",
     &["\"found\""],
 );
 
 static FAMILY: TableSpec = TableSpec {
     what: "a family of fenders",
     doc: "A family of fenders of one shape: sizes, and a curve that all sizes share. A table with \
-          the name of a known family may only add sizes.",
+          the name of a known family of fenders may only add sizes to this family.",
     keys: FamilyKey::ALL,
     rules: None,
 };
@@ -73,63 +74,63 @@ table_keys! {
             "rated_deflection",
             Kind::Quantity(OF_HEIGHT),
             Means("the family is known already"),
-            "Rated deflection over height.",
+            "Rated deflection divided by the height of the fender.",
             &["0.72"],
         ),
         REFERENCE: Text = key(
             "reference",
             Kind::Text,
             Means("no sizes are scaled from another size"),
-            "Designation of the size from which other sizes are scaled, reaction by height \
-             squared.",
+            "Designation of the size from which other sizes are scaled; the reaction scales with \
+             the square of the height.",
             &["\"1000 A\""],
         ),
         CURVE: TableOf<CurveKey> = key(
             "curve",
             Kind::Table(&CURVE),
             Means("the family is known already"),
-            "Reaction against deflection, normalised.",
+            "Performance curve: normalised reaction by normalised deflection.",
             &[],
         ),
         UNLOADING: TableOf<UnloadingKey> = key(
             "unloading",
             Kind::Table(&UNLOADING),
-            Means("55 % of the energy is returned, assumed for solid rubber"),
-            "Law by which the reaction falls in unloading.",
+            Means("the fenders return 55 % of the energy, which is assumed for solid rubber"),
+            "Law by which the fender's reaction falls in unloading.",
             &[],
         ),
         TEMPERATURE: TableOf<TemperatureKey> = key(
             "temperature",
             Kind::Table(&TEMPERATURE),
             Means("no correction"),
-            "Factor on the reaction by temperature.",
+            "Factors on the reaction by temperature.",
             &[],
         ),
         VELOCITY: TableOf<VelocityKey> = key(
             "velocity",
             Kind::Table(&VELOCITY),
             Means("no correction"),
-            "Factor on the reaction by the time to rated deflection.",
+            "Factors on the reaction by the time to the rated deflection.",
             &[],
         ),
         ANGLE_ENERGY: TableOf<AngleKey> = key(
             "angle_energy",
             Kind::Table(&ANGLE),
             Means("no correction"),
-            "Factor on the energy by the angle of compression.",
+            "Factors on the energy by the angle of compression.",
             &[],
         ),
         ANGLE_REACTION: TableOf<AngleKey> = key(
             "angle_reaction",
             Kind::Table(&ANGLE),
             Means("no correction"),
-            "Factor on the reaction by the angle of compression.",
+            "Factors on the reaction by the angle of compression.",
             &[],
         ),
         TOLERANCE: TableOf<ToleranceKey> = key(
             "tolerance",
             Kind::Table(&TOLERANCE),
-            Means("it is not known"),
+            Means("the tolerance is not known"),
             "Manufacturing tolerance of reaction and energy.",
             &[],
         ),
@@ -137,7 +138,7 @@ table_keys! {
             "size",
             Kind::List(&SIZE),
             Is("[]"),
-            "Sizes with their rated reaction.",
+            "Sizes of the family, each with its rated reaction.",
             &[],
         ),
     }
@@ -150,7 +151,7 @@ const FACTOR: (&str, Quantity) =
 
 static CURVE: TableSpec = TableSpec {
     what: "a performance curve",
-    doc: "Reaction against deflection, normalised.",
+    doc: "A performance curve: normalised reaction by normalised deflection.",
     keys: CurveKey::ALL,
     rules: None,
 };
@@ -166,8 +167,9 @@ table_keys! {
                 fewest: 2,
             }),
             Refused,
-            "Rows of deflection over height and reaction over rated reaction, from [0, 0] to \
-                  the rated deflection or beyond; straight between them.",
+            "Rows of the curve, joined by straight lines: deflection divided by the height, and \
+             reaction divided by the rated reaction. The rows go from [0, 0] to the rated \
+             deflection or beyond.",
             &["[[0, 0], [0.25, 0.9], [0.5, 1]]"],
         ),
         PUBLISHED_ENERGY: Curve = key(
@@ -178,8 +180,9 @@ table_keys! {
                 fewest: 2,
             }),
             Means("none was published"),
-            "Rows of deflection over height and energy over rated energy as published: for \
-             comparison only; the program integrates the reaction.",
+            "Rows of the published energy curve: deflection divided by the height, and energy \
+             divided by the rated energy. The curve is for comparison only, because the program \
+             integrates the reaction.",
             &["[[0, 0], [0.25, 0.4], [0.5, 1]]"],
         ),
         SOURCE: Text = SOURCE,
@@ -189,7 +192,7 @@ table_keys! {
 
 static UNLOADING: TableSpec = TableSpec {
     what: "an unloading law",
-    doc: "Law by which the reaction falls in unloading: `returned_energy` or `points`.",
+    doc: "Law by which the reaction falls in unloading, given by `returned_energy` or `points`.",
     keys: UnloadingKey::ALL,
     rules: Some(|| {
         json!({
@@ -216,9 +219,10 @@ table_keys! {
                 fewest: 2,
             }),
             Unless("`returned_energy` is given"),
-            "The unloading curve: rows of deflection over height and reaction over rated reaction, \
-             from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the \
-             unloading curve keeps the same share of the loading curve as at the last row.",
+            "Rows of the unloading curve, joined by straight lines: deflection divided by the \
+             height, and reaction divided by the rated reaction. The rows begin at [0, 0], and the \
+             unloading curve may nowhere lie above the loading curve. Beyond its last row the \
+             unloading curve keeps the share of the loading curve that it has at the last row.",
             &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
         ),
         SOURCE: Text = SOURCE,
@@ -229,7 +233,7 @@ table_keys! {
 const HOLDS: KeySpec = key(
     "holds",
     Kind::Text,
-    Means("for all fenders of the family"),
+    Means("the factors hold for all fenders of the family"),
     "Conditions for which the factors hold.",
     &["\"blended rubber\""],
 );
@@ -254,7 +258,7 @@ static ANGLE_POINTS: CurveSpec = CurveSpec {
 
 static TEMPERATURE: TableSpec = TableSpec {
     what: "a temperature table",
-    doc: "Factor on the reaction by temperature.",
+    doc: "Factors on the reaction of a fender by temperature.",
     keys: TemperatureKey::ALL,
     rules: None,
 };
@@ -266,7 +270,8 @@ table_keys! {
             "points",
             Kind::Curve(&TEMPERATURE_POINTS),
             Refused,
-            "Rows of temperature in degrees Celsius, a plain number, and factor.",
+            "Rows of the table: temperature as a plain number in degrees Celsius, and factor on \
+             the reaction.",
             &["[[-10, 1.13], [23, 1], [50, 0.916]]"],
         ),
         HOLDS: Text = HOLDS,
@@ -277,7 +282,7 @@ table_keys! {
 
 static VELOCITY: TableSpec = TableSpec {
     what: "a velocity table",
-    doc: "Factor on the reaction by the time to rated deflection.",
+    doc: "Factors on the reaction of a fender by the time to the rated deflection.",
     keys: VelocityKey::ALL,
     rules: None,
 };
@@ -289,7 +294,7 @@ table_keys! {
             "points",
             Kind::Curve(&VELOCITY_POINTS),
             Refused,
-            "Rows of the time to rated deflection and factor.",
+            "Rows of the table: time to the rated deflection, and factor on the reaction.",
             &["[[\"1 s\", 1.2], [\"20 s\", 1.03]]"],
         ),
         HOLDS: Text = HOLDS,
@@ -300,7 +305,7 @@ table_keys! {
 
 static ANGLE: TableSpec = TableSpec {
     what: "an angle table",
-    doc: "Factor by the angle of compression.",
+    doc: "Factors on energy or reaction of a fender by the angle of compression.",
     keys: AngleKey::ALL,
     rules: None,
 };
@@ -312,7 +317,7 @@ table_keys! {
             "points",
             Kind::Curve(&ANGLE_POINTS),
             Refused,
-            "Rows of the angle between hull and panel and factor.",
+            "Rows of the table: angle between hull and panel, and factor on energy or reaction.",
             &["[[\"0 deg\", 1], [\"20 deg\", 0.739]]"],
         ),
         HOLDS: Text = HOLDS,
@@ -323,7 +328,7 @@ table_keys! {
 
 static TOLERANCE: TableSpec = TableSpec {
     what: "a tolerance",
-    doc: "Manufacturing tolerance of reaction and energy.",
+    doc: "Manufacturing tolerance of a fender's reaction and energy.",
     keys: ToleranceKey::ALL,
     rules: None,
 };
@@ -335,7 +340,7 @@ table_keys! {
             "value",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
             Refused,
-            "To either side.",
+            "Manufacturing tolerance to either side.",
             &["\"10 %\""],
         ),
         SOURCE: Text = SOURCE,
@@ -347,7 +352,7 @@ const METRES: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100
 
 static SIZE: TableSpec = TableSpec {
     what: "a size",
-    doc: "One fender of a catalogue.",
+    doc: "One size of a family of fenders, as in a catalogue.",
     keys: SizeKey::ALL,
     rules: None,
 };
@@ -366,35 +371,35 @@ table_keys! {
             "height",
             Kind::Quantity(METRES),
             Refused,
-            "Extent in the direction of compression: height, or diameter.",
+            "Extent of the fender in the direction of compression: its height or its diameter.",
             &["\"1000 mm\""],
         ),
         LENGTH: Number = key(
             "length",
             Kind::Quantity(METRES),
             Means("no pressure"),
-            "Length along the berth.",
+            "Length of the fender along the berth.",
             &["\"1500 mm\""],
         ),
         REACTION: Number = key(
             "reaction",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
-            "Rated reaction.",
+            "Rated reaction of the fender.",
             &["\"182 kN\""],
         ),
         PUBLISHED_ENERGY: Number = key(
             "published_energy",
             Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 1.0, high: 1e10 }),
             Means("none was published"),
-            "Rated energy as published: for comparison only.",
+            "Published rated energy, for comparison only.",
             &["\"32 kJ\""],
         ),
         HULL_PRESSURE: Number = key(
             "hull_pressure",
             Kind::Quantity(PRESSURE),
-            Means("the panel sets it"),
-            "Pressure on the hull at the rated deflection.",
+            Means("the panel sets the pressure"),
+            "Pressure of the fender on the hull at the rated deflection.",
             &["\"122 kPa\""],
         ),
         INITIAL_PRESSURE: Number = key(
@@ -425,7 +430,7 @@ table_keys! {
             "limit",
             Kind::Quantity(PRESSURE),
             Refused,
-            "Greatest mean pressure under a panel.",
+            "Greatest mean pressure under a fender panel that the ship's side can bear.",
             &["\"150 kN/m^2\""],
         ),
         SOURCE: Text = SOURCE,
@@ -434,7 +439,7 @@ table_keys! {
 }
 
 shared_keys! {
-    /// Keys of the source of a number.
+    /// Keys that say where a number comes from.
     pub(crate) OriginKey of CurveKey and UnloadingKey and TemperatureKey and VelocityKey and AngleKey
         and ToleranceKey and SizeKey and HullPressureKey
     {

@@ -1,4 +1,4 @@
-//! Errors of looking up a fender.
+//! Errors when a fender is looked up in the library.
 
 use core::fmt;
 
@@ -6,18 +6,19 @@ use fenderline_keys::printable::printable_number;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
-/// A name or rating that the library does not have. Displays in one line; [`LookUpError::help`] says what to write
-/// instead.
+/// The error for a name or rating that the library does not have. `Display` prints the error in one line;
+/// [`LookUpError::help`] says what to write instead.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LookUpError {
     /// The name is unknown.
     Unknown {
-        /// Kind of thing that the name should mean: `family`, `size of cone fenders`, `type of ship`.
+        /// Kind of thing that the name should mean, such as `family of fenders`, `size of cone fenders` or `type of
+        /// ship`.
         what: String,
-        /// The name.
+        /// The unknown name.
         name: String,
-        /// The nearest known name, if one is near.
+        /// The known name that is most similar to the unknown name, if a known name is similar.
         nearest: Option<String>,
         /// All known names.
         known: Vec<String>,
@@ -27,11 +28,11 @@ pub enum LookUpError {
         /// The family.
         family: String,
     },
-    /// A height or reaction out of range.
+    /// The height or the reaction of a fender is out of range.
     OutOfRange {
-        /// The number out of range, with its unit.
+        /// The quantity that is out of range, with its unit.
         quantity: &'static str,
-        /// Its value.
+        /// The value that is out of range.
         value: f64,
     },
 }
@@ -65,9 +66,11 @@ impl LookUpError {
                 let known: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
                 format!("there are {}", known.join(", "))
             }
-            LookUpError::NoReference { .. } => "give the rated reaction yourself".to_owned(),
+            LookUpError::NoReference { .. } => {
+                "give the rated reaction of the fender yourself".to_owned()
+            }
             LookUpError::OutOfRange { .. } => {
-                "a height is 0.001 to 100 m, a reaction 1 to 1e9 N".to_owned()
+                "a height must be 0.001 to 100 m, a reaction must be 1 to 1e9 N".to_owned()
             }
         }
     }
@@ -80,7 +83,10 @@ impl fmt::Display for LookUpError {
                 write!(f, "there is no {what} named {}", quoted(name))
             }
             LookUpError::NoReference { family } => {
-                write!(f, "{family} fenders have no reference size to scale from")
+                write!(
+                    f,
+                    "{family} fenders have no reference size from which other sizes could be scaled"
+                )
             }
             LookUpError::OutOfRange { quantity, value } => {
                 write!(f, "no fender has a {quantity} of {}", printable_number(*value))

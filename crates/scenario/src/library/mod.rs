@@ -1,5 +1,5 @@
-//! Fender data: families with their curves and sizes, from files of the form that
-//! `fenders/README.md` shows.
+//! The library of fenders: families with their curves and sizes, read from files of the form that `fenders/README.md`
+//! shows.
 
 mod curve;
 mod family;
@@ -26,7 +26,7 @@ use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::{reader, syntax};
 
-/// Families of fenders and hull pressure limits.
+/// The library of fenders: families of fenders, and hull pressure limits.
 ///
 /// ```
 /// use fenderline_scenario::FenderLibrary;
@@ -56,7 +56,7 @@ pub struct FenderLibrary {
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Places {
     families: BTreeMap<String, usize>,
-    /// By designation, one map a family.
+    /// For each family, the index of each size by its designation.
     sizes: Vec<BTreeMap<String, usize>>,
     hull_pressures: BTreeMap<String, usize>,
 }
@@ -68,7 +68,7 @@ impl FenderLibrary {
         FenderLibrary::of_program().clone()
     }
 
-    /// The same, shared.
+    /// The library of the built-in fender files, shared by the whole program.
     #[must_use]
     pub fn of_program() -> &'static FenderLibrary {
         // Read once: a batch checks thousands of scenarios.
@@ -76,18 +76,18 @@ impl FenderLibrary {
         let read = || {
             let empty = FenderLibrary::default();
             FENDER_FILES.iter().fold(empty, |library, (name, text)| {
-                library.with_file(text, name).expect("built-in fender files are good")
+                library.with_file(text, name).expect("the built-in fender files have no mistakes")
             })
         };
         READ.get_or_init(read)
     }
 
-    /// The library with a user's file added: new families, sizes of known ones, hull pressure limits.
-    /// `name` is for messages.
+    /// Adds a user's file to the library: new families, sizes of known families, and hull pressure limits. `name` is
+    /// the file's name for messages.
     ///
     /// # Errors
-    /// The first mistake found: TOML syntax, then unknown keys and bad values in the order of the file, then keys that
-    /// contradict each other and names that exist already.
+    /// Returns the first mistake found: first mistakes of TOML syntax, then unknown keys and bad values in the order of
+    /// the file, then keys that contradict each other and names that exist already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<FenderLibrary, ScenarioError> {
         let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
@@ -100,29 +100,29 @@ impl FenderLibrary {
         if families.is_empty() && limits.is_empty() {
             let error =
                 sources.file_error("the file has neither families nor hull pressure limits");
-            return Err(error.with_help("write [family.NAME] with its keys below"));
+            return Err(error.with_help("write [family.NAME] with the keys of the family below"));
         }
         read::families(&sources, families, &mut self)?;
         read::hull_pressures(&sources, limits, &mut self)?;
         Ok(self)
     }
 
-    /// All families, in the order in which they were added.
+    /// All families of the library, in the order in which they were added.
     #[must_use]
     pub fn families(&self) -> &[Family] {
         &self.families
     }
 
-    /// All hull pressure limits, in the order in which they were added.
+    /// All hull pressure limits of the library, in the order in which they were added.
     #[must_use]
     pub fn hull_pressure_limits(&self) -> &[HullPressureLimit] {
         &self.hull_pressures
     }
 
-    /// The family of this name.
+    /// The family of fenders with the name `name`.
     ///
     /// # Errors
-    /// There is no such family.
+    /// Fails if the library has no family of this name.
     pub fn family(&self, name: &str) -> Result<&Family, LookUpError> {
         Ok(&self.families[self.family_place(name)?])
     }
@@ -134,10 +134,10 @@ impl FenderLibrary {
         })
     }
 
-    /// A size of a family.
+    /// The fender of a family with the size `designation`.
     ///
     /// # Errors
-    /// There is no size of this name.
+    /// Fails if the library has no family of this name, or the family has no size of this name.
     pub fn fender(&self, family: &str, designation: &str) -> Result<CatalogueFender, LookUpError> {
         let place = self.family_place(family)?;
         let (family, sizes) = (&self.families[place], &self.places.sizes[place]);
@@ -149,11 +149,12 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, size))
     }
 
-    /// A fender of a height that the catalogue does not have, scaled from the family's reference size: lengths by height,
-    /// reaction by its square, and so energy by its cube. Its standing is `Derived` at best.
+    /// A fender of a height that the catalogue does not have, scaled from the family's reference size. Lengths scale
+    /// with the height, the reaction with the square of the height, and so the energy with the cube of the height. The
+    /// standing of a scaled fender is `Derived` at best.
     ///
     /// # Errors
-    /// No such family, a family without a reference size, or a height out of range.
+    /// Fails if there is no such family, if the family has no reference size, or if the height is out of range.
     pub fn scaled(&self, family: &str, height_m: f64) -> Result<CatalogueFender, LookUpError> {
         let family = self.family(family)?;
         let Some(reference) = family.reference else {
@@ -164,10 +165,10 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, &size))
     }
 
-    /// A fender with the user's rating on the curve of a family.
+    /// A fender with the curve of a family, and with the height and rated reaction that the user gives.
     ///
     /// # Errors
-    /// No such family, or a height (m) or rated reaction (N) out of range.
+    /// Fails if there is no such family, or if the height (m) or the rated reaction (N) is out of range.
     pub fn rated(
         &self,
         family: &str,
@@ -192,7 +193,7 @@ impl FenderLibrary {
     /// The hull pressure that the side of a type of ship can bear.
     ///
     /// # Errors
-    /// There is no such type.
+    /// Fails if the library has no limit for this type of ship.
     pub fn hull_pressure_limit(&self, ship: &str) -> Result<&HullPressureLimit, LookUpError> {
         let place = self.places.hull_pressures.get(ship);
         place.map(|place| &self.hull_pressures[*place]).ok_or_else(|| {
@@ -202,7 +203,7 @@ impl FenderLibrary {
     }
 }
 
-/// The bounds are the same as for a size in a file; NaN is out of bounds.
+/// Checks a height within the same bounds as for a size in a file; NaN is out of bounds.
 fn checked_height_m(value: f64) -> Result<f64, LookUpError> {
     let good = (1e-3..=100.0).contains(&value);
     good.then_some(value).ok_or(LookUpError::OutOfRange { quantity: "height [m]", value })

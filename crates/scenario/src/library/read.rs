@@ -1,5 +1,5 @@
-//! From a checked fender file to families: rules that hold between keys, which the key table
-//! cannot express.
+//! Turns a checked fender file into families of fenders, and checks the rules between keys that the declarations of the
+//! keys cannot express.
 
 use std::collections::BTreeMap;
 
@@ -23,11 +23,11 @@ use fenderline_sim::hydro::vessels::Standing;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// How far the curve may be from 1 at the rated deflection: half a unit of the second decimal, to
-/// which catalogues print.
+/// How far a normalised curve may be from 1 at the rated deflection: half a unit of the second decimal, because
+/// catalogues print two decimals.
 const ROUNDING: f64 = 0.005;
 
-/// Adds the families of a file to those that are known.
+/// Adds the families of a file to the families of the library.
 pub(super) fn families(
     sources: &Sources<'_>,
     tables: Tables<'_, FamilyKey>,
@@ -43,7 +43,9 @@ pub(super) fn families(
             (Some(_), Some(curve)) => {
                 let message = format!("there is a family named {} already", quoted(name));
                 let error = sources.error(&curve.key_span, &table.path, message);
-                return Err(error.with_help("take another name, or give sizes alone to add them"));
+                return Err(error.with_help(
+                    "take another name, or give only sizes, which are added to the known family",
+                ));
             }
             (None, Some(curve)) => {
                 let mut sizes = BTreeMap::new();
@@ -58,7 +60,7 @@ pub(super) fn families(
     Ok(())
 }
 
-/// Adds the hull pressure limits of a file to those that are known.
+/// Adds the hull pressure limits of a file to the limits of the library.
 pub(super) fn hull_pressures(
     sources: &Sources<'_>,
     tables: Tables<'_, HullPressureKey>,
@@ -77,8 +79,8 @@ pub(super) fn hull_pressures(
     Ok(())
 }
 
-/// The error for a family without a curve: the curve is missing, or the name is a misspelt known
-/// name.
+/// The error for a family without a curve: either the curve is missing, or the family's name is a misspelt name of a
+/// known family.
 fn without_curve(
     sources: &Sources<'_>,
     name: &str,
@@ -86,11 +88,12 @@ fn without_curve(
     known: &[Family],
 ) -> ScenarioError {
     let path = table.path_of(FamilyKey::CURVE);
-    let message = format!("`{path}` is missing, and no family named {} is known", quoted(name));
+    let message =
+        format!("`{path}` is missing, and the library has no family named {}", quoted(name));
     let error = sources.error(&table.span, &path, message);
     error.with_help(match nearest(name, known.iter().map(|family| family.name.as_str())) {
         Some(name) => format!("did you mean \"{name}\"?"),
-        None => format!("write [{path}] with its keys below"),
+        None => format!("write [{path}] with the keys of the curve below"),
     })
 }
 
@@ -103,10 +106,12 @@ fn more_sizes(
     let given = table.entries().find(|item| !item.is(FamilyKey::SIZE));
     if let Some(item) = given {
         let path = table.path_to(item);
-        let message =
-            format!("`{path}` is for a new family, but {} is known", quoted(&family.name));
+        let message = format!(
+            "`{path}` is for a new family, but the family {} is known already",
+            quoted(&family.name)
+        );
         let error = sources.error(&item.key_span, &path, message);
-        return Err(error.with_help("give sizes alone, or a new family with its own curve"));
+        return Err(error.with_help("give only sizes, or a new family with its own curve"));
     }
     sizes(sources, table, &mut family.sizes, places)
 }
@@ -155,7 +160,7 @@ fn new_family(
     })
 }
 
-/// The rated deflection, checked: the curve must have the rated reaction there.
+/// Reads the rated deflection, and checks that the curve has the rated reaction at this deflection.
 fn rated_deflection(
     sources: &Sources<'_>,
     table: Of<'_, FamilyKey>,
@@ -169,7 +174,7 @@ fn rated_deflection(
     let complain = |message| Err(sources.error(&item.span, &path, message));
     let Some(reaction) = curve::value(curve, rated) else {
         let end = curve.last().map_or(0.0, |point| point.0);
-        return complain(format!("`{path}` is {rated}, but the curve ends at {end}"));
+        return complain(format!("`{path}` is {rated}, but the curve already ends at {end}"));
     };
     if (reaction - 1.0).abs() > ROUNDING {
         return complain(format!(
@@ -199,7 +204,7 @@ fn reference(
     })
 }
 
-/// Adds the sizes of a family's table; `places` holds the index of each by designation.
+/// Adds the sizes of a family's table; `places` holds the index of each size by its designation.
 fn sizes(
     sources: &Sources<'_>,
     family: Of<'_, FamilyKey>,
@@ -222,9 +227,12 @@ fn sizes(
             && hull_pressure_npm2.is_none_or(|rated| rated <= initial)
         {
             let path = table.path_of(SizeKey::INITIAL_PRESSURE);
-            let message = format!("`{path}` needs a `hull_pressure` above it");
+            let message =
+                format!("`{path}` needs a `hull_pressure` that is higher than this pressure");
             let error = sources.error(&item.span, &path, message);
-            return Err(error.with_help("give the pressure on the hull at the rated deflection"));
+            return Err(error.with_help(
+                "give in `hull_pressure` the pressure on the hull at the rated deflection",
+            ));
         }
         let (source, standing) = origin(table);
         sizes.push(FenderSize {
@@ -253,7 +261,7 @@ fn factor_table<T: ReadAs<FactorTableKey> + ReadAs<OriginKey>>(table: Of<'_, T>)
     }
 }
 
-/// The unloading law of a family with this curve.
+/// Reads the unloading law of a family of fenders with the loading curve `curve`.
 fn unloading(
     sources: &Sources<'_>,
     table: Of<'_, UnloadingKey>,
@@ -269,19 +277,22 @@ fn unloading(
             let path = table.path_of(UnloadingKey::POINTS);
             let message = format!("`{path}` does not go together with `returned_energy`");
             let error = sources.error(&points.key_span, &path, message);
-            return Err(error.with_help("keep one of the two"));
+            return Err(error.with_help("keep only one of the two keys"));
         }
         (None, None) => {
             let path = table.path_of(UnloadingKey::RETURNED_ENERGY);
             let error = sources.error(&table.span, &path, format!("`{path}` is missing"));
-            return Err(error.with_help("give it, or `points` of the unloading curve"));
+            return Err(
+                error.with_help("give `returned_energy`, or the `points` of the unloading curve")
+            );
         }
     };
     let (source, standing) = origin(table);
     Ok(FamilyUnloading { law, source, standing })
 }
 
-/// The points of an unloading curve. It must begin at (0, 0) and be nowhere above the loading curve.
+/// Reads the points of an unloading curve. An unloading curve must begin at (0, 0) and be nowhere above the loading
+/// curve.
 pub(crate) fn unloading_curve(
     sources: &Sources<'_>,
     item: Entry<'_, Curve>,
@@ -299,8 +310,8 @@ pub(crate) fn unloading_curve(
     };
     let most = FenderLaw::Curve(loading).reaction_n(at);
     let message = format!(
-        "`{path}` must not be above the loading curve: at a deflection of {at} its reaction must be between 0 and \
-         {most}, but is {reaction}"
+        "`{path}` must not be above the loading curve: at a deflection of {at} the reaction must \
+         be between 0 and {most}, but is {reaction}"
     );
     Err(sources.error(&item.span, path, message))
 }

@@ -1,4 +1,4 @@
-//! The numbers of a vessel's table as text, each with its path.
+//! Writes the numbers in a vessel's table as texts, each with its path.
 
 use std::f64::consts::TAU;
 
@@ -17,13 +17,13 @@ use fenderline_keys::{any_keys, key_path};
 const NO_FIGURES: &[AnyKey<FileVesselKey>] =
     any_keys![FileVesselKey: TITLE, TANK_MODEL, COEFFICIENTS_OF, SOURCE];
 
-/// A number of a vessel, and its place in the file.
+/// A number of a vessel as text, and the place of its key in the file.
 pub(super) struct Leaf {
-    /// Path below the vessel, as `propeller.wake`, and its value.
+    /// Path of the number below the vessel, as in `propeller.wake`, and the value of the number.
     pub(super) figure: Figure,
-    /// The value is the default: the file does not give the key.
+    /// True if the value is the key's default, because the file does not give the key.
     pub(super) is_default: bool,
-    /// Key of the leaf.
+    /// Place of the number's key in the file.
     pub(super) key_span: Span,
 }
 
@@ -54,7 +54,11 @@ fn collect(table: &Table, item: &Item, path: &str, all: &mut Vec<Leaf>) {
             }
         }
         _ => {
-            let kind = &table.spec.key(item.name).expect("it was read by its spec").kind;
+            let kind = &table
+                .spec
+                .key(item.name)
+                .expect("the item was read by the declaration of its table")
+                .kind;
             all.push(Leaf {
                 figure: Figure { name: path, text: value_text(kind, item) },
                 is_default: item.is_default,
@@ -77,7 +81,7 @@ fn value_text(kind: &Kind, item: &Item) -> String {
     }
 }
 
-/// A number in the unit that seamen use.
+/// Writes a number in the unit that seamen use.
 fn number(quantity: &Quantity, value: f64) -> String {
     let of = quantity.measure;
     let (value, unit) = match of {
@@ -96,7 +100,7 @@ fn number(quantity: &Quantity, value: f64) -> String {
     }
 }
 
-/// A number with at most nine digits, which hides rounding errors of the unit conversion.
+/// Writes a number with at most nine digits, which hides rounding errors of the unit conversion.
 pub(super) fn digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

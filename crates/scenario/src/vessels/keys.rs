@@ -1,4 +1,4 @@
-//! Every key of a vessel file, in the form of [`fenderline_keys::keys`].
+//! Declares every key of a vessel file, in the same way as [`fenderline_keys::keys`] declares the keys of a scenario.
 
 pub(crate) mod deck;
 pub(crate) mod hull;
@@ -31,9 +31,10 @@ use fenderline_keys::units::measures as unit;
 /// The whole file.
 pub(crate) static VESSEL_FILE: TableSpec = TableSpec {
     what: "a vessel file",
-    doc: "Vessels: particulars, outline, coefficients, propellers, rudders, thrusters, wind areas, stability, \
-          chocks, bitts and belting, each number with its source and standing. A plain number is in SI units \
-          (angles in radians); a string carries its unit, as \"3 m\".",
+    doc: "A vessel file has vessels with their particulars, outlines, coefficients, propellers, \
+          rudders, thrusters, wind areas, stability, chocks, bitts and belting. Each number has a \
+          source and a standing. A plain number is in SI units (angles in radians); a number with \
+          another unit is a string, as \"3 m\".",
     keys: VesselFileKey::ALL,
     rules: None,
 };
@@ -53,7 +54,8 @@ table_keys! {
 
 static VESSEL: TableSpec = TableSpec {
     what: "a vessel of a file",
-    doc: "A vessel. Coefficients that are not given are estimated, and reports name them as estimates.",
+    doc: "A vessel. The program estimates coefficients of a vessel that are not given, and reports \
+          name these coefficients as estimates.",
     keys: FileVesselKey::ALL,
     rules: Some(|| {
         let one_of = ["volume", "displacement", "block_coefficient", "mass_coefficient"];
@@ -76,23 +78,24 @@ table_keys! {
             "title",
             Kind::Text,
             Refused,
-            "Her name in reports.",
+            "Name of the vessel in reports.",
             &["\"KCS, 230 m\""],
         ),
         TANK_MODEL: Flag = key(
             "tank_model",
             Kind::Flag,
             Is("false"),
-            "A tank model: it manoeuvres in fresh water, and IMO's limits do not apply.",
+            "True for a model in a towing tank: a tank model manoeuvres in fresh water, and IMO's \
+             limits do not apply to it.",
             &["true"],
         ),
         COEFFICIENTS_OF: Text = key(
             "coefficients_of",
             Kind::Text,
-            Means("her own, or estimated"),
-            "Another vessel, of which this vessel is a model or a sister. Coefficients that are \
-             not given here are taken from the other vessel, and speed, revolutions and rudder \
-             rate are scaled by Froude's law.",
+            Means("the vessel's own coefficients, or estimated coefficients"),
+            "Another vessel, of which this vessel is a model or a sister. Coefficients that this \
+             vessel does not give are taken from the other vessel, and speed, revolutions and \
+             rudder rate of the other vessel are scaled by Froude's law.",
             &["\"kvlcc2\""],
         ),
         LENGTH_BP: Number = key(
@@ -106,7 +109,7 @@ table_keys! {
             "length_overall",
             Kind::Quantity(LENGTH),
             Means("not known"),
-            "Length overall; the outline must have this length.",
+            "Length overall of the vessel, which the outline must have.",
             &["\"298 m\""],
         ),
         BEAM: Number = key("beam", Kind::Quantity(LENGTH), Refused, "Beam.", &["\"46 m\""]),
@@ -122,28 +125,29 @@ table_keys! {
             "displacement",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e11 }),
             Unless("another key gives the displacement"),
-            "Displacement in sea water of 1025 kg/m³.",
+            "Displacement of the vessel in sea water of 1025 kg/m³.",
             &["\"87800 t\""],
         ),
         BLOCK_COEFFICIENT: Number = key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
             Unless("another key gives the displacement"),
-            "Volume over length between perpendiculars, beam and draught.",
+            "Displaced volume divided by the product of length between perpendiculars, beam and \
+             draught.",
             &["0.71"],
         ),
         MASS_COEFFICIENT: Number = key(
             "mass_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 10.0 }),
             Unless("another key gives the displacement"),
-            "m': mass over ½ρL²d.",
+            "Mass coefficient m': mass divided by ½ρL²d.",
             &["0.2708"],
         ),
         CENTRE_OF_GRAVITY: Number = key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
             Means("amidships, assumed"),
-            "Centre of gravity forward of midship.",
+            "Distance of the centre of gravity forward of midship.",
             &["\"-3.4 m\""],
         ),
         GYRADIUS: Number = key(
@@ -157,22 +161,24 @@ table_keys! {
             "resistance_of_model",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
             Means("the resistance is for the full-scale ship, or unknown"),
-            "Length of the model on which the resistance was measured. A model has more friction \
-             than a ship, so crash stops are also shown without the excess friction.",
+            "Length of the model on which the vessel's resistance was measured. A model has \
+             relatively more friction than a ship, so crash stops are also shown without this \
+             excess friction.",
             &["\"7 m\""],
         ),
         SPEED: Number = key(
             "speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 50.0 }),
             Means("not known"),
-            "Speed at which standard manoeuvres begin.",
+            "Speed at which the vessel's standard manoeuvres begin.",
             &["\"15.5 kn\""],
         ),
         FROUDE: Number = key(
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
             Means("`speed`, if it is known"),
-            "Speed at which standard manoeuvres begin, as a Froude number with g = 9.81 m/s².",
+            "Speed at which the vessel's standard manoeuvres begin, as a Froude number with g = \
+             9.81 m/s².",
             &["0.26"],
         ),
         ADDED_MASS: TableOf<FileAddedMassKey> = key(
@@ -186,21 +192,22 @@ table_keys! {
             "sway_polynomial",
             Kind::Table(&SWAY_POLYNOMIAL),
             Means("none"),
-            "Hull under way over v' and r', by ½ρLdU².",
+            "Forces on the hull under way, as a polynomial of v' and r', divided by ½ρLdU².",
             &[],
         ),
         DRIFT_POLYNOMIAL: TableOf<FileDriftPolynomialKey> = key(
             "drift_polynomial",
             Kind::Table(&DRIFT_POLYNOMIAL),
             Means("none"),
-            "Hull under way over β and r', by ½ρLdU²; x_br holds −m'y and y_r holds −m'x.",
+            "Forces on the hull under way, as a polynomial of β and r', divided by ½ρLdU². The \
+             coefficient x_br includes −m'y, and y_r includes −m'x.",
             &[],
         ),
         LOW_SPEED: TableOf<FileLowSpeedKey> = key(
             "low_speed",
             Kind::Table(&LOW_SPEED),
             Means(ESTIMATED),
-            "Hull at low speed, astern and crabbing.",
+            "Forces on the hull at low speed, astern and crabbing.",
             &[],
         ),
         PROPELLER: TableOf<FilePropellerKey> = key(
@@ -242,14 +249,14 @@ table_keys! {
         STABILITY: TableOf<StabilityKey> = key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("no heave, roll or pitch"),
-            "Data for heave, roll and pitch.",
+            Means("the vessel does not heave, roll or pitch"),
+            "Data of the vessel for heave, roll and pitch.",
             &[],
         ),
         OUTLINE: TableOf<FileOutlineKey> = key(
             "outline",
             Kind::Table(&OUTLINE),
-            Means("bodies give it"),
+            Means("the bodies of a scenario give the outline"),
             "Outline of the vessel in the horizontal plane.",
             &[],
         ),
@@ -271,14 +278,15 @@ table_keys! {
             "belting",
             Kind::Named(&BELTING),
             Is("{}"),
-            "Straight strips of belting or bow fendering, by name: a fender of a scenario may lie on one.",
+            "Straight strips of belting or bow fendering, by name: a fender of a scenario may lie \
+             on such a strip.",
             &[],
         ),
         SOURCE: ListOf<FileSourceKey> = key(
             "source",
             Kind::List(&SOURCE),
             Refused,
-            "Sources of the numbers: every number has one source.",
+            "Sources of the vessel's numbers; every number must have one source.",
             &[],
         ),
     }

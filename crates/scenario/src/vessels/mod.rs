@@ -1,5 +1,5 @@
-//! Vessels as data: particulars, outline, coefficients, machinery and deck, from files of the form that
-//! `vessels/README.md` shows.
+//! The library of vessels: particulars, outline, coefficients, machinery and deck of each vessel, read from files of
+//! the form that `vessels/README.md` shows.
 
 mod data;
 mod figures;
@@ -22,7 +22,7 @@ use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::{reader, syntax};
 
-/// Vessels by name.
+/// The library of vessels, by name.
 ///
 /// ```
 /// use fenderline_scenario::VesselLibrary;
@@ -40,7 +40,7 @@ use fenderline_keys::{reader, syntax};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VesselLibrary {
     vessels: Vec<VesselData>,
-    /// Index by name.
+    /// Index of each vessel by its name.
     places: BTreeMap<String, usize>,
 }
 
@@ -51,7 +51,7 @@ impl VesselLibrary {
         VesselLibrary::of_program().clone()
     }
 
-    /// The same, shared.
+    /// The library of the built-in vessel files, shared by the whole program.
     #[must_use]
     pub fn of_program() -> &'static VesselLibrary {
         // Read once: a batch checks thousands of scenarios.
@@ -66,11 +66,11 @@ impl VesselLibrary {
         READ.get_or_init(read)
     }
 
-    /// The library with a user's file added. `name` is for messages.
+    /// Adds a user's file to the library of vessels. `name` is the file's name for messages.
     ///
     /// # Errors
-    /// The first mistake: text that is not TOML, then unknown keys and bad values in the order of the file, then
-    /// impossible particulars, numbers without a source, and names that exist already.
+    /// Returns the first mistake found: first text that is not TOML, then unknown keys and bad values in the order of
+    /// the file, then impossible particulars, numbers without a source, and names that exist already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<VesselLibrary, ScenarioError> {
         let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
@@ -88,21 +88,21 @@ impl VesselLibrary {
         Ok(self)
     }
 
-    /// Whether there is a vessel of this name.
+    /// Whether the library has a vessel of this name.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.places.contains_key(name)
     }
 
-    /// All vessels, in the order in which they were added.
+    /// All vessels of the library, in the order in which they were added.
     #[must_use]
     pub fn vessels(&self) -> &[VesselData] {
         &self.vessels
     }
 
-    /// The vessel of this name.
+    /// The vessel with the name `name`.
     ///
     /// # Errors
-    /// There is no such vessel.
+    /// Fails if the library has no vessel of this name.
     pub fn vessel(&self, name: &str) -> Result<&VesselData, LookUpError> {
         self.places.get(name).map(|place| &self.vessels[*place]).ok_or_else(|| {
             let known = self.vessels.iter().map(|vessel| vessel.name.as_str());

@@ -1,4 +1,5 @@
-//! The source of each number of a vessel. Every number has one source, and every source has at least one number.
+//! Finds the source of each number of a vessel. Every number must have one source, and every source at least one
+//! number.
 
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source, Standing};
 
@@ -18,18 +19,18 @@ use fenderline_keys::{any_keys, key_path};
 /// The keys that a vessel may take from the vessel of `coefficients_of`.
 const INHERITED: &[AnyKey<FileVesselKey>] =
     any_keys![FileVesselKey: ADDED_MASS, SWAY_POLYNOMIAL, DRIFT_POLYNOMIAL, LOW_SPEED];
-/// Likewise of the propeller.
+/// The keys of the propeller that a vessel may take from the vessel of `coefficients_of`.
 const OF_PROPELLER: &[AnyKey<FilePropellerKey>] = any_keys![
     FilePropellerKey: THRUST, SERIES, THRUST_DEDUCTION, THRUST_DEDUCTION_ASTERN, WAKE, WAKE_CHANGE,
     PLACE
 ];
-/// Likewise of the rudder.
+/// The keys of the rudder that a vessel may take from the vessel of `coefficients_of`.
 const OF_RUDDER: &[AnyKey<FileRudderKey>] = any_keys![
     FileRudderKey: LIFT_GRADIENT, WAKE_RATIO, RACE_GAIN, STRAIGHTENING, STRAIGHTENING_PLACE,
     RESISTANCE_DEDUCTION, HULL_GAIN, HULL_PLACE, PLACE
 ];
 
-/// The dotted paths of the keys that a vessel may take from another.
+/// The dotted paths of all keys that a vessel may take from another vessel.
 fn inherited_paths() -> impl Iterator<Item = String> {
     let of = |part: AnyKey<FileVesselKey>, name: &str| key_path::join(part.name(), name);
     let propeller = FileVesselKey::PROPELLER.any();
@@ -48,10 +49,10 @@ fn given(group: String, figures: Vec<Figure>, source: &str, standing: Standing) 
     Source { group, figures, source: source.to_owned(), standing, is_estimate: false }
 }
 
-/// The sources of a vessel of a file.
+/// The sources of the numbers of a vessel in a vessel file.
 ///
 /// # Errors
-/// A number without a source, a source that covers no number, a key with two sources.
+/// Fails if a number has no source, if a source covers no number, or if a key has two sources.
 pub(super) fn of_file(
     sources: &Sources<'_>,
     table: Of<'_, FileVesselKey>,
@@ -107,7 +108,7 @@ pub(super) fn of_file(
     Ok(found)
 }
 
-/// The sources of a vessel of a scenario.
+/// The sources of the numbers of a vessel that a scenario defines.
 pub(super) fn of_scenario<T>(table: Of<'_, T>) -> Vec<Source> {
     of_leaves(leaves(table.table()))
 }
@@ -123,20 +124,20 @@ fn of_leaves(leaves: Vec<Leaf>) -> Vec<Source> {
     all
 }
 
-/// The source of default values.
+/// The source of numbers that are the program's defaults.
 pub(super) fn defaults_of(figures: Vec<Figure>) -> Option<Source> {
     let source = "default of the program";
     (!figures.is_empty()).then(|| given("defaults".to_owned(), figures, source, Standing::Assumed))
 }
 
-/// The source of values scaled by Froude's law from another vessel.
+/// The source of numbers that are scaled by Froude's law from another vessel.
 pub(super) fn scaled(figures: Vec<Figure>, base: &VesselData) -> Option<Source> {
     let source = format!("by Froude's law from {}", base.origin.title);
     let group = figures.iter().map(|figure| figure.name.clone()).collect::<Vec<_>>().join(", ");
     (!figures.is_empty()).then(|| given(group, figures, &source, Standing::Derived))
 }
 
-/// The sources of coefficients taken from another vessel.
+/// The sources of coefficients that are taken from another vessel.
 pub(super) fn inherited<T>(table: Of<'_, T>, base: &VesselData) -> Vec<Source> {
     let own = leaves(table.table());
     let is_own =
@@ -153,8 +154,8 @@ pub(super) fn inherited<T>(table: Of<'_, T>, base: &VesselData) -> Vec<Source> {
         .collect()
 }
 
-/// The origin of a vessel that a scenario derives from another, without the sources of the replaced numbers. Propeller
-/// and rudder are replaced key by key, everything else by whole tables.
+/// The sources of a vessel that a scenario derives from another vessel, without the sources of the replaced numbers.
+/// Propeller and rudder of the derived vessel are replaced key by key, everything else by whole tables.
 pub(super) fn replaced<T>(base: &Origin, table: Of<'_, T>) -> Origin {
     let by_key = |name: &str| {
         covers(VesselKey::PROPELLER.name(), name) || covers(VesselKey::RUDDER.name(), name)

@@ -1,4 +1,4 @@
-//! From a checked table to a vessel. Checks the rules between keys, and refuses impossible particulars.
+//! Turns a checked table into a vessel, checks the rules between its keys, and refuses impossible particulars.
 
 mod coefficients;
 mod machinery;
@@ -32,7 +32,7 @@ use self::stability::oscillators;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// A vessel of a file.
+/// Reads a vessel of a vessel file.
 pub(super) fn file_vessel(
     sources: &Sources<'_>,
     name: &str,
@@ -56,10 +56,11 @@ pub(super) fn file_vessel(
     })
 }
 
-/// A vessel of a scenario, with particulars of its own, or derived from a vessel of the library.
+/// Reads a vessel of a scenario, which has its own particulars or is derived from a vessel of the library.
 ///
 /// # Errors
-/// An unknown vessel in `from`, particulars beside `from`, missing or impossible particulars.
+/// Fails if `from` names an unknown vessel, if particulars are given beside `from`, or if particulars are missing or
+/// impossible.
 pub(crate) fn own_vessel(
     sources: &Sources<'_>,
     name: &str,
@@ -81,7 +82,8 @@ pub(crate) fn own_vessel(
 }
 
 impl Reading<'_, '_> {
-    /// Reads the whole vessel. `sources` is called last, so that mistakes in numbers are reported first.
+    /// Reads the whole vessel. The function `sources` is called last, so that mistakes in numbers are reported before
+    /// mistakes in sources.
     fn vessel(
         &self,
         name: &str,
@@ -164,7 +166,7 @@ impl Reading<'_, '_> {
         Ok(vessel)
     }
 
-    /// A vessel of the library with other machinery, wind areas or stability.
+    /// Makes a vessel of the library with other machinery, wind areas or stability.
     fn changed(&self, name: &str, table: Of<'_, VesselKey>, base: &VesselData) -> Read<VesselData> {
         self.refuse_other_particulars(table)?;
         let mut vessel = base.clone();
@@ -221,7 +223,7 @@ impl Reading<'_, '_> {
             VesselKey::BLOCK_COEFFICIENT,
         ] {
             if table.item(name).is_none() {
-                let help = "give it, or name a vessel of the library with `from`";
+                let help = "give this key, or name a vessel of the library with `from`";
                 return Err(self.missing(table, name, help));
             }
         }
@@ -240,7 +242,7 @@ impl Reading<'_, '_> {
         let Some(inner) = table.item(part).map(Entry::table) else { return Ok(()) };
         match keys.iter().find(|key| inner.item(**key).is_none()) {
             None => Ok(()),
-            Some(key) => Err(self.missing(inner, *key, "a vessel without `from` needs it")),
+            Some(key) => Err(self.missing(inner, *key, "a vessel without `from` needs this key")),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Outline, chocks, bitts and belting, and the check that they are on the vessel.
+//! Reads outline, chocks, bitts and belting, and checks that chocks, bitts and belting are on the vessel.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Outline, Vec2, vec2};
@@ -14,14 +14,14 @@ use fenderline_keys::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Relative tolerance of an outline's breadth, and of its length where the length overall is known.
+/// Relative tolerance of an outline's breadth, and of the outline's length if the length overall is known.
 const FITS: f64 = 0.02;
-/// Bounds of an outline's length over the length between perpendiculars, where the length overall is not known.
+/// Bounds of an outline's length divided by the length between perpendiculars, if the length overall is not known.
 const OVERALL: [f64; 2] = [0.95, 1.2];
-/// How far outside the outline a chock may be (m).
+/// How far outside the vessel's outline a chock may be (m).
 const OUTREACH_M: f64 = 1.0;
 
-/// The outline about midship.
+/// Reads the outline of a vessel, with vertices relative to midship.
 pub(super) fn outline(
     sources: &Sources<'_>,
     table: Of<'_, FileVesselKey>,
@@ -44,22 +44,27 @@ pub(super) fn outline(
     let extent = extent(&points);
     let (length_m, breadth_m) = (extent[1].x - extent[0].x, extent[1].y - extent[0].y);
     if (breadth_m / ship.beam_m - 1.0).abs() > FITS {
-        let message = format!("it is {breadth_m} m broad, but her beam is {} m", ship.beam_m);
+        let message = format!(
+            "the outline is {breadth_m} m broad, but the vessel's beam is {} m",
+            ship.beam_m
+        );
         return Err(complain(message));
     }
     match length_overall {
         Some(overall) if (length_m / overall.number() - 1.0).abs() > FITS => {
             let overall_m = overall.number();
             Err(complain(format!(
-                "it is {length_m} m long, but her length overall is {overall_m} m"
+                "the outline is {length_m} m long, but the vessel's length overall is {overall_m} m"
             )))
         }
         None if !(OVERALL[0]..=OVERALL[1]).contains(&(length_m / ship.length_m)) => {
             let message = format!(
-                "it is {length_m} m long, but her length between perpendiculars is {} m",
+                "the outline is {length_m} m long, but the vessel's length between perpendiculars \
+                 is {} m",
                 ship.length_m
             );
-            Err(complain(message).with_help("give `length_overall` if this length is right"))
+            Err(complain(message)
+                .with_help("give `length_overall` if the outline's length is right"))
         }
         _ => Ok(Some(points)),
     }
@@ -76,7 +81,7 @@ fn extent(points: &[Vec2]) -> [Vec2; 2] {
     })
 }
 
-/// Chocks or bitts.
+/// Reads chocks or bitts.
 pub(super) fn deck_points(
     sources: &Sources<'_>,
     tables: Tables<'_, FileDeckPointKey>,
@@ -94,7 +99,7 @@ pub(super) fn deck_points(
     tables.iter().map(read).collect()
 }
 
-/// Strips of belting.
+/// Reads strips of belting.
 pub(super) fn beltings(
     sources: &Sources<'_>,
     tables: Tables<'_, FileBeltingKey>,
@@ -113,7 +118,8 @@ pub(super) fn beltings(
         // If its line passes through midship, neither side is outward.
         if across.dot(middle_m).abs() < 1e-6 * along_m.length() || along_m.length() < 1e-3 {
             let path = &table.path;
-            let message = format!("`{path}` must be a strip that has midship on one side of it");
+            let message =
+                format!("`{path}` must be a strip whose line does not pass through midship");
             return Err(sources.error(&ends[0].span, path, message));
         }
         Ok(Belting {
@@ -128,9 +134,9 @@ pub(super) fn beltings(
     tables.iter().map(read).collect()
 }
 
-/// The hull on which points of the deck must lie.
+/// The hull of a vessel, on which points of the deck must lie.
 pub(super) struct Hull<'h> {
-    /// The outline about midship, if known.
+    /// Vertices of the vessel's outline relative to midship, if known.
     pub(super) outline_m: Option<&'h [Vec2]>,
     /// Length and beam.
     pub(super) ship: &'h Particulars,
@@ -158,7 +164,7 @@ impl Hull<'_> {
             return Ok(());
         }
         let path = table.path_to(item);
-        let message = format!("`{path}`: [{}, {}] m is not on the vessel", at.x, at.y);
+        let message = format!("`{path}`: the point [{}, {}] m is not on the vessel", at.x, at.y);
         Err(sources.error(&item.span, &path, message))
     }
 }

@@ -9,28 +9,28 @@ use super::clock::unix_ms;
 use crate::hub::Hub;
 use crate::instruments;
 
-/// Wall time between two rounds of sentences.
+/// Wall time between two rounds of sentences to chart programs.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// The timing of the sentences. Chart programs go by wall time, so the sentences do too, even while the session is
-/// paused.
+/// The timing of the sentences for chart programs. Chart programs go by wall time, so that sentences are sent by wall
+/// time too, even while the session is paused.
 #[derive(Debug)]
 pub(super) struct ChartOutput {
-    /// The scenario's origin, if the user gave one.
+    /// The geographic position of the scenario's origin, if the user gave one.
     given: Option<ChartOrigin>,
-    /// Time at which the last round was sent.
+    /// Time at which the last round of sentences was sent.
     sent: Option<Instant>,
     rounds: u64,
 }
 
 impl ChartOutput {
-    /// Uses the given origin for the sentences. With `None` the origin is the origin of the scenario's chart, or 0° N
-    /// 0° E if there is no chart.
+    /// Uses the given origin for the positions in sentences. With `None`, positions count from the origin of the
+    /// scenario's chart, or from 0° N 0° E if there is no chart.
     pub(super) fn new(given: Option<ChartOrigin>) -> ChartOutput {
         ChartOutput { given, sent: None, rounds: 0 }
     }
 
-    /// Sends a round of sentences if one is due.
+    /// Sends a round of sentences to chart programs if a round is due.
     pub(super) fn send_if_due(&mut self, now: Instant, session: &Session, hub: &Hub) {
         if self.sent.is_some_and(|at| now < at + INTERVAL) {
             return;
@@ -44,7 +44,7 @@ impl ChartOutput {
     }
 }
 
-/// The origin of a session's chart. `None` without a chart, and beyond 85° of latitude.
+/// The origin of a session's chart. The origin is `None` without a chart, and beyond 85° of latitude.
 fn of_chart(session: &Session) -> Option<ChartOrigin> {
     let place = session.simulation().setup().world.chart.origin?;
     let (latitude_deg, longitude_deg) =

@@ -11,16 +11,17 @@ use crate::rate::Bucket;
 /// A connected client.
 pub(super) struct Client {
     pub(super) role: Role,
-    /// The client's role and number, for notices.
+    /// The client's role and number, as notices name the client.
     pub(super) label: String,
-    /// The secret of the client's page, which the page keeps when it is reloaded. `None` until the page has sent it.
+    /// The secret of the client's page, which the page keeps when the page is reloaded. The secret is `None` until the
+    /// page has sent it.
     pub(super) seat: Option<String>,
-    /// The channel that holds the latest greeting.
+    /// The channel that holds the latest greeting for the client.
     pub(super) hello: watch::Sender<Option<Text>>,
     /// The queue of answers and notices for the client.
     pub(super) out: mpsc::Sender<Text>,
-    /// Limits the trials of the client.
+    /// Limits how often the client may start trials.
     pub(super) trials: Bucket,
-    /// Time at which the client last asked for the history.
+    /// Time at which the client last asked for the session's past.
     pub(super) asked: Option<Instant>,
 }

@@ -17,7 +17,7 @@ use crate::permit;
 use crate::role_words::role_words;
 
 impl Engine {
-    /// Links for all roles in the scenario.
+    /// Links to the pages for all roles in the scenario.
     pub(crate) fn links(&self) -> Vec<Link> {
         let tokens = self.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
         tokens.links(&self.roles())
@@ -32,7 +32,7 @@ impl Engine {
         pilots.chain(tugs).chain([Role::Observer]).collect()
     }
 
-    /// Makes tokens for the roles in the scenario that have none yet.
+    /// Makes links for the roles in the scenario that have no links yet.
     pub(super) fn make_tokens(&self) -> Result<(), getrandom::Error> {
         let mut tokens = self.hub.tokens.write().unwrap_or_else(PoisonError::into_inner);
         tokens.add(&self.roles())
@@ -67,8 +67,8 @@ impl Engine {
         self.crowd.change();
     }
 
-    /// Sends a new client the present frame, unless the last published frame is for the client's role too. The other
-    /// clients see the new number of clients in their next frame.
+    /// Sends a new client the present frame, unless the last published frame shows what the client's role may see. The
+    /// other clients see the new number of clients in their next frame.
     fn send_first_frame(&self, client: ClientId) {
         let Some(of) = self.clients.get(&client) else { return };
         if self.hub.frames.borrow().as_ref().is_some_and(|last| last.is_for(&of.role)) {
@@ -81,15 +81,15 @@ impl Engine {
         let _ = of.out.try_send(message::with_events(&text, &[], marks.as_deref()).into());
     }
 
-    /// Publishes a frame if one is due to show the number of clients. Sends a notice about observers that nobody was
-    /// told about, if it is due.
+    /// Publishes a frame if the changed number of clients has to be shown. Also sends the notice about observers of
+    /// whom nobody was told, if it is due.
     pub(super) fn show_crowd(&mut self) {
         let now = Instant::now();
         if self.crowd.due_at(self.published).is_some_and(|at| at <= now) {
             self.publish_frame();
         }
         if let Some(others) = self.crowd.untold(now) {
-            self.notify_all(&format!("observers have joined or left {others} times more"));
+            self.notify_all(&format!("observers have joined or left {others} more times"));
         }
     }
 
@@ -118,13 +118,14 @@ impl Engine {
         self.crowd.change();
     }
 
-    /// Greets all clients after a change of roles or holders, and keeps the roles and holders in their file.
+    /// Greets all clients after a change of roles or of holders of controls, and keeps roles and holders in the file
+    /// beside the recording.
     pub(super) fn greet_all(&self) {
         self.keep_seats();
         self.clients.keys().for_each(|&client| self.greet(client));
     }
 
-    /// Sends a client its role, the scenario, and the controls that it may use.
+    /// Sends a client its role, the scenario, and the controls that the client may use.
     fn greet(&self, client: ClientId) {
         let Some(of) = self.clients.get(&client) else { return };
         let cast = self.session.cast();

@@ -1,4 +1,4 @@
-//! The clock of the server.
+//! The clock of the server, by which recordings and frames are dated.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 

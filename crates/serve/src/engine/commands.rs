@@ -1,4 +1,5 @@
-//! Commands of clients. Commands are checked against the role and the claims, then carried out.
+//! Commands of clients. The commands of clients are checked against the role and the holders of controls, then carried
+//! out.
 
 use std::time::Instant;
 
@@ -12,16 +13,16 @@ use crate::file_change::Wish;
 use crate::opening::{Requester, Work};
 use crate::permit::{self, Needs};
 
-/// How a command was carried out.
+/// How a client's command was carried out.
 enum Done {
-    /// At this tick. If `shows` is true, clients get a frame now.
+    /// At this tick. If `shows` is true, clients get a frame at once.
     AtTick { tick: u64, shows: bool },
-    /// Later: the answer follows when work on another thread has ended.
+    /// The answer follows later, when work on another thread has ended.
     AnswerFollows,
 }
 
 impl Engine {
-    /// Carries out a command, or refuses it.
+    /// Carries out a client's command, or refuses it.
     pub(super) fn command(
         &mut self,
         client: ClientId,
@@ -54,7 +55,7 @@ impl Engine {
         self.reply(client, &answer);
     }
 
-    /// Carries out an action in the simulation: an order, a fault, a change of the weather.
+    /// Carries out an action of a client in the simulation: an order, a fault, a change of the weather.
     fn act(&mut self, requester: &Requester, role: &Role, action: Action) -> Result<Done, Refusal> {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = self.may_give(client, role, &action)?;
@@ -64,7 +65,7 @@ impl Engine {
         Ok(self.has_given(tick))
     }
 
-    /// Records the command that was given. If the session is paused, its effect is shown.
+    /// Records a command that was given. If the session is paused, clients see the effect of the command at once.
     fn has_given(&mut self, tick: u64) -> Done {
         self.record();
         // While the session is paused, a frame and a new prediction show the effect of the order.
@@ -74,7 +75,8 @@ impl Engine {
         Done::AtTick { tick, shows: self.paused }
     }
 
-    /// Checks that a client may give this command. The client's role and the holders of the controls decide.
+    /// Checks that a client may give a command. Whether it may depends on the client's role and on the holders of the
+    /// controls.
     fn may_give(&self, client: ClientId, role: &Role, action: &Action) -> Result<Needs, Refusal> {
         let needs = permit::for_action(role, action, self.session.cast())?;
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
@@ -83,7 +85,7 @@ impl Engine {
         Ok(needs)
     }
 
-    /// Gives a client the helms that its commands take.
+    /// Gives a client the helms that the commands of the client take.
     fn take_helms(&mut self, needs: &[Needs], of: (ClientId, &str)) -> Result<(), Refusal> {
         let mut taken = false;
         for needs in needs {
@@ -100,7 +102,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Starts a trial manoeuvre. The run does not change, and no control is taken.
+    /// Starts a trial manoeuvre. A trial does not change the run, and takes no control.
     fn trial(
         &mut self,
         requester: &Requester,
@@ -111,11 +113,12 @@ impl Engine {
         for order in orders {
             self.may_give(client, role, order)?;
         }
-        let id = requester.id.ok_or_else(|| Refusal::new("a trial needs a number"))?;
+        let id =
+            requester.id.ok_or_else(|| Refusal::new("a trial needs a command with a number"))?;
         let from = self.clients.get_mut(&client);
         let from = from.ok_or_else(|| Refusal::new("the client has left"))?;
         if !from.trials.take(Instant::now()) {
-            return Err(Refusal::new("too many trials: wait a moment"));
+            return Err(Refusal::new("this page starts too many trials: wait a moment"));
         }
         let out = from.out.clone();
         let mut trial = self.session.trial(orders, horizon_s)?;
@@ -124,7 +127,7 @@ impl Engine {
         Ok(Done::AtTick { tick: self.session.tick(), shows: false })
     }
 
-    /// Gives several orders at once. Either all orders are given or none.
+    /// Gives several orders at once. Either all of the orders are given or none of them.
     fn give(
         &mut self,
         requester: &Requester,
@@ -139,7 +142,7 @@ impl Engine {
         Ok(self.has_given(tick))
     }
 
-    /// If the action acknowledges an alarm, checks that the role may acknowledge it.
+    /// If the action acknowledges an alarm, checks that the client's role may acknowledge the alarm.
     fn may_acknowledge(&self, role: &Role, action: &Action) -> Result<(), Refusal> {
         if let Action::Other(OtherAction::Acknowledge { key }) = action {
             self.session.alarms().may_acknowledge(key, role)?;
@@ -147,7 +150,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Carries out a command about the session itself: pause, rewind, load, save, claims.
+    /// Carries out a client's command about the session itself: pause, rewind, load, save, claims.
     fn conduct(
         &mut self,
         requester: Requester,
@@ -180,7 +183,9 @@ impl Engine {
             Conduct::Pace { pace } => {
                 let [least, most] = COMMAND_LIMITS.pace;
                 if !(least..=most).contains(&pace) {
-                    return Err(Refusal::new(format_args!("a pace is from {least} to {most}")));
+                    return Err(Refusal::new(format_args!(
+                        "the pace must be from {least} to {most}"
+                    )));
                 }
                 self.pacer.set_pace(pace, now);
             }
@@ -253,7 +258,7 @@ impl Engine {
         Ok(Done::AtTick { tick: self.session.tick(), shows: true })
     }
 
-    /// Pauses after the session has moved to another time or branch.
+    /// Pauses the session after it has moved to another time or branch.
     fn paused_elsewhere(&mut self) {
         self.paused = true;
         self.predictor.reset();
@@ -268,7 +273,7 @@ impl Engine {
     ) -> Result<(), Refusal> {
         let cast = self.session.cast();
         if !cast.controls().contains(&control) {
-            return Err(Refusal::new("there is no such control"));
+            return Err(Refusal::new("there is no control of this name"));
         }
         if !permit::may_claim(role, &control, cast) {
             return Err(Refusal::new("your link does not open this control"));

@@ -1,17 +1,19 @@
-//! Clients that come and go. The other clients get few frames and notices about them, however many come and go: a crowd
-//! must not cost ten times as much as the simulation. A pure state machine: the caller gives the time.
+//! Limits what clients that come and go cost the other clients. When clients come and go, the other clients get few
+//! frames and notices about it: a crowd must not cost ten times as much as the simulation. The limit is a pure state
+//! machine: the caller gives the time.
 
 use std::time::{Duration, Instant};
 
 use crate::rate::Bucket;
 
-/// Least wall time between a frame and the next frame that shows nothing new but the number of clients. This time
-/// equals a step of most scenarios. A run at the pace of wall time therefore shows the number with its ticks.
+/// Least wall time between a frame and the next frame that shows nothing new but the number of clients. The least time
+/// between such frames is as long as a step of most scenarios. A run at the pace of wall time therefore shows the
+/// number of clients in the frames of its ticks.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(100);
-/// Notices about observers per second, and in one burst.
+/// Notices about observers that are sent per second, and in one burst.
 const NOTICES: (f64, f64) = (1.0, 10.0);
 
-/// Changes that the other clients have not been told of yet.
+/// Changes in the number of clients that the other clients have not been told of yet.
 #[derive(Debug)]
 pub(super) struct Crowd {
     /// True if the number of clients differs from the number in the last frame.
@@ -31,18 +33,19 @@ impl Crowd {
         self.has_changed = true;
     }
 
-    /// Notes that a frame was published, which shows the number of clients.
+    /// Notes that a frame which shows the number of clients was published.
     pub(super) fn is_shown(&mut self) {
         self.has_changed = false;
     }
 
-    /// Time at which a frame has to show the number of clients, given the time of the last frame. `None` if the last
-    /// frame shows it.
+    /// Time at which a frame has to show the number of clients, given the time of the last frame. The time is `None` if
+    /// the last frame shows the present number.
     pub(super) fn due_at(&self, published: Instant) -> Option<Instant> {
         self.has_changed.then(|| published + BETWEEN_FRAMES)
     }
 
-    /// True if a notice may tell of this observer. Otherwise the observer is counted.
+    /// True if a notice may tell of an observer that has come or gone. If no notice may tell of the observer, the
+    /// observer is counted.
     pub(super) fn may_tell(&mut self, now: Instant) -> bool {
         // The observers that were counted have to be told of first.
         let may = self.untold == 0 && self.notices.take(now);
@@ -50,7 +53,7 @@ impl Crowd {
         may
     }
 
-    /// Number of observers that came or went without a notice, once a notice may tell of them together.
+    /// Number of observers that came or went without a notice; given once a notice may tell of them together.
     pub(super) fn untold(&mut self, now: Instant) -> Option<u64> {
         (self.untold > 0 && self.notices.take(now)).then(|| std::mem::take(&mut self.untold))
     }

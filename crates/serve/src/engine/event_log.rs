@@ -1,14 +1,15 @@
-//! The latest events, for frames.
+//! The latest events of the session, for frames.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use fenderline_live::message::EventNow;
 
-/// Number of events in a frame, for clients that missed some frames.
+/// Number of events that are kept for frames, for clients that missed some frames.
 const KEPT: usize = 64;
 
-/// The latest events. Each has a number that is never used twice. A client therefore gets each event once.
+/// The latest events. Each event has a number that is never used twice. By the numbers of events, a client gets each
+/// event once.
 #[derive(Debug)]
 pub(super) struct EventLog {
     next: u64,
@@ -28,7 +29,7 @@ impl EventLog {
         }
     }
 
-    /// Drops all events. The numbers of these events are not used again.
+    /// Drops all events. The numbers of dropped events are not used again.
     pub(super) fn clear(&mut self) {
         self.latest.clear();
     }

@@ -1,5 +1,5 @@
-//! Loading, saving, renaming and deleting sessions and exercises, and making reports. All of these take a while, so
-//! they run on another thread. The simulation's thread begins each task and takes its result.
+//! Loading, saving, renaming and deleting sessions and exercises, and making reports. All of these tasks take a while,
+//! and therefore run on another thread. The simulation's thread begins each such task and takes its result.
 
 use std::mem;
 use std::path::Path;
@@ -23,11 +23,11 @@ use crate::saved::ENDING;
 const LONGEST_TITLE: usize = 200;
 
 impl Engine {
-    /// Begins to open an entry of the gallery. The present session goes on until the new one is open.
+    /// Begins to open an entry of the gallery. The present session goes on until the new session is open.
     pub(super) fn load(&mut self, requester: Requester, file: String) -> Result<(), Refusal> {
         self.check_no_work()?;
         let path = self.gallery.path(&file);
-        let path = path.ok_or_else(|| Refusal::new("there is no such scenario in the gallery"))?;
+        let path = path.ok_or_else(|| Refusal::new("the gallery has no scenario of this name"))?;
         let (path, former) = (path.to_owned(), self.recorder.path().to_owned());
         let recordings = (self.sessions.clone(), former);
         let work = Work::open(self.send_outcome(), requester, file, path, recordings);
@@ -35,7 +35,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins to save a copy of the session up to now.
+    /// Begins to save a copy of the recording up to now.
     pub(super) fn save(&mut self, requester: Requester, name: &str) -> Result<(), Refusal> {
         self.check_no_work()?;
         self.session.mark();
@@ -48,7 +48,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins to save a new exercise.
+    /// Begins to save a new exercise that was made from choices.
     pub(super) fn create(&mut self, requester: Requester, of: Creation) -> Result<(), Refusal> {
         self.check_no_work()?;
         let Creation { name, exercise, replace } = of;
@@ -57,7 +57,7 @@ impl Engine {
             Some(file) => {
                 let path = self.gallery.path(file).map(Path::to_owned);
                 Some(path.ok_or_else(|| {
-                    Refusal::new(format_args!("there is no scenario {file} in the gallery"))
+                    Refusal::new(format_args!("the gallery has no scenario {file}"))
                 })?)
             }
         };
@@ -68,7 +68,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins to save the present state as an exercise. A notice tells the instructor what the file leaves out.
+    /// Begins to save the present state of the session as an exercise. A notice tells the instructor what the
+    /// exercise's file leaves out.
     pub(super) fn save_exercise(
         &mut self,
         requester: Requester,
@@ -128,7 +129,7 @@ impl Engine {
         Ok(())
     }
 
-    /// The function with which work on another thread sends its outcome to this thread.
+    /// The function with which work on another thread sends its outcome to the simulation's thread.
     fn send_outcome(&self) -> impl FnOnce(Outcome) + Send + 'static {
         let hub = Arc::clone(&self.hub);
         move |outcome| {
@@ -174,7 +175,7 @@ impl Engine {
                 report.map(|report| self.reported(&work.requester, report))
             }
             Outcome::Panicked => {
-                Err("a bug in this program: see the server's standard error".to_owned())
+                Err("this program has a bug: see the server's standard error".to_owned())
             }
         };
         if let Err(reason) = done {
@@ -207,7 +208,8 @@ impl Engine {
         self.notify_all(&text);
     }
 
-    /// Shows a file of the gallery under its new name, among the deleted files, or back in the list.
+    /// Shows a renamed file of the gallery under its new name, a deleted file among the deleted files, and a file that
+    /// was put back in the list.
     fn file_changed(&mut self, requester: &Requester, changed: Changed) {
         for ended in self.ended.iter_mut().filter(|ended| **ended == changed.from) {
             ended.clone_from(&changed.to);
@@ -268,9 +270,11 @@ impl Engine {
         }
         match opened.notices.len() {
             0 => {}
-            1 => self.notify_all("There is a notice about the scenario: it is in the log of the tab Alarms."),
+            1 => self.notify_all(
+                "There is a notice about the scenario: the log of the tab Alarms has it.",
+            ),
             many => self.notify_all(&format!(
-                "There are {many} notices about the scenario: they are in the log of the tab Alarms."
+                "There are {many} notices about the scenario: the log of the tab Alarms has them."
             )),
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Sends the session's past to pages that were opened late or loaded again.
+//! Sends the session's past to pages that were opened later or loaded again.
 
 use std::time::{Duration, Instant};
 
@@ -8,15 +8,16 @@ use fenderline_live::{Cast, Refusal, message};
 use super::Engine;
 use crate::claims::ClientId;
 
-/// A client may ask once within this time, because the answer has a hundred kilobytes.
+/// A client may ask for the past once within this time, because the answer has a hundred kilobytes.
 const BETWEEN: Duration = Duration::from_secs(1);
 
 impl Engine {
-    /// Sends a client the past up to the present tick. This is the past of the ship of the client's role, or of the
-    /// ship that `named` names.
+    /// Sends a client the past of a ship up to the present tick. The ship is that of the client's role, or the ship
+    /// that `named` names.
     ///
     /// # Errors
-    /// The client asked a moment ago. The ship does not exist, or the role may not see her past.
+    /// Fails if the client asked for the past a moment ago. Also fails if the ship does not exist, or if the role may
+    /// not see her past.
     pub(super) fn send_history(
         &mut self,
         client: ClientId,
@@ -26,7 +27,7 @@ impl Engine {
         let Some(of) = self.clients.get_mut(&client) else { return Ok(()) };
         let vessel = charted(&of.role, named, self.session.cast())?;
         if of.asked.is_some_and(|at| now < at + BETWEEN) {
-            return Err(Refusal::new("the history was sent a moment ago"));
+            return Err(Refusal::new("the past of the session was sent a moment ago"));
         }
         of.asked = Some(now);
         let (session, version) = (&self.session, self.session.history_version());
@@ -40,8 +41,8 @@ impl Engine {
     }
 }
 
-/// The vessel whose past a role gets. The charts of another ship could show what fog hides. Only the instructor gets
-/// the charts of every ship.
+/// The vessel whose past a client with this role gets. The strip charts of another ship could show what fog hides. Only
+/// the instructor gets the strip charts of every ship.
 fn charted(role: &Role, named: Option<&str>, cast: &Cast) -> Result<Option<usize>, Refusal> {
     let index = |name: &str| cast.vessels.iter().position(|vessel| vessel == name);
     let own = match role {
@@ -55,6 +56,8 @@ fn charted(role: &Role, named: Option<&str>, cast: &Cast) -> Result<Option<usize
             Some(vessel) => Ok(Some(vessel)),
             None => Err(Refusal::new(format_args!("there is no vessel `{name}`"))),
         },
-        Some(name) => Err(Refusal::new(format_args!("the charts of {name} are not for your link"))),
+        Some(name) => {
+            Err(Refusal::new(format_args!("the strip charts of {name} are not for your link")))
+        }
     }
 }

@@ -1,14 +1,14 @@
-//! Keeps the texts of the session's past, for pages that ask for them at the same tick.
+//! Keeps the texts of the session's past, for several pages that ask for them at the same tick.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::hub::Text;
 
-/// The vessel whose past it is, and true if the values are those that her instruments showed.
+/// The vessel to which a past belongs, and true if the values are those that her instruments showed.
 type Of = (Option<usize>, bool);
 
-/// A version of the past, and its texts.
+/// The number of a version of the past, and the texts that were made of it.
 #[derive(Debug, Default)]
 pub(super) struct KeptHistory {
     version: (usize, u64, u64),
@@ -16,7 +16,7 @@ pub(super) struct KeptHistory {
 }
 
 impl KeptHistory {
-    /// The text of the past of a vessel in a version: the text that is kept, or a new text by `write`.
+    /// The text of a vessel's past in a version: the text that is kept, or a new text that `write` makes.
     ///
     /// # Errors
     /// The error of `write`.

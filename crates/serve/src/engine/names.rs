@@ -1,4 +1,4 @@
-//! Names of people and seats of pages. Names and seats tell who is at which page.
+//! Keeps the names of people and the seats of their pages. Names and seats tell who is at which page.
 
 use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};
@@ -9,10 +9,11 @@ use crate::kept_seats::SECRET_DIGITS;
 use crate::role_words::role_words;
 
 impl Engine {
-    /// Sets the name of the person at a page. The person gets back the controls left when the connection broke.
+    /// Sets the name of the person at a page. The person gets back the controls that were left when the connection
+    /// broke.
     ///
     /// # Errors
-    /// A name that is empty, too long, or has control characters.
+    /// Refuses a name that is empty, too long, or has control characters.
     pub(super) fn name(
         &mut self,
         client: ClientId,
@@ -33,7 +34,9 @@ impl Engine {
             self.clients.iter().any(|(id, other)| *id != client && other.label == *label)
         };
         let mut free = numbers.filter(|label| !is_taken(label));
-        let Some(label) = free.next() else { unreachable!("clients are fewer than numbers") };
+        let Some(label) = free.next() else {
+            unreachable!("there are always more numbers than clients")
+        };
         let Some(own) = self.clients.get_mut(&client) else {
             return Err(Refusal::new("the client has left"));
         };
@@ -48,11 +51,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Gives a reloaded page the controls and the label that it left. Only one page has a seat at a time. A copy of a
-    /// page has the same secret, but gets nothing while the first page is connected.
+    /// Gives a reloaded page the controls and the label that it left. Only one connected page has a seat at a time. A
+    /// copy of a page has the same secret, but gets nothing while the first page is connected.
     ///
     /// # Errors
-    /// The key does not consist of hexadecimal digits, or another page has the seat.
+    /// Fails if the key does not consist of hexadecimal digits, or if another page has the seat.
     pub(super) fn seat(
         &mut self,
         client: ClientId,
@@ -85,7 +88,7 @@ impl Engine {
         let label = own.label.clone();
         if self.claims.back(client, &label, &seat) {
             self.greet_all();
-            self.notify_all(&format!("{former} is {label}, who is back"));
+            self.notify_all(&format!("{former} is now {label}, who is back"));
         }
         Ok(())
     }

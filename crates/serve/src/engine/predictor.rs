@@ -1,4 +1,4 @@
-//! Predictions of the ships' paths. Predictions run on another thread.
+//! Starts the predictions of the ships' paths. The predictions run on another thread.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -9,14 +9,15 @@ use fenderline_live::{Outlook, Prediction, Session};
 
 use crate::hub::{Hub, Predicted};
 
-/// Wall time between the starts of two predictions.
+/// Wall time between the starts of two predictions of the paths.
 const INTERVAL: Duration = Duration::from_millis(100);
-/// A prediction may start this much earlier than the interval says. Predictions start at ticks, whose times are not
-/// exact. Without this margin, every second tick of 0.1 s would come a little too early.
+/// A prediction may start earlier than the interval says, by this wall time. Predictions start at ticks of the session,
+/// whose times are not exact. Without this margin, every second tick of 0.1 s would come a little too early for a
+/// prediction.
 const EARLY: Duration = Duration::from_millis(20);
-/// A prediction that takes longer than this ends early.
+/// A prediction that takes more wall time than this ends early.
 const LONGEST: Duration = Duration::from_secs(1);
-/// Simulated time that a prediction covers (s), and simulated time between two of its points (s).
+/// Simulated time that a prediction covers (s), and simulated time between two points of a path (s).
 const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
 
@@ -24,7 +25,7 @@ const EVERY_S: f64 = 10.0;
 #[derive(Debug, Default)]
 pub(super) struct Predictor {
     due: Due,
-    /// Number of changes that make it impossible to continue an earlier prediction.
+    /// Number of changes to the run after which an earlier prediction could not be continued.
     changes: u64,
     thread: Option<Thread>,
 }
@@ -34,12 +35,13 @@ pub(super) struct Predictor {
 struct Due(Option<Instant>);
 
 impl Due {
-    /// True if a prediction may start. The state of a paused session does not change, so it needs one prediction only.
+    /// True if the next prediction may start. The state of a paused session does not change, so that one prediction is
+    /// enough.
     fn is_due(&self, now: Instant, paused: bool) -> bool {
         self.0.is_none_or(|at| !paused && now + EARLY >= at)
     }
 
-    /// Notes the start of a prediction. The next prediction is due one interval after the time at which this one was
+    /// Notes the start of a prediction. The next prediction is due one interval after the time at which the last was
     /// due, so that small delays do not add up.
     fn start(&mut self, now: Instant) {
         let was_due = self.0.map_or(now, |at| if at + INTERVAL < now { now } else { at });
@@ -47,21 +49,21 @@ impl Due {
     }
 }
 
-/// A prediction to be made, and the number of changes before it.
+/// A prediction to be made, and the number of changes to the run before it.
 #[derive(Debug)]
 struct Job {
     prediction: Prediction,
     changes: u64,
 }
 
-/// The latest request of the engine.
+/// The latest request of the simulation's thread for a prediction.
 #[derive(Debug, Default)]
 struct Asked {
     job: Option<Job>,
     ended: bool,
 }
 
-/// The job that waits for the thread. A newer job replaces a waiting job.
+/// The prediction that waits for the thread that makes predictions. A newer prediction replaces one that waits.
 #[derive(Debug, Default)]
 struct Inbox {
     asked: Mutex<Asked>,
@@ -73,7 +75,8 @@ impl Inbox {
         self.asked.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes the latest job, and waits until there is one. `None` when the engine has ended.
+    /// Takes the latest prediction to be made, and waits until there is one. The result is `None` when the simulation's
+    /// thread has ended.
     fn take(&self) -> Option<Job> {
         let waits = |asked: &mut Asked| asked.job.is_none() && !asked.ended;
         let asked = self.changed.wait_while(self.asked(), waits);
@@ -81,8 +84,8 @@ impl Inbox {
     }
 }
 
-/// The thread for predictions. The thread runs as long as the engine: threads that come and go would each leave memory
-/// behind.
+/// The thread for predictions. The thread for predictions runs as long as the simulation's thread: threads that come
+/// and go would each leave memory behind.
 #[derive(Debug)]
 struct Thread {
     inbox: Arc<Inbox>,
@@ -90,15 +93,15 @@ struct Thread {
 }
 
 impl Predictor {
-    /// Makes the next prediction due at once and starts it from the beginning. The state, the orders or the whole run
-    /// have changed.
+    /// Makes the next prediction due at once and starts it from the beginning. The caller has changed the state, the
+    /// orders or the whole run.
     pub(super) fn reset(&mut self) {
         self.due = Due::default();
         self.changes += 1;
     }
 
-    /// Asks for a prediction if one is due. If the last prediction is still being made, the new one follows it. Only
-    /// the latest request waits.
+    /// Asks for a prediction if one is due. If the last prediction is still being made, the new prediction follows it.
+    /// Only the latest request waits.
     pub(super) fn start_if_due(
         &mut self,
         now: Instant,
@@ -142,7 +145,7 @@ impl Thread {
     }
 }
 
-/// Makes predictions until the engine has ended.
+/// Makes predictions until the simulation's thread has ended.
 fn predict(inbox: &Inbox, hub: &Hub) {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let mut allowance = Allowance::new(if processors == 1 { 0.5 } else { 2.0 / 3.0 });
@@ -160,18 +163,18 @@ fn predict(inbox: &Inbox, hub: &Hub) {
     }
 }
 
-/// Limits the time for predictions, to leave some of a processor's time for others.
+/// Limits the time that predictions take, to leave some of a processor's time for other work.
 #[derive(Debug)]
 struct Allowance {
-    /// Share of a processor that predictions may use.
+    /// Share of a processor's time that predictions may use.
     share: f64,
-    /// Time for predictions that was left at the time `at` (s).
+    /// Time that was left for predictions at the moment `at` (s).
     left_s: f64,
     at: Option<Instant>,
 }
 
-/// Largest allowance, after a long time without predictions (s). Some predictions may then follow each other without a
-/// rest.
+/// Largest allowance of time for predictions, after a long time without predictions (s). With this allowance, some
+/// predictions may follow each other without a rest.
 const MOST_LEFT_S: f64 = 0.5;
 
 impl Allowance {
@@ -179,7 +182,7 @@ impl Allowance {
         Allowance { share, left_s: MOST_LEFT_S, at: None }
     }
 
-    /// The rest to take after a prediction with these times of beginning and end.
+    /// The rest that must follow a prediction, from the times of its beginning and end.
     fn rest(&mut self, begun: Instant, ended: Instant) -> Duration {
         let gained_s = self.at.map_or(0.0, |at| self.share * (ended - at).as_secs_f64());
         self.at = Some(ended);

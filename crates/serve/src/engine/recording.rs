@@ -3,7 +3,7 @@
 use super::Engine;
 
 impl Engine {
-    /// Appends new lines of the session to the recording's file. After the first failure nothing more is written, and
+    /// Appends new lines of the session to the recording's file. After the first failure nothing more is recorded, and
     /// the users get one notice.
     pub(super) fn record(&mut self) {
         let lines = self.session.take_lines();
@@ -12,7 +12,7 @@ impl Engine {
         }
         if let Err(why) = self.recorder.add(&lines) {
             self.recording_failed = true;
-            let text = format!("THE SESSION IS NO LONGER RECORDED: {why}");
+            let text = format!("THE SESSION IS NO LONGER RECORDED, for this reason: {why}");
             self.hub.log.notify(&text);
             self.notify_all(&text);
         }

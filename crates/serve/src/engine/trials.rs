@@ -15,17 +15,18 @@ use crate::claims::ClientId;
 use crate::hub::Text;
 use crate::rate::Bucket;
 
-/// Wall time until the first answer, and between two answers. Each answer shows the result so far. With the network and
-/// the drawing, the first answer is on the screen within 0.3 s.
+/// Wall time until the first answer of a trial, and between two of its answers. Each answer shows the result of the
+/// trial so far. With the time for network and drawing, the first answer is on the screen within 0.3 s.
 const FIRST_ANSWER: Duration = Duration::from_millis(60);
 const BETWEEN_ANSWERS: Duration = Duration::from_millis(120);
-/// Longest wall time of a trial, and of a trial while others wait.
+/// Longest wall time of a trial, and of a trial while other trials wait.
 const LONGEST: Duration = Duration::from_secs(4);
 const LONGEST_BESIDE_OTHERS: Duration = Duration::from_millis(400);
-/// Trials of one client per second, and in one burst. Each trial copies the run on the simulation's thread.
+/// Trials that one client may start per second, and in one burst. Each trial copies the run, which takes time of the
+/// simulation's thread.
 const RATE: (f64, f64) = (10.0, 10.0);
 
-/// A trial that waits or runs.
+/// A client's trial that waits or runs.
 struct Job {
     client: ClientId,
     /// Number of the command that asked for the trial.
@@ -38,7 +39,7 @@ struct Job {
 #[derive(Default)]
 struct State {
     waiting: VecDeque<Job>,
-    /// The client whose trial runs, and the flag that stops the trial.
+    /// The client whose trial runs at present, and the flag that stops this trial.
     running: Option<(ClientId, Arc<AtomicBool>)>,
     ended: bool,
 }
@@ -55,7 +56,7 @@ impl Shared {
     }
 }
 
-/// The trials of all clients. The thread starts with the first trial.
+/// The trials of all clients. The thread for trials starts with the first trial.
 #[derive(Default)]
 pub(super) struct Trials {
     shared: Arc<Shared>,
@@ -68,10 +69,11 @@ impl Trials {
         Bucket::new(RATE.0, RATE.1, now)
     }
 
-    /// Starts a trial of a client, and sends its answers to `out`. An earlier trial of the client ends.
+    /// Starts a trial of a client, and sends the answers of the trial to `out`. An earlier trial of the client is
+    /// stopped.
     ///
     /// # Errors
-    /// There is no thread for the trial.
+    /// Fails if the system gives no thread for trials.
     pub(super) fn start(
         &mut self,
         (client, id): (ClientId, i64),
@@ -83,7 +85,7 @@ impl Trials {
             let thread = std::thread::Builder::new().name("trials".into());
             let thread = thread.spawn(move || work(&shared));
             self.thread = Some(thread.map_err(|e| {
-                Refusal::new(format_args!("the server has no thread for trials: {e}"))
+                Refusal::new(format_args!("the server has no thread that runs trials: {e}"))
             })?);
         }
         let job = Job { client, id, trial, out, stop: Arc::default() };
@@ -128,7 +130,7 @@ impl Drop for Trials {
     }
 }
 
-/// Runs the trials on the thread, until the server ends.
+/// Runs the trials on their thread, until the server ends.
 fn work(shared: &Shared) {
     loop {
         let mut state = shared.state();
@@ -146,8 +148,8 @@ fn work(shared: &Shared) {
     }
 }
 
-/// Runs a trial and sends its answers. The trial ends early if it is stopped, takes too long, or its client does not
-/// read.
+/// Runs a trial and sends the answers of the trial. The trial ends early if it is stopped, takes too long, or its
+/// client does not read.
 fn run(job: Job, is_alone: impl Fn() -> bool) {
     let Job { id, trial, out, stop, .. } = job;
     let (tick, horizon_s) = (trial.tick(), trial.horizon_s());

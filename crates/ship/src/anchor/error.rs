@@ -4,23 +4,23 @@ use std::fmt;
 
 use crate::range::OutOfRange;
 
-/// An anchor that cannot be simulated.
+/// Error of an anchor that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum AnchorError {
-    /// A number outside its range.
+    /// A number of the anchor is outside its range.
     OutOfRange {
         /// The anchor.
         anchor: String,
         /// The number.
         error: OutOfRange,
     },
-    /// The anchor is on the bottom at the start, but the environment gives no depth.
+    /// At the start the anchor is on the bottom, but the environment gives no depth.
     NoBottom {
         /// The anchor.
         anchor: String,
     },
-    /// The anchor is on the bottom at the start, but farther away than its chain reaches.
+    /// At the start the anchor is on the bottom, but farther away than its chain reaches.
     ChainTooShort {
         /// The anchor.
         anchor: String,

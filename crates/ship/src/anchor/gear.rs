@@ -1,4 +1,4 @@
-//! An anchor with its chain and windlass: the constant part.
+//! The data of an anchor with its chain and windlass that do not change in a run.
 
 use super::error::AnchorError;
 use super::windlass::Windlass;
@@ -6,17 +6,18 @@ use crate::chain::{ChainGrade, ChainLink, ChainSize};
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::range::{OutOfRange, within};
 
-/// Length of a shackle of chain (m): 15 fathoms, today's length.
+/// Length of a shackle of chain (m): 15 fathoms, as is usual today.
 pub const SHACKLE_M: f64 = 27.5;
 
 /// Density of the steel of anchor and chain (kg/m³).
 const STEEL_KGPM3: f64 = 7850.0;
-/// Mass per length of chain with studs over the square of its bar's diameter (kg/m³): Orcina.
+/// Mass per length of a chain with studs, divided by the square of the diameter of its bar (kg/m³), from Orcina's help.
 const STUD_CHAIN_KGPM3: f64 = 21.9e3;
-/// Load that the bitter end holds, as a share of the chain's break load: recalled.
+/// Load that the chain's inboard end (bitter end) holds, as a share of the chain's break load; the number is from
+/// memory.
 const BITTER_END_SHARE: f64 = 0.3;
 
-/// The type of an anchor. The holding power depends on it.
+/// The type of an anchor. The holding power of an anchor depends on its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AnchorType {
     /// Ordinary stockless anchor, such as Hall or Spek.
@@ -26,8 +27,8 @@ pub enum AnchorType {
 }
 
 impl AnchorType {
-    /// Holding power over the anchor's weight in air, if the chain lies along the bottom. For the sources see
-    /// [`super`].
+    /// Holding power divided by the anchor's weight in air, if the chain lies along the bottom. The sources of the
+    /// holding factors are in the documentation of [`super`].
     #[must_use]
     pub fn holding_factor(self) -> f64 {
         match self {
@@ -46,27 +47,28 @@ pub struct AnchorGear {
     pub mass_kg: f64,
     /// Diameter of the bar of the chain's links (m).
     pub chain_diameter_m: f64,
-    /// Grade of the chain: a grade of anchor chain.
+    /// Grade of the anchor chain.
     pub chain_grade: ChainGrade,
     /// Length of the chain (m).
     pub chain_length_m: f64,
-    /// Holding power of the anchor over its weight in air, if the chain lies along the bottom.
+    /// Holding power of the anchor divided by its weight in air, if the chain lies along the bottom.
     pub holding_factor: f64,
-    /// Holding power of the anchor over its weight in air while the anchor drags.
+    /// Holding power of the dragging anchor divided by its weight in air.
     pub dragging_factor: f64,
-    /// Friction of the chain on the bottom over its weight in water.
+    /// Friction of the chain on the bottom, divided by the chain's weight in water.
     pub chain_friction: f64,
     /// The windlass of the anchor.
     pub windlass: Windlass,
 }
 
 impl AnchorGear {
-    /// Resistance of a dragging anchor over the anchor's weight in air (recalled, see [`super`]).
+    /// Resistance of a dragging anchor, divided by the anchor's weight in air; the number is from memory (see
+    /// [`super`]).
     pub const DRAGGING_FACTOR: f64 = 1.5;
-    /// Friction of chain on the bottom over the chain's weight.
+    /// Friction of a chain on the bottom, divided by the chain's weight.
     pub const CHAIN_FRICTION: f64 = 0.75;
 
-    /// The chain, given by its size.
+    /// The anchor's chain, given by its size.
     #[must_use]
     pub fn chain(&self) -> ChainSize {
         ChainSize {
@@ -76,7 +78,7 @@ impl AnchorGear {
         }
     }
 
-    /// Weight of the chain per length in water of this density (N/m).
+    /// Weight of the chain per length in water of the given density (N/m).
     #[must_use]
     pub fn chain_weight_npm(&self, water_kgpm3: f64) -> f64 {
         let mass_kgpm = STUD_CHAIN_KGPM3 * self.chain_diameter_m * self.chain_diameter_m;
@@ -89,13 +91,13 @@ impl AnchorGear {
         self.mass_kg * STANDARD_GRAVITY_MPS2
     }
 
-    /// Weight of the anchor in water of this density (N).
+    /// Weight of the anchor in water of the given density (N).
     #[must_use]
     pub fn anchor_weight_in_water_n(&self, water_kgpm3: f64) -> f64 {
         self.anchor_weight_n() * in_water(water_kgpm3)
     }
 
-    /// Pull at which the bitter end gives way when all chain is out (N).
+    /// Pull at which the chain's inboard end (bitter end) gives way when all chain is out (N).
     #[must_use]
     pub fn bitter_end_n(&self) -> f64 {
         BITTER_END_SHARE * self.chain().break_load_n()
@@ -104,7 +106,7 @@ impl AnchorGear {
     /// Checks the numbers.
     ///
     /// # Errors
-    /// The first number out of its range, with the name of the anchor.
+    /// Fails at the first number out of its range, and names the anchor.
     pub fn check(&self) -> Result<(), AnchorError> {
         self.check_numbers()
             .map_err(|error| AnchorError::OutOfRange { anchor: self.name.clone(), error })
@@ -122,7 +124,7 @@ impl AnchorGear {
     }
 }
 
-/// Weight in water over weight in air.
+/// Weight of steel in water divided by its weight in air.
 fn in_water(water_kgpm3: f64) -> f64 {
     1.0 - water_kgpm3 / STEEL_KGPM3
 }

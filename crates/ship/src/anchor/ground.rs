@@ -5,9 +5,10 @@ use fenderline_contact::number::greater;
 use super::gear::AnchorGear;
 use crate::mooring::{Cable, catenary};
 
-/// Share of the holding power, by the sine of the angle between shank and bottom. The sine is 1 over the scope of a
-/// straight chain. The shares are D. Casey's table of holding power, for scopes from 10 to 2. For larger angles we
-/// assume a straight line to zero at a right angle.
+/// Share of the holding power that an anchor keeps, by the sine of the angle between its shank and the bottom. The sine
+/// of the shank's angle is 1 divided by the scope of a straight chain. The shares of the holding power are from
+/// Casey's table, for scopes from 10 to 2. For larger angles of the shank we assume a straight line to zero at a right
+/// angle.
 const BY_UPLIFT: [[f64; 2]; 8] = [
     [0.1, 1.0],
     [1.0 / 7.0, 0.91],
@@ -34,36 +35,36 @@ pub fn uplift_share(sine: f64) -> f64 {
 /// Forces of the chain between hawse pipe and anchor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pull {
-    /// Horizontal tension (N), the same along the chain.
+    /// Horizontal tension of the chain (N), which is the same along the whole chain.
     pub(super) horizontal_n: f64,
-    /// Downward force on the hawse pipe (N).
+    /// Downward force of the chain on the hawse pipe (N).
     pub(super) down_n: f64,
-    /// Upward force on the anchor (N); 0 while chain lies on the bottom.
+    /// Upward force of the chain on the anchor (N); 0 while chain lies on the bottom.
     pub(super) uplift_n: f64,
-    /// Chain on the bottom (m).
+    /// Length of the chain that lies on the bottom (m).
     pub(super) on_bottom_m: f64,
 }
 
 impl Pull {
-    /// Tension at the hawse pipe (N).
+    /// Tension of the chain at the hawse pipe (N).
     pub(super) fn tension_n(&self) -> f64 {
         libm::hypot(self.horizontal_n, self.down_n)
     }
 }
 
-/// The chain of an anchor that is on the bottom.
+/// The chain of an anchor that lies on the bottom.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ground<'a> {
     pub(super) gear: &'a AnchorGear,
     /// Height of the hawse pipe above the bottom (m).
     pub(super) rise_m: f64,
-    /// Weight of the chain in water (N/m), and of the anchor (N).
+    /// Weight of the chain in water per length (N/m), and weight of the anchor in water (N).
     pub(super) chain_npm: f64,
     pub(super) anchor_n: f64,
 }
 
 impl Ground<'_> {
-    /// Forces of the chain at this horizontal distance between anchor and hawse pipe.
+    /// Forces of the chain at the given horizontal distance between anchor and hawse pipe.
     pub(super) fn pull(&self, chain_m: f64, span_m: f64) -> Pull {
         let chain = self.gear.chain();
         let cable = Cable {
@@ -80,7 +81,8 @@ impl Ground<'_> {
         }
     }
 
-    /// The horizontal pull that anchor and chain hold (N). `factor` is the anchor's holding power over its weight.
+    /// The horizontal pull that anchor and chain can hold (N). `factor` is the anchor's holding power divided by its
+    /// weight.
     pub(super) fn holding_n(&self, pull: &Pull, factor: f64) -> f64 {
         let sine = match pull.uplift_n > 0.0 {
             true => pull.uplift_n / libm::hypot(pull.horizontal_n, pull.uplift_n),
@@ -90,13 +92,13 @@ impl Ground<'_> {
             + self.gear.chain_friction * self.chain_npm * pull.on_bottom_m
     }
 
-    /// By how much a pull exceeds what anchor and chain hold, along the bottom or upwards (N).
+    /// By how much a pull on the chain exceeds what anchor and chain hold, along the bottom or upwards (N).
     pub(super) fn excess_n(&self, pull: &Pull, factor: f64) -> f64 {
         let along_n = pull.horizontal_n - self.holding_n(pull, factor);
         greater(along_n, pull.uplift_n - self.anchor_n)
     }
 
-    /// The largest distance up to `span_m` at which anchor and chain hold the pull (m).
+    /// The largest distance up to `span_m` at which anchor and chain hold the pull of the chain (m).
     pub(super) fn holding_span_m(&self, chain_m: f64, span_m: f64, factor: f64) -> f64 {
         let excess_n = |span_m: f64| self.excess_n(&self.pull(chain_m, span_m), factor);
         let near_m = greater(span_m - 0.5, 0.0);
@@ -120,7 +122,7 @@ impl Ground<'_> {
     }
 
     /// The shortest chain, from `chain_m` to the whole chain, with which the tension at the hawse pipe is at most
-    /// `limit_n` (m). The whole chain if no length is enough.
+    /// `limit_n` (m). If no length of chain is enough, the result is the whole chain.
     pub(super) fn rendered_m(&self, chain_m: f64, span_m: f64, limit_n: f64) -> f64 {
         let (mut tight_m, mut slack_m) = (chain_m, self.gear.chain_length_m);
         if self.pull(slack_m, span_m).tension_n() > limit_n {

@@ -9,14 +9,14 @@ pub enum AnchorPosition {
     Housed,
     /// The anchor hangs on its chain, in the water or above it.
     Hanging,
-    /// The anchor is on the bottom, at this position north and east (m).
+    /// The anchor lies on the bottom, at the given position north and east (m).
     OnBottom(Vec2),
     /// The anchor is lost, with its chain.
     Lost(LostBy),
 }
 
 impl AnchorPosition {
-    /// The word for the position in results and messages.
+    /// The word for the anchor's position in results and messages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -31,32 +31,34 @@ impl AnchorPosition {
 /// How an anchor was lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LostBy {
-    /// The chain was slipped by order.
+    /// The chain was slipped by order, so that the anchor was lost with it.
     Slipped,
     /// The chain parted.
     Parted,
-    /// All chain ran out, and the bitter end gave way.
+    /// All chain ran out, and its inboard end (bitter end) gave way.
     RanOut,
 }
 
-/// The order to a windlass.
+/// An order to a windlass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WindlassOrder {
     /// The brake is on.
     #[default]
     Hold,
-    /// Chain runs out until this length is out (m); then the brake is put on.
+    /// Chain runs out until the given length is out (m); then the brake is put on.
     LetGo(f64),
-    /// Chain is paid out under power until this length is out (m); then the brake is put on.
+    /// Chain is paid out under power until the given length is out (m); then the brake is put on.
     Veer(f64),
-    /// Chain is hove in until this length is out (m); 0 means until the anchor is home. Then the brake is put on.
+    /// Chain is hove in until only the given length is out (m); 0 means until the anchor is home. After the chain has
+    /// been hove in, the brake is put on.
     Heave(f64),
 }
 
 /// Faults of anchor and windlass.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AnchorFaults {
-    /// The windlass has no power: it neither heaves nor veers. The anchor can still be let go, and the brake holds.
+    /// The windlass has no power: it neither heaves nor veers. While the windlass has no power, the anchor can still be
+    /// let go, and the brake holds.
     pub windlass_failed: bool,
     /// The anchor does not bite: it only holds as much as a dragging anchor.
     pub does_not_bite: bool,
@@ -67,9 +69,9 @@ pub struct AnchorFaults {
 pub struct AnchorState {
     /// Where the anchor is.
     pub position: AnchorPosition,
-    /// Chain out, from the hawse pipe (m).
+    /// Length of chain that is out, from the hawse pipe (m).
     pub chain_m: f64,
-    /// The order to the windlass.
+    /// The present order to the windlass.
     pub order: WindlassOrder,
     /// Whether the anchor drags: it moved in the last step.
     pub dragging: bool,
@@ -77,7 +79,7 @@ pub struct AnchorState {
     pub rendering: bool,
     /// How far the anchor has dragged since it came to the bottom (m).
     pub dragged_m: f64,
-    /// Energy that dragging has cost in the run (J).
+    /// Energy that the dragging of the anchor has taken from the ship in the run (J).
     pub dragged_j: f64,
     /// Faults of anchor and windlass.
     pub faults: AnchorFaults,
@@ -99,7 +101,7 @@ impl AnchorState {
         }
     }
 
-    /// The state of an anchor on the bottom, with this length of chain out (m).
+    /// The state of an anchor on the bottom, with the given length of chain out (m).
     #[must_use]
     pub fn on_bottom(at_m: Vec2, chain_m: f64) -> AnchorState {
         AnchorState { position: AnchorPosition::OnBottom(at_m), chain_m, ..AnchorState::housed() }
@@ -124,40 +126,40 @@ impl AnchorState {
 pub struct Hawse {
     /// North and east (m).
     pub at_m: Vec2,
-    /// Height above the bottom (m); `None` in deep water.
+    /// Height of the hawse pipe above the bottom (m); `None` in deep water.
     pub above_bottom_m: Option<f64>,
 }
 
-/// Forces and motions of chain and anchor in a step.
+/// Forces and motions of an anchor and its chain in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AnchorLoad {
     /// Tension of the chain at the hawse pipe (N).
     pub tension_n: f64,
-    /// Force on the ship at the hawse pipe: north, east, up (N).
+    /// Force of the chain on the ship at the hawse pipe: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Horizontal pull that anchor and chain hold (N). While the anchor drags this is the dragging resistance. 0 if the
-    /// anchor is not on the bottom.
+    /// Horizontal pull that anchor and chain can hold (N). While the anchor drags, the pull that it holds is its
+    /// dragging resistance. The pull that anchor and chain can hold is 0 if the anchor is not on the bottom.
     pub holding_n: f64,
-    /// Chain on the bottom (m).
+    /// Length of chain that lies on the bottom (m).
     pub on_bottom_m: f64,
-    /// How far the anchor dragged (m).
+    /// How far the anchor dragged in the step (m).
     pub moved_m: f64,
-    /// Length of chain that ran out because the brake rendered (m).
+    /// Length of chain that ran out in the step because the brake rendered (slipped under load) (m).
     pub rendered_m: f64,
-    /// Whether the windlass stalls: the tension is too high for it to heave.
+    /// Whether the windlass stalls because the tension of the chain is too high for it to heave.
     pub stalled: bool,
     /// The tension at which the chain was lost in this step (N).
     pub lost_at_n: Option<f64>,
 }
 
-/// How steeply the chain leads, from nearly vertical to nearly level.
+/// How steeply the chain leads downwards, from nearly vertical to nearly level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stay {
-    /// Within 10° of the vertical.
+    /// The chain leads within 10° of the vertical.
     UpAndDown,
-    /// Steeper than 60° below the horizontal.
+    /// The chain leads steeper than 60° below the horizontal.
     Short,
-    /// Steeper than 30° below the horizontal.
+    /// The chain leads steeper than 30° below the horizontal, but not steeper than 60°.
     Medium,
     /// Flatter than 30°.
     Long,
@@ -177,8 +179,8 @@ impl Stay {
 }
 
 impl AnchorLoad {
-    /// How steeply the chain leads below the horizontal. The limits between the words are our choice. `None` without a
-    /// pull.
+    /// The word for how steeply the chain leads below the horizontal. The angles at which the words for the chain's
+    /// lead change are our choice. `None` without a pull.
     #[must_use]
     pub fn stay(&self) -> Option<Stay> {
         let [north_n, east_n, up_n] = self.on_ship_n;
@@ -195,8 +197,8 @@ impl AnchorLoad {
         })
     }
 
-    /// Direction of the chain from the bow of a ship with a heading, positive to starboard, −π to π (rad). `None` if
-    /// the chain leads straight down.
+    /// Direction of the chain relative to the bow of a ship with the given heading, positive to starboard, −π to π
+    /// (rad). The direction is `None` if the chain leads straight down.
     #[must_use]
     pub fn lead_rad(&self, heading_rad: f64) -> Option<f64> {
         let [north_n, east_n, _] = self.on_ship_n;
@@ -208,7 +210,7 @@ impl AnchorLoad {
 }
 
 impl LostBy {
-    /// The word for it in results.
+    /// The word in results for the way in which the anchor was lost.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -219,7 +221,7 @@ impl LostBy {
     }
 }
 
-/// Events of an anchor. A state that lasts is reported once, when it begins.
+/// Events of an anchor. An event that lasts, such as dragging, is reported once, when it begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AnchorEvent {
     /// The anchor came to the bottom.
@@ -236,14 +238,14 @@ pub enum AnchorEvent {
     Renders,
     /// The chain parted.
     Parted,
-    /// All chain ran out, and the bitter end gave way.
+    /// All chain ran out, and its inboard end (bitter end) gave way.
     RanOut,
-    /// An order could not be carried out.
+    /// An order to the anchor could not be carried out.
     OrderRefused,
 }
 
 impl AnchorEvent {
-    /// The key of the event in results.
+    /// The key of the anchor's event in results.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -259,7 +261,7 @@ impl AnchorEvent {
         }
     }
 
-    /// Text of the event. The text continues a sentence that begins with the anchor.
+    /// Text of the event. The text of an event continues a sentence that begins with the anchor's name.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -271,7 +273,7 @@ impl AnchorEvent {
             AnchorEvent::Renders => "the brake of the windlass renders",
             AnchorEvent::Parted => "its chain PARTED",
             AnchorEvent::RanOut => "all chain RAN OUT, and the bitter end gave way",
-            AnchorEvent::OrderRefused => "an order could not be carried out",
+            AnchorEvent::OrderRefused => "an order to the anchor could not be carried out",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! One step of an anchor: windlass, chain, bottom.
+//! One time step of an anchor: windlass, chain, bottom.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{greater, lesser};
@@ -10,11 +10,12 @@ use super::state::{
 };
 
 impl AnchorGear {
-    /// One step: the windlass carries out its order for `step_s`, then chain and anchor give the force on the ship.
-    /// `last_n` is the tension in the last step, against which the windlass heaves. Events are passed to `tell`.
+    /// Takes one step of an anchor: the windlass carries out its order for `step_s`, then chain and anchor give the
+    /// force on the ship. `last_n` is the chain's tension in the last step, against which the windlass heaves. Events
+    /// of the anchor are passed to `tell`.
     ///
-    /// The anchor drags towards the hawse pipe until it holds the pull. If the tension is still above the limit of the
-    /// brake, the brake renders.
+    /// If the pull is too strong, the anchor drags towards the hawse pipe until it holds the pull. If the tension of
+    /// the chain is still above the limit of the brake, the brake renders (the chain slips out).
     pub fn step(
         &self,
         state: &mut AnchorState,
@@ -101,7 +102,7 @@ impl AnchorGear {
         }
     }
 
-    /// A step of an anchor that hangs on its chain.
+    /// Takes a step of an anchor that hangs on its chain.
     fn hang(
         &self,
         state: &mut AnchorState,
@@ -126,7 +127,7 @@ impl AnchorGear {
         load
     }
 
-    /// A step of an anchor on the bottom at `place_m`.
+    /// Takes a step of an anchor on the bottom at `place_m`.
     fn hold(
         &self,
         state: &mut AnchorState,
@@ -184,8 +185,8 @@ impl AnchorGear {
         }
     }
 
-    /// Chain and anchor when the hawse pipe is at a distance `span_m`, after the anchor has dragged and the brake has
-    /// rendered.
+    /// The equilibrium of chain and anchor with the hawse pipe `span_m` away, after the anchor has dragged and the
+    /// brake has rendered.
     fn held(&self, state: &AnchorState, span_m: f64, ground: &Ground<'_>) -> Held {
         let (chain_m, faults) = (state.chain_m, state.faults);
         let bites = !state.dragging && !faults.does_not_bite;
@@ -214,17 +215,17 @@ impl AnchorGear {
     }
 }
 
-/// Chain and anchor in equilibrium.
+/// Forces and lengths of a chain and its anchor in equilibrium.
 struct Held {
     pull: Pull,
     /// Distance between anchor and hawse pipe (m).
     span_m: f64,
-    /// Length of chain that ran out because the brake rendered (m).
+    /// Length of chain that ran out because the brake rendered (slipped under load) (m).
     rendered_m: f64,
     holding_n: f64,
 }
 
-/// The anchor is lost at this tension.
+/// Loses the anchor at the given tension of its chain.
 fn lose(
     state: &mut AnchorState,
     by: LostBy,

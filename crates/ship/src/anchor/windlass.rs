@@ -1,4 +1,4 @@
-//! The windlass: motor, brake, and the speed of chain that runs out.
+//! The windlass of an anchor: motor, brake, and the speed at which chain runs out.
 
 use crate::chain::{ChainGrade, ChainSize};
 use crate::range::{OutOfRange, within};
@@ -8,23 +8,24 @@ use crate::range::{OutOfRange, within};
 pub struct Windlass {
     /// Tension at which the brake renders, so that chain slips out (N).
     pub brake_n: f64,
-    /// Pull up to which the windlass heaves at full speed (N). At 1.5 times this pull the windlass stalls.
+    /// Pull up to which the windlass heaves at full speed (N). At 1.5 times the pull in continuous duty the windlass
+    /// stalls.
     pub pull_n: f64,
-    /// Speed of heaving and of veering under power (m/s).
+    /// Speed at which the windlass heaves and veers chain under power (m/s).
     pub heave_mps: f64,
     /// Speed of chain that runs out when the anchor is let go (m/s).
     pub let_go_mps: f64,
 }
 
-/// Tension at which the windlass stalls, over the pull in continuous duty (IACS UR A3).
+/// Tension at which the windlass stalls, divided by its pull in continuous duty (IACS UR A3).
 const OVERLOAD: f64 = 1.5;
 
 impl Windlass {
-    /// Load of the brake over break load of the chain, if a chain stopper is fitted (IACS UR A3).
+    /// Load that the brake holds, divided by the chain's break load, if a chain stopper is fitted (IACS UR A3).
     pub const BRAKE_SHARE: f64 = 0.45;
 
-    /// The windlass that the rules require for a chain (IACS UR A3): pull by diameter and grade, 0.15 m/s, and a brake
-    /// for 45 % of the break load. Chain runs out at 5 m/s, which is our assumption.
+    /// The windlass that the rules of IACS UR A3 require for a chain: a pull by diameter and grade, a speed of 0.15
+    /// m/s, and a brake for 45 % of the break load. The speed of 5 m/s at which chain runs out is our assumption.
     #[must_use]
     pub fn of_rules(chain: &ChainSize) -> Windlass {
         let per_square_n = match chain.grade {
@@ -41,14 +42,15 @@ impl Windlass {
         }
     }
 
-    /// Tension at which the windlass stalls (N).
+    /// Tension of the chain at which the windlass stalls (N).
     #[must_use]
     pub fn stall_n(&self) -> f64 {
         OVERLOAD * self.pull_n
     }
 
-    /// Speed of heaving at a tension (m/s). The speed is the full speed up to the pull, and then falls to zero at the
-    /// stall. We assume a straight line between the pull and the stall.
+    /// Speed at which the windlass heaves against a tension (m/s). The windlass heaves at full speed up to its rated
+    /// pull; beyond the pull the speed falls to zero at the stall. Between the rated pull and the stall we assume that
+    /// the speed falls along a straight line.
     #[must_use]
     pub fn heaving_mps(&self, tension_n: f64) -> f64 {
         if tension_n <= self.pull_n {

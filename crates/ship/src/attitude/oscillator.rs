@@ -1,20 +1,20 @@
-//! A damped oscillator with an exact solution per step.
+//! A damped oscillator, solved exactly in each step.
 
-/// Value and rate of one motion.
+/// Value and rate of one of the motions heave, roll and pitch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Heave (m) or angle (rad).
+    /// Heave (m), or angle of roll or pitch (rad).
     pub value: f64,
-    /// Rate of change (m/s, rad/s).
+    /// Rate of change of the motion (m/s, rad/s).
     pub rate: f64,
 }
 
-/// The oscillator M ẍ + 2ζ√(MC) ẋ + C x = F.
+/// The oscillator with the equation M ẍ + 2ζ√(MC) ẋ + C x = F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillator {
-    /// M: mass or inertia, added mass included (kg, kg·m²).
+    /// Mass or inertia M of the oscillator, added mass included (kg, kg·m²).
     pub inertia: f64,
-    /// C: restoring coefficient (N/m, N·m/rad).
+    /// Restoring coefficient C of the oscillator (N/m, N·m/rad).
     pub restoring: f64,
     /// ζ: damping ratio.
     pub damping: f64,
@@ -33,7 +33,8 @@ impl Oscillator {
         2.0 * core::f64::consts::PI / self.rate_radps()
     }
 
-    /// The motion after `step_s` seconds under a constant force, in closed form for any step and damping ratio.
+    /// The oscillator's motion after `step_s` seconds under a constant force, in closed form for any step and damping
+    /// ratio.
     #[must_use]
     pub fn after(&self, from: Motion, force: f64, step_s: f64) -> Motion {
         let equilibrium = force / self.restoring;

@@ -17,14 +17,14 @@ pub struct Hydrostatics {
     pub pitch: Oscillator,
 }
 
-/// An error: with this particular a ship cannot float upright.
+/// Error of a particular with which a ship cannot float upright.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttitudeError {
-    /// The quantity, with its unit.
+    /// Name of the wrong particular, with its unit.
     pub quantity: &'static str,
-    /// The value of the quantity.
+    /// Value of the wrong particular.
     pub value: f64,
-    /// The condition that the value must satisfy.
+    /// The condition that the particular's value must satisfy.
     pub must: &'static str,
 }
 
@@ -36,7 +36,7 @@ impl fmt::Display for AttitudeError {
 
 impl std::error::Error for AttitudeError {}
 
-/// Particulars for heave, roll and pitch.
+/// A ship's particulars from which heave, roll and pitch are computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HydrostaticParticulars {
     /// Displacement (kg).
@@ -49,30 +49,31 @@ pub struct HydrostaticParticulars {
     pub draught_m: f64,
     /// Waterplane area (m²).
     pub waterplane_m2: f64,
-    /// Transverse metacentric height GM (m).
+    /// Transverse metacentric height GM of the ship (m).
     pub gm_m: f64,
     /// Density of the water (kg/m³).
     pub water_kgpm3: f64,
 }
 
-/// Added mass in heave over displacement, for a ship whose beam is five times her draught (*recalled*).
+/// Added mass in heave divided by the displacement, for a ship whose beam is five times her draught (from memory).
 const ADDED_HEAVE: f64 = 2.0;
-/// Damping ratios of heave, roll and pitch. The values for roll and pitch are usual for hulls with bilge keels
-/// (*recalled*). The value for heave is our assumption.
+/// Damping ratios of heave, roll and pitch. The damping ratios of roll and pitch are usual for hulls with bilge keels
+/// (from memory). The damping ratio of heave is our assumption.
 const DAMPING: [f64; 3] = [0.3, 0.15, 0.3];
-/// Roll's radius of gyration over beam, added inertia included. ITTC (7.5-02-07-02.1) recommends 0.35 to 0.40, without
-/// added inertia, if nothing is known. HSVA's roll test of KVLCC2 gave 0.37, with added inertia.
+/// Radius of gyration in roll divided by the beam, added inertia included. ITTC (7.5-02-07-02.1) recommends a roll
+/// gyradius of 0.35 to 0.40 of the beam, without added inertia, if nothing is known. HSVA's roll test of KVLCC2 gave a
+/// roll gyradius of 0.37 of the beam, with added inertia.
 const ROLL_GYRADIUS: f64 = 0.40;
-/// Pitch's radius of gyration over length, without added inertia.
+/// Radius of gyration in pitch divided by the length, without added inertia.
 const PITCH_GYRADIUS: f64 = 0.25;
 
 impl Hydrostatics {
-    /// The oscillators from the particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L.
-    /// The waterplane's longitudinal moment of inertia over B L³ is 0.350 C² − 0.405 C + 0.146, with the waterplane
-    /// coefficient C (D'Arcangelo, *recalled*).
+    /// The oscillators from the particulars: heave has an added mass A₃₃ of twice the mass m, roll a gyradius k = 0.40
+    /// B and the height GM, pitch a gyradius k = 0.25 L. The waterplane's longitudinal moment of inertia divided by B
+    /// L³ is 0.350 C² − 0.405 C + 0.146, with the waterplane coefficient C (D'Arcangelo, from memory).
     ///
     /// # Errors
-    /// A particular that is not positive (GM is one of them), or a waterplane larger than length times beam.
+    /// Fails if a particular, such as GM, is not positive, or if the waterplane is larger than length times beam.
     pub fn of(ship: &HydrostaticParticulars) -> Result<Hydrostatics, AttitudeError> {
         let positive = [
             ("displacement [kg]", ship.mass_kg),
@@ -123,7 +124,7 @@ impl Hydrostatics {
     }
 }
 
-/// The estimated periods and damping ratios with their sources, for reports.
+/// The estimated periods and damping ratios of heave, roll and pitch with their sources, for reports.
 #[must_use]
 pub fn oscillator_estimates(of: &Hydrostatics) -> Source {
     let figures =
@@ -136,8 +137,8 @@ pub fn oscillator_estimates(of: &Hydrostatics) -> Source {
     Source {
         group: "heave, roll and pitch".to_owned(),
         figures: figures.into_iter().flatten().collect(),
-        source: "A33 = 2 m, roll gyradius 0.40 B, pitch gyradius 0.25 L, waterplane inertia by D'Arcangelo, usual \
-                 damping"
+        source: "heave added mass A33 = 2 m, roll gyradius 0.40 B, pitch gyradius 0.25 L, \
+                 waterplane inertia by D'Arcangelo, usual damping"
             .to_owned(),
         standing: Standing::Recalled,
         is_estimate: true,

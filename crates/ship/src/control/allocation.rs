@@ -1,21 +1,23 @@
-//! Allocation of a lateral force and a yaw moment to thrusters and tugs.
+//! Distributes a lateral force and a yaw moment over thrusters and tugs.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
 /// A device that gives a lateral force at a position along the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LateralDevice {
-    /// Position ahead of the centre of gravity (m).
+    /// Position of the device ahead of the centre of gravity (m).
     pub forward_m: f64,
-    /// Least and greatest force to starboard at present (N).
+    /// Least and greatest force to starboard that the device can give at present (N).
     pub limits_n: [f64; 2],
 }
 
-/// Computes forces of all devices, positive to starboard (N), that together give a lateral force (N) and a yaw moment
-/// (N·m). The sum of squares is least, and each force is within the device's limits.
+/// Computes the forces of all devices, positive to starboard (N), that together give the wanted lateral force (N) and
+/// yaw moment (N·m). The sum of the squares of the forces is the least possible, and each force is within the device's
+/// limits.
 ///
-/// Least squares with two conditions: f_i = λ + μ x_i. A device beyond its limit is set to the limit, and the rest is
-/// allocated again to the other devices, at most once for each device.
+/// Least squares with the two conditions of force and moment give f_i = λ + μ x_i, where f_i is the force of device i
+/// at position x_i. A device beyond its limit is set to the limit, and what is still missing is allocated again to the
+/// other devices, at most once for each device.
 ///
 /// ```
 /// use fenderline_ship::control::{LateralDevice, allocate};
@@ -26,7 +28,7 @@ pub struct LateralDevice {
 /// ```
 ///
 /// # Panics
-/// If `forces_n` has not one entry for each device.
+/// Panics if `forces_n` has not one entry for each device.
 pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_n: &mut [f64]) {
     assert_eq!(devices.len(), forces_n.len(), "one force a device");
     forces_n.fill(f64::NAN);

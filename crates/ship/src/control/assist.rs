@@ -1,9 +1,10 @@
-//! Control of a tug that is a vessel and assists a ship. The tug keeps a relative position, comes alongside and pushes,
-//! or pulls on a line. Each law takes the states of both and gives a velocity and a heading, or a thrust. The tug's
-//! thrusters follow these.
+//! Control laws of a tug that is a vessel of her own and assists a ship. A tug that assists a ship keeps a position
+//! relative to the ship, comes alongside and pushes, or pulls on a line. Each control law takes the states of tug and
+//! ship, and gives a velocity and a heading, or a thrust. The tug's thrusters follow the velocity, the heading and the
+//! thrust that the control law gives.
 //!
-//! The laws are simple, and our own: no published law was found. A tug does not find her way round a ship, so bring her
-//! to the right side first.
+//! The control laws of the tug are simple, and our own: we found no published law. A tug does not find her way round a
+//! ship, so bring the tug to the right side of the ship first.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2};
@@ -14,50 +15,52 @@ use super::turn_to;
 
 /// Speed at which a tug makes contact (m/s), unless a lower speed is ordered.
 pub const TOUCH_MPS: f64 = 0.1;
-/// Errors of heading (rad) and of position along the side (m) with which a tug waits at the stand-off distance.
+/// With errors of heading (rad) and of position along the ship's side (m) as large as these, a tug waits at the
+/// stand-off distance.
 const WAIT_ERRORS: [f64; 2] = [0.25, 3.0];
-/// Errors below this share of [`WAIT_ERRORS`] do not make the tug wait.
+/// Share of [`WAIT_ERRORS`] below which errors do not make the tug wait.
 const NEAR_ENOUGH: f64 = 0.3;
-/// Stand-off distance over the tug's length.
+/// Stand-off distance from the ship's side, divided by the tug's length.
 const STAND_OFF: f64 = 0.5;
-/// A tug with a greater error of heading does not push (rad).
+/// Greatest error of heading with which a tug pushes (rad).
 const ASKEW_RAD: f64 = 0.6;
-/// From this share of the ordered force on, friction holds the tug's bow in place along the ship's side.
+/// Share of the ordered force from which on friction holds the tug's bow in place along the ship's side.
 const HELD_SHARE: f64 = 0.25;
-/// Factor on the yaw gain while the tug's bow is held. The tug then turns about her bow instead of her centre of
-/// gravity, with more inertia.
+/// Factor by which the yaw gain is multiplied while friction holds the tug's bow. While friction holds a tug's bow, the
+/// tug turns about her bow instead of her centre of gravity, with more inertia.
 const HELD_YAW_GAIN: f64 = 6.0;
-/// From this distance (over her length) and from this speed on (m/s), a tug goes bow first.
+/// Distance from her position, divided by the tug's length, and speed (m/s), from which on a tug goes bow first.
 const FAR: f64 = 0.75;
 const BOW_FIRST_MPS: f64 = 0.5;
-/// Factor on the time constant of position for the last metres, because the thrusters lag.
+/// Factor by which the time constant of position is multiplied for the last metres to the ship, because the thrusters
+/// lag.
 const PATIENCE: f64 = 1.6;
 /// Speeds ahead at which a tug begins to correct her position by steering, and at which she corrects it by steering
 /// alone (m/s).
 const STEERS_MPS: [f64; 2] = [0.5, 1.5];
-/// Largest change of heading for this steering (rad).
+/// Largest change of heading with which a tug corrects her position by steering (rad).
 const MOST_STEERED_RAD: f64 = 0.5;
-/// Speed outwards while the tug takes up the last slack of a line (m/s).
+/// Speed away from the ship while the tug takes up the last slack of a line (m/s).
 const TAKE_UP_MPS: f64 = 0.3;
 
-/// Constants for the control of a vessel.
+/// Constants for the control of a tug: her inertia, time constants and greatest rate of turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handling {
-    /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
+    /// Mass in surge and sway and inertia in yaw of the vessel, with added mass (kg, kg, kg·m²).
     pub inertia: [f64; 3],
-    /// Time constant of errors of speed (s).
+    /// Time constant with which the control corrects errors of speed (s).
     pub speed_time_s: f64,
-    /// Time constant of errors of position and heading (s).
+    /// Time constant with which the control corrects errors of position and heading (s).
     pub place_time_s: f64,
-    /// Greatest rate of turn (rad/s).
+    /// Greatest rate of turn that the control asks for (rad/s).
     pub fastest_turn_radps: f64,
     /// Length of the vessel (m).
     pub length_m: f64,
 }
 
 impl Handling {
-    /// Constants from the length: time constants of 5 s and 20 s for a tug of 32 m, scaled by Froude's law. The values
-    /// are our own.
+    /// Control constants from the vessel's length: time constants of 5 s and 20 s for a tug of 32 m, scaled by Froude's
+    /// law. The control constants for a tug of 32 m are our own values.
     #[must_use]
     pub fn of(inertia: [f64; 3], length_m: f64) -> Handling {
         let scale = libm::sqrt(length_m / 32.0);
@@ -70,14 +73,14 @@ impl Handling {
         }
     }
 
-    /// The heading for a tug far from her position. The tug goes there bow first, because units at her stern move her
-    /// sideways only slowly.
+    /// The heading for a tug that is far from her wanted position. A tug goes to a far position bow first, because
+    /// units at her stern move her sideways only slowly.
     fn bow_first(&self, off: Vec2, going_mps: Vec2) -> Option<f64> {
         let far = off.length() > FAR * self.length_m && going_mps.length() > BOW_FIRST_MPS;
         far.then(|| libm::atan2(going_mps.y, going_mps.x))
     }
 
-    /// The moment (N·m) that turns the vessel to a heading, less a known disturbance.
+    /// The moment (N·m) that turns the vessel to a heading, minus the known moment of a disturbance.
     #[must_use]
     pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, disturbance_nm: f64) -> f64 {
         let turn = turn_to(state.heading_rad, heading_rad) / self.place_time_s;
@@ -86,25 +89,25 @@ impl Handling {
     }
 }
 
-/// The task of a tug in a step, with positions and velocities of the ship, earth-fixed.
+/// The task of a tug in a step, with positions and velocities of points of the ship, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
-    /// Keep a position that moves with the ship.
+    /// The tug keeps a position that moves with the ship.
     Follow {
         /// The position (m).
         place_m: Vec2,
-        /// Velocity of the position (m/s).
+        /// Velocity of the position that the tug keeps (m/s).
         velocity_mps: Vec2,
         /// The heading (rad).
         heading_rad: f64,
     },
     /// Push with her bow.
     Push {
-        /// Point of the ship's side (m).
+        /// Point of the ship's side on which the tug pushes (m).
         place_m: Vec2,
-        /// Velocity of the point (m/s).
+        /// Velocity of the point of the ship's side on which the tug pushes (m/s).
         velocity_mps: Vec2,
-        /// Unit vector into the ship.
+        /// Unit vector from the pushed point into the ship.
         inward: Vec2,
         /// Distance from the tug's centre of gravity to the tip of her bow, bow fender included (m).
         bow_m: f64,
@@ -115,15 +118,15 @@ pub enum Task {
     },
     /// Pull on a line.
     Pull {
-        /// The ship's end of the line (m).
+        /// Position of the ship's end of the line (m).
         place_m: Vec2,
-        /// Velocity of this end (m/s).
+        /// Velocity of the ship's end of the line (m/s).
         velocity_mps: Vec2,
-        /// Unit vector of the pull on the ship.
+        /// Unit vector in the direction in which the line pulls the ship.
         outward: Vec2,
-        /// True if the line leads over the tug's bow: she then faces the ship and pulls astern.
+        /// True if the line leads over the tug's bow: the tug then faces the ship and pulls astern.
         over_bow: bool,
-        /// Length of the line less the distance between its ends (m).
+        /// Slack of the line: its length minus the distance between its ends (m).
         slack_m: f64,
         /// Ordered force (N).
         force_n: f64,
@@ -132,17 +135,17 @@ pub enum Task {
     },
 }
 
-/// The demand of a task on the thrusters in a step.
+/// What the tug's task demands of her thrusters in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistDemand {
     /// Force and moment demanded.
     pub demand: Demand,
-    /// Whether the demanded sway force must be met.
+    /// Whether the thrusters must meet the demanded sway force.
     pub sway: Sway,
 }
 
-/// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading for it (rad). At speed,
-/// units at the stern turn her long before they move her sideways.
+/// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading with which she does so
+/// (rad). A tug at speed is turned by the units at her stern long before they move her sideways.
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
     let [begins_mps, whole_mps] = STEERS_MPS;
@@ -152,10 +155,11 @@ fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     (share, share * bounded(angle_rad, -MOST_STEERED_RAD, MOST_STEERED_RAD))
 }
 
-/// The demand on the tug's thrusters, in her axes about her centre of gravity.
+/// What is demanded of the tug's thrusters, in her axes about her centre of gravity.
 ///
-/// `disturbance` is the force of hull, wind and waves in the last step, which the demand compensates. `fastest_mps`
-/// limits the tug's speed relative to the ship. `steady_nm` is the integral of the yaw control.
+/// `disturbance` is the force of hull, wind and waves on the tug in the last step, for which the demand compensates.
+/// `fastest_mps` limits the tug's speed relative to the ship. `steady_nm` is the moment that the integral part of the
+/// yaw control gives.
 #[must_use]
 pub fn assist(
     task: &Task,
@@ -228,8 +232,8 @@ pub fn assist(
     }
 }
 
-/// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until
-/// heading and position along the side are right, and then on until she makes contact.
+/// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until her
+/// heading and her position along the side are right, and then on until she makes contact with the ship.
 fn alongside(
     state: &BodyState,
     handling: &Handling,
@@ -252,7 +256,7 @@ fn alongside(
         + limited(across * (1.0 / handling.place_time_s), fastest_mps)
 }
 
-/// The vector, shortened to a length if it is longer.
+/// Returns a vector, shortened to the length `longest` if the vector is longer.
 fn limited(vector: Vec2, longest: f64) -> Vec2 {
     let length = vector.length();
     if length > longest { vector * (longest / length) } else { vector }

@@ -1,13 +1,14 @@
-//! Pilots that keep a course with the rudder and a speed with the engine.
+//! Automatic pilots that keep a course with the rudder and a speed with the engine.
 
 use fenderline_contact::number::{bounded, greater};
 
 use super::turn_to;
 
-/// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the stops.
+/// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the rudder's stops (δ rudder angle, ψ heading,
+/// r rate of turn).
 ///
-/// The gains of `of_ship` are customary values, not tuned for a ship: one degree of rudder for each degree of error,
-/// and a counter-rudder gain of the time in which the ship sails 1.5 times her length.
+/// The gains that `of_ship` gives are customary values, not tuned for a ship: one degree of rudder for each degree of
+/// error, and a rate gain equal to the time in which the ship sails 1.5 times her length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoursePilot {
     /// Wanted heading (rad).
@@ -16,19 +17,20 @@ pub struct CoursePilot {
     pub gain: f64,
     /// Kd (rad/(rad/s)).
     pub rate_gain_s: f64,
-    /// Stops of the rudder (rad).
+    /// Largest rudder angle, where the rudder meets its stops (rad).
     pub stop_rad: f64,
 }
 
 impl CoursePilot {
-    /// A pilot for a ship of this length at this speed.
+    /// A pilot for a ship of the given length at the given speed.
     #[must_use]
     pub fn of_ship(heading_rad: f64, length_m: f64, speed_mps: f64, stop_rad: f64) -> CoursePilot {
         let rate_gain_s = 1.5 * length_m / greater(speed_mps.abs(), 0.5);
         CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
     }
 
-    /// The rudder order (rad). When the ship goes astern the rudder acts in the opposite direction.
+    /// The rudder order (rad). When the ship goes astern, the rudder order is reversed, because the rudder acts in the
+    /// opposite direction.
     #[must_use]
     pub fn rudder_rad(&self, heading_rad: f64, yaw_rate_radps: f64, surge_mps: f64) -> f64 {
         let ask =
@@ -38,23 +40,24 @@ impl CoursePilot {
     }
 }
 
-/// Keeps a speed with the engine. The order is a share of full revolutions, by proportional and integral control.
+/// Keeps a speed with the engine. The engine order is a share of full revolutions, by proportional and integral
+/// control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedPilot {
-    /// Wanted speed ahead through the water (m/s).
+    /// Speed ahead through the water that the pilot keeps (m/s).
     pub speed_mps: f64,
-    /// Speed at full revolutions (m/s), for the feed-forward.
+    /// Speed of the ship at full revolutions (m/s), for the feed-forward.
     pub full_speed_mps: f64,
-    /// Integral time: the time after which a constant error has moved the order as much by the integral as by the error
-    /// itself (s).
+    /// Integral time of the control: the time after which a constant error has changed the order as much by the
+    /// integral as by the error itself (s).
     pub integral_s: f64,
-    /// The integral so far (dimensionless).
+    /// The present value of the control's integral part (dimensionless).
     pub integral: f64,
 }
 
 impl SpeedPilot {
-    /// The order for this step: revolutions over full revolutions, −1 to 1. The integral stays constant while the order
-    /// is at its limit.
+    /// The engine order for this step: revolutions divided by full revolutions, −1 to 1. The integral part of the speed
+    /// control stays constant while the engine order is at its limit.
     pub fn revolutions(&mut self, surge_mps: f64, step_s: f64) -> f64 {
         let error = (self.speed_mps - surge_mps) / self.full_speed_mps;
         let feed_forward = self.speed_mps / self.full_speed_mps;

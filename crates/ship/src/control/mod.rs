@@ -1,5 +1,5 @@
-//! Simple pilots: they turn a ship's state into orders for rudder, engine, thrusters and tugs. Pilots demand forces;
-//! actuators and water decide the result.
+//! Simple pilots: they turn a ship's state into orders for rudder, engine, thrusters and tugs. The pilots only give
+//! orders and demand forces; actuators and water decide what the ship then does.
 
 mod allocation;
 mod assist;

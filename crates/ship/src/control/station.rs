@@ -1,4 +1,5 @@
-//! A pilot that reaches and keeps a position and a heading by forces: for station keeping and berthing.
+//! An automatic pilot that brings a ship to a position and a heading by forces and keeps her there: for station keeping
+//! and berthing.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2};
@@ -16,40 +17,42 @@ pub struct Demand {
     pub yaw_nm: f64,
 }
 
-/// The gains of a station pilot: a damped spring, with an integral against steady wind and current.
+/// The gains of a station pilot, which acts as a damped spring with an integral part against steady wind and current.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Mass in surge and sway and inertia in yaw (kg, kg, kg·m²).
+    /// Mass in surge and sway and inertia in yaw of the ship (kg, kg, kg·m²).
     pub inertia: [f64; 3],
-    /// Period of the spring (s).
+    /// Natural period of the pilot's control, which acts like a spring (s).
     pub period_s: f64,
     /// Damping over critical damping.
     pub damping: f64,
-    /// Integral time (s): much longer than the period.
+    /// Time constant of the control's integral part (s): much longer than the period.
     pub integral_s: f64,
-    /// Greatest speed of approach: surge, sway (m/s), yaw (rad/s).
+    /// Greatest speed at which the pilot approaches: surge, sway (m/s), yaw (rad/s).
     pub fastest: [f64; 3],
 }
 
-/// A pilot that goes to a position and stays there.
+/// A pilot that brings a ship to a position and keeps her there.
 ///
-/// The error in each of surge, sway and yaw gives a wanted speed, up to the greatest speed. The error in speed gives
-/// the force. Near the position this acts as a damped spring; farther away it gives a steady approach. A master brings
-/// a ship alongside in this way: parallel, and no faster than the fenders allow.
+/// The pilot turns the error in each of surge, sway and yaw into a wanted speed, up to the greatest speed. The
+/// difference between wanted and present speed gives the force that the pilot demands. Near the position the pilot acts
+/// as a damped spring; farther away it gives a steady approach. A ship's master berths in the same way as the station
+/// pilot: parallel to the berth, and no faster than the fenders allow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationPilot {
-    /// Wanted position of the centre of gravity, earth-fixed (m).
+    /// Position of the centre of gravity that the pilot keeps, earth-fixed (m).
     pub position_m: Vec2,
     /// Wanted heading (rad).
     pub heading_rad: f64,
     /// Gains.
     pub gains: Gains,
-    /// The integrals: forces and moment against steady wind and current, earth-fixed (N, N, N·m).
+    /// The integral parts of the control: forces and moment against steady wind and current, earth-fixed (N, N, N·m).
     pub steady: [f64; 3],
 }
 
 impl StationPilot {
-    /// The demand in this step. The integral of an axis stays constant while the demand is at the limit `largest`.
+    /// The force and moment that the pilot demands in this step. The integral part of surge, sway or yaw stays constant
+    /// while the demand is at the limit `largest`.
     pub fn demand(&mut self, state: &BodyState, largest: &Demand, step_s: f64) -> Demand {
         let attitude = Rotation::from_angle(state.heading_rad);
         let off = attitude.apply_inverse(self.position_m - state.position_m);

@@ -1,5 +1,6 @@
-//! Allocation of a force in the plane and a yaw moment to devices. Azimuth units can push in any direction. A propeller
-//! pushes only ahead and astern; tunnel thrusters and tugs push only to the sides.
+//! Distributes a horizontal force and a yaw moment over propellers, thrusters, azimuth units and tugs. Azimuth units
+//! can push in any direction. A propeller pushes only ahead and astern; tunnel thrusters and tugs push only to the
+//! sides.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};
@@ -9,18 +10,18 @@ use super::station::Demand;
 /// The forces that a device can give (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
-    /// Ahead only: from the first force (negative: astern) to the second.
+    /// The device pushes only ahead or astern: from the first force (negative: astern) to the second.
     Ahead([f64; 2]),
-    /// To starboard only: from the first force (negative: to port) to the second.
+    /// The device pushes only to the sides: from the first force (negative: to port) to the second.
     Across([f64; 2]),
-    /// The device pushes in any direction, up to this force.
+    /// The device pushes in any direction, up to the given force.
     Round(f64),
 }
 
-/// A device at a position on the ship.
+/// A device that gives a force at a position on the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrustDevice {
-    /// Ahead and to starboard of the centre of gravity (m).
+    /// Position of the device ahead and to starboard of the centre of gravity (m).
     pub at_m: Vec2,
     /// The forces that the device can give at present.
     pub reach: Reach,
@@ -31,34 +32,35 @@ pub struct ThrustDevice {
 pub enum Sway {
     /// The demanded sway force is met.
     Held,
-    /// The demanded sway force is ignored. Something else holds the vessel sideways, such as friction between a tug's
-    /// bow fender and a ship's side.
+    /// The demanded sway force is ignored. Something other than the thrusters holds the vessel sideways, such as
+    /// friction between a tug's bow fender and a ship's side.
     Free,
 }
 
-/// Surge, sway and yaw of a force (N, N, N·m over the scale of length).
+/// Surge force, sway force and yaw moment of a force (N, N, and N·m divided by the scale of length).
 type Axes = [f64; 3];
 
-/// Devices, and the forces that they give to meet a demand together. The memory is reused: nothing is allocated unless
-/// there are more devices than before.
+/// The devices of a vessel, and the forces that they give to meet a demand together. The memory of the allocation is
+/// reused: nothing is allocated anew unless there are more devices than before.
 #[derive(Clone, Debug, Default)]
 pub struct ThrustShares {
     /// The devices.
     pub devices: Vec<ThrustDevice>,
-    /// The force of each device, ahead and to starboard (N), after [`ThrustShares::meet`].
+    /// The force of each device, ahead and to starboard (N), after a call of [`ThrustShares::meet`].
     pub forces_n: Vec<Vec2>,
-    /// Forces of the devices that are set to their limits.
+    /// Forces of the devices that are set to their limits; `None` for the other devices.
     fixed: Vec<Option<Vec2>>,
-    /// Forces that give one axis alone.
+    /// Forces of the devices that together give one of surge, sway and yaw alone.
     part_n: Vec<Vec2>,
 }
 
 impl ThrustShares {
-    /// Computes forces of all devices that together give the demand, with the least sum of squares.
+    /// Computes the forces of all devices that together give the demand, with the least sum of squares of the forces.
     ///
-    /// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device with one direction that is beyond its limit
-    /// is set to the limit, and the rest is allocated again. If azimuth units are beyond their limits, the yaw moment
-    /// has priority, then surge, then sway: each is reduced to the largest part that all units can give.
+    /// Least squares with conditions give f = Bᵀλ with BBᵀλ = demand, where f are the forces of the devices and B their
+    /// effect in surge, sway and yaw. A device that pushes along one line only and is beyond its limit is set to the
+    /// limit, and the rest of the demand is allocated again. If azimuth units are beyond their limits, the yaw moment
+    /// has priority, then surge, then sway: each of the three is reduced to the largest part that all units can give.
     ///
     /// ```
     /// use fenderline_contact::vec2;
@@ -81,15 +83,15 @@ impl ThrustShares {
         allocate(devices, demand, sway, (forces_n, fixed, part_n));
     }
 
-    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged. But
-    /// if a small demand changes its sign, a unit then turns by a small angle and not by half a turn, which would take
-    /// ten seconds.
+    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged.
+    /// Units that push against each other turn by a small angle only when a small demand changes its sign; otherwise
+    /// they would turn by half a turn, which takes ten seconds.
     pub fn bias_pairs(&mut self) {
         bias_pairs(&self.devices, &mut self.forces_n);
     }
 }
 
-/// See [`ThrustShares::meet`]; the slices have one entry for each device.
+/// Does the work of [`ThrustShares::meet`]; the slices have one entry for each device.
 fn allocate(
     devices: &[ThrustDevice],
     demand: &Demand,
@@ -127,7 +129,7 @@ fn allocate(
     }
 }
 
-/// Opposing force of a pair of units, over the smaller of their two limits.
+/// Force with which the units of a pair push against each other, divided by the smaller of their two limits.
 const BIAS: f64 = 0.15;
 
 /// See [`ThrustShares::bias_pairs`].
@@ -161,7 +163,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Surge, sway and yaw of a force of a device; sway is 0 if it is ignored.
+    /// Surge force, sway force and yaw moment that a device's force gives; the sway force is 0 if sway is ignored.
     fn effect(&self, device: &ThrustDevice, force_n: Vec2) -> Axes {
         let sway_n = if self.sway == Sway::Held { force_n.y } else { 0.0 };
         [force_n.x, sway_n, device.at_m.cross(force_n) / self.scale_m]
@@ -187,8 +189,9 @@ impl Problem<'_> {
         rest
     }
 
-    /// f = Bᵀ(BBᵀ + ε)⁻¹ rest, over the devices that are not fixed. The small ε matters only if the devices cannot give
-    /// an axis at all: then the result is the nearest that they can give.
+    /// Computes the forces f = Bᵀ(BBᵀ + ε)⁻¹ rest of the devices that are not fixed; `rest` is the demand that is still
+    /// to be met. The small ε matters only if the devices cannot give surge, sway or yaw at all: then the result is the
+    /// nearest that they can give.
     fn share(&self, rest: Axes, fixed: &[Option<Vec2>], forces_n: &mut [Vec2]) {
         let mut matrix = [[0.0; 3]; 3];
         for (device, _) in self.devices.iter().zip(fixed).filter(|(_, fixed)| fixed.is_none()) {
@@ -217,7 +220,7 @@ impl Problem<'_> {
         }
     }
 
-    /// The device with one direction that is farthest beyond its limits, and its force at the limit.
+    /// The device that pushes along one line and is farthest beyond its limits, and its force at the limit.
     fn worst(&self, fixed: &[Option<Vec2>], forces_n: &[Vec2]) -> Option<(usize, Vec2)> {
         let mut worst: Option<(usize, Vec2, f64)> = None;
         for (i, device) in self.devices.iter().enumerate().filter(|(i, _)| fixed[*i].is_none()) {

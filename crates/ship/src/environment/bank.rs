@@ -1,5 +1,5 @@
 //! Bank effect: the force of a vertical bank on a ship under way, by Norrbin's formulas. Not validated. The other
-//! method, the ship's image in a flow about slender ships, is in [`crate::passing`].
+//! method for bank effect, the ship's mirror image in a flow about slender ships, is in [`crate::passing`].
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -15,17 +15,17 @@ pub struct Bank {
     method: BankMethod,
 }
 
-/// The method for the force of a bank.
+/// The method by which the force of a bank is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BankMethod {
     /// By Norrbin's formulas: [`Bank::force`].
     #[default]
     Norrbin,
-    /// By the image of the ship behind the bank: [`crate::passing::force_of_wall`].
+    /// The force is computed by the mirror image of the ship behind the bank: [`crate::passing::force_of_wall`].
     Image,
 }
 
-/// A ship beside a bank.
+/// Data of a ship beside a bank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipAtBank {
     /// Length of the ship (m).
@@ -34,11 +34,11 @@ pub struct ShipAtBank {
     pub beam_m: f64,
     /// Draught (m).
     pub draught_m: f64,
-    /// Midship, north and east (m).
+    /// Position of the ship's midship point, north and east (m).
     pub position_m: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
-    /// Speed ahead through the water (m/s).
+    /// Speed of the ship ahead through the water (m/s).
     pub surge_mps: f64,
 }
 
@@ -47,15 +47,15 @@ pub struct ShipAtBank {
 pub struct BankWater {
     /// Density (kg/m³).
     pub density_kgpm3: f64,
-    /// Depth (m); `None`: deep water.
+    /// Depth of the water (m); `None` means deep water.
     pub depth_m: Option<f64>,
 }
 
 impl Bank {
-    /// A bank between two points (m).
+    /// Makes a bank between two points (m).
     ///
     /// # Errors
-    /// Points that are not finite, or less than a metre apart.
+    /// Fails if the points are not finite, or less than a metre apart.
     pub fn new(from_m: Vec2, to_m: Vec2, method: BankMethod) -> Result<Bank, EnvironmentError> {
         for value in [from_m.x, from_m.y, to_m.x, to_m.y] {
             within("position of a bank [m]", value, -1e8, 1e8)?;
@@ -70,20 +70,21 @@ impl Bank {
         [self.from_m, self.to_m]
     }
 
-    /// The method for the force of this bank.
+    /// The method by which the force of this bank is computed.
     #[must_use]
     pub fn method(&self) -> BankMethod {
         self.method
     }
 
-    /// Force and moment about midship by Norrbin's formulas, [X, Y, N] in (N, N, N·m). The forces are suction towards
-    /// the bank and, for a ship going ahead, a moment that turns the bow away from the bank. NOT VALIDATED.
+    /// Force and moment of a bank about midship by Norrbin's formulas, [X, Y, N] in (N, N, N·m). The forces of a bank
+    /// are suction towards the bank and, for a ship going ahead, a moment that turns the bow away from the bank. NOT
+    /// VALIDATED.
     ///
-    /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to starboard:
-    /// Norrbin (1974) for a vertical wall, recalled; the source could not be read. y is the distance of midship from
-    /// the line of the bank, at least half a beam. Our additions: u is the component of the ship's speed along the
-    /// bank, N changes its sign astern, and both are proportional to the share of her length that is abreast of the
-    /// bank.
+    /// Norrbin's formulas (1974), for a vertical bank to starboard, are Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²) and N =
+    /// −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²); we give them from memory, because the source could not be read. y is the
+    /// distance of midship from the line of the bank, at least half a beam. Our additions to Norrbin's formulas: u is
+    /// the component of the ship's speed along the bank, N changes its sign astern, and both Y and N are proportional
+    /// to the share of her length that is abreast of the bank.
     #[must_use]
     pub fn force(&self, ship: &ShipAtBank, water: &BankWater) -> [f64; 3] {
         let length_m = (self.to_m - self.from_m).length();

@@ -4,24 +4,24 @@ use std::fmt;
 
 use crate::range::OutOfRange;
 
-/// An environment that cannot be simulated.
+/// Error of an environment (wind, waves, current or tide) that cannot be simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EnvironmentError {
-    /// A number outside its range.
+    /// A number of the environment is outside its range.
     OutOfRange(OutOfRange),
     /// The entries of a table's axis do not increase.
     NotIncreasing {
         /// The axis.
         axis: &'static str,
-        /// Index of the first entry that is not greater than the entry before it.
+        /// Index of the first entry of the axis that is not greater than the entry before it.
         entry: usize,
     },
     /// A table has the wrong number of entries.
     Length {
         /// The table.
         table: &'static str,
-        /// Number of entries needed; for an axis, the minimum.
+        /// Number of entries that the table needs; for an axis, the least number.
         expected: usize,
         /// Number of entries given.
         found: usize,

@@ -1,4 +1,4 @@
-//! Realisation of a spectrum as a sum of harmonics with random phases.
+//! Makes a random signal with a given spectrum, as a sum of harmonics with random phases.
 
 use core::f64::consts::TAU;
 
@@ -6,13 +6,13 @@ use super::error::EnvironmentError;
 use crate::random::SplitMix64;
 use crate::range::within;
 
-/// Sub-intervals of Simpson's rule in each bin of a spectrum.
+/// Number of sub-intervals of Simpson's rule in each bin of a spectrum.
 const SUB_INTERVALS: usize = 16;
 
-/// One harmonic, amplitude · cos(frequency · t + phase).
+/// One harmonic of a random signal, amplitude · cos(frequency · t + phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Harmonic {
-    /// Frequency, in the unit of the frequency band.
+    /// Frequency of the harmonic, in the unit of the frequency band.
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
     pub(super) phase_rad: f64,
@@ -23,7 +23,7 @@ pub(super) struct Harmonic {
 pub struct Realisation {
     /// Number of harmonics, 1 to 10 000.
     pub harmonics: usize,
-    /// Seed of phases and frequencies. The same seed gives the same bits.
+    /// Seed of the random phases and frequencies of the harmonics. The same seed gives the same harmonics, bit for bit.
     pub seed: u64,
 }
 
@@ -33,9 +33,9 @@ impl Realisation {
         Ok(())
     }
 
-    /// Divides the band from `low` to `high` into bins; the limits are in geometric progression. Each bin becomes one
-    /// harmonic with the energy of the bin, ½a² = ∫S df. The frequency of a harmonic is random within the bin, so that
-    /// the sum is not periodic.
+    /// Divides the frequency band from `low` to `high` into bins; the limits of the bins are in geometric progression.
+    /// Each bin of the spectrum becomes one harmonic with the energy of the bin, ½a² = ∫S df. The frequency of each
+    /// harmonic is random within its bin, so that the sum is not periodic.
     pub(super) fn harmonics_of(
         &self,
         density: impl Fn(f64) -> f64,
@@ -57,7 +57,7 @@ impl Realisation {
     }
 }
 
-/// ∫ f dx by Simpson's rule with an even number of sub-intervals.
+/// Computes ∫ f dx by Simpson's rule with an even number of sub-intervals.
 pub(super) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, sub_intervals: usize) -> f64 {
     let width = (to - from) / sub_intervals as f64;
     let inner: f64 = (1..sub_intervals)

@@ -1,4 +1,5 @@
-//! Forces of a steady flow on a ship, from a table by angle. A table may have several depths of water.
+//! Forces of a steady flow on a ship, from a table by angle. A table of forces may hold values for several depths of
+//! water.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,19 +8,19 @@ use super::table::{Place, check_axis, place};
 use crate::range::within;
 
 /// Surge and sway force (m²) and yaw moment about midship (m³) of a flow on a ship, each divided by the dynamic
-/// pressure ½ρV² of the flow. So each value is a coefficient times the reference area; for the moment, also times the
-/// reference length.
+/// pressure ½ρV² of the flow. Each value of the table is therefore a coefficient times the reference area; for the
+/// moment, also times the reference length.
 ///
-/// The angle γ is that of [`super::wind::RelativeWind`]: the direction from which the flow comes, measured from the
-/// bow, positive over the port side. Forces are positive forward and to starboard; the moment is positive if it turns
-/// the bow to starboard. Between two angles and between two depths the values are interpolated linearly; the angles
-/// close round the circle. Below the least depth the values of the least depth are used, and above the greatest depth
-/// those of the greatest.
+/// The angle γ of the table is that of [`super::wind::RelativeWind`]: the direction from which the flow comes, measured
+/// from the bow, positive over the port side. Forces in the table are positive forward and to starboard; the moment is
+/// positive if it turns the bow to starboard. The values are interpolated linearly between two angles and between two
+/// depths of the table; the angles close round the circle. In water shallower than the table's least depth the values
+/// of that depth are used, and in deeper water than its greatest depth the values of the greatest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadTable {
     depth_ratios: Vec<f64>,
     angles_rad: Vec<f64>,
-    /// Values: all angles of the first depth, then all angles of the next.
+    /// Values of the table: all angles of the first depth, then all angles of the next depth.
     values: Vec<[f64; 3]>,
     sides: Sides,
 }
@@ -27,19 +28,19 @@ pub struct LoadTable {
 /// The range of the angles of a [`LoadTable`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// From 0 to π: a flow over starboard is the mirror image of a flow over port.
+    /// The table's angles go from 0 to π: a flow over starboard is the mirror image of a flow over port.
     Mirrored,
-    /// A whole turn, each angle once.
+    /// The table's angles go round a whole turn, each angle once.
     Both,
 }
 
 impl LoadTable {
-    /// A table of depths over the draught, angles (rad) and values: all angles of the first depth, then all angles of
-    /// the next. A single depth stands for every depth.
+    /// Makes a table from the ratios of water depth to draught, the angles (rad) and the values: all angles of the
+    /// first depth, then all angles of the next. A table with a single depth holds for every depth of water.
     ///
     /// # Errors
-    /// Axes that do not rise; fewer than three angles; a wrong number of values; a value that is not finite; mirrored
-    /// angles that do not reach from 0 to π; other angles that span a whole turn or more.
+    /// Fails for axes that do not rise; fewer than three angles; a wrong number of values; a value that is not finite;
+    /// mirrored angles that do not reach from 0 to π; other angles that span a whole turn or more.
     pub fn new(
         depth_ratios: Vec<f64>,
         angles_rad: Vec<f64>,
@@ -70,7 +71,7 @@ impl LoadTable {
         Ok(LoadTable { depth_ratios, angles_rad, values, sides })
     }
 
-    /// The depths over the draught.
+    /// The table's depths of water, divided by the draught.
     #[must_use]
     pub fn depth_ratios(&self) -> &[f64] {
         &self.depth_ratios
@@ -82,14 +83,15 @@ impl LoadTable {
         &self.angles_rad
     }
 
-    /// True if the table was given for one side only.
+    /// True if the table was given for a flow over one side only.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         self.sides == Sides::Mirrored
     }
 
-    /// The values [X, Y, N] (m², m², m³) at an angle γ (rad) and at a ratio of water depth to draught; `None`: deep
-    /// water. A mirrored table has no side force and no moment if the flow comes from straight ahead or astern.
+    /// The table's values [X, Y, N] (m², m², m³) at an angle γ (rad) and at a ratio of water depth to draught; a ratio
+    /// of `None` means deep water. A mirrored table has no side force and no moment if the flow comes from straight
+    /// ahead or astern.
     #[must_use]
     pub fn at(&self, angle_rad: f64, depth_ratio: Option<f64>) -> [f64; 3] {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
@@ -114,12 +116,13 @@ impl LoadTable {
         mixed(at_depth(low), at_depth(high), share)
     }
 
-    /// The place on the axis of a mirrored table.
+    /// Finds an angle's place on the axis of a mirrored table.
     fn along(&self, angle_rad: f64) -> Place {
         place(self.angles_rad.len(), |k| self.angles_rad[k], angle_rad)
     }
 
-    /// The place on the axis of a whole turn. The table closes between the last and the first angle.
+    /// Finds an angle's place on the axis of a table that goes round a whole turn. A table of a whole turn is closed
+    /// between its last and its first angle.
     fn around(&self, angle_rad: f64) -> Place {
         let (count, first_rad) = (self.angles_rad.len(), self.angles_rad[0]);
         let mut from_first_rad = libm::fmod(angle_rad - first_rad, TAU);

@@ -1,17 +1,19 @@
-//! Long waves at a berth: infragravity waves and seiches. Long waves are given by level and velocity of the water at
-//! the berth.
+//! Long waves at a berth: infragravity waves and seiches. The input for long waves is the level and the velocity of the
+//! water at the berth.
 //!
-//! Long waves are much longer than the depth and the ship. So the level is taken to be the same all over the berth. The
-//! velocity is taken to be the same all over the berth and over the depth. The level lifts a ship as the tide does. The
-//! velocity acts as a current, and its acceleration pushes the ship (Froude–Krylov force and added mass).
+//! Long waves are much longer than the depth and the ship. Because long waves are so long, the water level is taken to
+//! be the same all over the berth. The velocity of long waves is taken to be the same all over the berth and over the
+//! depth. The level of the long waves lifts a ship as the tide does. The velocity of the long waves acts on the ship as
+//! a current, and its acceleration pushes her (Froude–Krylov force and added mass).
 //!
 //! By linear theory, a wave of amplitude a and phase speed c = ω/k moves water of depth h to and fro. The mean velocity
-//! over the depth is a c/h (derived: a level that rises needs this flow), with k by the dispersion relation. In front
-//! of a wall that reflects it wholly, the wave is a standing wave. With the amplitude A at the wall, the level is A
-//! cos(kx) cos(ωt) at a distance x from the wall, and the velocity towards the wall is −A (c/h) sin(kx) sin(ωt).
+//! of a long wave over the depth is a c/h, with k by the dispersion relation (derived: a level that rises needs this
+//! flow). In front of a wall that reflects a wave wholly, the wave is a standing wave. With the amplitude A at the
+//! wall, the level of the standing wave is A cos(kx) cos(ωt) at a distance x from the wall, and the velocity towards
+//! the wall is −A (c/h) sin(kx) sin(ωt).
 //!
-//! The spectrum has the shape of JONSWAP around its peak, within a band. This is our assumption: we know no standard
-//! shape for such waves.
+//! The spectrum of long waves has the shape of JONSWAP around its peak, within a band of periods. The JONSWAP shape of
+//! the spectrum is our assumption: we know no standard shape for long waves.
 
 use core::f64::consts::TAU;
 
@@ -25,44 +27,45 @@ use super::table::{check_axis, is_off, place};
 use super::waves::{Jonswap, RegularWave, wave_number};
 use crate::range::within;
 
-/// Height over depth at which long waves break: the value for a solitary wave (McCowan 1894; recalled).
+/// Height of a long wave divided by the depth at which the wave breaks: the value for a solitary wave (McCowan 1894;
+/// from memory).
 const BREAKING: f64 = 0.78;
-/// The least length of a long wave, in depths. For this length, the velocity at the surface is 1.2 times the velocity
-/// at the bottom.
+/// The least length of a long wave, in multiples of the depth. At the least length of a long wave, the velocity at the
+/// surface is 1.2 times the velocity at the bottom.
 const LENGTH_IN_DEPTHS: f64 = 10.0;
-/// Shortest and longest period of a long wave (s). A period of 25 s separates long waves from swell.
+/// Shortest and longest period of a long wave that is accepted (s). A period of 25 s separates long waves from swell.
 const PERIODS_S: [f64; 2] = [25.0, 86_400.0];
 
 /// The berth at which there are long waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LongWaveSite {
-    /// Direction to which the waves run, clockwise from north (rad).
+    /// Direction to which the long waves run, clockwise from north (rad).
     pub towards_rad: f64,
-    /// Depth of the water (m).
+    /// Depth of the water at the berth (m).
     pub depth_m: f64,
     /// Distance to a wall ahead that reflects the waves wholly (m); `None`: there is no wall, and the waves run on.
     pub wall_m: Option<f64>,
 }
 
-/// A spectrum of long waves. If there is a wall, the height is the height at the wall.
+/// A spectrum of long waves. If there is a wall, the height of the spectrum is the height at the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LongWaveSpectrum {
     /// Significant height (m).
     pub height_m: f64,
     /// Peak period (s).
     pub peak_period_s: f64,
-    /// Shortest and longest period (s), with the peak between them.
+    /// Shortest and longest period of the spectrum (s), with the peak between them.
     pub periods_s: [f64; 2],
-    /// Peak enhancement γ of JONSWAP.
+    /// Peak enhancement γ of the spectrum, as in JONSWAP.
     pub peak_enhancement: f64,
 }
 
-/// Level and velocity of the water at a berth: a pure function of time.
+/// Level and velocity of the water at a berth in long waves: a pure function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LongWaves {
     kind: Kind,
-    /// Lowest and highest level (m). For a spectrum the bounds are minus and plus the significant height, which the
-    /// level seldom passes.
+    /// Lowest and highest level of the long waves (m). For a spectrum the lowest and the highest level are taken as
+    /// minus and plus the significant height, which the level seldom passes.
     range_m: [f64; 2],
 }
 
@@ -72,13 +75,13 @@ enum Kind {
     Series { times_s: Vec<f64>, levels_m: Vec<f64>, velocities_mps: Vec<Vec2> },
 }
 
-/// One harmonic: level · cos(ωt + ε), and the velocity along the direction of the waves.
+/// One harmonic of the long waves: level · cos(ωt + ε), and the velocity along the direction of the waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Part {
     frequency_radps: f64,
     phase_rad: f64,
     level_m: f64,
-    /// Amplitudes of the velocity, in phase with the cosine and with the sine (m/s).
+    /// Amplitudes of the harmonic's velocity, in phase with the cosine and with the sine (m/s).
     velocity_mps: [f64; 2],
 }
 
@@ -90,20 +93,20 @@ impl LongWaveSite {
         Ok(())
     }
 
-    /// Checks the height of waves (m): waves break at 0.78 of the depth.
+    /// Checks the height of long waves (m): waves break at 0.78 of the depth.
     ///
     /// # Errors
-    /// A height below 0, or one at which the waves would break.
+    /// Fails for a height below 0, or for one at which the waves would break.
     pub fn check_height(&self, height_m: f64) -> Result<(), EnvironmentError> {
         let most_m = BREAKING * self.depth_m;
         within("height of the long waves [m], which break at 0.78 depths", height_m, 0.0, most_m)?;
         Ok(())
     }
 
-    /// Checks the period of waves (s): waves are long if their length is ten depths or more.
+    /// Checks the period of long waves (s): waves count as long if their length is ten depths or more.
     ///
     /// # Errors
-    /// A period that is not between 25 s and a day, or too short for the depth.
+    /// Fails for a period that is not between 25 s and a day, or that is too short for the depth.
     pub fn check_period(&self, period_s: f64) -> Result<(), EnvironmentError> {
         within("period of a long wave [s]", period_s, PERIODS_S[0], PERIODS_S[1])?;
         let depths = self.length_m(period_s) / self.depth_m;
@@ -112,13 +115,14 @@ impl LongWaveSite {
         Ok(())
     }
 
-    /// Length of a wave by its period (m).
+    /// Length of a long wave from its period (m).
     #[must_use]
     pub fn length_m(&self, period_s: f64) -> f64 {
         TAU / wave_number(TAU / period_s, self.depth_m)
     }
 
-    /// One harmonic from its amplitude. If there is a wall, it is the amplitude at the wall.
+    /// Makes one harmonic of the long waves from its amplitude. If there is a wall, the given amplitude is the
+    /// amplitude at the wall.
     fn part(&self, frequency_radps: f64, amplitude_m: f64, phase_rad: f64) -> Part {
         let number = wave_number(frequency_radps, self.depth_m);
         let velocity_mps = amplitude_m * frequency_radps / (number * self.depth_m);
@@ -139,10 +143,10 @@ impl LongWaveSite {
 }
 
 impl LongWaves {
-    /// One regular long wave; with a wall it is a seiche, and the height is the height at the wall.
+    /// Makes one regular long wave; with a wall the wave is a seiche, and the height is the height at the wall.
     ///
     /// # Errors
-    /// A number out of range, a wave that would break, or a wave that is too short for the depth.
+    /// Fails for a number out of range, a wave that would break, or a wave that is too short for the depth.
     pub fn regular(wave: RegularWave, site: &LongWaveSite) -> Result<LongWaves, EnvironmentError> {
         site.check()?;
         site.check_height(wave.height_m)?;
@@ -154,12 +158,12 @@ impl LongWaves {
         Ok(LongWaves { kind, range_m: [-reach_m, reach_m] })
     }
 
-    /// Long waves with random phases, from a spectrum. The same seed gives the same bits. The significant height is
-    /// exact.
+    /// Makes long waves with random phases, from a spectrum. The same seed gives the same long waves, bit for bit. The
+    /// significant height of the made waves is exactly that of the spectrum.
     ///
     /// # Errors
-    /// A number out of range, a height at which the waves would break, a peak outside the band, or periods too short
-    /// for the depth.
+    /// Fails for a number out of range, a height at which the waves would break, a peak outside the band, or periods
+    /// too short for the depth.
     pub fn of_spectrum(
         spectrum: &LongWaveSpectrum,
         site: &LongWaveSite,
@@ -193,11 +197,11 @@ impl LongWaves {
         Ok(waves)
     }
 
-    /// Long waves from rows of time (s), level (m) and velocity, north and east (m/s), with straight lines between
-    /// them.
+    /// Makes long waves from rows of time (s), level (m) and velocity, north and east (m/s), with straight lines
+    /// between the rows.
     ///
     /// # Errors
-    /// Fewer than two rows, times that do not increase, or a number out of range.
+    /// Fails for fewer than two rows, times that do not increase, or a number out of range.
     pub fn series(rows: &[(f64, f64, Vec2)]) -> Result<LongWaves, EnvironmentError> {
         check_axis("times of the long waves [s]", rows.iter().map(|row| row.0), 2)?;
         for &(_, level_m, velocity_mps) in rows {
@@ -216,8 +220,8 @@ impl LongWaves {
         Ok(LongWaves { kind, range_m })
     }
 
-    /// Whether a time (s) is before the first or after the last row of a series, where the level and velocity of that
-    /// row are used.
+    /// Whether a time (s) is before the first or after the last row of a series; the level and velocity of that row are
+    /// then used.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match &self.kind {
@@ -226,7 +230,7 @@ impl LongWaves {
         }
     }
 
-    /// Level above that of the tide (m).
+    /// Level of the long waves above that of the tide (m).
     #[must_use]
     pub fn level_m(&self, t_s: f64) -> f64 {
         match &self.kind {
@@ -241,7 +245,7 @@ impl LongWaves {
         }
     }
 
-    /// Velocity of the water (m/s).
+    /// Velocity of the water in the long waves (m/s).
     #[must_use]
     pub fn velocity(&self, t_s: f64) -> Vec2 {
         match &self.kind {
@@ -260,14 +264,15 @@ impl LongWaves {
         }
     }
 
-    /// Bounds of the level (m). For a spectrum the bounds are minus and plus the significant height, which the level
-    /// seldom passes.
+    /// Lowest and highest level of the long waves (m). For a spectrum the lowest and the highest level are minus and
+    /// plus the significant height, which the level seldom passes.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         self.range_m
     }
 
-    /// Four times the standard deviation of the level (m); for a series it is computed from the rows.
+    /// Significant height: four times the standard deviation of the level (m); for a series it is computed from the
+    /// rows.
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {
         4.0 * match &self.kind {
@@ -278,7 +283,8 @@ impl LongWaves {
         }
     }
 
-    /// The standard deviation of the velocity, north and east (m/s); for a series it is computed from the rows.
+    /// The standard deviation of the long waves' velocity, north and east (m/s); for a series it is computed from the
+    /// rows.
     #[must_use]
     pub fn velocity_deviation(&self) -> Vec2 {
         match &self.kind {

@@ -1,12 +1,13 @@
 //! The environment of a ship: wind, current, waves, long waves, tide, bottom and banks.
 //!
-//! Everything here is a pure function of time and position, without state, so a run can be copied, restored and
-//! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
-//! they are created; after that no function fails.
+//! Everything in the environment is a pure function of time and position, without state, so that a run can be copied,
+//! restored and replayed bit for bit. Random processes of the environment are sums of harmonics with phases from a
+//! seed. Inputs of the environment are checked once, when they are created; after that no function fails.
 //!
-//! Axes: positions and velocities earth-fixed, x north and y east; forces on a ship [X, Y, N] are in the ship's axes
+//! Positions and velocities are earth-fixed, x north and y east; forces on a ship [X, Y, N] are in the ship's axes
 //! about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well the source of a formula
-//! is known. *Found*: read in a public source. *Recalled*: from memory, to be checked. *Derived*: by this project.
+//! is known. In doc comments, *found* means that the formula was read in a public source. In doc comments, *recalled*
+//! means that the formula is given from memory, and is to be checked. *Derived*: by this project.
 //!
 //! ```
 //! use fenderline_contact::vec2;

@@ -3,7 +3,7 @@
 use super::error::EnvironmentError;
 use crate::range::within;
 
-/// Checks an axis: at least `least` entries, all finite, in increasing order.
+/// Checks the axis of a table: it must have at least `least` entries, all finite, in increasing order.
 pub(super) fn check_axis(
     axis: &'static str,
     entries: impl ExactSizeIterator<Item = f64>,
@@ -27,24 +27,24 @@ pub(super) fn check_axis(
     Ok(())
 }
 
-/// The position of a value on an axis.
+/// The position of a value on the axis of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
-    /// Index of the entry at or below the value.
+    /// Index of the axis entry at or below the value.
     pub(super) low: usize,
-    /// Index of the entry at or above the value.
+    /// Index of the axis entry at or above the value.
     pub(super) high: usize,
-    /// Weight of the upper entry, 0 to 1.
+    /// Weight of the upper axis entry, 0 to 1.
     pub(super) share: f64,
 }
 
-/// Whether a value is off an axis, so that [`place`] returns an end of the axis. An axis of one entry means that
-/// nothing changes along it: no value is off it.
+/// Whether a value is off an axis of a table, so that [`place`] returns an end of the axis. No value is off an axis of
+/// one entry, because such an axis means that nothing changes along it.
 pub(super) fn is_off(count: usize, at: impl Fn(usize) -> f64, value: f64) -> bool {
     count > 1 && (value < at(0) || value > at(count - 1))
 }
 
-/// The position of a value on an axis of `count` entries. Values outside the axis are clamped to its ends.
+/// Finds the position of a value on an axis of `count` entries. Values outside the axis are clamped to its ends.
 pub(super) fn place(count: usize, at: impl Fn(usize) -> f64, value: f64) -> Place {
     let last = count - 1;
     if value <= at(0) {

@@ -8,19 +8,20 @@ use super::error::EnvironmentError;
 use super::table::{check_axis, is_off, place};
 use crate::range::within;
 
-/// The water level above datum as a function of time. Charted depths are measured downwards from datum, heights ashore
-/// upwards.
+/// The water level above datum as a function of time. Charted depths are measured downwards from datum, and heights
+/// ashore upwards from it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tide {
     /// Constant (m).
     Level(f64),
-    /// Points (time (s), level (m)), linear between them and constant before the first point and after the last.
+    /// Points of the tide curve (time (s), level (m)): linear between them, and constant before the first point and
+    /// after the last.
     Curve(Vec<[f64; 2]>),
-    /// A mean level and harmonic constituents.
+    /// The tide is a mean level and harmonic constituents.
     Harmonic {
         /// Mean level (m).
         mean_m: f64,
-        /// Constituents, summed in this order.
+        /// Constituents of the tide, which are summed in the order of this list.
         constituents: Vec<TideConstituent>,
     },
 }
@@ -30,9 +31,9 @@ pub enum Tide {
 pub struct TideConstituent {
     /// Amplitude (m).
     pub amplitude_m: f64,
-    /// Period (s); 44 714 s for M2 (12.4206012 h, as tide programs list it).
+    /// Period of the constituent (s), such as 44 714 s for M2 (12.4206012 h, as tide programs list it).
     pub period_s: f64,
-    /// Phase lag at t = 0 (rad).
+    /// Phase lag of the constituent at t = 0 (rad).
     pub lag_rad: f64,
 }
 
@@ -47,7 +48,7 @@ impl Tide {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first number out of range.
+    /// Fails at the first number of the tide that is out of range.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         match self {
             Tide::Level(level_m) => {
@@ -71,8 +72,8 @@ impl Tide {
         Ok(())
     }
 
-    /// Whether a time (s) is before the first or after the last point of a curve, where the level of that point is
-    /// used. A curve with a single point is a constant level.
+    /// Whether a time (s) is before the first or after the last point of a tide curve; the level of that point is then
+    /// used. A tide curve with a single point is a constant level.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match self {
@@ -99,8 +100,8 @@ impl Tide {
         }
     }
 
-    /// Bounds of the level from the start of the run (m). For harmonic constituents the bounds assume that all reach their
-    /// extremes at the same time.
+    /// Lowest and highest level of the tide from the start of the run (m). For harmonic constituents the lowest and the
+    /// highest level assume that all constituents reach their extremes at the same time.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         match self {

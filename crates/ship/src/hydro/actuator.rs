@@ -1,6 +1,7 @@
-//! Dynamics between an order and the machinery: rate limits and first-order lags.
+//! Actuators: rate limits and first-order lags between an order and what the machinery does.
 //!
-//! Every step is exact for any Δt: two steps of Δt/2 under the same order give the same result as one step of Δt.
+//! Every step of an actuator is exact for any Δt: two steps of Δt/2 under the same order give the same result as one
+//! step of Δt.
 
 use fenderline_contact::number::bounded;
 
@@ -9,20 +10,20 @@ use std::f64::consts::{PI, TAU};
 /// An actuator that follows its order at a constant rate: a rudder, a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateLimited {
-    /// Current value, in the unit of the quantity.
+    /// Current value of the actuator, in the unit of the quantity.
     pub value: f64,
-    /// Rate of change, per second.
+    /// Largest rate of change of the actuator, per second.
     pub rate_per_s: f64,
-    /// Stop on either side of zero.
+    /// Largest value to either side of zero, where the actuator stops.
     pub stop: f64,
 }
 
-/// Whether an order was limited.
+/// Whether an order to an actuator was followed or limited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// The order was followed.
     Taken,
-    /// The order was beyond the stop and was limited to it.
+    /// The order was beyond the actuator's stop and was limited to the stop.
     Clamped,
 }
 
@@ -32,7 +33,8 @@ impl RateLimited {
         RateLimited { value: 0.0, rate_per_s: rate_degps.to_radians(), stop: stop_deg.to_radians() }
     }
 
-    /// Moves towards the order for `step_s`. A NaN order counts as clamped and moves nothing.
+    /// Moves the actuator towards the order for `step_s`. An order of NaN counts as limited and does not move the
+    /// actuator.
     pub fn step(&mut self, order: f64, step_s: f64) -> Order {
         if order.is_nan() {
             return Order::Clamped;
@@ -44,22 +46,22 @@ impl RateLimited {
     }
 }
 
-/// A direction that turns at a constant rate. Without stops the direction turns the shorter way; with stops it stays
-/// between the stops.
+/// The direction of a thruster or tug that turns at a constant rate. A direction without stops turns the shorter way; a
+/// direction with stops stays between the stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
-    /// Current direction in (−π, π] (rad).
+    /// Current direction of the thruster or tug in (−π, π] (rad).
     pub angle_rad: f64,
     /// Rate of turn (rad/s).
     pub rate_radps: f64,
-    /// Stop on either side (rad); `None` if it turns without limit.
+    /// Stop of the direction on either side (rad); `None` if it turns without limit.
     pub stop_rad: Option<f64>,
 }
 
 impl Slewing {
-    /// Turns towards the order for `step_s`. If the order is exactly opposite, it turns to starboard. An order beyond a
-    /// stop turns it to the stop. With stops the direction never turns through the stern. A non-finite order moves
-    /// nothing.
+    /// Turns the direction towards the order for `step_s`. If the order is exactly opposite, the direction turns to
+    /// starboard. For an order beyond a stop, the direction turns to the stop. A direction with stops never turns
+    /// through the stern. An order that is not finite does not turn the direction.
     pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
         if !order_rad.is_finite() {
             return Order::Clamped;
@@ -75,7 +77,7 @@ impl Slewing {
     }
 }
 
-/// The angle, wrapped to (−π, π] (rad).
+/// Returns an angle, wrapped to (−π, π] (rad).
 fn wrapped(angle_rad: f64) -> f64 {
     let rest_rad = libm::remainder(angle_rad, TAU);
     if rest_rad <= -PI { rest_rad + TAU } else { rest_rad }
@@ -84,14 +86,14 @@ fn wrapped(angle_rad: f64) -> f64 {
 /// An actuator that follows its order with a first-order lag: a thruster, a tug's force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lag {
-    /// Current value, in the unit of the quantity.
+    /// Current value of the actuator, in the unit of the quantity.
     pub value: f64,
-    /// Time constant (s); 0 for no lag.
+    /// Time constant of the lag (s); 0 for no lag.
     pub time_constant_s: f64,
 }
 
 impl Lag {
-    /// Reduces the difference to the order by the factor e^{−Δt/τ}.
+    /// Moves the actuator for a step: the difference to the order is reduced by the factor e^{−Δt/τ}.
     pub fn step(&mut self, order: f64, step_s: f64) {
         if self.time_constant_s <= 0.0 {
             self.value = order;
@@ -128,7 +130,7 @@ pub enum Telegraph {
 }
 
 impl Telegraph {
-    /// All positions, from full astern to full ahead at sea.
+    /// All positions of the engine telegraph, from full astern to full ahead at sea.
     pub const ALL: [Telegraph; 10] = [
         Telegraph::FullAstern,
         Telegraph::HalfAstern,
@@ -142,7 +144,7 @@ impl Telegraph {
         Telegraph::NavigationFull,
     ];
 
-    /// The order in words, as in scenario files.
+    /// The telegraph's order in words, as in scenario files.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -159,8 +161,9 @@ impl Telegraph {
         }
     }
 
-    /// Revolutions over the revolutions at full ahead at sea. The revolutions are typical values for slow-running
-    /// engines. A vessel with a table of her own uses her table.
+    /// Revolutions of a telegraph order divided by the revolutions at full ahead at sea. The revolutions of the
+    /// telegraph orders are typical values for slow-running engines. A vessel with her own table of revolutions uses
+    /// that table instead.
     pub fn revolutions_ratio(self) -> f64 {
         match self {
             Telegraph::FullAstern => -0.70,

@@ -1,15 +1,15 @@
 //! Added mass in surge, sway and yaw from main particulars.
 //!
-//! Everything here is an estimate, and reports call it an estimate. Clarke's formula was read in a public toolbox; the
-//! regression on Motora's charts was read in public programs. `fenderline validate` compares both with potential flow
-//! (validation/added_mass.toml).
+//! All added masses of this module are estimates, and reports call them estimates. Clarke's formula was read in a
+//! public toolbox; the regression on Motora's charts was read in public programs. `fenderline validate` compares
+//! Clarke's formula and the regression on Motora's charts with potential flow (validation/added_mass.toml).
 
 use std::f64::consts::PI;
 
 use super::error::HydroError;
 use super::particulars::Particulars;
 
-/// Added mass over the density of the water, about midship.
+/// Added mass in surge, sway and yaw divided by the density of the water, about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AddedMass {
     /// mx/ρ (m³).
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// Added mass from MMG coefficients: masses divided by ½ρL²d, moment of inertia divided by ½ρL⁴d.
+    /// Makes added mass from MMG coefficients: masses divided by ½ρL²d, moment of inertia divided by ½ρL⁴d.
     pub fn from_mmg(ship: &Particulars, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: surge * ship.mass_unit_m3(),
@@ -30,7 +30,7 @@ impl AddedMass {
         }
     }
 
-    /// This added mass with each component multiplied by a factor, as is done for shallow water.
+    /// Multiplies each component of this added mass by a factor, as is done for shallow water.
     pub fn scaled(&self, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: self.surge_m3 * surge,
@@ -41,10 +41,10 @@ impl AddedMass {
 }
 
 /// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as printed in several public programs, which agree (sway
-/// and yaw: nikpau/mmgdynamics). The paper was not read.
+/// and yaw: nikpau/mmgdynamics). The paper of Zhou, Sheng & Feng was not read.
 ///
 /// # Errors
-/// [`HydroError::NegativeAddedMass`] if the hull is outside the charts.
+/// Fails with [`HydroError::NegativeAddedMass`] if the hull is outside the charts.
 pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     let block = ship.block_coefficient();
     let (length_m, beam_m, draught_m) = (ship.length_m, ship.beam_m, ship.draught_m);
@@ -71,13 +71,12 @@ pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     })
 }
 
-/// Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox: added mass in sway (m³) and in yaw (m⁵),
-/// both divided by the density:
-/// −Y'v̇ = π(T/L)²[1 + 0.16 Cb B/T − 5.1 (B/L)²] by ½ρL³ and
-/// −N'ṙ = π(T/L)²[1/12 + 0.017 Cb B/T − 0.33 B/L] by ½ρL⁵.
+/// Added mass in sway (m³) and in yaw (m⁵) by Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox,
+/// both divided by the density: −Y'v̇ = π(T/L)²[1 + 0.16 Cb B/T − 5.1 (B/L)²] by ½ρL³ and −N'ṙ = π(T/L)²[1/12 + 0.017
+/// Cb B/T − 0.33 B/L] by ½ρL⁵.
 ///
 /// # Errors
-/// [`HydroError::NegativeAddedMass`] for a stubby hull, for which the formula turns negative.
+/// Fails with [`HydroError::NegativeAddedMass`] for a stubby hull, for which the formula turns negative.
 pub fn clarke_added_mass(ship: &Particulars) -> Result<(f64, f64), HydroError> {
     let (length_m, beam_m) = (ship.length_m, ship.beam_m);
     let depth = ship.draught_m / length_m;

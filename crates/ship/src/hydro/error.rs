@@ -1,4 +1,5 @@
-//! Errors: particulars and conditions out of range, or outside the validity of a formula.
+//! Errors in the hydrodynamics of a ship: particulars and conditions out of range, or outside the validity of a
+//! formula.
 
 use std::fmt;
 
@@ -10,9 +11,9 @@ use crate::range::OutOfRange;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum HydroError {
-    /// A quantity is not a number within its range, both ends included.
+    /// A quantity is not a number within its range, where both ends belong to the range.
     OutOfRange {
-        /// The quantity, with its unit.
+        /// Name of the wrong quantity, with its unit.
         quantity: &'static str,
         /// Value of the quantity.
         value: f64,
@@ -21,7 +22,7 @@ pub enum HydroError {
         /// Upper limit.
         high: f64,
     },
-    /// A regression gives a negative added mass: the particulars are outside its range.
+    /// A regression gives a negative added mass, because the particulars are outside its range.
     NegativeAddedMass {
         /// The regression.
         formula: &'static str,
@@ -30,14 +31,14 @@ pub enum HydroError {
         /// Value of the coefficient.
         value: f64,
     },
-    /// The water is no deeper than the draught.
+    /// The depth of the water is not larger than the ship's draught.
     Aground {
         /// Depth of water (m).
         depth_m: f64,
         /// Draught (m).
         draught_m: f64,
     },
-    /// A depth Froude number of 1 or more, for which the formula is not defined.
+    /// The depth Froude number is 1 or more, for which the formula is not defined.
     Supercritical {
         /// Depth Froude number V/√(gh).
         froude: f64,
@@ -69,7 +70,7 @@ impl fmt::Display for HydroError {
 
 impl std::error::Error for HydroError {}
 
-/// Returns the value if it is within the range; NaN is never within a range.
+/// Returns a value if it is within its range; NaN is never within a range.
 pub(super) fn within(
     quantity: &'static str,
     value: f64,

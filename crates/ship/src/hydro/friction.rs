@@ -1,21 +1,22 @@
-//! Frictional resistance: from model scale to full scale.
+//! Corrects the frictional resistance of a ship from model scale to full scale.
 //!
-//! The resistance coefficient of a tank model is larger than that of the ship, because the model's Reynolds number is
-//! about a hundred times smaller. The difference matters little in turns, but the stopping distance is inversely
-//! proportional to the resistance.
+//! The resistance coefficient of a tank model is larger than that of the full-scale ship, because the model's Reynolds
+//! number is about a hundred times smaller. The difference in resistance between model and ship matters little in
+//! turns, but the stopping distance is inversely proportional to the resistance.
 
 use super::error::{HydroError, within};
 use super::mmg::{Mmg, Polynomial};
 
-/// Kinematic viscosity of the fresh water of a tank at 15 °C (m²/s).
+/// Kinematic viscosity of the fresh water of a model tank at 15 °C (m²/s).
 const TANK_M2PS: f64 = 1.139e-6;
 /// Kinematic viscosity of sea water at 15 °C (m²/s).
 pub(super) const SEA_M2PS: f64 = 1.189e-6;
 
-/// C_F = 0.075/(log₁₀ Re − 2)², the ITTC 1957 model-ship correlation line (read in Morrall, NPL Ship Report 142, 1970).
+/// Friction coefficient C_F = 0.075/(log₁₀ Re − 2)² by the ITTC 1957 model-ship correlation line (read in Morrall, NPL
+/// Ship Report 142, 1970).
 ///
 /// # Errors
-/// A Reynolds number below 10⁴ or above 10¹¹.
+/// Fails for a Reynolds number below 10⁴ or above 10¹¹.
 pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
     let reynolds = within("the Reynolds number", reynolds, 1e4, 1e11)?;
     let excess = libm::log10(reynolds) - 2.0;
@@ -23,13 +24,14 @@ pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
 }
 
 impl Mmg {
-    /// The ship with her full-scale friction, from coefficients that contain a model's resistance. The correction is
-    /// the difference of the ITTC 1957 line between model and ship, at the Froude number of a speed (m/s), on the
-    /// wetted surface 1.7Ld + ∇/d (UFC 4-159-03, eq. 18 and 19, read). Form factor and roughness allowance are
-    /// neglected; they have opposite effects.
+    /// Gives the ship with her full-scale friction, from coefficients that contain a model's resistance. The correction
+    /// of friction is the difference of the ITTC 1957 line between model and ship, at the Froude number of a speed
+    /// (m/s), on the wetted surface 1.7Ld + ∇/d (UFC 4-159-03, eq. 18 and 19, read). Form factor and roughness
+    /// allowance are neglected in the correction; they have opposite effects.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`] for a speed or a model length out of range, or if no resistance would be left.
+    /// Fails with [`HydroError::OutOfRange`] for a speed or a model length out of range, or if no resistance would be
+    /// left.
     pub fn with_ships_friction(
         &self,
         model_length_m: f64,

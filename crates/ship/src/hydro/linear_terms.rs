@@ -1,6 +1,6 @@
 //! The linear terms of a hull.
 
-/// The linear terms, in one convention for both forms: over v' and r', without added mass.
+/// The linear terms of the hull in one convention for both of its forms: over v' and r', without added mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearTerms {
     /// X'₀, negative.

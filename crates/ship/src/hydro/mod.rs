@@ -5,23 +5,23 @@
 //! |---|---|
 //! | main particulars, checked | [`Particulars`] |
 //! | added mass from particulars | [`zhou_added_mass`], [`clarke_added_mass`] |
-//! | hull under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
-//! | hull at low speed, astern, crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
-//! | lift that a drifting hull loses | [`Stall`] |
-//! | continuous hull force from all | [`Hull`] |
+//! | hull of a ship under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
+//! | hull at low speed, going astern or crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
+//! | lift that a hull loses as its drift increases | [`Stall`] |
+//! | continuous hull force, joined from all these forms | [`Hull`] |
 //! | propeller in four quadrants | [`Propeller`] |
-//! | rudder behind a propeller, in all conditions | [`Rudder`] |
+//! | rudder behind a propeller that goes ahead or astern or is stopped | [`Rudder`] |
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
-//! | steering gear, shaft, lag, telegraph | [`actuator`] |
-//! | the complete model of a ship | [`Mmg`], [`Mmg::forces`] |
-//! | shallow water: corrections of hull, propeller, rudder and added mass; squat, current | [`shallow`], [`Squat`] |
-//! | equations of motion, two integrators | [`Model3`] |
+//! | actuators: steering gear, shaft, lag, telegraph | [`actuator`] |
+//! | the complete manoeuvring model of a ship | [`Mmg`], [`Mmg::forces`] |
+//! | effects of shallow water: corrections of hull, propeller, rudder and added mass; squat, current | [`shallow`], [`Squat`] |
+//! | equations of motion with two integrators | [`Model3`] |
 //! | sources of a ship's data | [`vessels`] |
-//! | estimates of unknown coefficients from main particulars | [`estimated`] |
-//! | turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
+//! | estimates of a ship's unknown coefficients from her main particulars | [`estimated`] |
+//! | standard manoeuvres: turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
 //!
-//! Conventions: SI; x forward, y to starboard, yaw and rudder positive to starboard, everything about
-//! midship; velocities are *through the water*. Every force is a continuous function of velocity,
+//! The conventions are: SI units; x forward, y to starboard, yaw and rudder positive to starboard, everything about
+//! midship; velocities are *through the water*. Every hydrodynamic force is a continuous function of velocity,
 //! revolutions and rudder angle, at rest and in all quadrants (`tests/hydro_continuity.rs`).
 //!
 //! ```

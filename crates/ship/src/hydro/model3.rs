@@ -1,7 +1,8 @@
 //! The equations of motion of a ship in three degrees of freedom, about midship, in water without current.
 //!
-//! (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G
-//! m u r, with X, Y, N from [`Mmg::forces`]. These equations include the Coriolis terms of the added mass.
+//! The equations are (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and (I_z + x_G² m + J_z)ṙ +
+//! x_G m v̇ = N − x_G m u r, with X, Y, N from [`Mmg::forces`]. The Coriolis terms of the added mass are contained in
+//! X, Y and N of the equations of motion.
 
 use super::mmg::Mmg;
 use super::quantities::{Controls, Force, Velocity, Water};
@@ -9,22 +10,22 @@ use super::quantities::{Controls, Force, Velocity, Water};
 /// Position, heading and velocity of a ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Midship north of the origin (m).
+    /// North coordinate of the ship's midship point (m).
     pub north_m: f64,
-    /// Midship east of the origin (m).
+    /// East coordinate of the ship's midship point (m).
     pub east_m: f64,
-    /// Heading, clockwise from north, not wrapped (rad).
+    /// Heading of the ship, clockwise from north, not wrapped (rad).
     pub heading_rad: f64,
-    /// Velocity in the ship's axes.
+    /// Velocity of the ship, in her own axes.
     pub velocity: Velocity,
 }
 
-/// Accelerations of surge, sway and yaw.
+/// Accelerations of the ship in surge, sway and yaw.
 type Acceleration = [f64; 3];
-/// Rates of the six states, in the order of [`Motion`].
+/// Rates of change of the six states, in the order of [`Motion`].
 type Rates = [f64; 6];
 
-/// An [`Mmg`] model with its mass matrix.
+/// A manoeuvring model [`Mmg`] with its mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model3 {
     ship: Mmg,
@@ -32,12 +33,12 @@ pub struct Model3 {
     mass_kg: f64,
     offset_kgm: f64,
     inverse_surge: f64,
-    /// Inverse of the sway–yaw block: [vv, vr, rr].
+    /// Inverse of the block of the mass matrix for sway v and yaw r: [vv, vr, rr].
     inverse: [f64; 3],
 }
 
 impl Model3 {
-    /// Computes the mass matrix. The particulars must have been checked.
+    /// Computes the mass matrix. The particulars of the model must have been checked.
     pub fn new(ship: Mmg, water: Water) -> Model3 {
         let density = water.density_kgpm3;
         let (hull, added) = (&ship.particulars, &ship.added_mass);
@@ -67,7 +68,7 @@ impl Model3 {
         self.water
     }
 
-    /// One step of semi-implicit Euler: first the velocities, then the position with the new velocities.
+    /// Takes one step of semi-implicit Euler: first the velocities, then the position with the new velocities.
     pub fn semi_implicit(
         &self,
         motion: &Motion,
@@ -90,7 +91,7 @@ impl Model3 {
         }
     }
 
-    /// One step of classical Runge–Kutta, with controls and other forces constant over the step.
+    /// Takes one step of classical Runge–Kutta, with controls and other forces constant over the step.
     pub fn runge_kutta(
         &self,
         motion: &Motion,
@@ -107,7 +108,7 @@ impl Model3 {
         moved(motion, &mean, step_s)
     }
 
-    /// Accelerations (m/s², m/s², rad/s²) under the ship's forces and other forces at midship.
+    /// Accelerations (m/s², m/s², rad/s²) under the ship's own hydrodynamic forces and other forces at midship.
     pub fn acceleration(
         &self,
         velocity: &Velocity,
@@ -123,7 +124,7 @@ impl Model3 {
         [surge_n * self.inverse_surge, vv * sway_n + vr * yaw_nm, vr * sway_n + rr * yaw_nm]
     }
 
-    /// Kinetic energy of ship and added mass (J).
+    /// Kinetic energy of the ship and her added mass (J).
     pub fn kinetic_j(&self, velocity: &Velocity) -> f64 {
         let Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = *velocity;
         let [vv, vr, rr] = self.inverse;
@@ -143,7 +144,7 @@ impl Model3 {
     }
 }
 
-/// Velocity of midship towards north and east (m/s).
+/// Velocity of the ship's midship point towards north and east (m/s).
 fn over_ground(heading_rad: f64, velocity: &Velocity) -> [f64; 2] {
     let (sin, cos) = libm::sincos(heading_rad);
     [

@@ -1,8 +1,8 @@
-//! A hull's main particulars, checked once.
+//! A hull's main particulars, which are checked once.
 
 use super::error::{HydroError, within};
 
-/// Main particulars. [`Particulars::check`] rejects values out of range.
+/// Main particulars. Main particulars of a hull; [`Particulars::check`] rejects values out of range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particulars {
     /// Length between perpendiculars L (m).
@@ -13,15 +13,15 @@ pub struct Particulars {
     pub draught_m: f64,
     /// Displaced volume ∇ (m³).
     pub volume_m3: f64,
-    /// Centre of gravity forward of midship xG (m).
+    /// Distance xG of the centre of gravity forward of midship (m).
     pub centre_of_gravity_m: f64,
-    /// Radius of gyration in yaw about the centre of gravity, over L.
+    /// Radius of gyration in yaw about the centre of gravity, divided by the length L.
     pub yaw_gyradius_ratio: f64,
 }
 
 impl Particulars {
-    /// Particulars from a block coefficient instead of a volume. The centre of gravity is amidships and the gyradius
-    /// 0.25 L (the usual assumption of the MMG method).
+    /// Makes particulars from a block coefficient instead of a volume. The made particulars have the centre of gravity
+    /// amidships and the gyradius 0.25 L (the usual assumption of the MMG method).
     ///
     /// # Errors
     /// See [`Particulars::check`].
@@ -46,9 +46,9 @@ impl Particulars {
     /// Checks the particulars and returns them.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`], naming the first value out of range: dimensions that are not positive,
-    /// a block coefficient outside 0.1 to 1, a beam above the length, a centre of gravity outside the
-    /// ship, a gyradius outside 0.05 to 0.6 L.
+    /// Fails with [`HydroError::OutOfRange`], which names the first value out of range: dimensions that are not
+    /// positive, a block coefficient outside 0.1 to 1, a beam above the length, a centre of gravity outside the ship, a
+    /// gyradius outside 0.05 to 0.6 L.
     pub fn check(self) -> Result<Particulars, HydroError> {
         within("length between perpendiculars [m]", self.length_m, 0.1, 5000.0)?;
         within("beam [m]", self.beam_m, 0.01, self.length_m)?;
@@ -71,17 +71,17 @@ impl Particulars {
         self.volume_m3 / (self.length_m * self.beam_m * self.draught_m)
     }
 
-    /// ½ L² d (m³): the factor of MMG mass coefficients, without the density.
+    /// The factor ½ L² d (m³) of MMG mass coefficients, without the density.
     pub fn mass_unit_m3(&self) -> f64 {
         0.5 * self.length_m * self.length_m * self.draught_m
     }
 
-    /// ½ L⁴ d (m⁵): the factor of MMG coefficients of moments of inertia, without the density.
+    /// The factor ½ L⁴ d (m⁵) of MMG coefficients of moments of inertia, without the density.
     pub fn inertia_unit_m5(&self) -> f64 {
         self.mass_unit_m3() * self.length_m * self.length_m
     }
 
-    /// Moment of inertia in yaw about the centre of gravity, over the density (m⁵).
+    /// Moment of inertia in yaw about the centre of gravity, divided by the density (m⁵).
     pub fn yaw_inertia_m5(&self) -> f64 {
         let gyradius_m = self.yaw_gyradius_ratio * self.length_m;
         self.volume_m3 * gyradius_m * gyradius_m

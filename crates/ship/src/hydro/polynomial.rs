@@ -1,4 +1,5 @@
-//! Hull polynomials: the two forms in which they are published, and a form for ships without a polynomial.
+//! Polynomials for the force on a hull: the two forms in which they are published, and a form for ships without a
+//! polynomial.
 
 use super::added_mass::AddedMass;
 use super::linear_terms::LinearTerms;
@@ -6,24 +7,26 @@ use super::low_speed::LowSpeedHull;
 use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 
-/// Hull polynomial of a ship under way. Forces are divided by ½ρLdU², moments by ½ρL²dU².
+/// Polynomial for the force on the hull of a ship under way. In the polynomial, forces are divided by ½ρLdU² and
+/// moments by ½ρL²dU².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Polynomial {
-    /// A polynomial in v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015), without added-mass terms.
+    /// The polynomial is in v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015), without added-mass terms.
     Sway(SwayPolynomial),
-    /// A polynomial in the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr includes −m'y and Yr
-    /// includes −m'x: these are the Coriolis terms of the added mass.
+    /// The polynomial is in the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). In the form over β, the
+    /// coefficient Xβr includes −m'y and Yr includes −m'x, which are the Coriolis terms of the added mass.
     Drift(DriftPolynomial),
-    /// No polynomial: the low-speed form, with the cross-flow drag of a ship under way, without added-mass terms. In
-    /// shallow water this drag differs from that of a ship at her berth.
+    /// The ship has no polynomial: the low-speed form is used, with the cross-flow drag of a ship under way, without
+    /// added-mass terms. In shallow water the cross-flow drag of a ship under way differs from that of a ship at her
+    /// berth.
     CrossFlow(LowSpeedHull),
 }
 
-/// Coefficients over v' and r'.
+/// Coefficients of the hull polynomial over v' and r'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(
     missing_docs,
-    reason = "each is named as in the method: its index is its powers of v' and r'"
+    reason = "the index of each coefficient in the method's notation is its powers of v' and r'"
 )]
 pub struct SwayPolynomial {
     /// Resistance R'₀, positive.
@@ -46,11 +49,11 @@ pub struct SwayPolynomial {
     pub n_rrr: f64,
 }
 
-/// Coefficients over β and r'.
+/// Coefficients of the hull polynomial over β and r'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(
     missing_docs,
-    reason = "each is named as in the method: its index is its powers of β and r'"
+    reason = "the index of each coefficient in the method's notation is its powers of β and r'"
 )]
 pub struct DriftPolynomial {
     /// Resistance X'₀, negative.
@@ -74,8 +77,9 @@ pub struct DriftPolynomial {
 }
 
 impl Polynomial {
-    /// Force at midship *with* the Coriolis terms of the added mass, X + m_y v r and Y − m_x u r. With the Coriolis
-    /// terms both forms are equivalent. The ship must be moving (U > 0).
+    /// Force of the hull at midship *with* the Coriolis terms of the added mass, X + m_y v r and Y − m_x u r. With the
+    /// Coriolis terms of the added mass, both forms of the polynomial are equivalent. The ship must be
+    /// moving (speed U > 0).
     pub(crate) fn force(
         &self,
         velocity: &Velocity,
@@ -101,7 +105,7 @@ impl Polynomial {
         force * (area * speed_mps * speed_mps) + coriolis
     }
 
-    /// Every coefficient, in the order of its fields.
+    /// Every coefficient of the polynomial, in the order of its fields.
     pub(crate) fn coefficients(&self) -> [f64; 17] {
         match *self {
             Polynomial::Sway(p) => [
@@ -148,7 +152,7 @@ impl Polynomial {
         }
     }
 
-    /// The linear terms without added mass.
+    /// The linear terms of the polynomial, without added mass.
     pub fn linear(&self, ship: &Particulars, added: &AddedMass) -> LinearTerms {
         match self {
             Polynomial::Sway(p) => LinearTerms {
@@ -192,7 +196,7 @@ pub(crate) fn coriolis(velocity: &Velocity, added: &AddedMass, water: Water) -> 
 }
 
 impl SwayPolynomial {
-    /// X', Y', N' over v' and r'.
+    /// The dimensionless forces and moment X', Y', N' of the polynomial over v' and r'.
     fn shape(&self, v: f64, r: f64) -> [f64; 3] {
         let (vv, vr, rr) = (v * v, v * r, r * r);
         [
@@ -218,7 +222,7 @@ impl SwayPolynomial {
 }
 
 impl DriftPolynomial {
-    /// X', Y', N' over β and r'.
+    /// The dimensionless forces and moment X', Y', N' of the polynomial over β and r'.
     fn shape(&self, b: f64, r: f64) -> [f64; 3] {
         let (bb, br, rr) = (b * b, b * r, r * r);
         [

@@ -1,30 +1,30 @@
 //! A propeller in all four quadrants of speed of advance and revolutions.
 //!
-//! With vp = 0.7πnD and the speed of advance va, β_p = atan2(va, vp) and T = ½ρ c_T(β_p)(va² + vp²) πD²/4. The torque Q
-//! has the same form with another factor D. This form has no division by n or va: thrust is continuous through zero
-//! revolutions and zero speed.
+//! With the blade speed vp = 0.7πnD and the speed of advance va, the angle is β_p = atan2(va, vp) and the thrust T = ½ρ
+//! c_T(β_p)(va² + vp²) πD²/4. The torque Q has the same form as the thrust, with another factor D. The form of thrust
+//! and torque has no division by n or va, so that thrust is continuous through zero revolutions and zero speed.
 //!
-//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). Elsewhere c_T is the
-//! four-quadrant series of a Wageningen B4-70 for β_p < −25°, for β_p > 60°, and for all revolutions astern. Between
-//! these ranges c_T is a smooth interpolation, which is our addition. c_Q is always from the series, because no torque
-//! is published with the manoeuvring models.
+//! The thrust coefficient c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°).
+//! Outside the measured range, c_T is the four-quadrant series of a Wageningen B4-70: for β_p < −25°, for β_p > 60°,
+//! and for all revolutions astern. Between polynomial and series, c_T is a smooth interpolation, which is our addition.
+//! The torque coefficient c_Q is always from the series, because no torque is published with the manoeuvring models.
 
 use std::f64::consts::PI;
 
 use super::propeller_series::{B4_70_PITCH_0_8, B4_70_PITCH_1_0, Harmonics};
 use super::quantities::{Water, smooth_step};
 
-/// sin β_p of the lower transition from the series to the polynomial (−25° to 0°).
+/// Sine of β_p at the ends of the lower transition from the series to the polynomial (−25° to 0°).
 const OWN_FROM: [f64; 2] = [-0.422_618_261_740_699_44, 0.0];
-/// sin β_p of the upper transition from the polynomial to the series (30° to 60°).
+/// Sine of β_p at the ends of the upper transition from the polynomial to the series (30° to 60°).
 const OWN_TO: [f64; 2] = [0.5, 0.866_025_403_784_438_6];
 
-/// The series propeller for quadrants without measurements.
+/// The propeller whose series is used in the quadrants without measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Series {
-    /// Wageningen B4-70, pitch ratio 0.8.
+    /// Propeller Wageningen B4-70 with a pitch ratio of 0.8.
     B4Pitch08,
-    /// Wageningen B4-70, pitch ratio 1.0.
+    /// Propeller Wageningen B4-70 with a pitch ratio of 1.0.
     B4Pitch10,
 }
 
@@ -42,14 +42,14 @@ impl Series {
 pub struct Propeller {
     /// Diameter D (m).
     pub diameter_m: f64,
-    /// K_T polynomial [k₀, k₁, k₂] in J for the first quadrant; `None` to use the series.
+    /// Polynomial of the thrust coefficient K_T in J, [k₀, k₁, k₂], for the first quadrant; `None` to use the series.
     pub thrust_polynomial: Option<[f64; 3]>,
-    /// The series for the other quadrants and for torque.
+    /// The propeller series for the other quadrants and for torque.
     pub series: Series,
 }
 
 impl Propeller {
-    /// Thrust (N), positive ahead, at a speed of advance (m/s) and revolutions (1/s) of either sign.
+    /// Thrust of the propeller (N), positive ahead, at a speed of advance (m/s) and revolutions (1/s) of either sign.
     pub fn thrust_n(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
         let flow = self.flow(advance_mps, shaft_rps);
         if flow.speed_squared == 0.0 {
@@ -58,7 +58,7 @@ impl Propeller {
         self.pressure_area(&flow, water) * self.thrust_coefficient(flow.cos, flow.sin)
     }
 
-    /// Torque of the shaft (N m), at a speed of advance (m/s) and revolutions (1/s).
+    /// Torque of the propeller's shaft (N m), at a speed of advance (m/s) and revolutions (1/s).
     pub fn torque_nm(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
         let flow = self.flow(advance_mps, shaft_rps);
         if flow.speed_squared == 0.0 {
@@ -68,7 +68,7 @@ impl Propeller {
         self.pressure_area(&flow, water) * self.diameter_m * torque
     }
 
-    /// ½ρ (va² + vp²) πD²/4 (N).
+    /// The dynamic pressure times the disc area, ½ρ (va² + vp²) πD²/4 (N).
     fn pressure_area(&self, flow: &Flow, water: Water) -> f64 {
         let disc_m2 = 0.25 * PI * self.diameter_m * self.diameter_m;
         0.5 * water.density_kgpm3 * flow.speed_squared * disc_m2
@@ -81,7 +81,7 @@ impl Propeller {
         Flow { speed_squared, cos: blade_mps / speed_mps, sin: advance_mps / speed_mps }
     }
 
-    /// c_T at β_p, given by its cosine and sine.
+    /// Thrust coefficient c_T at an angle β_p, which is given by its cosine and sine.
     fn thrust_coefficient(&self, cos: f64, sin: f64) -> f64 {
         let Some(polynomial) = self.thrust_polynomial else {
             return series_thrust(self.series, cos, sin);
@@ -105,7 +105,8 @@ struct Flow {
     sin: f64,
 }
 
-/// Weight of the ship's polynomial. The weight is a smooth function of β_p.
+/// Weight of the ship's polynomial in the thrust coefficient. The weight of the ship's polynomial is a smooth function
+/// of β_p.
 fn own_weight(cos: f64, sin: f64) -> f64 {
     if cos <= 0.0 {
         return 0.0;
@@ -115,7 +116,8 @@ fn own_weight(cos: f64, sin: f64) -> f64 {
     rise * (1.0 - fall)
 }
 
-/// 8K_T/(π(J² + (0.7π)²)), which is a quadratic form in cos β_p and sin β_p: J = 0.7π tan β_p.
+/// The thrust coefficient c_T = 8K_T/(π(J² + (0.7π)²)), which is a quadratic form in cos β_p and sin β_p, because J =
+/// 0.7π tan β_p.
 fn polynomial_coefficient([k0, k1, k2]: [f64; 3], cos: f64, sin: f64) -> f64 {
     let revolutions = cos / (0.7 * PI);
     8.0 / PI * (k0 * revolutions * revolutions + k1 * revolutions * sin + k2 * sin * sin)
@@ -131,8 +133,9 @@ fn series_torque(series: Series, cos: f64, sin: f64) -> f64 {
     -1e-3 * series_sum(series.harmonics(), 2, cos, sin)
 }
 
-/// Σ A cos kβ + B sin kβ, with A in one column and B in the next. The harmonics follow from a recurrence by 2β: even
-/// and odd harmonics are separate chains, which the processor computes in parallel.
+/// The sum Σ A cos kβ + B sin kβ of the series, with A in one column and B in the next. The harmonics of the series
+/// follow from a recurrence by 2β: even and odd harmonics are separate chains, which the processor computes in
+/// parallel.
 fn series_sum(harmonics: &Harmonics, column: usize, cos: f64, sin: f64) -> f64 {
     let (cos_2, sin_2) = (cos * cos - sin * sin, 2.0 * sin * cos);
     let turned = |(c, s): (f64, f64)| (c * cos_2 - s * sin_2, s * cos_2 + c * sin_2);

@@ -1,10 +1,11 @@
 //! Fourier series of two four-quadrant propellers of the Wageningen B-series.
 //!
-//! Source: Roddy, Hess & Faller, "Neural network predictions of the 4-quadrant Wageningen propeller series",
-//! NSWCCD-50-TR-2006/004 (2006), taken from a public transcription of the tables, not from the report.
+//! The series are from Roddy, Hess & Faller, "Neural network predictions of the 4-quadrant Wageningen propeller
+//! series", NSWCCD-50-TR-2006/004 (2006), taken from a public transcription of the tables, not from the report.
 //! `validation/propeller.toml` compares the series with the B-series polynomials in the first quadrant.
 
-/// Harmonics 0 to 30 of C_T* and C_Q* over β: each row is A_T, B_T in 1/100 and A_Q, B_Q in −1/1000.
+/// Harmonics 0 to 30 of the thrust coefficient C_T* and the torque coefficient C_Q* over the angle β: each row is A_T,
+/// B_T in 1/100 and A_Q, B_Q in −1/1000.
 pub(super) type Harmonics = [[f64; 4]; 31];
 
 /// B4-70, pitch ratio 0.8.

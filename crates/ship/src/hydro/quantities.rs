@@ -6,19 +6,19 @@ use fenderline_contact::number::bounded;
 
 use std::ops::{Add, Mul};
 
-/// Velocity through the water at midship.
+/// Velocity of a ship through the water at midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity {
     /// Forward (m/s).
     pub surge_mps: f64,
     /// To starboard (m/s).
     pub sway_mps: f64,
-    /// Rate of turn, positive if the bow turns to starboard (rad/s).
+    /// Rate of turn of the ship, positive if the bow turns to starboard (rad/s).
     pub yaw_radps: f64,
 }
 
 impl Velocity {
-    /// Speed through the water U = √(u² + v²) (m/s).
+    /// Speed of the ship through the water, U = √(u² + v²) (m/s).
     pub fn speed_mps(&self) -> f64 {
         (self.surge_mps * self.surge_mps + self.sway_mps * self.sway_mps).sqrt()
     }
@@ -29,19 +29,20 @@ impl Velocity {
     }
 }
 
-/// A force at midship and the moment about it.
+/// A force on a ship at midship, and the moment about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Force {
     /// Forward (N).
     pub surge_n: f64,
     /// To starboard (N).
     pub sway_n: f64,
-    /// Moment, positive if it turns the bow to starboard (N m).
+    /// Moment about midship, positive if it turns the bow to starboard (N m).
     pub yaw_nm: f64,
 }
 
 impl Force {
-    /// A force in the plane that acts at a point `along_m` forward and `across_m` to starboard of midship.
+    /// Makes the force and moment of a horizontal force that acts at a point `along_m` forward and `across_m` to
+    /// starboard of midship.
     pub fn at(surge_n: f64, sway_n: f64, along_m: f64, across_m: f64) -> Force {
         Force { surge_n, sway_n, yaw_nm: along_m * sway_n - across_m * surge_n }
     }
@@ -71,7 +72,7 @@ impl Mul<f64> for Force {
     }
 }
 
-/// The water, by its density.
+/// The water in which a ship floats, described by its density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Water {
     /// Density (kg/m³).
@@ -81,20 +82,20 @@ pub struct Water {
 impl Water {
     /// Sea water, 1025 kg/m³.
     pub const SEA: Water = Water { density_kgpm3: SEA_WATER_KGPM3 };
-    /// Fresh water of a towing tank, 1000 kg/m³.
+    /// Fresh water of a towing tank, with 1000 kg/m³.
     pub const FRESH: Water = Water { density_kgpm3: 1000.0 };
 }
 
-/// The current rudder angle and shaft revolutions.
+/// The present rudder angle and shaft revolutions of a ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Controls {
     /// Shaft revolutions, positive ahead (1/s).
     pub shaft_rps: f64,
-    /// Rudder angle; positive turns a ship that goes ahead to starboard (rad).
+    /// Rudder angle (rad); a positive angle turns a ship that goes ahead to starboard.
     pub rudder_rad: f64,
 }
 
-/// Smooth step 3t² − 2t³ between 0 and 1, constant outside this range.
+/// Smooth step 3t² − 2t³ for t between 0 and 1; below 0 the step is 0, and above 1 it is 1.
 pub(super) fn smooth_step(t: f64) -> f64 {
     let t = bounded(t, 0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

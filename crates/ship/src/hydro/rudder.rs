@@ -1,23 +1,26 @@
 //! A rudder behind a propeller in all conditions: propeller ahead, stopped or astern.
 //!
-//! With the propeller ahead it is the rudder of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of u_R
-//! that is finite at bollard pull. The rest is our addition. Our addition is chosen for continuous forces, and not
-//! validated:
+//! With the propeller ahead the rudder is that of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of
+//! the inflow speed u_R that is finite at bollard pull. The rudder behind a propeller that is stopped or goes astern is
+//! our addition. Our addition for a propeller stopped or astern is chosen for continuous forces, and is not validated:
 //!
-//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|). The
-//!   speed of the race has the sign of the thrust T.
-//! - If the race passes over the rudder, its speed is multiplied by κ, as in the method. If the rudder is on the intake
-//!   side, the factor is ½(1 − 1/√2) = 0.146: actuator-disc theory half a diameter upstream.
-//! - Drift enters as Uβ up to about 40° and as −v beyond, because β is discontinuous for motion straight astern.
+//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|). The speed
+//!   of the propeller race has the sign of the thrust T.
+//! - If the propeller race passes over the rudder, its speed is multiplied by κ, as in the MMG method. If the rudder is
+//!   on the propeller's intake side, the race's speed is multiplied by ½(1 − 1/√2) = 0.146, by actuator-disc theory
+//!   half a diameter upstream.
+//! - The ship's drift enters the rudder's inflow as Uβ up to about 40° and as −v beyond, because β is discontinuous for
+//!   motion straight astern.
 //! - In reversed flow the rudder has the same lift as in flow from ahead, which is optimistic.
 
 use std::f64::consts::PI;
 
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// Induced speed half a diameter upstream of the disc, over the induced speed far downstream.
+/// Speed that the propeller induces half a diameter upstream of its disc, divided by the speed that it induces far
+/// downstream.
 const INTAKE: f64 = 0.5 * (1.0 - std::f64::consts::FRAC_1_SQRT_2);
-/// cos β up to which drift enters as −v, and cos β from which on it enters as Uβ.
+/// Value of cos β up to which drift enters the rudder's inflow as −v, and value from which on it enters as Uβ.
 const DRIFT_COSINES: [f64; 2] = [0.26, 0.77];
 
 /// A rudder, with coefficients of its interaction with hull and propeller, by the MMG method.
@@ -27,30 +30,30 @@ pub struct Rudder {
     pub area_m2: f64,
     /// Lift gradient f_α.
     pub lift_gradient: f64,
-    /// Propeller diameter over rudder span η.
+    /// Ratio η of the propeller's diameter to the rudder's span.
     pub propeller_to_span: f64,
-    /// Wake ratio ε: 1 − w at the rudder over 1 − w at the propeller.
+    /// Wake ratio ε: 1 − w at the rudder divided by 1 − w at the propeller.
     pub wake_ratio: f64,
-    /// Share κ of the race's speed that reaches the rudder.
+    /// Share κ of the propeller race's speed that reaches the rudder.
     pub race_gain: f64,
-    /// Flow straightening γ_R for β_R below and above 0.
+    /// Flow straightening coefficient γ_R for a rudder inflow angle β_R below and above 0.
     pub straightening: [f64; 2],
-    /// l'_R: effective position of the rudder in β_R = β − l'_R r', over L.
+    /// Effective position l'_R of the rudder, divided by L, used in the inflow angle β_R = β − l'_R r'.
     pub straightening_place: f64,
     /// Steering resistance deduction t_R.
     pub resistance_deduction: f64,
-    /// a_H: lateral force on the hull due to steering, over the lateral force on the rudder.
+    /// Ratio a_H of the lateral force on the hull due to steering to the lateral force on the rudder.
     pub hull_gain: f64,
-    /// x'_H: position of the lateral force on the hull, over L.
+    /// Position x'_H of the lateral force on the hull due to steering, divided by L.
     pub hull_place: f64,
-    /// x'_R: position of the rudder, over L (−0.5 at the after perpendicular).
+    /// Position x'_R of the rudder, divided by L (−0.5 at the after perpendicular).
     pub place: f64,
 }
 
 /// The propeller race that meets the rudder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Race {
-    /// Speed of advance u_P = u(1 − w) (m/s).
+    /// Speed of advance of the propeller, u_P = u(1 − w) (m/s).
     pub advance_mps: f64,
     /// Thrust of the propeller (N).
     pub thrust_n: f64,
@@ -59,7 +62,8 @@ pub struct Race {
 }
 
 impl Rudder {
-    /// X_R = −(1−t_R) F_N sin δ, Y_R = −(1+a_H) F_N cos δ, N_R = −(x_R + a_H x_H) F_N cos δ.
+    /// Forces and moment of the rudder: X_R = −(1−t_R) F_N sin δ, Y_R = −(1+a_H) F_N cos δ, N_R = −(x_R + a_H x_H) F_N
+    /// cos δ.
     pub fn force(
         &self,
         velocity: &Velocity,
@@ -78,7 +82,7 @@ impl Rudder {
         }
     }
 
-    /// F_N = ½ρ A_R f_α U_R² sin(δ − atan2(v_R, u_R)), without computing the angle.
+    /// Normal force of the rudder, F_N = ½ρ A_R f_α U_R² sin(δ − atan2(v_R, u_R)), which we compute without the angle.
     fn normal_force_n(
         &self,
         velocity: &Velocity,
@@ -98,8 +102,9 @@ impl Rudder {
             * (along_mps * sin - across_mps * cos)
     }
 
-    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²). If the two parts p and q have different signs, (p|p| +
-    /// q|q|)/√(p² + q²) extends the formula; for equal signs the two are the same.
+    /// Inflow speed u_R along the ship (m/s): the MMG method's ε√(η(u_P + κΔ)² + (1−η)u_P²), where Δ is the race's gain
+    /// of speed. If the two parts p and q under the root, in the race and outside, have different signs, (p|p| +
+    /// q|q|)/√(p² + q²) extends the formula for u_R; for equal signs both formulas agree.
     fn inflow_along_mps(&self, race: &Race, water: Water) -> f64 {
         let advance_mps = race.advance_mps;
         let loading =
@@ -117,9 +122,10 @@ impl Rudder {
         self.wake_ratio * signed / squared.sqrt()
     }
 
-    /// v_R = γ_R(Uβ − l_R r) (m/s), with γ_R for the side from which the water comes.
+    /// Inflow speed v_R = γ_R(Uβ − l_R r) across the ship (m/s), with γ_R for the side from which the water comes.
     ///
-    /// γ_R is selected by the sign of β_R, which makes v_R continuous; some sources select γ_R by β_P.
+    /// The coefficient γ_R is selected by the sign of β_R, which makes v_R continuous; some sources select it by the
+    /// sign of β_P.
     fn inflow_across_mps(&self, velocity: &Velocity, length_m: f64) -> f64 {
         let speed_mps = velocity.speed_mps();
         if speed_mps == 0.0 {
@@ -141,8 +147,8 @@ impl Rudder {
     }
 }
 
-/// 1 if all the water through the disc passes over the rudder, 0 if the rudder is on the intake side. The value is
-/// between the two if thrust and speed of advance have different signs.
+/// Share of the water through the propeller disc that passes over the rudder: 1 if all of it does, 0 if the rudder is
+/// on the intake side. The share is between 0 and 1 if thrust and speed of advance have different signs.
 fn share_over_rudder(advance_mps: f64, loading: f64) -> f64 {
     let advance_squared = advance_mps * advance_mps;
     let sum = advance_squared + loading.abs();

@@ -1,4 +1,4 @@
-//! The sources of a ship's data, and how well these sources are known. The data are in `vessels/` at the root of the
+//! The sources of a ship's data, and how well they are known. The data of ships are in `vessels/` at the root of the
 //! repository.
 
 use fenderline_contact::number::bounded;
@@ -6,11 +6,11 @@ use fenderline_contact::number::bounded;
 /// How well the source of a number or a formula is known, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Standing {
-    /// Read in a public source.
+    /// The number or formula was read in a public source.
     Found,
     /// Computed from other numbers.
     Derived,
-    /// From memory: to be checked against the document.
+    /// The number or formula is from memory, and is to be checked against the document.
     Recalled,
     /// Assumed by this project.
     Assumed,
@@ -19,7 +19,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// The word for the standing in files and reports.
+    /// The word for how well a source is known, in files and reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -32,7 +32,7 @@ impl Standing {
     }
 }
 
-/// A number of a ship, for reports.
+/// A number of a ship as a report shows it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// Key or symbol.
@@ -42,7 +42,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A number and its unit, to four significant digits.
+    /// Writes a number with its unit, to four significant digits.
     pub(crate) fn of(name: &str, value: f64, unit: &str) -> Figure {
         let decimals = if value == 0.0 {
             0.0
@@ -58,19 +58,19 @@ impl Figure {
     }
 }
 
-/// The source of a group of a ship's numbers.
+/// The source of a group of numbers of a ship.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// The group.
     pub group: String,
     /// The numbers.
     pub figures: Vec<Figure>,
-    /// The document, or the formula that gave them.
+    /// The document from which the numbers are, or the formula that gave them.
     pub source: String,
-    /// How well the source is known.
+    /// How well the source of the numbers is known.
     pub standing: Standing,
-    /// True if the numbers come from a formula, not from data of the ship. `standing` is then the standing of the
-    /// formula.
+    /// True if the numbers come from a formula, not from data of the ship. If the numbers come from a formula,
+    /// `standing` is how well the formula is known.
     pub is_estimate: bool,
 }
 

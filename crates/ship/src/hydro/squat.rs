@@ -1,4 +1,4 @@
-//! Squat: sinkage of a ship under way in shallow water.
+//! Squat, the sinkage of a ship under way in shallow water.
 
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::{greater, lesser};
@@ -8,11 +8,11 @@ use super::shallow::{
     SHALLOWEST_RATIO, barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m,
 };
 
-/// Above this depth Froude number the squat stays constant, because displacement ships do not go faster in shallow
+/// Depth Froude number above which the squat stays constant, because displacement ships do not go faster in shallow
 /// water.
 pub const FASTEST_FROUDE: f64 = 0.9;
 
-/// The speed of long waves in water of a depth (m): √(gh) (m/s).
+/// The speed √(gh) of long waves in water of a depth h (m/s).
 #[must_use]
 pub fn critical_mps(depth_m: f64) -> f64 {
     (STANDARD_GRAVITY_MPS2 * depth_m).sqrt()
@@ -22,19 +22,20 @@ pub fn critical_mps(depth_m: f64) -> f64 {
 /// formulas are verified against independent calculations, but not validated against trials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
-    /// Barrass for open water, [`barrass_squat_m`]. The formula does not depend on depth. For 1.1 to 1.4 draughts.
+    /// The formula of Barrass for open water, [`barrass_squat_m`]. Barrass' formula does not depend on depth. Barrass'
+    /// formula is valid for 1.1 to 1.4 draughts of water.
     Barrass,
     /// ICORELS, [`icorels_squat_m`].
     #[default]
     Icorels,
-    /// Eryuzlu et al. 1994, [`eryuzlu_squat_m`]: for 1.1 to 2.5 draughts.
+    /// The formula of Eryuzlu et al. (1994), [`eryuzlu_squat_m`], for 1.1 to 2.5 draughts of water.
     Eryuzlu,
     /// Barrass with the blockage of the cross-section, [`barrass_channel_squat_m`], in channels and in open water.
     BarrassChannel,
 }
 
 impl Squat {
-    /// Name of the formula, for reports.
+    /// Name of the squat formula, for reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -45,7 +46,8 @@ impl Squat {
         }
     }
 
-    /// Range of depth over draught for which the formula is valid (recalled); `None`: any shallow depth.
+    /// Range of the ratio of depth to draught for which the squat formula is valid (from memory); `None`: any shallow
+    /// depth.
     #[must_use]
     pub fn depth_ratios(self) -> Option<[f64; 2]> {
         match self {
@@ -69,11 +71,12 @@ impl Squat {
     /// and a cross-section (m²), which only [`Squat::BarrassChannel`] uses.
     ///
     /// Above a depth Froude number of 0.9 the squat is constant: displacement ships do not go faster there, and ICORELS
-    /// is singular at 1. Below [`SHALLOWEST_RATIO`] draughts, also aground, the squat for that depth is used. No
-    /// formula is valid for less depth, and the squat stays continuous when the ship touches the bottom.
+    /// is singular at 1. In water shallower than [`SHALLOWEST_RATIO`] draughts, also aground, the squat for that ratio
+    /// is used. No squat formula is valid in shallower water, and the squat stays continuous when the ship touches the
+    /// bottom.
     ///
     /// # Panics
-    /// If depth or speed is NaN.
+    /// Panics if depth or speed is NaN.
     #[must_use]
     pub fn sinkage_in_m(
         self,
@@ -81,7 +84,7 @@ impl Squat {
         (depth_m, section_m2): (f64, f64),
         surge_mps: f64,
     ) -> f64 {
-        assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
+        assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are not NaN");
         let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
         let limit_mps = FASTEST_FROUDE * critical_mps(depth_m);
         let speed_mps = lesser(surge_mps.abs(), limit_mps);
@@ -93,7 +96,8 @@ impl Squat {
                 return barrass_channel_squat_m(ship, depth_m, section_m2, speed_mps);
             }
         };
-        formula(ship, depth_m, speed_mps)
-            .unwrap_or_else(|error| unreachable!("depth and speed are limited: {error}"))
+        formula(ship, depth_m, speed_mps).unwrap_or_else(|error| {
+            unreachable!("depth and speed are limited to the formula's range: {error}")
+        })
     }
 }

@@ -1,48 +1,50 @@
 //! The lift of a drifting hull, and the loss of lift as the drift increases.
 //!
-//! In deep water a slender hull is a wing with an aspect ratio of 0.1. The lift of such a hull does not break down
-//! below half a right angle, and the form of Yoshimura et al., Y_v v|u|, has this lift at all angles. Near the bottom
-//! the hull is a wing between walls, with an effective aspect ratio above 1. Y_v and N_v are then seven or eight times
-//! as large, and such a wing stalls at 15 to 20°. So beyond this angle the hull loses the lift that the bottom adds. In
-//! a fully separated flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then
-//! at most 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more, with 1.0 in deep
-//! water.
+//! In deep water the hull of a ship acts like a wing with an aspect ratio of 0.1. The lift of a slender hull in deep
+//! water does not break down below half a right angle, and the form of Yoshimura et al., Y_v v|u|, has this lift at all
+//! angles. In shallow water, near the bottom, the hull is a wing between walls, with an effective aspect ratio above 1.
+//! Near the bottom, Y_v and N_v are seven or eight times as large as in deep water, and a wing of such an aspect ratio
+//! stalls at 15 to 20°. Beyond its angle of stall a hull therefore loses the lift that the bottom adds. In a fully
+//! separated flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then at most
+//! 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more lift than this limit, with
+//! 1.0 in deep water.
 //!
-//! Only one curve over all angles could be read: OCIMF's curve for a loaded tanker in 1.1 draughts of water
-//! (`validation/current.toml`). From the curve's side force the cross-flow drag C_D sin²β is subtracted. The rest is
-//! 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is the value of deep
-//! water. In a flow over the stern it is the same. A fuller stern shifts the moment by 0.02 L. Without this shift the
-//! moment falls to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is
-//! not separated (Munk). The angles and this half are read from the curve. The angles and the half are used at all
-//! depths, because there is no other curve.
+//! Of the side force and moment over all drift angles, only one curve could be read: OCIMF's for a loaded tanker in 1.1
+//! draughts of water (`validation/current.toml`). From the side force of OCIMF's curve the cross-flow drag C_D sin²β is
+//! subtracted. What is left of OCIMF's side force is 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at
+//! 40° and 0.13 at 60°, which is the value of deep water. In a flow over the stern OCIMF's side force is the same as in
+//! a flow over the bow. A fuller stern shifts the moment of OCIMF's curve by 0.02 L. Without this shift the moment
+//! falls to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is not
+//! separated (Munk). The angles of attached and separated flow, and the half of the moment that is left, are read from
+//! OCIMF's curve. The two angles and the half of the moment are used at all depths, because there is no other curve.
 
 use fenderline_contact::number::lesser;
 
 use super::low_speed::LowSpeedHull;
 use super::quantities::{Velocity, smooth_step};
 
-/// From the first value of |u|/U on, the flow is attached (20°). Up to the second value of |u|/U, it is separated
-/// (46°).
+/// From the first value of |u|/U on, which is a drift angle of 20° or less, the flow is attached. Up to the second
+/// value of |u|/U, which is a drift angle of 46° or more, the flow is separated.
 const ATTACHED: f64 = 0.94;
 const SEPARATED: f64 = 0.70;
-/// Share of the moment due to the bottom that is left in separated flow.
+/// Share of the yaw moment due to the bottom that is left in separated flow.
 const MOMENT_LEFT: f64 = 0.5;
-/// Largest lift in separated flow: Y'v over the drag coefficient at the same depth.
+/// Largest lift in separated flow: Y'v divided by the drag coefficient at the same depth.
 const MOST_LIFT: f64 = 0.8;
 
-/// The part of its lift that a hull loses in separated flow.
+/// The part of its lift that a hull loses when the flow is separated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stall {
-    /// Draught over depth, 0 in deep water.
+    /// Draught divided by depth, 0 in deep water.
     pub draught_over_depth: f64,
-    /// Share of Y'v that is lost.
+    /// Share of the derivative Y'v that is lost in separated flow.
     pub sway_v: f64,
-    /// Share of N'v that is lost.
+    /// Share of the derivative N'v that is lost in separated flow.
     pub yaw_v: f64,
 }
 
 impl Stall {
-    /// The loss of lift, from the low-speed forms in deep water and at the actual depth.
+    /// Finds the loss of lift from the low-speed forms in deep water and at the actual depth.
     pub(super) fn of(deep: &LowSpeedHull, there: &LowSpeedHull, draught_over_depth: f64) -> Stall {
         let most = MOST_LIFT * there.cross_flow.drag_coefficient;
         let kept = lesser(deep.sway_v.abs(), most);
@@ -53,7 +55,7 @@ impl Stall {
         }
     }
 
-    /// The low-speed form for a direction of motion, without the lost lift.
+    /// The low-speed form of the hull for a direction of motion, without the lost lift.
     pub(super) fn after(&self, attached: &LowSpeedHull, velocity: &Velocity) -> LowSpeedHull {
         let separated = separated(velocity);
         LowSpeedHull {
@@ -64,12 +66,13 @@ impl Stall {
     }
 }
 
-/// The share of a term that is lost if the value `kept` remains.
+/// The share of a term that is lost if only the value `kept` remains.
 fn lost(kept: f64, term: f64) -> f64 {
     if term.abs() > kept { 1.0 - kept / term.abs() } else { 0.0 }
 }
 
-/// How far the flow is separated, 0 to 1. The separation depends on the drift angle, in the same way ahead and astern.
+/// How far the flow about the hull is separated, 0 to 1. The separation of the flow depends on the drift angle, in the
+/// same way ahead and astern.
 fn separated(velocity: &Velocity) -> f64 {
     let speed_mps = velocity.speed_mps();
     if speed_mps == 0.0 {

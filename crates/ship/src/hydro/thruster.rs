@@ -6,32 +6,32 @@ use fenderline_contact::number::greater;
 use super::propeller::Propeller;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// Speed at which a tunnel thruster is least effective.
+/// Speed of the ship at which a tunnel thruster is least effective.
 const WORST_MPS: f64 = 4.0 * KNOT_MPS;
-/// Effectiveness of a tunnel thruster at this speed.
+/// Effectiveness of a tunnel thruster at the speed at which it is least effective.
 const WORST: f64 = 0.5;
-/// Speed from which on a tunnel thruster is fully effective again.
+/// Speed of the ship from which on a tunnel thruster is fully effective again.
 const AGAIN_MPS: f64 = 15.0 * KNOT_MPS;
 
 /// A bow or stern thruster in a tunnel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunnelThruster {
-    /// Thrust at rest and full power, equal to both sides (N).
+    /// Thrust of the thruster at rest and full power, equal to both sides (N).
     pub bollard_n: f64,
-    /// Position forward of midship (m).
+    /// Position of the thruster forward of midship (m).
     pub along_m: f64,
 }
 
 impl TunnelThruster {
-    /// Force for an order from −1 (full to port) to 1 (full to starboard).
+    /// Force of the tunnel thruster for an order from −1 (full to port) to 1 (full to starboard).
     pub fn force(&self, order: f64, velocity: &Velocity) -> Force {
         let sway_n = self.bollard_n * order * tunnel_effect(velocity.surge_mps);
         Force::at(0.0, sway_n, self.along_m, 0.0)
     }
 }
 
-/// Effectiveness of a tunnel thruster's turning moment at a speed (m/s): 1 at rest, 0.5 at 4 knots, 1 again at 15 knots,
-/// with smooth steps between (trials of a tanker of 60 000 t, 1967, recalled: the report was not read).
+/// Effectiveness of a tunnel thruster's turning moment at a speed (m/s): 1 at rest, 0.5 at 4 knots, 1 again at 15
+/// knots, with smooth steps between (trials of a tanker of 60 000 t, 1967, from memory: the report was not read).
 pub fn tunnel_effect(surge_mps: f64) -> f64 {
     let speed_mps = surge_mps.abs();
     let lost = 1.0 - WORST;
@@ -41,26 +41,27 @@ pub fn tunnel_effect(surge_mps: f64) -> f64 {
     WORST + lost * smooth_step((speed_mps - WORST_MPS) / (AGAIN_MPS - WORST_MPS))
 }
 
-/// A propeller that turns about a vertical axis.
+/// An azimuth thruster: a propeller that turns about a vertical axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AzimuthThruster {
-    /// The propeller, in open water.
+    /// The propeller of the thruster, with its characteristics in open water.
     pub propeller: Propeller,
-    /// Position forward of midship (m).
+    /// Position of the thruster forward of midship (m).
     pub along_m: f64,
-    /// Position to starboard of the centre line (m).
+    /// Position of the thruster to starboard of the centre line (m).
     pub across_m: f64,
-    /// Wake fraction at the unit.
+    /// Wake fraction at the thruster.
     pub wake: f64,
-    /// Thrust deduction, for thrust of either sign.
+    /// Thrust deduction of the thruster, for thrust of either sign.
     pub thrust_deduction: f64,
 }
 
 impl AzimuthThruster {
-    /// Force for revolutions (1/s) and an azimuth (rad) of the thrust: 0 drives ahead, π/2 to starboard.
+    /// Force of the azimuth thruster for revolutions (1/s) and an azimuth (rad) of the thrust: 0 drives ahead, π/2 to
+    /// starboard.
     ///
-    /// The speed of advance is the velocity of the water at the unit along its axis, yaw included. Drag across the axis
-    /// is neglected.
+    /// The speed of advance is the velocity of the water at the azimuth thruster along its axis, the ship's yaw
+    /// included. Drag of the azimuth thruster across its axis is neglected.
     pub fn force(
         &self,
         shaft_rps: f64,
@@ -82,8 +83,8 @@ impl AzimuthThruster {
         (1.0 - self.wake) * (along_mps * cos + across_mps * sin)
     }
 
-    /// Revolutions (1/s) that give a thrust (N) in a direction, at a velocity of the ship. At most `max_rps`; zero if
-    /// the inflow alone gives more thrust.
+    /// Revolutions (1/s) of the thruster that give a thrust (N) in a direction, at a velocity of the ship. The
+    /// revolutions are at most `max_rps`; they are zero if the inflow alone gives more thrust.
     pub fn revolutions_at(
         &self,
         thrust_n: f64,
@@ -100,25 +101,27 @@ impl AzimuthThruster {
         least_with(surplus_n, max_rps)
     }
 
-    /// Revolutions (1/s) that give a thrust ahead at rest (N): thrust is proportional to the square of the revolutions.
+    /// Revolutions (1/s) of the thruster that give a thrust ahead at rest (N): thrust is proportional to the square of
+    /// the revolutions.
     pub fn revolutions_for(&self, thrust_n: f64, water: Water) -> f64 {
         let of_one_n = (1.0 - self.thrust_deduction) * self.propeller.thrust_n(0.0, 1.0, water);
         libm::sqrt(greater(thrust_n, 0.0) / of_one_n)
     }
 }
 
-/// Halvings of the range of revolutions.
+/// Number of halvings of the range of revolutions in the bisection.
 const HALVINGS: u32 = 24;
-/// Half the width of the bracket around the root, over the greatest revolutions. The half width is less than the
-/// interval that the last halving leaves.
+/// Half the width of the bracket around the root, divided by the greatest revolutions. The half width of the bracket is
+/// less than the interval that the last halving leaves.
 const FINE: f64 = 1.0 / 134_217_728.0;
 
-/// The revolutions (1/s) from 0 to `max_rps` at which the thrust exceeds the wanted thrust, found by bisection. The
-/// surplus of thrust increases with the revolutions.
+/// The revolutions (1/s) from 0 to `max_rps` from which on the thrust exceeds the wanted thrust, found by bisection.
+/// The surplus of thrust over the wanted thrust increases with the revolutions.
 ///
-/// The series of the propeller takes most of a tug's step. So the root is bracketed first, by the rule of false
-/// position in the square of the revolutions, to which thrust is nearly proportional. The surplus is then computed only
-/// within the bracket, which is less than half as often. The result is that of a plain bisection to the bit.
+/// Computing the series of the propeller takes most of the time of a tug's step. The root is therefore bracketed first,
+/// by the rule of false position in the square of the revolutions, to which thrust is nearly proportional. The surplus
+/// of thrust is then computed only within the bracket, which is less than half as often. The revolutions found are
+/// those of a plain bisection, to the last bit.
 fn least_with(surplus_n: impl Fn(f64) -> f64, max_rps: f64) -> f64 {
     let (below, above) = bracket(&surplus_n, max_rps);
     let (mut low, mut high) = (0.0, max_rps);
@@ -130,7 +133,7 @@ fn least_with(surplus_n: impl Fn(f64) -> f64, max_rps: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Revolutions (1/s) below which, and from which on, the sign of the surplus is known.
+/// Revolutions (1/s) below which, and from which on, the sign of the thrust's surplus is known.
 fn bracket(surplus_n: &impl Fn(f64) -> f64, max_rps: f64) -> (f64, f64) {
     let (mut low, mut at_low) = (0.0, surplus_n(0.0));
     // The inflow from astern alone gives more thrust: the thrust falls before it rises, and only a plain bisection

@@ -1,5 +1,5 @@
-//! A ship's data with their sources and how well these are known. The data themselves are in `vessels/` at the root of
-//! the repository.
+//! A ship's data with their sources, and how well these sources are known. The data of ships are in `vessels/` at the
+//! root of the repository.
 
 use super::actuator::RateLimited;
 use super::estimate::{EstimateMethod, RatioOutOfRange};
@@ -11,11 +11,12 @@ pub use super::source::{Figure, Source, Standing};
 pub struct Origin {
     /// Name and scale.
     pub title: String,
-    /// All her numbers with their sources.
+    /// All numbers of the vessel, with their sources.
     pub sources: Vec<Source>,
-    /// The formulas that estimate her hull, propeller or rudder; `None` if she has data for all of them.
+    /// The method whose formulas estimate the vessel's hull, propeller or rudder; `None` if she has data for all of
+    /// them.
     pub estimate_method: Option<EstimateMethod>,
-    /// Ratios outside the range in which those formulas were validated.
+    /// Ratios of the vessel that are outside the range in which the estimating formulas were validated.
     pub outside: Vec<RatioOutOfRange>,
 }
 
@@ -26,19 +27,19 @@ impl Origin {
     }
 }
 
-/// A ship ready for manoeuvres.
+/// A ship ready for standard manoeuvres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vessel {
     /// Name and sources.
     pub origin: Origin,
     /// Her manoeuvring model.
     pub ship: Mmg,
-    /// Approach speed of the standard manoeuvres (m/s); `None` if not given.
+    /// Approach speed of the ship's standard manoeuvres (m/s); `None` if not given.
     pub approach_mps: Option<f64>,
-    /// Rudder amidships, with its rate and stop.
+    /// The ship's rudder, amidships, with its rate and stop.
     pub steering: RateLimited,
-    /// True for a model in a tank with fresh water.
+    /// True if the ship is a model in a tank with fresh water.
     pub is_model: bool,
-    /// For a full-scale ship whose `ship` has the resistance of a model: the length of the model (m).
+    /// Length of the model (m), for a full-scale ship whose `ship` has the resistance of a model.
     pub resistance_of_model_m: Option<f64>,
 }

@@ -7,37 +7,38 @@ use super::solve::root;
 /// A uniform cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cable {
-    /// Unstretched length (m), above 0.
+    /// Unstretched length of the cable (m), above 0.
     pub length_m: f64,
     /// EA (N), above 0.
     pub axial_stiffness_n: f64,
-    /// Weight per unstretched length, in water or in air (N/m), above 0.
+    /// Weight of the cable per unstretched length, in water or in air (N/m), above 0.
     pub weight_npm: f64,
 }
 
 /// A cable in equilibrium between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Catenary {
-    /// Horizontal tension H, constant along the cable, because the bottom has no friction (N).
+    /// Horizontal tension H of the cable, constant along its length, because the bottom has no friction (N).
     pub horizontal_n: f64,
     /// Vertical force of the cable on its upper end, positive downwards (N).
     pub upper_vertical_n: f64,
     /// Vertical force of the cable on its lower end, positive upwards; negative if the cable hangs below the lower end
     /// (N).
     pub lower_vertical_n: f64,
-    /// Unstretched length that lies on the bottom (m).
+    /// Unstretched length of the cable that lies on the bottom (m).
     pub on_bottom_m: f64,
 }
 
 impl Catenary {
-    /// Tension at the upper end (N), the largest in the cable.
+    /// Tension of the cable at its upper end (N), the largest in the cable.
     #[must_use]
     pub fn upper_tension_n(&self) -> f64 {
         libm::hypot(self.horizontal_n, self.upper_vertical_n)
     }
 }
 
-/// Horizontal extent x and vertical extent z of the cable, with their derivatives with respect to H and V.
+/// Horizontal extent x and vertical extent z of the cable, with their derivatives with respect to the tensions H
+/// (horizontal) and V (vertical).
 struct Extent {
     x: f64,
     x_h: f64,
@@ -47,14 +48,15 @@ struct Extent {
     z_v: f64,
 }
 
-/// The equilibrium of a cable. The upper end is `span_m` ≥ 0 away horizontally from the lower end and `rise_m` ≥ 0
-/// above it. With `on_bottom` the lower end lies on a level bottom without friction.
+/// Finds the equilibrium of a cable. The upper end of the cable is `span_m` ≥ 0 away horizontally from the lower end
+/// and `rise_m` ≥ 0 above it. With `on_bottom`, the lower end of the cable lies on a level bottom without friction.
 ///
-/// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA, z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL −
-/// ½wL²)/EA; with a part L − V/w on the bottom, x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw)
-/// (Jonkman's quasi-static module, as MoorPy has it: found). The system is solved by Newton's method in H and V from
-/// Jonkman's first guess. If that does not converge, two nested one-dimensional problems are solved: V for the rise at
-/// each H, and H for the span. Both problems are monotonic, so that bracketed Newton cannot fail.
+/// The equations of the elastic catenary are x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA and z = (√(H²+V²) −
+/// √(H²+(V−wL)²))/w + (VL − ½wL²)/EA; with a part L − V/w on the bottom, x = L − V/w + H/w·asinh(V/H) + HL/EA and z =
+/// (√(H²+V²) − H)/w + V²/(2EAw) (found: Jonkman's quasi-static module, as MoorPy has it). The equations of the catenary
+/// are solved by Newton's method in H and V from Jonkman's first guess. If Newton's method does not converge, two
+/// nested one-dimensional problems are solved: V for the rise at each H, and H for the span. Both one-dimensional
+/// problems are monotonic, so that bracketed Newton cannot fail.
 #[must_use]
 pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Catenary {
     if on_bottom && let Some(slack) = slack_on_bottom(cable, span_m, rise_m) {
@@ -78,7 +80,8 @@ pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Cat
     }
 }
 
-/// H and V by Newton's method in both; `None` if it does not converge to 1e-12 of the length.
+/// Solves for the horizontal and vertical tension H and V of the cable by Newton's method in both; `None` if it does
+/// not converge to 1e-12 of the length.
 fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f64, f64)> {
     let (l, w) = (cable.length_m, cable.weight_npm);
     // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 if the cable is taut (Jonkman, as in MoorPy's Catenary.py).
@@ -105,7 +108,7 @@ fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f
     None
 }
 
-/// H and V by nested bracketed Newton iterations.
+/// Solves for the horizontal and vertical tension H and V by nested bracketed Newton iterations.
 fn bracketed(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> (f64, f64) {
     let at = |h: f64| {
         let v = vertical_for(cable, h, rise_m, on_bottom);
@@ -125,8 +128,8 @@ fn bracketed(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> (f64, 
     (h, vertical_for(cable, h, rise_m, on_bottom))
 }
 
-/// A slack cable on the bottom: one part hangs vertically, and the rest lies on the bottom. `None` if the cable is too
-/// short for this.
+/// The equilibrium of a slack cable on the bottom: one part hangs vertically, and the rest lies on the bottom. Returns
+/// `None` if the cable is too short to hang vertically.
 fn slack_on_bottom(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
     let (w, ea) = (cable.weight_npm, cable.axial_stiffness_n);
     // s + ws²/(2EA) = rise, without cancellation.
@@ -139,7 +142,7 @@ fn slack_on_bottom(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> 
     })
 }
 
-/// A taut cable that lies wholly on the bottom.
+/// The equilibrium of a taut cable that lies wholly on the bottom.
 fn taut_on_bottom(cable: &Cable, span_m: f64) -> Catenary {
     let stretch = (span_m - cable.length_m) / cable.length_m;
     Catenary {
@@ -150,7 +153,7 @@ fn taut_on_bottom(cable: &Cable, span_m: f64) -> Catenary {
     }
 }
 
-/// A cable whose ends are above each other: two vertical legs, or one stretched leg.
+/// The equilibrium of a cable with one end straight above the other: two vertical legs, or one stretched leg.
 fn vertical(cable: &Cable, rise_m: f64) -> Catenary {
     let (l, w, ea) = (cable.length_m, cable.weight_npm, cable.axial_stiffness_n);
     let stretched_m = l + 0.5 * w * l * l / ea;
@@ -167,7 +170,7 @@ fn vertical(cable: &Cable, rise_m: f64) -> Catenary {
     }
 }
 
-/// V at the upper end for a given H and rise.
+/// Vertical tension V at the upper end for a given horizontal tension H and rise.
 fn vertical_for(cable: &Cable, h: f64, rise_m: f64, on_bottom: bool) -> f64 {
     let weight_n = cable.weight_npm * cable.length_m;
     let at = |v: f64| {

@@ -5,12 +5,12 @@
 pub struct LineEnds {
     /// The ship's fairlead.
     pub ship_m: [f64; 3],
-    /// Bollard, anchor, or fairlead of another ship.
+    /// Position of the line's other end at a bollard, an anchor or the fairlead of another ship.
     pub shore_m: [f64; 3],
 }
 
 impl LineEnds {
-    /// The distance between the ends (m).
+    /// The distance between the ends of the line (m).
     #[must_use]
     pub fn distance_m(&self) -> f64 {
         Span::of(self).distance_m
@@ -21,11 +21,11 @@ impl LineEnds {
 pub(super) struct Span {
     pub(super) distance_m: f64,
     pub(super) horizontal_m: f64,
-    /// Height of the shore end above the ship's end (m).
+    /// Height of the line's shore end above the ship's end (m).
     pub(super) up_m: f64,
-    /// Unit vector from the ship's end to the shore end; zero if they coincide.
+    /// Unit vector from the line's ship end to its shore end; zero if the ends coincide.
     pub(super) towards_shore: [f64; 3],
-    /// Horizontal unit vector from the ship's end to the shore end; zero if one end is above the other.
+    /// Horizontal unit vector from the line's ship end to its shore end; zero if one end is straight above the other.
     pub(super) horizontally: [f64; 2],
 }
 

@@ -6,11 +6,11 @@ use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
-/// A line that cannot be simulated.
+/// Error of a mooring line that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MooringError {
-    /// A number outside its range.
+    /// A number of the line is outside its range.
     OutOfRange {
         /// The line.
         line: String,
@@ -26,8 +26,9 @@ pub enum MooringError {
         /// Distance between the ends of the line (m).
         span_m: f64,
     },
-    /// A pretension that cannot be reached. The pretension is above the break load or above the winch's render tension,
-    /// it is below the tension by the line's own weight, or it would leave less than the tail outboard.
+    /// The line has a pretension that cannot be reached. The pretension is too high (above the break load or the
+    /// winch's render tension, or so high that less than the tail would be outboard) or too low (below the tension by
+    /// the line's own weight).
     Pretension {
         /// The line.
         line: String,
@@ -42,8 +43,8 @@ impl fmt::Display for MooringError {
             MooringError::OutOfRange { line, error } => write!(f, "line `{line}`: {error}"),
             MooringError::TooShort { line, length_m, span_m } => write!(
                 f,
-                "line `{line}` is {length_m} m long, but its ends are {span_m} m apart; make it longer or \
-                 give a pretension instead"
+                "line `{line}` is {length_m} m long, but its ends are {span_m} m apart; make the \
+                 line longer or give a pretension instead"
             ),
             MooringError::Pretension { line, tension_n } => {
                 write!(
@@ -58,10 +59,10 @@ impl fmt::Display for MooringError {
 
 impl std::error::Error for MooringError {}
 
-/// A rope's curve that does not start at (0, 0), does not increase, or goes beyond 10 in strain or load.
+/// Error of a rope's load curve that does not start at (0, 0), does not increase, or goes beyond 10 in strain or load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RopeError {
-    /// Index of the first point that is wrong or missing.
+    /// Index of the first point of the load curve that is wrong or missing.
     pub point: usize,
 }
 
@@ -69,7 +70,8 @@ impl fmt::Display for RopeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the points of a rope's curve must start at (0, 0) and increase, but point {} does not",
+            "the points of a rope's load curve must start at (0, 0) and increase, but point {} \
+             does not",
             self.point
         )
     }

@@ -1,4 +1,4 @@
-//! A mooring line in a simulation: its length, tension and winch, step by step.
+//! A mooring line during a simulation: its length, tension and winch, step by step.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
@@ -11,47 +11,47 @@ use super::setup::{InboardEnd, InitialLength, LineDetails, LineKind, LineSetup, 
 use super::winch::{ConstantTension, Winch, WinchOrder, WinchReport};
 use crate::range::OutOfRange;
 
-/// The state of a line, as plain data.
+/// The state of a mooring line, as plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineState {
-    /// Unstretched length outboard, tail included (m).
+    /// Unstretched length of line outboard, tail included (m).
     pub length_m: f64,
-    /// True if the line has parted.
+    /// True if the mooring line has parted.
     pub parted: bool,
 }
 
-/// Forces of a line in a step.
+/// Forces of a mooring line in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineLoad {
-    /// Tension at the ship's end (N).
+    /// Tension of the line at the ship's end (N).
     pub tension_n: f64,
-    /// Force on the ship at her fairlead: north, east, up (N).
+    /// Force of the line on the ship at her fairlead: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Force on the bollard, anchor or ship at the other end: north, east, up (N).
+    /// Force of the line on the bollard, anchor or ship at the other end: north, east, up (N).
     pub on_shore_n: [f64; 3],
-    /// Report of the winch in the step.
+    /// Report of the line's winch in the step.
     pub winch: WinchReport,
-    /// The tension at which the line parted in this step (N).
+    /// The tension at which the line parted in this step (N); `None` if it did not part.
     pub parted_at_n: Option<f64>,
 }
 
-/// A line after its checks: the constant part.
+/// The part of a mooring line that does not change in a run, after its checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     setup: LineSetup,
     /// Tensions at which the load curve of rope or tail has a corner, in rising order (N).
     corners_n: Vec<f64>,
     break_load_n: f64,
-    /// Length outboard with an empty drum (m).
+    /// Length of line outboard when the winch's drum is empty (m).
     longest_m: f64,
 }
 
 impl Line {
-    /// Checks a line and makes it fast between two points.
+    /// Checks a mooring line and makes it fast between two points.
     ///
     /// # Errors
-    /// A number out of range, a length below the distance between the ends, or a pretension that cannot be reached. The error
-    /// names the line.
+    /// Fails for a number out of range, a length below the distance between the ends, or a pretension that cannot be
+    /// reached. The error of a line that is refused names the line.
     pub fn new(setup: LineSetup, ends: &LineEnds) -> Result<(Line, LineState), MooringError> {
         check(&setup, ends).map_err(|error| out_of_range(&setup, error))?;
         let corners_n = setup.kind.corners_n();
@@ -72,17 +72,17 @@ impl Line {
         &self.setup
     }
 
-    /// Smallest break load of rope and tail (N).
+    /// The smaller break load of rope and tail (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         self.break_load_n
     }
 
-    /// One step: carries out the winch order for `step_s`, then computes the forces for the present positions of the
-    /// ends.
+    /// Takes one step of the line: carries out the winch order for `step_s`, then computes the forces for the present
+    /// positions of the ends.
     ///
-    /// A brake renders until the tension is down to its setting, and does not take line back in. If the tension is then
-    /// still above the break load, the line parts for good.
+    /// The winch's brake renders until the tension is down to its setting, and does not take line back in. If the
+    /// tension is still above the break load after the brake has rendered, the line parts for good.
     pub fn step(
         &self,
         state: &mut LineState,
@@ -108,7 +108,7 @@ impl Line {
         load
     }
 
-    /// Carries out a winch order, which changes the length outboard.
+    /// Carries out a winch order, which changes the length of line outboard.
     fn run_winch(
         &self,
         winch: &Winch,
@@ -145,7 +145,7 @@ impl Line {
         report
     }
 
-    /// Moves a line on a constant-tension winch towards the band of tension, as fast as the winch can.
+    /// Heaves or pays out a line on a constant-tension winch towards the band of tension, as fast as the winch can.
     fn hold_tension(
         &self,
         automatic: &ConstantTension,
@@ -169,7 +169,7 @@ impl Line {
         }
     }
 
-    /// Length outboard at the start (m).
+    /// Length of line outboard at the start (m).
     fn initial_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
         let line = || self.setup.name.clone();
         match self.setup.initial_length {
@@ -195,7 +195,7 @@ impl Line {
         }
     }
 
-    /// Forces for a length outboard and the positions of the ends.
+    /// Forces of the line for a length outboard and the positions of its ends.
     fn load(&self, length_m: f64, ends: &LineEnds) -> LineLoad {
         let span = Span::of(ends);
         match &self.setup.kind {
@@ -217,8 +217,8 @@ impl Line {
         }
     }
 
-    /// The tension at which rope and tail together span the distance between the ends (N). The result is exact, because
-    /// the stretch is a piecewise linear function of the tension.
+    /// The tension at which rope and tail together span the distance between the ends (N). The computed tension is
+    /// exact, because the stretch is a piecewise linear function of the tension.
     fn light_tension_n(&self, rope: &LightRope<'_>, span: &Span) -> f64 {
         if span.distance_m <= rope.length_m {
             return 0.0;
@@ -232,8 +232,9 @@ impl Line {
         low_n + (high_n - low_n) * (span.distance_m - low_m) / (high_m - low_m)
     }
 
-    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side. The length is that of the
-    /// tail alone if the tail is long enough. `None` if the weight of a cable gives more tension at every length.
+    /// Finds the unstretched length of line outboard that gives a tension at the ship's end, on the taut side. The
+    /// length is that of the tail alone if the tail is long enough to reach. Returns `None` if the weight of a cable
+    /// gives more tension at every length.
     fn length_for(&self, tension_n: f64, ends: &LineEnds) -> Option<f64> {
         let span = Span::of(ends);
         match &self.setup.kind {
@@ -258,8 +259,8 @@ impl Line {
         }
     }
 
-    /// Length of a cable or of a rope with weight for a tension. The search lengthens a taut cable until the tension
-    /// falls below the wanted tension, then bisects.
+    /// Finds the length of a cable, or of a rope with weight, for a tension. The search lengthens a taut cable until
+    /// the tension falls below the wanted tension, then bisects.
     fn heavy_length_m(&self, tension_n: f64, taut_m: f64, ends: &LineEnds) -> Option<f64> {
         let tension_at = |length_m: f64| self.load(length_m, ends).tension_n;
         let (mut tight_m, mut tight_n) = (taut_m, tension_at(taut_m));
@@ -290,17 +291,17 @@ impl Line {
     }
 }
 
-/// A mooring rope with a length outboard.
+/// A mooring rope with its length outboard.
 struct LightRope<'l> {
     main: &'l Rope,
     tail: Option<&'l Tail>,
     details: &'l LineDetails,
-    /// Unstretched length, tail included (m).
+    /// Unstretched length of the rope outboard, tail included (m).
     length_m: f64,
 }
 
 impl LightRope<'_> {
-    /// Stretched length outboard at a tension (m), with the stretch of the rope on deck added.
+    /// Length of the rope outboard when stretched by a tension (m), with the stretch of the rope on deck added.
     fn reach_m(&self, tension_n: f64) -> f64 {
         let tail_m = self.tail.map_or(0.0, |tail| tail.length_m);
         let main_m = (self.length_m - tail_m) * (1.0 + strain(self.main, tension_n));
@@ -310,7 +311,8 @@ impl LightRope<'_> {
             + stretch_on_deck_m(self.main, self.details, tension_n)
     }
 
-    /// Forces of a rope that sags by its weight. `least_n` is the tension without weight.
+    /// Forces at the two ends of a rope that sags by its weight. `least_n` is the tension that the rope would have
+    /// without weight.
     fn sagging_load(&self, least_n: f64, span: &Span) -> LineLoad {
         let weight_n = self.details.weight_npm * self.length_m;
         let spans_m = [span.distance_m, span.horizontal_m];
@@ -326,7 +328,7 @@ impl LightRope<'_> {
     }
 }
 
-/// Stretch of the rope on deck at a tension outboard (m).
+/// Stretch of the rope on deck (m) at a given tension outboard.
 fn stretch_on_deck_m(main: &Rope, details: &LineDetails, tension_n: f64) -> f64 {
     details.on_deck.map_or(0.0, |deck| deck.length_m * strain(main, deck.share * tension_n))
 }
@@ -348,7 +350,7 @@ fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
     }
 }
 
-/// The larger tension of the two ends (N).
+/// The larger of the tensions at the line's two ends (N).
 fn greatest(load: &LineLoad) -> f64 {
     let [n, e, u] = load.on_shore_n;
     greater(load.tension_n, libm::hypot(libm::hypot(n, e), u))

@@ -1,13 +1,15 @@
 //! Mooring lines: ropes, tails, winches, and cables in a catenary.
 //!
-//! A [`Line`] is the constant part, checked once. A [`LineState`] is plain data that can be copied, compared and
-//! replayed. [`Line::step`] takes the positions of the two ends and returns the forces on them. Lines are quasi-static;
-//! lines have no inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only
-//! the winch dissipates energy.
+//! A [`Line`] is the part of a mooring line that does not change in a run, checked once. A [`LineState`] is the
+//! changing part of a mooring line: plain data that can be copied, compared and replayed. [`Line::step`] takes the
+//! positions of a line's two ends and returns the forces on them. Mooring lines are quasi-static: they have no inertia,
+//! drag or bending stiffness. A rope has the same load curve for loading and unloading, so that only the winch
+//! dissipates energy.
 //!
-//! MEG4 (found in public summaries; the guideline was not read): the design break force of a line is 100 to 105 % of
-//! the ship design MBL, that of a tail 125 to 130 %. The working load is 55 % (wire) or 50 % (synthetic). Brakes are
-//! set to render at 60 %.
+//! By OCIMF's guideline MEG4 the design break force of a line is 100 to 105 % of the ship design minimum breaking load
+//! (MBL), that of a tail 125 to 130 % (found in public summaries; the guideline was not read). By MEG4, the working
+//! load of a line is 55 % (wire) or 50 % (synthetic) of its break load. By MEG4, winch brakes are set to render at 60 %
+//! of the ship design MBL.
 //!
 //! ```
 //! use fenderline_ship::mooring::*;

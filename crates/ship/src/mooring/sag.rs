@@ -1,12 +1,13 @@
-//! The sag of a rope under its weight: a flat parabola.
+//! The sag of a mooring rope under its weight, as a flat parabola.
 
-/// The tension along the chord (N) of a rope with this weight (N). The ends are `distance_m` apart, `horizontal_m` of
-/// it horizontally. `reach_m` gives the stretched length of the rope at a tension; it never falls as the tension rises.
-/// `least_n` is the tension of the same rope without weight.
+/// Finds the tension (N) along the chord of a rope of the given weight (N). The ends of the rope are `distance_m`
+/// apart, and `horizontal_m` of this distance is horizontal. `reach_m` gives the stretched length of the rope at a
+/// tension; this length never falls as the tension rises. `least_n` is the tension of the same rope without weight.
 ///
-/// Solves S = c (1 + (W h/S)²/(24 T²)), where both sides are monotonic in T, so that bisection finds the only solution.
-/// The weight per length of the chord is that of the stretched rope, W/S. With W/c instead, the tension of a rope with
-/// 0.5 % of slack would be 0.5 % too large.
+/// Solves S = c (1 + (W h/S)²/(24 T²)) for the tension T, where both sides are monotonic in T, so that bisection finds
+/// the only solution (S stretched length, c distance of the ends, h its horizontal part, W weight). The weight per
+/// length along the chord is taken as that of the stretched rope, W/S. With W/c (weight divided by the distance of the
+/// ends) instead of W/S, the tension of a rope with 0.5 % of slack would be 0.5 % too large.
 pub(super) fn sagging_tension_n(
     reach_m: impl Fn(f64) -> f64,
     weight_n: f64,

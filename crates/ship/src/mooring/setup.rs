@@ -8,7 +8,7 @@ use super::rope::{Rope, RopeCurve};
 use super::winch::Winch;
 use crate::range::{OutOfRange, within};
 
-/// The set-up of a line.
+/// The set-up of a mooring line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineSetup {
     /// Name, used in messages.
@@ -17,31 +17,31 @@ pub struct LineSetup {
     pub kind: LineKind,
     /// The device that holds the inboard end of the line.
     pub inboard_end: InboardEnd,
-    /// Length outboard at the start.
+    /// Length of line outboard at the start.
     pub initial_length: InitialLength,
 }
 
-/// Type and material of a line.
+/// Type and material of a mooring line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LineKind {
     /// A mooring rope: straight between its ends, apart from the sag by its weight if the weight is given.
     Light {
-        /// The rope on the winch.
+        /// The main rope, which is on the winch.
         main: Rope,
-        /// A softer tail in series at the shore end.
+        /// A softer tail in series with the rope, at the shore end.
         tail: Option<Tail>,
-        /// Further data of the rope.
+        /// Further data of the rope, such as its weight and the rope on deck.
         details: LineDetails,
     },
-    /// A cable that hangs in a catenary.
+    /// A heavy cable that hangs in a catenary.
     Heavy {
-        /// Weight per unstretched length in water (N/m).
+        /// Weight of the cable per unstretched length in water (N/m).
         weight_npm: f64,
         /// EA (N).
         axial_stiffness_n: f64,
         /// Break load (N).
         break_load_n: f64,
-        /// True if the lower end lies on a level bottom, as for an anchor cable.
+        /// True if the lower end of the cable lies on a level bottom, as for an anchor cable.
         on_bottom: bool,
     },
 }
@@ -51,23 +51,23 @@ pub enum LineKind {
 pub struct LineDetails {
     /// The rope on deck, between winch or bitts and the chock.
     pub on_deck: Option<OnDeck>,
-    /// Weight of rope and tail outboard per unstretched length (N/m); 0: neglected.
+    /// Weight of rope and tail outboard per unstretched length (N/m); 0 neglects the weight.
     ///
-    /// With weight, the rope hangs in a flat parabola. The rope's stretched length S and the distance c of its ends, of
-    /// which h is horizontal, satisfy S = c (1 + (W h/S)²/(24 T²)). W is the weight outboard, and T the tension along
-    /// the chord, at the middle of the chord. Each end bears half of the weight. The error is of the next order, about
-    /// (W/T)⁴/1920 of the length.
+    /// A rope with weight hangs in a flat parabola. The rope's stretched length S and the distance c of its ends, of
+    /// which h is horizontal, satisfy S = c (1 + (W h/S)²/(24 T²)). In this equation W is the weight outboard, and T
+    /// the tension along the chord, at the middle of the chord. Each end of the rope bears half of its weight. The
+    /// error of the flat parabola is of the next order, about (W/T)⁴/1920 of the length.
     pub weight_npm: f64,
-    /// Working load (N), if it is not the guideline's share of the break load.
+    /// Working load of the rope (N), if it is not the guideline's share of the break load.
     pub working_load_n: Option<f64>,
 }
 
-/// Rope on deck between winch or bitts and the chock.
+/// The rope on deck between winch or bitts and the chock.
 ///
 /// The rope on deck stretches with the tension that reaches it over the chock: T e^(−μφ), by the capstan's equation for
-/// a rope that is hauled outboard, as when the tension rises. When the tension falls, the rope on deck keeps a higher
-/// tension. This hysteresis is left out, so that the rope stays elastic. Brake and stall of a winch are compared with
-/// the tension outboard.
+/// a rope that is hauled outboard, as it is when the tension rises. When the tension falls, the rope on deck keeps a
+/// higher tension. The hysteresis of the rope on deck is left out, so that the rope stays elastic. Brake and stall of a
+/// winch are compared with the tension of the line outboard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnDeck {
     /// Unstretched length of the rope on deck (m).
@@ -77,15 +77,15 @@ pub struct OnDeck {
 }
 
 impl OnDeck {
-    /// Rope on deck with this length (m) behind a chock. The rope bends round the chock by an angle φ (rad), with a
-    /// coefficient of friction μ.
+    /// Makes the rope on deck with a length (m) behind a chock. The rope bends round the chock by an angle φ (rad),
+    /// with a coefficient of friction μ.
     #[must_use]
     pub fn behind_chock(length_m: f64, friction: f64, wrap_rad: f64) -> OnDeck {
         OnDeck { length_m, share: libm::exp(-friction * wrap_rad) }
     }
 }
 
-/// A tail in series with a line.
+/// A tail in series with a mooring line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tail {
     /// Rope of the tail.
@@ -106,17 +106,18 @@ pub enum InboardEnd {
 /// Length of a line outboard at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InitialLength {
-    /// Unstretched length outboard, tail included (m); at least the distance between the ends.
+    /// The line has this unstretched length outboard at the start, tail included (m); it is at least the distance
+    /// between the ends.
     Outboard(f64),
-    /// The length that gives this tension at the ship's end (N).
+    /// The line has the length outboard that gives this tension at the ship's end (N).
     FromPretension(f64),
 }
 
 impl LineSetup {
-    /// Checks the numbers of a line that is not made fast yet.
+    /// Checks the numbers of a mooring line that is not made fast yet.
     ///
     /// # Errors
-    /// A number out of range; the error names the line.
+    /// Fails for a number out of range; the error names the line.
     pub fn check_alone(&self) -> Result<(), MooringError> {
         let ends = LineEnds { ship_m: [0.0; 3], shore_m: [0.0; 3] };
         let name = || self.name.clone();
@@ -125,7 +126,7 @@ impl LineSetup {
 }
 
 impl LineKind {
-    /// The shortest length outboard: the tail and one metre of rope (m).
+    /// The shortest length of line outboard: the tail and one metre of rope (m).
     pub fn shortest_m(&self) -> f64 {
         1.0 + match self {
             LineKind::Light { tail: Some(tail), .. } => tail.length_m,
@@ -133,7 +134,7 @@ impl LineKind {
         }
     }
 
-    /// Smallest break load of rope and tail (N).
+    /// The smaller break load of rope and tail (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         match self {
@@ -146,7 +147,8 @@ impl LineKind {
     }
 
     /// Working load of a mooring rope (N): 55 % of the rope's break load for wire, 50 % for others (public summaries of
-    /// OCIMF's MEG4), unless it is given. `None` for a cable: the guideline gives none for cables.
+    /// OCIMF's MEG4), unless it is given. The working load is `None` for a cable, because the guideline gives none for
+    /// cables.
     #[must_use]
     pub fn working_load_n(&self) -> Option<f64> {
         match self {

@@ -1,7 +1,7 @@
-//! Root finding within a bracket.
+//! Finds the root of a function within a bracket.
 
-/// The root of an increasing function in [low, high] with f(low) ≤ 0 ≤ f(high), by Newton's method safeguarded by
-/// bisection, with at most 200 evaluations. `f` returns value and slope.
+/// Finds the root of an increasing function in [low, high] with f(low) ≤ 0 ≤ f(high), by Newton's method safeguarded by
+/// bisection, with at most 200 evaluations. The function `f` returns its value and its slope.
 pub(super) fn root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64) -> f64 {
     let mut x = low.midpoint(high);
     for _ in 0..200 {

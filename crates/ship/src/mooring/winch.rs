@@ -7,36 +7,37 @@ use crate::range::{OutOfRange, within};
 /// A winch with a band brake on a split drum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Winch {
-    /// Tension at which the brake renders (N).
+    /// Tension of the line at which the winch's brake renders (N).
     pub render_n: f64,
-    /// Tension at which the motor stalls (N).
+    /// Tension of the line at which the winch's motor stalls (N).
     pub stall_n: f64,
-    /// Maximum rate of heaving and paying out (m/s).
+    /// Largest rate at which the winch heaves and pays out (m/s).
     pub rate_mps: f64,
-    /// Rope on the drum at the start (m).
+    /// Length of rope on the winch's drum at the start (m).
     pub reserve_m: f64,
-    /// The automatic control that holds a tension while the order is [`WinchOrder::Hold`]; `None`: the brake holds the
-    /// line.
+    /// The automatic control that holds a tension while the order is [`WinchOrder::Hold`]; with `None` the brake holds
+    /// the line.
     pub constant_tension: Option<ConstantTension>,
 }
 
-/// The automatic control of a constant-tension winch. The winch pays out if the tension is above a band around the set
-/// tension, down to the band. The winch heaves in if the tension is below the band, up to the band. Motions faster than
-/// the winch's speeds leave the tension outside the band. The brake renders as on other winches.
+/// The automatic control of a constant-tension winch. A constant-tension winch pays out if the tension is above a band
+/// around the set tension, down to the band. A constant-tension winch heaves in if the tension is below the band, up to
+/// the band. Motions of the ship that are faster than the winch's speeds bring the tension outside the band. The brake
+/// of a constant-tension winch renders as on other winches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTension {
     /// The set tension (N).
     pub tension_n: f64,
-    /// Half of the width of the band, as a share of the set tension: at or above 0 and below 1.
+    /// Half of the width of the tension band, as a share of the set tension: at or above 0 and below 1.
     pub band: f64,
-    /// The largest speed of heaving in (m/s).
+    /// The largest speed at which the winch heaves in (m/s).
     pub heave_mps: f64,
-    /// The largest speed of paying out (m/s).
+    /// The largest speed at which the winch pays out (m/s).
     pub pay_out_mps: f64,
 }
 
 impl ConstantTension {
-    /// The edges of the band (N).
+    /// The edges of the tension band (N).
     pub(super) fn edges_n(&self) -> [f64; 2] {
         [-self.band, self.band].map(|band| self.tension_n * (1.0 + band))
     }
@@ -54,7 +55,7 @@ impl ConstantTension {
 /// The order to a winch for a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WinchOrder {
-    /// Brake on. A constant-tension winch holds its tension.
+    /// Brake on. The winch holds: the brake holds the line, or a constant-tension winch holds its tension.
     #[default]
     Hold,
     /// Heave in (m/s).
@@ -66,21 +67,22 @@ pub enum WinchOrder {
 /// Report of a winch in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WinchReport {
-    /// Length of rope rendered by the brake (m); 0 if it held.
+    /// Length of rope that slipped off because the brake rendered (m); 0 if the brake held.
     pub rendered_m: f64,
-    /// Whether the motor stalled: it heaved less than ordered because of the tension.
+    /// Whether the winch's motor stalled: it heaved less than ordered because of the tension.
     pub stalled: bool,
-    /// Whether the ordered rate was limited: it was above the winch's maximum, negative or NaN.
+    /// Whether the ordered rate of the winch was limited, because it was above the winch's maximum, negative or NaN.
     pub rate_limited: bool,
-    /// Whether the drum is empty.
+    /// Whether the winch's drum is empty.
     pub drum_empty: bool,
     /// Whether the order was to heave or pay out a line on bitts, which has no effect.
     pub no_winch: bool,
 }
 
 impl Winch {
-    /// A winch for a ship design MBL. The brake renders at 60 % and the motor pulls 30 % (both found in public
-    /// summaries of MEG4 and of brake tests: 60 %, pull 22 to 33 %). The rate is 0.25 m/s (assumed).
+    /// Makes a winch for a ship design minimum breaking load (MBL). The winch's brake renders at 60 % of the ship
+    /// design MBL and its motor pulls 30 % (both found in public summaries of MEG4 and of brake tests, which have 60 %
+    /// and a pull of 22 to 33 %). The winch's rate is 0.25 m/s (our assumption).
     #[must_use]
     pub fn of_design(ship_design_mbl_n: f64, reserve_m: f64) -> Winch {
         Winch {
@@ -100,7 +102,7 @@ impl Winch {
         self.constant_tension.map_or(Ok(()), |automatic| automatic.check(self.render_n))
     }
 
-    /// Length that an order moves in a step within the winch's maximum rate, positive outboard (m).
+    /// Length by which an order moves the line in a step within the winch's maximum rate, positive outboard (m).
     pub(super) fn ordered_m(
         &self,
         order: WinchOrder,

@@ -1,16 +1,19 @@
-//! The pull of a straight wall on a ship who goes along it: the flow of her image behind the wall.
+//! The pull of a straight wall on a ship that goes along it, computed as the flow of her mirror image behind the wall.
 
 use fenderline_contact::{Pose, Rotation, Vec2, vec2};
 
 use super::flow::{PassingShip, force_above_bottom};
 
-/// Force and moment [X, Y, N] of a wall along a line on a ship who goes ahead or astern beside it, in her axes and about the origin of her
-/// sections (N, N, N·m): that of her image, a ship on the other side of the wall who goes as she goes.
+/// Force and moment [X, Y, N] of a straight wall on a ship that goes ahead or astern beside it, in her axes and about
+/// the origin of her sections (N, N, N·m). The force is that of her mirror image: a ship on the other side of the wall
+/// that moves as she does.
 ///
-/// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, r² = (x₂−x₁)² + 4y² + 4n²h² with y the distance of her axis from the wall
-/// and n over the images in surface and bottom, h the depth (m; `None`: deep water, n = 0). Derived by this project from the flow of
-/// [`super::force_under_way`]; it is ½u² times the change of her added mass in surge with y. X is zero, and N for a ship who is alike
-/// fore and aft. There is no lift and no wave: the moment that turns the bow away from a bank is not in it.
+/// For a ship parallel to the wall, Y = (ρu²y/π) ∬ S'S' Σ 1/r³ with r² = (x₂−x₁)² + 4y² + 4n²h²: y is the distance of
+/// her axis from the wall, n counts the images in surface and bottom, and h is the depth (m; `None`: deep water, n =
+/// 0). The force of a wall was derived by this project from the flow of [`super::force_under_way`]; it is ½u² times the
+/// change of her added mass in surge with the distance y. The surge force X of a wall on a ship parallel to it is zero,
+/// and so is N for a ship that is alike fore and aft. The flow has no lift and no waves, so that the moment that turns
+/// the bow away from a bank is missing.
 #[must_use]
 pub fn force_of_wall(
     own: &PassingShip<'_>,

@@ -12,21 +12,21 @@ use super::sections::Sections;
 pub struct PassingShip<'s> {
     /// Sections of the ship.
     pub sections: &'s Sections,
-    /// Pose of the ship; its origin is the origin of the sections.
+    /// Pose of the ship; the origin of the pose is the origin of the ship's sections.
     pub pose: Pose,
     /// Velocity of the ship through the water, north and east (m/s).
     pub velocity_mps: Vec2,
 }
 
 /// Force and moment [X, Y, N] of a passing ship on a ship at rest (N, N, N·m): forward, to starboard, clockwise from
-/// above. Force and moment are in the axes of the ship at rest, about the origin of her sections. The formulas are for
-/// deep, open water; [`super::factors`] are for shallow water and quays.
+/// above. Force and moment are in the axes of the ship at rest, about the origin of her sections. The formulas for a
+/// passing ship are for deep, open water; [`super::factors`] correct for shallow water and quays.
 ///
-/// `closest_m` is the least distance that any two points of the axes are taken to have, such as the mean of the two
-/// beams. Nearer than this the hulls would overlap, and the force at this distance is used.
+/// `closest_m` is the least distance that two points of the ships' axes are taken to have, such as the mean of the two
+/// beams. If the axes are nearer than `closest_m`, the hulls would overlap, and the force at `closest_m` is used.
 ///
-/// The acceleration of the water contains only the part due to the speed of the passing ship, not the part due to a
-/// change of her speed.
+/// The computed acceleration of the water contains only the part due to the speed of the passing ship, not the part due
+/// to a change of her speed.
 #[must_use]
 pub fn force(
     at_rest: &Sections,
@@ -39,16 +39,17 @@ pub fn force(
     force_under_way(&at_rest, passing, density_kgpm3, closest_m)
 }
 
-/// As [`force`], but the ship that feels the force goes ahead or astern herself, at U₁ along her axis. The velocities
-/// of both ships are through the water.
+/// Force as by [`force`], but on a ship that goes ahead or astern herself, at the speed U₁ along her axis. The
+/// velocities of both ships are those through the water.
 ///
-/// The flow of the other ship gives the water the velocity (u, v) at a section of area S. The water displaced by that
-/// section feels the acceleration at a fixed place, ρS ∂(u, v)/∂t. Across the ship's axis, the added mass of the
-/// section (ρS for the slender half circle) has the momentum ρSv. In the frame of the moving ship this momentum changes
-/// by ρS (∂v/∂t)₁ − U₁ ∂(ρSv)/∂x, where ( )₁ is the change at a place that moves with the ship (Lighthill's momentum of
-/// slender bodies, recalled). Over the ship's length the last term leaves no force, and the moment U₁ ∫ρSv dx. We
-/// derived this. With U₁ = 0 it is Wang's flow. For two ships abreast at one speed the forces are equal and opposite,
-/// as the forces between rows of sources must be. There is no lift: neither hull sheds a wake.
+/// The flow of the other ship gives the water the velocity (u, v) at a section of area S. The water that this section
+/// displaces feels the acceleration at a fixed place, ρS ∂(u, v)/∂t. Across the axis of the ship that feels the force,
+/// the added mass of a section (ρS for the slender half circle) has the momentum ρSv. In the frame of the moving ship
+/// the momentum ρSv of a section changes by ρS (∂v/∂t)₁ − U₁ ∂(ρSv)/∂x, where ( )₁ is the change at a place that moves
+/// with the ship (Lighthill's momentum of slender bodies, from memory). Summed over the ship's length, the term with U₁
+/// gives no force, but the moment U₁ ∫ρSv dx. We derived this. With U₁ = 0 the formulas are Wang's. For two ships
+/// abreast at one speed the forces on them are equal and opposite, as the forces between rows of sources must be. The
+/// flow gives no lift, because neither hull sheds a wake.
 #[must_use]
 pub fn force_under_way(
     own: &PassingShip<'_>,
@@ -59,7 +60,8 @@ pub fn force_under_way(
     force_above_bottom([own, other], density_kgpm3, closest_m, None)
 }
 
-/// As [`force_under_way`], in water of a depth (m; `None`: deep): every source has images in surface and bottom.
+/// Force as by [`force_under_way`], but in water of a depth (m; `None`: deep), where every source has images in surface
+/// and bottom.
 pub(super) fn force_above_bottom(
     [own, other]: [&PassingShip<'_>; 2],
     density_kgpm3: f64,
@@ -97,16 +99,17 @@ pub(super) fn force_above_bottom(
     wrench
 }
 
-/// Images on each side of a source that are summed one by one.
+/// Number of images on each side of a source that are summed one by one.
 const IMAGES: u32 = 4;
 
-/// A source, seen from a place.
+/// A source of the flow, as seen from a place.
 struct Seen {
     /// Vector from the source to the place (m).
     from_m: Vec2,
-    /// Σ1/r³ over Σ1/r⁵ (m²). For a source without images this is r².
+    /// Ratio of Σ1/r³ to Σ1/r⁵ over the source and its images (m²). For a source without images this ratio is r², the
+    /// square of the distance.
     r2_m2: f64,
-    /// Σ1/r³ over the source and its images (1/m³).
+    /// Sum of 1/r³ over the source and its images (1/m³).
     per_r3: f64,
 }
 
@@ -116,8 +119,9 @@ impl Seen {
         Seen { from_m, r2_m2, per_r3: 1.0 / (r2_m2 * libm::sqrt(r2_m2)) }
     }
 
-    /// A row of images, twice the depth apart. The images beyond the first few are replaced by an integral from half
-    /// way to the next, with the first term of Euler and Maclaurin. The error is below 0.01 % of the sum.
+    /// Sums over a row of images of the source, which are twice the depth apart. Beyond the first few, the images are
+    /// replaced by an integral from half way to the next, with the first term of Euler and Maclaurin. The error of the
+    /// sum over the images is below 0.01 % of the sum.
     fn above_bottom(from_m: Vec2, closest_m: f64, depth_m: f64) -> Seen {
         let plane_m2 = greater(from_m.length_squared(), closest_m * closest_m);
         let apart_m = 2.0 * depth_m;
@@ -144,7 +148,8 @@ impl Seen {
         Seen { from_m, r2_m2: per_r3 / per_r5, per_r3 }
     }
 
-    /// Rate of change of d/r³ at the place if the source moves past it. d is the vector from the source to the place.
+    /// Rate of change of d/r³ at the place if the source moves past it, where d is the vector from the source to the
+    /// place.
     fn change(&self, velocity_mps: Vec2) -> Vec2 {
         let along = 3.0 * self.from_m.dot(velocity_mps) / self.r2_m2;
         (self.from_m * along - velocity_mps) * self.per_r3

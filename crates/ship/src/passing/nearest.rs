@@ -6,22 +6,22 @@ use fenderline_contact::{Pose, Vec2};
 use super::setup::PassingSetup;
 use crate::distance::of_outlines_m;
 
-/// Largest number of places of the ship that are tested.
+/// Largest number of places of the passing ship that the search tests.
 const MOST_PLACES: f64 = 1e6;
 
 /// Distance and time at which a passing ship is nearest to a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
-    /// Clear distance between the outlines (m); 0 if they meet.
+    /// Clear distance between the outlines of ship and body (m); 0 if they meet.
     pub distance_m: f64,
-    /// Time at which the distance is least (s).
+    /// Time at which the ship is nearest to the body (s).
     pub t_s: f64,
 }
 
 impl PassingSetup {
-    /// How near the passing ship comes to an outline in a pose, from time 0 to `duration_s`. The search tests a place
-    /// each time the ship, at her highest speed, has moved by a tenth of her beam. If she is farther away than three of
-    /// her lengths, it tests only the distance of the middles.
+    /// Finds how near the passing ship comes to an outline in a pose, from time 0 to `duration_s`. The search tests a
+    /// place each time the passing ship, at her highest speed, has moved by a tenth of her beam. If the ship is farther
+    /// away than three of her lengths, the search tests only the distance of the middles.
     #[must_use]
     pub fn nearest(&self, outline_m: &[Vec2], pose: Pose, duration_s: f64) -> Nearest {
         let fastest_mps = self.track.pace.fastest_mps();
@@ -37,13 +37,14 @@ impl PassingSetup {
         nearest
     }
 
-    /// Whether the ship's outline overlaps another outline in a pose at a time.
+    /// Whether the passing ship's outline overlaps another outline in a pose at a time.
     #[must_use]
     pub fn meets(&self, outline_m: &[Vec2], pose: Pose, t_s: f64) -> bool {
         self.nearer_than_m(f64::MIN_POSITIVE, t_s, outline_m, pose).is_some()
     }
 
-    /// The clear distance of the ship from an outline in a pose at a time, if it is less than `most_m`.
+    /// The clear distance of the passing ship from an outline in a pose at a time, if it is less than `most_m`; else
+    /// `None`.
     #[must_use]
     pub fn nearer_than_m(
         &self,

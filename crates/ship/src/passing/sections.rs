@@ -4,35 +4,35 @@ use std::fmt;
 
 use crate::range::{OutOfRange, within};
 
-/// Panels along a ship. With this number, at a distance of a tenth of the ship's length, the midpoint rule has an error
-/// below 0.5 %.
+/// Panels along a ship. With 48 panels along the ship, at a distance of a tenth of her length, the midpoint rule has an
+/// error below 0.5 %.
 const PANELS: u32 = 48;
 
 /// The areas of a ship's sections below the water, along the length of the ship.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
-    /// Panels of equal length, from aft to forward.
+    /// Panels of equal length along the ship, from aft to forward.
     pub(super) panels: Vec<Panel>,
-    /// Sources: places where the area changes, and the changes, from aft to forward. A blunt stern or bow is one
-    /// source.
+    /// Sources of the flow: places where the sectional area changes, and the changes, from aft to forward. A blunt
+    /// stern or bow counts as one source.
     pub(super) changes: Vec<Change>,
 }
 
-/// A part of a ship's length.
+/// A panel, which is a part of a ship's length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Panel {
-    /// Middle of the panel, forward of the origin (m).
+    /// Distance of the panel's middle forward of the origin (m).
     pub(super) x_m: f64,
     /// Volume of the panel below the water (m³).
     pub(super) volume_m3: f64,
 }
 
-/// A change of the sectional area.
+/// A change of the sectional area along the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Change {
-    /// Place of the change, forward of the origin (m).
+    /// Distance of the place of the change forward of the origin (m).
     pub(super) x_m: f64,
-    /// Area forward of the place, less the area aft of it (m²).
+    /// Sectional area forward of the place, less the area aft of it (m²).
     pub(super) area_m2: f64,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Change {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SectionsError {
-    /// A number outside its range.
+    /// A number of the sections is outside its range.
     OutOfRange(OutOfRange),
     /// Fewer than two sections.
     TooFew,
@@ -72,10 +72,11 @@ impl From<OutOfRange> for SectionsError {
 }
 
 impl Sections {
-    /// A ship with areas on a parabola, S = S_m (1 − 4x²/L²), x from midship: the default of Wang's paper.
+    /// Makes the sections of a ship with areas on a parabola, S = S_m (1 − 4x²/L²), x from midship: the default of
+    /// Wang's paper.
     ///
     /// # Errors
-    /// A length that is not between 1 and 1000 m, an area not between 0.01 and 10⁵ m².
+    /// Fails for a length that is not between 1 and 1000 m, or an area not between 0.01 and 10⁵ m².
     pub fn parabola(length_m: f64, midship_area_m2: f64) -> Result<Sections, SectionsError> {
         within("length of a ship [m]", length_m, 1.0, 1e3)?;
         within("midship section area [m²]", midship_area_m2, 0.01, 1e5)?;
@@ -90,12 +91,12 @@ impl Sections {
         ))
     }
 
-    /// A ship with these areas: places forward of the origin (m) and areas (m²), from aft to forward, and linear
-    /// between.
+    /// Makes the sections of a ship from places forward of the origin (m) and areas (m²), from aft to forward, linear
+    /// between the places.
     ///
     /// # Errors
-    /// Fewer than two sections, a section that is not forward of the section before it, a place beyond ±1000 m, or an
-    /// area not between 0 and 10⁵ m².
+    /// Fails for fewer than two sections, a section that is not forward of the section before it, a place beyond ±1000
+    /// m, or an area not between 0 and 10⁵ m².
     pub fn new(sections: &[(f64, f64)]) -> Result<Sections, SectionsError> {
         if sections.len() < 2 {
             return Err(SectionsError::TooFew);
@@ -153,7 +154,7 @@ impl Sections {
         Sections { panels, changes }
     }
 
-    /// Volume below the water (m³).
+    /// Volume of the ship below the water (m³).
     #[must_use]
     pub fn volume_m3(&self) -> f64 {
         self.panels.iter().map(|panel| panel.volume_m3).sum()

@@ -1,4 +1,4 @@
-//! Passing ships and interacting hulls of a set-up.
+//! Set-up of passing ships and of hulls that act on each other through the water.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{bounded, greater, lesser};
@@ -7,13 +7,13 @@ use super::restricted::{Berth, factors};
 use super::sections::{Sections, SectionsError};
 use crate::track::Track;
 
-/// Length over beam below which messages call a passing ship hardly slender; our choice.
+/// Ratio of length to beam below which messages call a passing ship hardly slender; our choice.
 pub const HARDLY_SLENDER: f64 = 4.0;
-/// Speed of a passing ship, over the speed of long waves in the depth, from which on messages call the forces too
+/// Speed of a passing ship, divided by the speed of long waves in the depth, from which on messages call the forces too
 /// small; our choice.
 pub const NEARLY_CRITICAL: f64 = 0.6;
 
-/// The data of a hull that the flow around it needs.
+/// The data of a hull that are needed for the flow around it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowHull {
     /// Sections of the hull, about midship.
@@ -26,7 +26,8 @@ pub struct FlowHull {
     pub draught_m: f64,
 }
 
-/// A ship that passes on a track, whatever forces act. The ship pushes the vessels; they do not push her.
+/// A ship that passes on a given track, whatever forces act on her. A passing ship pushes the vessels; the vessels do
+/// not push the passing ship.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassingSetup {
     /// Name of the ship.
@@ -35,7 +36,7 @@ pub struct PassingSetup {
     pub hull: FlowHull,
     /// Outline of the ship, forward and to starboard of midship (m).
     pub outline_m: Vec<Vec2>,
-    /// Position of the ship at each time.
+    /// Position of the passing ship at each time.
     pub track: Track,
     /// Correction for the depth.
     pub depth: DepthFactors,
@@ -43,19 +44,21 @@ pub struct PassingSetup {
     pub berth: Berth,
 }
 
-/// How forces of a passing ship are corrected for the depth.
+/// How forces of a passing ship are corrected for the depth of water.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DepthFactors {
-    /// No correction: the forces are those of deep water.
+    /// The forces of a passing ship are not corrected: they are those of deep water.
     DeepWater,
     /// By [`super::factors`].
     Kriebel,
 }
 
 impl PassingSetup {
-    /// Factors on surge, sway and yaw of a vessel in a depth (m; `None`: deep), at a distance between the axes (m).
+    /// Factors on a passing ship's surge and sway force and yaw moment on a vessel in a depth (m; `None`: deep), at a
+    /// distance between the axes (m).
     ///
-    /// Beyond the range of the factors their ends are used: a draught of the whole depth, a gap between 0 and 100 beams.
+    /// Beyond the range of these factors, the factors at its ends are used: a draught of the whole depth, a gap of 0 or
+    /// of 100 beams.
     #[must_use]
     pub fn factors(&self, vessel: &FlowHull, depth_m: Option<f64>, across_m: f64) -> [f64; 3] {
         let mean_beam_m = 0.5 * (vessel.beam_m + self.hull.beam_m);
@@ -64,28 +67,28 @@ impl PassingSetup {
             (DepthFactors::Kriebel, Some(depth_m)) => {
                 let ratio =
                     if depth_m > vessel.draught_m { vessel.draught_m / depth_m } else { 1.0 };
-                factors(ratio, gap, self.berth).expect("both are within their ranges")
+                factors(ratio, gap, self.berth).expect("depth and gap are both within their ranges")
             }
             _ => self.berth.factors(),
         }
     }
 }
 
-/// Passing ships and flow between ships in a set-up.
+/// The passing ships of a set-up, and the flow between its ships.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlowSetup {
-    /// The hulls of the vessels, in the order of the vessels. Empty if no ship passes, vessels do not act on each
-    /// other, and no bank acts by an image.
+    /// The hulls of the vessels, in the order in which the vessels are listed. The list of hulls is empty if no ship
+    /// passes, vessels do not act on each other, and no bank acts by an image.
     pub hulls: Vec<FlowHull>,
     /// Ships that pass.
     pub passing: Vec<PassingSetup>,
-    /// Whether the vessels act on each other.
+    /// Whether the vessels act on each other through the flow.
     pub between_vessels: bool,
 }
 
 impl FlowHull {
-    /// A hull with parabolic sections; or, if an outline about midship is given (m), with sections from the beam of the
-    /// outline. The midship coefficient is the area of a section over its beam and the draught.
+    /// Makes a hull with parabolic sections; or, if an outline about midship is given (m), with sections from the beam
+    /// of the outline. The midship coefficient is the area of a section divided by its beam and by the draught.
     ///
     /// # Errors
     /// See [`Sections::parabola`] and [`Sections::new`].
@@ -102,15 +105,15 @@ impl FlowHull {
         Ok(FlowHull { sections, length_m, beam_m, draught_m })
     }
 
-    /// Whether the flow of slender ships between this ship and other vessels is used. The ship must be at least 3.5
-    /// beams long (our choice). Tugs are shorter.
+    /// Whether the flow of slender ships between this ship and other vessels is used. The flow of slender ships is used
+    /// for ships of at least 3.5 beams in length (our choice). Tugs are shorter.
     #[must_use]
     pub fn is_slender(&self) -> bool {
         self.length_m >= 3.5 * self.beam_m
     }
 }
 
-/// Areas of sections at even places along an outline, from the beam of the outline there.
+/// Areas of sections at evenly spaced places along an outline, from the beam of the outline at each place.
 fn areas_of(outline_m: &[Vec2], area_per_beam_m: f64) -> Vec<(f64, f64)> {
     const SECTIONS: u32 = 96;
     let ends = outline_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
@@ -126,7 +129,7 @@ fn areas_of(outline_m: &[Vec2], area_per_beam_m: f64) -> Vec<(f64, f64)> {
     sections.map(|x_m| (x_m, area_per_beam_m * beam_at_m(outline_m, x_m))).collect()
 }
 
-/// Length of the part of a line across an outline that lies within the outline (m).
+/// Beam of an outline at a place: length of the part of a line across the outline that lies within it (m).
 fn beam_at_m(outline_m: &[Vec2], x_m: f64) -> f64 {
     let edges = outline_m.iter().zip(outline_m.iter().cycle().skip(1));
     let mut sides: Vec<f64> = edges

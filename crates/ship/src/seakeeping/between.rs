@@ -1,21 +1,23 @@
-//! Interpolates forces of waves between the headings and frequencies of the data.
+//! Interpolates the forces of waves on a hull between the headings and frequencies of the data.
 //!
-//! **Headings.** The force in a wave is a sum over places x of the hull of e^{−ik·x}, with weights that do not depend
-//! on the heading (Haskind's relation, recalled). So the force has few harmonics in the heading: about kL/2. The force
-//! is interpolated with functions of the same kind, which belong to sources spread evenly over a disc: the kernel is
-//! K(μ − μ′) = 2J₁(z)/z with z = 2b sin(½(μ − μ′)), and b is k times the radius of the disc. At equal steps this is
-//! nearly the trigonometric polynomial through the data. b is the largest value that the widest step of the headings
-//! resolves. At the headings of the data the result is the data.
+//! **Headings.** The force of a wave is a sum over places x of the hull of e^{−ik·x}, with weights that do not depend
+//! on the heading (Haskind's relation, from memory). The force of a wave therefore has few harmonics in the heading:
+//! about kL/2. The force of a wave is interpolated with functions that belong to sources spread evenly over a disc: the
+//! kernel is K(μ − μ′) = 2J₁(z)/z with z = 2b sin(½(μ − μ′)), and b is k times the radius of the disc. For headings at
+//! equal steps the interpolation is nearly the trigonometric polynomial through the data. The number b is the largest
+//! value that the widest step of the headings resolves. At the headings of the data the interpolated force is that of
+//! the data.
 //!
-//! **Frequencies.** At one heading the phases of bow and stern turn by ±½L Δk cos μ from one frequency to the next. For
-//! a long ship this is fast. The phases stay the same at a heading at which the wave is as long along the ship as
-//! before. So frequencies are joined along the headings μᵢ with tan μᵢ = tan μ kᵢ/k: near the beam kᵢ cos μᵢ = k cos μ,
-//! and a wave from ahead stays a wave from ahead. Along these headings the force is a cubic with the slopes of
-//! parabolas through three neighbours. In mean drift the phases cancel for the most part; it is such a cubic at a
-//! constant heading.
+//! **Frequencies.** At one heading the phases of the forces on bow and stern turn by ±½L Δk cos μ from one frequency to
+//! the next. For a long ship the phases at bow and stern turn fast with the frequency. The phases at bow and stern stay
+//! the same at a heading at which the wave is as long along the ship as before. Forces at neighbouring frequencies are
+//! therefore joined along the headings μᵢ with tan μᵢ = tan μ kᵢ/k: near the beam kᵢ cos μᵢ = k cos μ, and a wave from
+//! ahead stays a wave from ahead. Along the joined headings the force is a cubic in the frequency, with the slopes of
+//! parabolas through three neighbours. In mean drift the phases cancel for the most part, so that drift is interpolated
+//! by a cubic at a constant heading.
 //!
-//! Phases are relative to the crest at the centre of gravity. If the reference point lies elsewhere, the phase of the
-//! incident wave at this point is taken out first.
+//! Phases of the forces are relative to the wave's crest at the centre of gravity. If the reference point of the data
+//! is not the centre of gravity, the phase of the incident wave at the reference point is taken out first.
 
 use core::f64::consts::{PI, TAU};
 
@@ -30,30 +32,31 @@ use crate::environment::waves::{Complex, wave_number};
 pub(super) const MIRROR: Six = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 /// Signs of surge, sway and yaw when port and starboard are mirrored.
 pub(super) const MIRROR_DRIFT: [f64; 3] = [1.0, -1.0, -1.0];
-/// Number of steps of the fine headings in a half turn. Cubics between the fine headings are within 0.1 % for 17
-/// harmonics in the heading, and within 0.4 % for 25.
+/// Number of steps of the fine grid of headings in a half turn. Cubics between the fine headings have an error within
+/// 0.1 % for 17 harmonics in the heading, and within 0.4 % for 25.
 const FINE: usize = 120;
-/// The bandwidth of the kernel, over the bandwidth that the widest step of the headings resolves (half a wave per
+/// The bandwidth of the kernel, divided by the bandwidth that the widest step of the headings resolves (half a wave per
 /// step).
 const BAND: f64 = 0.9;
-/// This value is added to the diagonal of the kernel's matrix. Without this value, headings very near each other would
-/// make the matrix singular to rounding.
+/// Small value that is added to the diagonal of the kernel's matrix. Without the value on the diagonal, headings very
+/// near each other would make the kernel's matrix singular to rounding.
 const RIDGE: f64 = 1e-10;
 
-/// Fine headings: equal steps from 0 to π for data that are alike to both sides, otherwise from −π all round. One extra
-/// row before the first and two after the last let cubics pass the ends.
+/// The fine grid of headings: equal steps from 0 to π for data that are alike to both sides, otherwise from −π all
+/// round. The fine grid has one extra row before the first heading and two after the last, so that cubics can pass the
+/// ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct FineHeadings {
     pub(super) is_mirrored: bool,
 }
 
-/// A place among fine headings.
+/// A place of a heading on the fine grid of headings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FinePlace {
-    /// The first of four rows.
+    /// Index of the first of the four rows around the place.
     row: usize,
     weights: [f64; 4],
-    /// −1 if the mirror image is used, else 1.
+    /// Sign of a mirrored number: −1 if the mirror image is used, else 1.
     side: f64,
 }
 
@@ -63,13 +66,13 @@ impl FineHeadings {
         if self.is_mirrored { FINE + 4 } else { 2 * FINE + 3 }
     }
 
-    /// The heading of a row (rad).
+    /// The heading of a row of the fine grid (rad).
     pub(super) fn of_row(self, row: usize) -> f64 {
         let first_rad = if self.is_mirrored { 0.0 } else { -PI };
         first_rad + PI * (row as f64 - 1.0) / FINE as f64
     }
 
-    /// The place of a heading (rad).
+    /// The place of a heading (rad) on the fine grid.
     pub(super) fn place(self, towards_rad: f64) -> FinePlace {
         let angle_rad = libm::atan2(libm::sin(towards_rad), libm::cos(towards_rad));
         let (from_first, side) = match self.is_mirrored {
@@ -84,7 +87,8 @@ impl FineHeadings {
 }
 
 impl FinePlace {
-    /// Interpolates a number at the place from its rows. `sign` is the sign of the number in the mirror image.
+    /// Interpolates a number at a place of the fine grid from the rows around the place. `sign` is the sign that the
+    /// number takes in the mirror image.
     pub(super) fn of<T>(&self, rows: &[T], sign: f64, of: impl Fn(&T) -> f64) -> f64 {
         let four = &rows[self.row..self.row + 4];
         let [a, b, c, d] = self.weights;
@@ -93,7 +97,7 @@ impl FinePlace {
     }
 }
 
-/// Weights of the cubic through four equal steps at −1, 0, 1 and 2.
+/// Weights of four rows in the cubic through equal steps at −1, 0, 1 and 2.
 fn cubic(t: f64) -> [f64; 4] {
     let (before, after, far) = (t + 1.0, t - 1.0, t - 2.0);
     [
@@ -104,16 +108,16 @@ fn cubic(t: f64) -> [f64; 4] {
     ]
 }
 
-/// The forces of the data at fine headings.
+/// The forces of the data, interpolated to the fine headings.
 #[derive(Clone, Debug)]
 pub(super) struct Between<'d> {
     data: &'d Hydrodynamics,
-    /// Wave number k at each frequency of the data, in the depth of the data (rad/m).
+    /// Wave number k at each frequency of the data, in the depth of water of the data (rad/m).
     numbers_radpm: Vec<f64>,
     pub(super) headings: FineHeadings,
-    /// For each frequency, the exciting force at each fine heading.
+    /// Exciting force for each frequency at each fine heading.
     excitation: Vec<Vec<[Complex; 6]>>,
-    /// For each frequency, the mean drift at each fine heading; empty without such data.
+    /// Mean drift for each frequency at each fine heading; empty for data without drift.
     drift: Vec<Vec<[f64; 3]>>,
 }
 
@@ -142,7 +146,8 @@ impl<'d> Between<'d> {
         Between { data, numbers_radpm, headings, excitation, drift }
     }
 
-    /// The exciting force in a wave of amplitude 1 m with its crest at the centre of gravity at time 0, at each fine heading.
+    /// Computes, at each fine heading, the exciting force in a wave of amplitude 1 m with its crest at the centre of
+    /// gravity at time 0.
     pub(super) fn excitation(&self, frequency_radps: f64) -> Vec<[Complex; 6]> {
         let number = self.data.wave_number(frequency_radps);
         let parts = weights_of(&self.data.wave_frequencies_radps, frequency_radps);
@@ -169,7 +174,8 @@ impl<'d> Between<'d> {
         (0..self.headings.rows()).map(row).collect()
     }
 
-    /// The mean drift over the square of the amplitude at each fine heading; zero without such data.
+    /// Computes the mean drift divided by the square of the amplitude at each fine heading; zero for data without
+    /// drift.
     pub(super) fn drift(&self, frequency_radps: f64) -> Vec<[f64; 3]> {
         let mut rows = vec![[0.0; 3]; self.headings.rows()];
         if self.drift.is_empty() {
@@ -195,7 +201,7 @@ impl<'d> Between<'d> {
 impl Hydrodynamics {
     /// The exciting force in a wave of amplitude 1 m with its crest at the centre of gravity at time 0, for any
     /// frequency (rad/s) and heading (rad; the direction towards which the wave runs, clockwise from the bow). Beyond
-    /// the frequencies of the data the force at the nearest frequency of the data is used.
+    /// the frequencies of the data the exciting force at the nearest frequency of the data is used.
     #[must_use]
     pub fn excitation_towards(&self, frequency_radps: f64, towards_rad: f64) -> [Complex; 6] {
         let between = Between::new(self);
@@ -209,8 +215,9 @@ impl Hydrodynamics {
         })
     }
 
-    /// The mean drift of the data over the square of the amplitude (surge and sway in N/m², yaw in N/m) in a wave of any frequency (rad/s) and
-    /// heading, as for [`Hydrodynamics::excitation_towards`]; `None` where the data have no drift.
+    /// The mean drift of the data divided by the square of the amplitude (surge and sway in N/m², yaw in N/m) in a wave
+    /// of any frequency (rad/s) and heading, as for [`Hydrodynamics::excitation_towards`]; `None` where the data have
+    /// no drift.
     #[must_use]
     pub fn drift_towards(&self, frequency_radps: f64, towards_rad: f64) -> Option<[f64; 3]> {
         self.drift.as_ref()?;
@@ -220,7 +227,7 @@ impl Hydrodynamics {
         Some(std::array::from_fn(|k| place.of(&rows, MIRROR_DRIFT[k], |drift| drift[k])))
     }
 
-    /// Wave number k in the depth of the data (rad/m).
+    /// Wave number k in the depth of water of the data (rad/m).
     pub(super) fn wave_number(&self, frequency_radps: f64) -> f64 {
         match self.depth_m {
             Some(depth_m) => wave_number(frequency_radps, depth_m),
@@ -228,8 +235,8 @@ impl Hydrodynamics {
         }
     }
 
-    /// The forces at the headings of the data. Phases are relative to the crest at the centre of gravity, not at the
-    /// reference point.
+    /// The forces of waves at the headings of the data. The forces have phases relative to the wave's crest at the
+    /// centre of gravity, not at the reference point.
     fn about_gravity(&self, given: &[[Complex; 6]], number_radpm: f64) -> Vec<[Complex; 6]> {
         let turned = |(force, towards_rad): (&[Complex; 6], &f64)| {
             let along_m = self.origin_m.x * libm::cos(*towards_rad)
@@ -244,7 +251,7 @@ impl Hydrodynamics {
 
 /// A force or a drift at a heading, as a list of numbers.
 trait Parts: Copy + Default {
-    /// Adds `weight` times another force or drift.
+    /// Adds another force or drift, multiplied by `weight`, to this list.
     fn add(&mut self, weight: f64, other: &Self);
 }
 
@@ -261,11 +268,11 @@ impl Parts for f64 {
     }
 }
 
-/// The weight of each heading of the data for each fine heading.
+/// The weights of the data's headings for each fine heading.
 struct HeadingWeights {
     is_mirrored: bool,
-    /// For each row, the weights of the headings all round: first the headings of the data, then their mirror images
-    /// (without 0 and π) in reverse order.
+    /// For each row of the fine grid, the weights of the headings all round: first the headings of the data, then their
+    /// mirror images (without 0 and π) in reverse order.
     rows: Vec<Vec<f64>>,
 }
 
@@ -326,20 +333,20 @@ impl HeadingWeights {
     }
 }
 
-/// The widest step of headings, all round (rad).
+/// The widest step between the data's headings, all round (rad).
 pub(super) fn widest_step(headings_rad: &[f64], is_mirrored: bool) -> f64 {
     let inner = headings_rad.windows(2).map(|two| two[1] - two[0]).fold(0.0, greater);
     let [first, last] = [headings_rad[0], headings_rad[headings_rad.len() - 1]];
     if is_mirrored { inner } else { greater(inner, first + TAU - last) }
 }
 
-/// The kernel 2J₁(z)/z with z = 2b sin(½δ).
+/// The kernel of the interpolation, 2J₁(z)/z with z = 2b sin(½δ).
 fn kernel(off_rad: f64, band: f64) -> f64 {
     let z = 2.0 * band * libm::sin(0.5 * off_rad).abs();
     if z < 1e-4 { 1.0 - z * z / 8.0 } else { 2.0 * libm::j1(z) / z }
 }
 
-/// The inverse of a symmetric positive matrix, by Gauss and Jordan.
+/// Inverts a symmetric positive matrix, by the method of Gauss and Jordan.
 fn inverse(mut matrix: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let count = matrix.len();
     for (row, line) in matrix.iter_mut().enumerate() {
@@ -365,8 +372,8 @@ fn inverse(mut matrix: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     matrix.into_iter().map(|line| line[count..].to_vec()).collect()
 }
 
-/// Rows of an axis and their weights at a place on the axis, for a cubic with the slopes of parabolas through three
-/// neighbours. Beyond the ends, the first or the last row has all the weight.
+/// Rows of an axis and their weights at a place on the axis, for a cubic that has the slopes of parabolas through three
+/// neighbours. Beyond the ends of the axis, the first or the last row has all the weight.
 fn weights_of(axis: &[f64], at: f64) -> Vec<(usize, f64)> {
     let last = axis.len() - 1;
     if at <= axis[0] || last == 0 {
@@ -392,7 +399,7 @@ fn weights_of(axis: &[f64], at: f64) -> Vec<(usize, f64)> {
     parts
 }
 
-/// The slope at a row, as weights of rows. The result is the slope of the parabola through the row and its two
+/// The slope at a row, as weights of the numbers of rows. The slope is that of the parabola through the row and its two
 /// neighbours; at an end, through the row and the next two.
 fn slope_of(axis: &[f64], row: usize) -> [(usize, f64); 3] {
     if axis.len() == 2 {

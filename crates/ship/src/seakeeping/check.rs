@@ -11,19 +11,20 @@ use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::Complex;
 
-/// Largest change of the damping between two frequencies, over the largest damping.
+/// Largest change of the damping between two neighbouring frequencies, divided by the largest damping.
 const COARSEST: f64 = 0.6;
-/// Largest damping at the first and at the last frequency, over the largest damping of all.
+/// Largest damping that is allowed at the first and at the last frequency, divided by the largest damping of all.
 const AT_THE_ENDS: [f64; 2] = [0.6, 0.5];
-/// A damping force below this share of the restoring force has no noticeable effect.
+/// Share of the restoring force below which a damping force has no noticeable effect.
 const UNFELT: f64 = 0.3;
-/// The widest step of headings (rad).
+/// The widest step between neighbouring headings that is allowed (rad).
 const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
-/// Numerical noise of panel codes. The first value: how far below zero a damping may be, over the largest damping. The
-/// second: how far a matrix may be from symmetric, over the root of the product of the two diagonal entries.
+/// Numerical noise of panel codes that is accepted. The first value is how far below zero a damping may be, divided by
+/// the largest damping. The second value is how far a matrix may be from symmetric, divided by the root of the product
+/// of the two diagonal entries.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
-/// Checks the numbers of rows, and that all numbers are finite.
+/// Checks that the tables of the data have the right numbers of rows, and that all numbers are finite.
 pub(super) fn check_shape(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     let count = raw.frequencies_radps.len();
     let grid = raw.wave_frequencies_radps.len() * raw.headings_rad.len();
@@ -106,7 +107,7 @@ pub(super) fn check_head(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     Ok(())
 }
 
-/// Checks symmetry, signs and sizes of added mass and damping.
+/// Checks symmetry, signs and sizes of the added mass and the damping.
 pub(super) fn check_matrices(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     let mass_kg = raw.mass[0][0];
     let length_m = 10.0 * libm::cbrt(mass_kg / raw.water_kgpm3);
@@ -179,7 +180,8 @@ pub(super) fn check_matrices(raw: &RawHydrodynamics) -> Result<(), SeakeepingErr
     check(Part::Infinite, 0, "added mass", &raw.infinite, &added)
 }
 
-/// Checks the frequencies: they must rise, be fine enough, and reach from long waves to where the damping has faded.
+/// Checks the frequencies of the data: they must rise, be close enough to each other, and reach from long waves to
+/// where the damping has faded.
 pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {
     for (part, axis) in
         [(Part::Radiation, &raw.frequencies_radps), (Part::Excitation, &raw.wave_frequencies_radps)]
@@ -225,7 +227,7 @@ pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     Ok(())
 }
 
-/// True if the headings go from 0 to π; else they must go all round.
+/// True if the headings of the data go from 0 to π; otherwise the headings must go all round.
 pub(super) fn check_headings(headings_rad: &[f64]) -> Result<bool, SeakeepingError> {
     let part = Part::Excitation;
     if headings_rad.len() < 2 || headings_rad.windows(2).any(|two| !rises(two)) {

@@ -13,16 +13,16 @@ use super::retardation::{Retardation, effective_infinite};
 use super::waves_check::check_forces;
 use crate::environment::waves::Complex;
 
-/// Largest contradiction allowed between added mass and damping, over the largest added mass.
+/// Largest contradiction allowed between added mass and damping, divided by the largest added mass.
 const CONTRADICTION: f64 = 0.4;
-/// From this value on the contradiction is reported.
+/// Contradiction between added mass and damping from which on it is reported.
 const DOUBTFUL: f64 = 0.25;
 
 impl Hydrodynamics {
-    /// Checks data and moves them to the centre of gravity.
+    /// Checks hydrodynamic data and moves them to the centre of gravity.
     ///
     /// # Errors
-    /// [`SeakeepingError`], with table, row and reason.
+    /// Fails with a [`SeakeepingError`] that has table, row and reason.
     pub fn new(raw: RawHydrodynamics) -> Result<Hydrodynamics, SeakeepingError> {
         check_shape(&raw)?;
         check_head(&raw)?;
@@ -80,8 +80,8 @@ impl Hydrodynamics {
         Retardation::new(self)
     }
 
-    /// Checks Ogilvie's relations. The added mass must follow from the damping, apart from a constant. The constant
-    /// must be near the added mass at infinite frequency.
+    /// Checks Ogilvie's relations. By Ogilvie's relations, the added mass must follow from the damping, apart from a
+    /// constant. The constant in Ogilvie's relation must be near the added mass at infinite frequency.
     fn check_consistency(
         &mut self,
         retardation: &Retardation,
@@ -112,8 +112,8 @@ impl Hydrodynamics {
     }
 }
 
-/// The matrix that gives the motion of a point of the ship from the motion of her centre of gravity. The point lies
-/// forward of, to starboard of and above the centre of gravity (m).
+/// The matrix that gives the motion of a point of the ship from the motion of her centre of gravity. The given
+/// distances say how far the point lies forward of, to starboard of and above the centre of gravity (m).
 fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     let mut matrix: Matrix6 = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
     // θ × r with r = (forward, starboard, −up).
@@ -123,7 +123,7 @@ fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     matrix
 }
 
-/// The symmetric part ½(A + Aᵀ).
+/// The symmetric part ½(A + Aᵀ) of a matrix A.
 fn symmetric(matrix: &Matrix6) -> Matrix6 {
     let sum = plus(matrix, 1.0, &transposed(matrix));
     sum.map(|row| row.map(|entry| 0.5 * entry))

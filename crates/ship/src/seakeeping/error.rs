@@ -4,18 +4,18 @@ use std::fmt;
 
 use super::MOTIONS;
 
-/// The table of a database in which an error lies.
+/// The table of a hydrodynamic database in which an error lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Added mass and damping by frequency.
+    /// Table of added mass and damping by frequency.
     Radiation,
-    /// Added mass at infinite frequency.
+    /// Table of added mass at infinite frequency.
     Infinite,
-    /// Exciting forces by frequency and heading.
+    /// Table of exciting forces by frequency and heading.
     Excitation,
-    /// Mean drift by frequency and heading.
+    /// Table of mean drift by frequency and heading.
     Drift,
-    /// Mass, restoring, reference point and depth.
+    /// Table of mass, restoring, reference point and depth.
     Head,
 }
 
@@ -24,13 +24,13 @@ pub enum Part {
 pub struct SeakeepingError {
     /// The table in which the error lies.
     pub part: Part,
-    /// The row in the table, from 0, if the error belongs to a row.
+    /// The row in the table, counted from 0, if the error belongs to a row.
     pub row: Option<usize>,
     /// The reason.
     pub reason: Reason,
 }
 
-/// An error about a row of a table.
+/// Makes an error about a row of a table.
 pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> SeakeepingError {
     SeakeepingError { part, row, reason }
 }
@@ -38,33 +38,33 @@ pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> Seakeepin
 /// The reason.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
-    /// A list is shorter or longer than another.
+    /// A list of the data is shorter or longer than it must be.
     Length {
         /// What is counted.
         what: &'static str,
-        /// How many items there must be.
+        /// How many items the list must have.
         expected: usize,
-        /// How many items there are.
+        /// How many items the list has.
         found: usize,
     },
-    /// An axis does not rise.
+    /// The numbers of an axis do not rise from row to row.
     NotRising(&'static str),
-    /// A number is not finite or beyond any ship.
+    /// A number of the data is not finite, or is larger than for any ship.
     NotANumber(&'static str),
     /// A diagonal entry of the damping is negative.
     NegativeDamping {
         /// The motion.
         motion: usize,
-        /// Damping of the motion (N·s/m, N·m·s).
+        /// The negative damping of the motion (N·s/m, N·m·s).
         damping: f64,
     },
     /// A matrix is not symmetric.
     NotSymmetric {
         /// The matrix.
         matrix: &'static str,
-        /// The motions of the entry.
+        /// The two motions to which the wrong entry of the matrix belongs.
         entry: [usize; 2],
-        /// The entry and its mirror.
+        /// The entry of the matrix and the entry that should be equal to it.
         values: [f64; 2],
     },
     /// Mass and added mass of a motion are not positive.
@@ -74,16 +74,17 @@ pub enum Reason {
     },
     /// A combination of motions has a negative damping, though no motion alone has one.
     NegativeTogether {
-        /// The two motions with the largest part in the combination.
+        /// The two motions with the largest part in the combination of motions.
         motions: [usize; 2],
-        /// The damping over the largest of these motions, each motion measured by the root of its largest damping.
+        /// The negative damping, divided by the largest damping of these motions; each motion is measured by the root
+        /// of its largest damping.
         share: f64,
     },
     /// A combination of motions has a negative mass or restoring, though no motion alone has one.
     CouplesTooMuch {
-        /// Mass or restoring, in words.
+        /// The word `mass` or `restoring`.
         what: &'static str,
-        /// The two motions with the largest part in the combination.
+        /// The two motions with the largest part in the combination of motions.
         motions: [usize; 2],
     },
     /// Exciting forces and damping contradict each other (Haskind's relation).
@@ -92,30 +93,30 @@ pub enum Reason {
         motion: usize,
         /// The frequency (rad/s).
         at_radps: f64,
-        /// The damping that follows from the exciting forces, over the damping of the table.
+        /// The damping that follows from the exciting forces, divided by the damping of the table.
         ratio: f64,
     },
-    /// A value that does not fit the ship, for example because of wrong units.
+    /// A value of the data does not fit the ship, for example because of wrong units.
     Implausible {
-        /// The quantity, with its unit.
+        /// Name of the quantity that does not fit, with its unit.
         what: &'static str,
         /// Value of the quantity.
         value: f64,
-        /// The range of any ship of this displacement.
+        /// The range of the quantity for any ship of this displacement.
         range: [f64; 2],
     },
-    /// The damping jumps between two frequencies: they are too far apart.
+    /// The damping jumps between two frequencies, because they are too far apart.
     TooCoarse {
         /// The motion.
         motion: usize,
-        /// The two frequencies (rad/s).
+        /// The two frequencies between which the damping jumps (rad/s).
         between_radps: [f64; 2],
     },
     /// The damping at the last frequency is still large: the retardation function would not decay.
     TooShort {
         /// The motion.
         motion: usize,
-        /// The damping at the last frequency over its maximum.
+        /// The damping at the last frequency, divided by its maximum.
         share: f64,
         /// The last frequency (rad/s).
         last_radps: f64,
@@ -124,7 +125,7 @@ pub enum Reason {
     StartsLate {
         /// The motion.
         motion: usize,
-        /// The damping at the first frequency over its maximum.
+        /// The damping at the first frequency, divided by its maximum.
         share: f64,
         /// The first frequency (rad/s).
         first_radps: f64,
@@ -133,15 +134,15 @@ pub enum Reason {
     Inconsistent {
         /// The motion.
         motion: usize,
-        /// The largest difference over the largest added mass.
+        /// The largest difference between added mass and damping, divided by the largest added mass.
         share: f64,
     },
-    /// The headings leave a gap.
+    /// The headings of the data leave a gap.
     HeadingGap {
         /// The gap (deg).
         between_deg: [f64; 2],
     },
-    /// A ship that does not float upright.
+    /// The ship of the data does not float upright.
     Unstable {
         /// The motion.
         motion: usize,
@@ -186,8 +187,9 @@ impl fmt::Display for SeakeepingError {
             ),
             Reason::ForcesOfOtherUnits { motion, at_radps, ratio } => write!(
                 f,
-                "the exciting forces in {} at {at_radps} rad/s ask for {ratio:.1e} times the damping that the data have (Haskind's \
-                 relation): are they N and N m in a wave of 1 m amplitude?",
+                "the exciting forces in {} at {at_radps} rad/s ask for {ratio:.1e} times the \
+                 damping that the data have (Haskind's relation): are the forces in N and N m for \
+                 a wave of 1 m amplitude?",
                 MOTIONS[*motion]
             ),
             Reason::Implausible { what, value, range: [low, high] } => write!(

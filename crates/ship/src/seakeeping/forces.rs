@@ -1,9 +1,10 @@
 //! Forces of the waves on a ship with hydrodynamic data: first-order excitation, mean drift, and slow drift by Newman's
 //! approximation.
 //!
-//! Newman (1974) replaces the quadratic transfer function of two waves by the mean of their mean drifts. With waves
-//! a·cos θ, the drift is then Σᵢ Σⱼ aᵢaⱼ ½(Tᵢ + Tⱼ) cos(θᵢ − θⱼ) = Re{(Σ aⱼTⱼe^{iθⱼ}) (Σ aⱼe^{iθⱼ})*}. The product form
-//! is exact, and its cost grows with the number of waves and not with its square.
+//! Newman (1974) replaces the quadratic transfer function of two waves by the mean of their mean drifts. With the mean
+//! drift of each wave a·cos θ as Ta², the drift by Newman's approximation is Σᵢ Σⱼ aᵢaⱼ ½(Tᵢ + Tⱼ) cos(θᵢ − θⱼ) = Re{(Σ
+//! aⱼTⱼe^{iθⱼ}) (Σ aⱼe^{iθⱼ})*}. The product form of Newman's sum is exact, and its cost grows with the number of waves
+//! and not with its square.
 
 use fenderline_contact::Vec2;
 
@@ -15,15 +16,15 @@ use super::sub_steps::SubSteps;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::{Complex, DriftHull, Sea};
 
-/// The source of the mean drift.
+/// Where the mean drift of a ship in waves comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriftSource<'d> {
     /// The hydrodynamic data.
     Data,
-    /// The estimate of [`DriftHull`] about midship. The numbers are how far midship is forward of the centre of gravity
-    /// (m), and the density of the water (kg/m³).
+    /// The mean drift is the estimate of [`DriftHull`] about midship. The two numbers of the estimate are how far
+    /// midship is forward of the centre of gravity (m), and the density of the water (kg/m³).
     Estimate(&'d DriftHull, f64, f64),
-    /// There is no mean drift.
+    /// The waves give no mean drift.
     Absent,
 }
 
@@ -46,24 +47,24 @@ struct Wave {
     direction: usize,
     /// The square sin²(ωh/2).
     squared_sine: f64,
-    /// Exciting force at the fine headings: the mean over a step, with the weights that the step gives to
+    /// Exciting force of the wave at the fine headings: the mean over a step, with the weights that the step gives to
     /// accelerations.
     excitation: Vec<[Complex; 6]>,
-    /// Mean drift over the amplitude at the fine headings (N/m, N/m, N).
+    /// Mean drift of the wave divided by its amplitude, at the fine headings (N/m, N/m, N).
     drift: Vec<[f64; 3]>,
 }
 
-/// Forces of the waves at a time.
+/// Forces of the waves on a ship at a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaveLoad {
-    /// Excitation about the centre of gravity.
+    /// First-order exciting force of the waves about the centre of gravity.
     pub excitation: Six,
     /// Mean and slow drift about the centre of gravity: surge, sway, yaw.
     pub drift: [f64; 3],
 }
 
 impl WaveForces {
-    /// The forces of a sea on a ship with the data, as means over a step (s).
+    /// Prepares the forces of a sea on a ship with the data, as means over a step (s).
     #[must_use]
     pub fn new(data: &Hydrodynamics, sea: &Sea, drift: DriftSource<'_>, step_s: f64) -> WaveForces {
         let between = Between::new(data);
@@ -112,7 +113,8 @@ impl WaveForces {
         }
     }
 
-    /// The forces on a ship with a place of her centre of gravity and a heading, in a step that begins at a time (s).
+    /// The forces of the waves on a ship whose centre of gravity has a place and which has a heading, in a step that
+    /// begins at a time (s).
     pub fn at(&self, gravity_m: Vec2, heading_rad: f64, t_s: f64, sub_steps: SubSteps) -> WaveLoad {
         let t_s = t_s + sub_steps.ahead_s;
         let mut load = WaveLoad::default();

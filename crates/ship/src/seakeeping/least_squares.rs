@@ -1,13 +1,13 @@
-//! Linear least squares for several right sides, by Householder's reflections.
+//! Solves linear least squares with several right sides, by Householder's reflections.
 
-/// The solutions x of min |A x − b|² + ridge² |x|², one for each right side b. `rows` are the rows of A; `rights` has,
-/// for each row, one number per right side.
+/// Finds the solutions x of min |A x − b|² + ridge² |x|², one for each right side b. `rows` are the rows of A; `rights`
+/// has, for each row, one number per right side.
 ///
 /// # Panics
-/// If there are fewer rows than columns and no ridge, or if lists have different lengths.
+/// Panics if there are fewer rows than columns and no ridge, or if lists have different lengths.
 pub(super) fn least_squares(rows: &[Vec<f64>], rights: &[Vec<f64>], ridge: f64) -> Vec<Vec<f64>> {
     let (columns, sides) = (rows[0].len(), rights[0].len());
-    assert_eq!(rows.len(), rights.len(), "one right side for each row");
+    assert_eq!(rows.len(), rights.len(), "each row has one number per right side");
     let mut a: Vec<Vec<f64>> = rows.to_vec();
     let mut b: Vec<Vec<f64>> = rights.to_vec();
     for column in 0..columns {

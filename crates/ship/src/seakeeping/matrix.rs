@@ -1,19 +1,19 @@
-//! Matrices of six by six: surge, sway, heave, roll, pitch, yaw.
+//! Matrices of six by six over the motions surge, sway, heave, roll, pitch and yaw.
 
-/// A motion or a force: surge, sway, heave (down), roll to starboard, pitch bow up, yaw to starboard.
+/// A motion or a force in six components: surge, sway, heave (down), roll to starboard, pitch bow up, yaw to starboard.
 pub type Six = [f64; 6];
-/// A matrix over the six motions.
+/// A matrix over the six motions of a ship.
 pub type Matrix6 = [[f64; 6]; 6];
 
-/// The motions in the plane, among the six.
+/// Indices of the three motions in the horizontal plane (surge, sway, yaw), among the six.
 pub(super) const PLANE: [usize; 3] = [0, 1, 5];
-/// Heave, roll and pitch, among the six.
+/// Indices of heave, roll and pitch, among the six motions.
 pub(super) const UPRIGHT: [usize; 3] = [2, 3, 4];
 
 /// The zero matrix.
 pub const ZERO: Matrix6 = [[0.0; 6]; 6];
 
-/// The product A · v.
+/// The product A · v of a matrix and a vector.
 #[must_use]
 pub fn times(matrix: &Matrix6, vector: &Six) -> Six {
     std::array::from_fn(|row| dot(&matrix[row], vector))
@@ -25,13 +25,13 @@ pub fn dot(one: &Six, other: &Six) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
 }
 
-/// The sum A + s · B.
+/// The sum A + s · B of two matrices.
 #[must_use]
 pub fn plus(one: &Matrix6, factor: f64, other: &Matrix6) -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| one[i][j] + factor * other[i][j]))
 }
 
-/// The product Tᵀ A T.
+/// The product Tᵀ A T of matrices.
 #[must_use]
 pub fn congruent(matrix: &Matrix6, by: &Matrix6) -> Matrix6 {
     let product = |a: &Matrix6, b: &Matrix6| -> Matrix6 {
@@ -46,7 +46,7 @@ pub fn transposed(matrix: &Matrix6) -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]))
 }
 
-/// The solution of A x = b for `N` unknowns, by elimination with pivots; `None` if A is singular.
+/// Solves A x = b for `N` unknowns, by elimination with pivots; `None` if A is singular.
 #[must_use]
 pub fn solve<const N: usize>(matrix: &[[f64; N]; N], right: &[f64; N]) -> Option<[f64; N]> {
     let (mut a, mut b) = (*matrix, *right);
@@ -97,7 +97,7 @@ pub fn smallest_eigenvalue(matrix: &Matrix6) -> (f64, Six) {
     (a[least][least], std::array::from_fn(|i| vectors[i][least]))
 }
 
-/// One rotation of Jacobi, which makes the entry (p, q) zero.
+/// Makes one rotation of Jacobi, which turns the entry (p, q) of the matrix to zero.
 fn rotate(a: &mut Matrix6, vectors: &mut Matrix6, p: usize, q: usize) {
     if a[p][q] == 0.0 {
         return;

@@ -1,16 +1,17 @@
-//! The memory of the water: ∫K(t − τ) ξ̇(τ) dτ computed by a bank of resonators, with a state of fixed size.
+//! The memory of the water: the force ∫K(t − τ) ξ̇(τ) dτ of radiated waves, computed by a bank of resonators, with a
+//! state of fixed size.
 //!
-//! One velocity u drives each resonator: x₁′ = −2σx₁ − ω₀x₂ + u, x₂′ = ω₀x₁. The two outputs of a resonator have the
-//! transfer functions s/(s² + 2σs + ω₀²) and ω₀/(s² + 2σs + ω₀²). The force is Σ P x₁ + Q x₂ over the resonators, with
-//! symmetric matrices P and Q. Frequencies and widths of the resonators are fixed. P and Q are fitted to the damping,
-//! and to the added mass that follows from the damping by Ogilvie's relation. So one function satisfies both of
-//! Ogilvie's relations.
+//! One velocity u of the ship drives each resonator: x₁′ = −2σx₁ − ω₀x₂ + u, x₂′ = ω₀x₁. The two outputs of a resonator
+//! have the transfer functions s/(s² + 2σs + ω₀²) and ω₀/(s² + 2σs + ω₀²). The force of the memory is Σ P x₁ + Q x₂
+//! over the resonators, with symmetric matrices P and Q. Frequencies and widths of the resonators are fixed. The
+//! matrices P and Q are fitted to the damping, and to the added mass that follows from the damping by Ogilvie's
+//! relation. One function of frequency therefore satisfies both of Ogilvie's relations.
 //!
-//! The bank steps by the bilinear rule, and its matrices are fitted for the time step of the run. At a step h the
-//! bank's transfer function is that of the data times tan(θ)/θ with θ = ωh/2. With this factor the whole step of
-//! [`super::Motion`] is exact to the fourth order. The bilinear rule keeps passivity: a system that only takes energy
-//! still does so after discretisation. `make_passive` keeps the least eigenvalue of the damping at or above zero over
-//! all frequencies. So radiation takes energy at every step of every size.
+//! The bank of resonators steps by the bilinear rule, and its matrices are fitted for the time step of the run. For a
+//! time step h, the bank's transfer function is that of the data times tan(θ)/θ with θ = ωh/2. With the factor tan(θ)/θ
+//! the whole step of [`super::Motion`] is exact to the fourth order. The bilinear rule keeps passivity: a system that
+//! only takes energy still does so after discretisation. `make_passive` keeps the least eigenvalue of the damping at or
+//! above zero over all frequencies. Radiation therefore takes energy from the ship at every step of every size.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -25,24 +26,24 @@ use crate::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.
 const RESONATORS: usize = 48;
-/// Frequency and half-width of a wide resonator, over the last frequency of the data. This resonator takes no part in
-/// the fit. The resonator adds damping beyond the data where the fit lacks damping.
+/// Frequency and half-width of a wide resonator, divided by the last frequency of the data. The wide resonator takes no
+/// part in the fit. The wide resonator adds damping beyond the data where the fit lacks damping.
 const WIDE: [f64; 2] = [2.5, 2.5];
-/// Number of points of the fit, and the frequency of the last point over the last frequency of the data.
+/// Number of points of the fit, and frequency of its last point divided by the last frequency of the data.
 const POINTS: (usize, f64) = (200, 2.0);
-/// Weight of the row at zero frequency, where the force must vanish.
+/// Weight in the fit of the row at zero frequency, where the force must vanish.
 const AT_REST: f64 = 300.0;
-/// The least weight counts as 1. This is the most that another row weighs.
+/// The least weight of a row in the fit counts as 1. The most that any other row weighs in the fit.
 const HEAVIEST: f64 = 30.0;
-/// Rows weigh 1/ω between these shares of the last frequency.
+/// Shares of the last frequency between which rows of the fit weigh 1/ω.
 const SLOW: [f64; 2] = [0.05, 0.4];
-/// Ridge of the fit, relative to the size of the columns.
+/// Ridge of the least-squares fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
-/// A resonator counts as near a frequency if it takes at least this share of its largest energy there.
+/// Share of its largest energy that a resonator must take at a frequency to count as near that frequency.
 const NEAR: f64 = 0.3;
-/// Lack of damping that is left to a small damping at all frequencies, over the mass (1/s).
+/// Lack of damping that is made up by a small damping at all frequencies, divided by the mass (1/s).
 const LEFT: f64 = 3e-5;
-/// Frequencies at which the damping of the bank is checked, and rounds of correction.
+/// Number of frequencies at which the damping of the bank is checked, and number of rounds of correction.
 const CHECKED: (usize, usize) = (400, 60);
 
 /// A resonator.
@@ -50,33 +51,34 @@ const CHECKED: (usize, usize) = (400, 60);
 struct Resonator {
     frequency_radps: f64,
     half_width_radps: f64,
-    /// Matrix A of the step of the two states: x⁺ = A x + b (u + u⁺).
+    /// Matrix A with which the resonator's two states step: x⁺ = A x + b (u + u⁺).
     step: [[f64; 2]; 2],
     input: [f64; 2],
 }
 
-/// The bank of a ship for one time step.
+/// The bank of resonators of a ship, for one time step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Bank {
     resonators: Vec<Resonator>,
-    /// P and Q of each resonator.
+    /// The output matrices P and Q of each resonator.
     outputs: Vec<[Matrix6; 2]>,
-    /// The part of the water's reaction that acts as mass with this step, in addition to the effective added mass at
-    /// infinite frequency.
+    /// The part of the water's reaction that acts as mass with this time step, in addition to the effective added mass
+    /// at infinite frequency.
     pub(super) mass: Matrix6,
-    /// A small damping that replaces what the fit lacks (N·s/m and so on).
+    /// A small damping in place of the damping that the fit lacks (N·s/m and so on).
     pub(super) rest: Matrix6,
-    /// Matrix that gives the force at the end of a step from the velocity at the end of the step.
+    /// Matrix that gives the part of the memory's force at the end of a step that follows at once from the velocity at
+    /// the end of the step.
     pub(super) at_once: Matrix6,
     step_s: f64,
 }
 
-/// The state of the bank: plain numbers.
+/// The state of the bank of resonators: plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Memory {
-    /// Both states of each resonator for each motion.
+    /// The two states of each resonator, for each motion of the ship.
     states: Vec<[Six; 2]>,
-    /// The velocity of the last step.
+    /// The velocity of the ship in the last step.
     velocity: Six,
 }
 
@@ -88,7 +90,7 @@ impl Memory {
 }
 
 impl Bank {
-    /// The bank of a ship for a time step (s).
+    /// Makes the bank of resonators of a ship for a time step (s).
     pub(super) fn new(data: &Hydrodynamics, step_s: f64) -> Bank {
         let last_radps = data.frequencies_radps[data.frequencies_radps.len() - 1];
         let spacing = TAIL * last_radps / RESONATORS as f64;
@@ -119,14 +121,14 @@ impl Bank {
         &self.resonators[..RESONATORS]
     }
 
-    /// The last frequency that the time step resolves (rad/s).
+    /// The highest frequency that the time step resolves (rad/s).
     fn resolved_radps(&self) -> f64 {
         2.0 / self.step_s
     }
 
-    /// Fits P, Q and the mass to damping and added mass: within the data to those of the data, elsewhere to the damping that
-    /// [`Retardation`] adds and the added mass that follows from it. How far added mass and damping contradict each other is
-    /// checked when the data are read ([`Hydrodynamics::new`]).
+    /// Fits the matrices P, Q and the mass to damping and added mass: within the frequencies of the data to those of
+    /// the data, elsewhere to the damping that [`Retardation`] adds and the added mass that follows from it. How far
+    /// added mass and damping contradict each other is checked when the data are read ([`Hydrodynamics::new`]).
     fn fit(&mut self, data: &Hydrodynamics, last_radps: f64) {
         let end_radps = lesser(POINTS.1 * last_radps, self.resolved_radps());
         let coupled = |&[i, j]: &[usize; 2]| data.is_coupled(i, j);
@@ -185,7 +187,7 @@ impl Bank {
         [self.response(w, |c| c.re)[i][j] / ratio, added]
     }
 
-    /// The damping of the bank at a frequency, when it moves in steps.
+    /// The damping of the bank at a frequency, for a ship that moves in steps.
     fn damping(&self, w: f64) -> Matrix6 {
         plus(&self.response(w, |c| c.re), 1.0, &self.rest)
     }
@@ -200,10 +202,10 @@ impl Bank {
         sum
     }
 
-    /// Adds damping where the fit gives a damping below zero in some direction. First the nearest resonator adds
-    /// damping, because its first output takes energy at every frequency; or the wide resonator does. Damping that is
-    /// still lacking after this step is added at all frequencies. Directions are compared by the mass that moves in
-    /// them.
+    /// Adds damping where the fit gives a damping below zero for some combination of motions. First the nearest
+    /// resonator adds the missing damping, because its first output takes energy at every frequency; or the wide
+    /// resonator does. Damping that is still lacking after the resonators have added theirs is added at all
+    /// frequencies. Combinations of motions are compared by the mass that moves in them.
     fn make_passive(&mut self, mass: &Matrix6) {
         let scale: Six = std::array::from_fn(|k| 1.0 / mass[k][k].sqrt());
         let least = |bank: &Bank| {
@@ -256,7 +258,7 @@ impl Bank {
         }
     }
 
-    /// The state of the bank for a ship that has moved with a steady velocity for long.
+    /// The state of the bank for a ship that has moved with a steady velocity for a long time.
     pub(super) fn steady(&self, velocity: Six) -> Memory {
         // In steady motion x₁ = 0 and x₂ = u/ω₀.
         let states = self
@@ -267,7 +269,7 @@ impl Bank {
         Memory { states, velocity }
     }
 
-    /// The force of the water against the motion at the end of the last step, without [`Bank::rest`].
+    /// The force of the water's memory against the motion at the end of the last step, without [`Bank::rest`].
     pub(super) fn force(&self, memory: &Memory) -> Six {
         let mut sum = [0.0; 6];
         for ([p, q], [one, two]) in self.outputs.iter().zip(&memory.states) {
@@ -277,7 +279,8 @@ impl Bank {
         sum
     }
 
-    /// The force at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at the end of the step.
+    /// The force of the memory at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at the end
+    /// of the step.
     pub(super) fn force_ahead(&self, memory: &Memory) -> Six {
         let mut sum = [0.0; 6];
         let banks = self.resonators.iter().zip(&self.outputs).zip(&memory.states);
@@ -289,7 +292,7 @@ impl Bank {
         sum
     }
 
-    /// Does one step, at the end of which the ship has this velocity.
+    /// Takes one step of the bank, at the end of which the ship has the given velocity.
     pub(super) fn advance(&self, memory: &mut Memory, velocity: &Six) {
         let both: Six = std::array::from_fn(|k| memory.velocity[k] + velocity[k]);
         for (resonator, state) in self.resonators.iter().zip(&mut memory.states) {
@@ -317,7 +320,8 @@ impl Resonator {
         Resonator { frequency_radps, half_width_radps, step, input }
     }
 
-    /// The states after a step. `velocities` is the sum of the velocities before and after the step.
+    /// The two states of a resonator after a step. `velocities` is the sum of the ship's velocities before and after
+    /// the step.
     fn stepped(&self, one: &Six, two: &Six, velocities: &Six) -> [Six; 2] {
         let [[a, b], [c, d]] = self.step;
         let [e, f] = self.input;
@@ -327,7 +331,7 @@ impl Resonator {
         ]
     }
 
-    /// Both outputs at a frequency, when the bilinear rule steps the resonator: s = (2i/h) tan(ωh/2).
+    /// Both outputs of the resonator at a frequency, when the bilinear rule steps it: s = (2i/h) tan(ωh/2).
     fn outputs_at(&self, w: f64, step_s: f64) -> [Complex; 2] {
         let theta = lesser(0.5 * w * step_s, 0.999 * FRAC_PI_2);
         let s = 2.0 / step_s * libm::tan(theta);
@@ -340,12 +344,13 @@ impl Resonator {
     }
 }
 
-/// The weight of an error of the damping at a frequency (rad/s): by the norm of the inverse of a free ship's equation of motion, in units of her own mass,
-/// added mass included, and by the frequency.
+/// The weight in the fit of an error of the damping at a frequency (rad/s): by the norm of the inverse of a free ship's
+/// equation of motion, in units of her own mass, added mass included, and by the frequency.
 ///
-/// Near a resonance small errors are large motions: of the ship at a quay, mass, restoring and damping in pitch cancel to 3 % at 0.9 rad/s
-/// (`waves_between.py --by-files`), where an error of 1 % of the mass is a third of the motion. The weight is the square root of the norm: found by trial
-/// on the rows of `waves_between.rs`. In slow motions the force by acceleration is the force by velocity over the frequency.
+/// Near a resonance small errors of the fit give large motions: for the ship at a quay, mass, restoring and damping in
+/// pitch cancel to 3 % at 0.9 rad/s (`waves_between.py --by-files`), where an error of 1 % of the mass is a third of
+/// the motion. The weight is the square root of this norm, which was found by trial on the rows of `waves_between.rs`.
+/// In slow motions, the force by acceleration is the force by velocity divided by the frequency.
 fn felt(data: &Hydrodynamics, retardation: &Retardation, w: f64, last_radps: f64) -> f64 {
     let (total, mass, restoring) = (data.total_mass(), data.rigid_mass(), data.restoring());
     let damping = retardation.damping_matrix(w);
@@ -381,7 +386,7 @@ fn square(x: f64) -> f64 {
     x * x
 }
 
-/// Adds A v to a sum.
+/// Adds the product A v of a matrix and a vector to a sum.
 fn add(sum: &mut Six, matrix: &Matrix6, vector: &Six) {
     for (sum, part) in sum.iter_mut().zip(times(matrix, vector)) {
         *sum += part;

@@ -4,18 +4,18 @@
 //! |---|---|
 //! | `data.rs` | the data of a panel code, checked and moved to the centre of gravity |
 //! | `check.rs` | the checks |
-//! | `passive.rs` | that no combination of motions gains energy from the data |
-//! | `waves_check.rs` | sizes of exciting and drift forces |
-//! | `error.rs` | what is wrong with data |
+//! | `passive.rs` | the check that no combination of motions gains energy from the data |
+//! | `waves_check.rs` | the check of the sizes of exciting and drift forces |
+//! | `error.rs` | the errors that hydrodynamic data can have |
 //! | `retardation.rs` | the retardation function, and added mass from damping |
 //! | `memory.rs` | the memory of the water as a bank of resonators |
 //! | `least_squares.rs`, `matrix.rs` | linear algebra |
-//! | `between.rs` | forces between the headings and frequencies of the data |
-//! | `resolution.rs` | the waves that the data do not resolve |
-//! | `forces.rs` | excitation, mean drift and slow drift of a sea |
+//! | `between.rs` | wave forces, interpolated between the headings and frequencies of the data |
+//! | `resolution.rs` | the waves whose forces the data do not resolve |
+//! | `forces.rs` | exciting forces, mean drift and slow drift of a sea |
 //! | `motion.rs` | the time step |
-//! | `sub_steps.rs` | when loads act, where contact takes several sub-steps |
-//! | `place.rs` | the place at which the waves are felt |
+//! | `sub_steps.rs` | the times at which loads act, where contact takes several sub-steps |
+//! | `place.rs` | the place of the ship at which the waves act on her |
 //!
 //! `docs/design/at_the_berth.md` has the reasons.
 
@@ -53,7 +53,7 @@ pub use resolution::Unresolved;
 pub use retardation::Retardation;
 pub use sub_steps::SubSteps;
 
-/// The names of the six motions.
+/// The names of the six motions of a ship.
 pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// A ship that moves by hydrodynamic data.
@@ -61,15 +61,15 @@ pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"
 pub struct Seakeeping {
     /// The data.
     pub data: Arc<Hydrodynamics>,
-    /// Viscous damping of roll, as a share of the critical damping. Bilge keels and the edges of the hull cause it; no
-    /// panel code includes it.
+    /// Viscous damping of roll, as a share of the critical damping. Viscous damping of roll comes from bilge keels and
+    /// the edges of the hull; no panel code includes it.
     pub roll_damping: f64,
 }
 
 impl Seakeeping {
-    /// Whether the data are for a depth of water (m; `None`: deep), for a ship with this draught (m). The depths must
-    /// agree within a tenth, or both count as deep. Water of more than ten draughts counts as deep. The bounds of a
-    /// tenth and of ten draughts are our choice.
+    /// Whether the data hold in water of a depth (m; `None`: deep), for a ship of the given draught (m). The depth of
+    /// the data and that of the run must agree within a tenth, or both count as deep. Water deeper than ten draughts
+    /// counts as deep. The limits of a tenth of the depth and of ten draughts are our choice.
     #[must_use]
     pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
         let [of_data_m, of_run_m] =
@@ -79,7 +79,7 @@ impl Seakeeping {
     }
 }
 
-/// Largest difference between the depth of the data and the depth of the run, as a share of the latter.
+/// Largest difference between the depth of the data and the depth of the run, as a share of the depth of the run.
 const DEPTH: f64 = 0.1;
 /// Depth from which water counts as deep, in draughts.
 const DEEP: f64 = 10.0;

@@ -1,19 +1,21 @@
 //! One time step of Cummins' equation in six degrees of freedom, around the contact engine's step in the plane.
 //!
-//! (M + A∞)ξ̈ + ∫K(t − τ) ξ̇ dτ + D ξ̇ + Cξ = F. The step is a leapfrog like the engine's: velocities v belong to the
-//! middle between positions x. The memory and the damping D act with the mean of the velocities before and after. C
-//! acts with Numerov's weights, which put a part of C on the left side:
+//! The equation of motion is (M + A∞)ξ̈ + ∫K(t − τ) ξ̇ dτ + D ξ̇ + Cξ = F. The step of the motion is a leapfrog like
+//! the contact engine's: velocities v belong to the middle between positions x. The water's memory and the damping D
+//! act with the mean of the velocities before and after the step. The restoring matrix C acts with Numerov's weights,
+//! which put a part of C on the left side:
 //!
-//! (M + A∞ + h²C/12 + ½h(G + D)) v⁺ = (M + A∞ + h²C/12 − ½hD) v + h(F − Cx − ½(w + w′)),
+//! the step of length h solves (M + A∞ + h²C/12 + ½h(G + D)) v⁺ = (M + A∞ + h²C/12 − ½hD) v + h(F − Cx − ½(w + w′)),
 //!
-//! Here w is the memory's force in the middle of the last step, and w′ + G v⁺ the memory's force in the middle of this
-//! step. The step is stable for h² < 6M/C. For linear forces the step is of the fourth order, with the memory of `Bank`
-//! and with excitation that has the same weights.
+//! where w is the memory's force in the middle of the last step, and w′ + G v⁺ the memory's force in the middle of this
+//! step. The step of the motion is stable for h² < 6M/C. For linear forces the step of the motion is of the fourth
+//! order, with the memory of `Bank` and with excitation that has the same weights.
 //!
-//! The step has two parts. [`Motion::predict`], before contact, finds v⁺ under all forces except contact, and gives the
-//! engine the load in the plane that brings the engine's mass matrix to v⁺. [`Motion::settle`], after contact, finds
-//! heave, roll and pitch with the effects of contact: the change of the velocities in the plane, and moments by the
-//! heights of the fenders. The effect of this heave, roll and pitch on the plane acts in the next step.
+//! The step of the motion has two parts, before and after contact. [`Motion::predict`], before contact, finds the new
+//! velocities v⁺ under all forces except contact, and the load in the horizontal plane with which the contact engine's
+//! mass matrix gives v⁺. [`Motion::settle`], after contact, finds heave, roll and pitch with the effects of contact:
+//! the change of the velocities in the horizontal plane, and the moments of fenders by their heights. The effect of the
+//! settled heave, roll and pitch on the motion in the plane acts in the next step.
 
 use super::Seakeeping;
 use super::matrix::{Matrix6, Six, plus, solve, times};
@@ -21,11 +23,11 @@ use super::matrix::{PLANE, UPRIGHT};
 use super::memory::{Bank, Memory};
 use crate::attitude::{Attitude, AttitudeLoad};
 
-/// The largest part of a contact's impulse that is guessed one step ahead. With a third, the motion would ring under a
-/// rigid contact.
+/// The largest part of a contact's impulse that is guessed one step ahead of the contact. If a third of the impulse
+/// were guessed, the motion would ring under a rigid contact.
 const SMALL_PART: f64 = 0.25;
 
-/// The equation of a ship for one time step.
+/// The equation of motion of a ship for one time step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     mass: Matrix6,
@@ -36,21 +38,21 @@ pub struct Motion {
     step_s: f64,
 }
 
-/// State that one step leaves for the next: plain numbers.
+/// State of a ship's motion that one step leaves for the next: plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MotionState {
     memory: Memory,
-    /// Velocities before the step, and after it without contact.
+    /// Velocities of the ship before the step, and after it without contact.
     before: Six,
     without_contact: Six,
-    /// Impulses in the plane that the last step left for this step (N·s, N·m·s).
+    /// Impulses in the horizontal plane that the last step left for this step (N·s, N·m·s).
     left: [f64; 3],
     /// The part of the impulses `left` that was guessed before contact was computed.
     ahead: [f64; 3],
 }
 
 impl MotionState {
-    /// Copies another state into the memory of this state.
+    /// Copies another state into this state, whose memory is reused.
     pub fn copy_from(&mut self, other: &MotionState) {
         let MotionState { memory, before, without_contact, left, ahead } = self;
         memory.copy_from(&other.memory);
@@ -59,17 +61,17 @@ impl MotionState {
     }
 }
 
-/// The load in a step, without the water's reaction to the motion.
+/// The load on a ship in a step, without the water's reaction to her motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepLoad {
-    /// Force and moments in the ship's axes about the centre of gravity.
+    /// Force and moments on the ship in her axes about her centre of gravity.
     pub force: Six,
-    /// The time for which forces change the velocities (s): the step, but half of it in the first step.
+    /// The time for which forces change the velocities (s): the length of the step, but half of it in the first step.
     pub acts_s: f64,
 }
 
 impl Motion {
-    /// The equation of a ship for a time step (s).
+    /// Makes the equation of motion of a ship for a time step (s).
     #[must_use]
     pub fn new(ship: &Seakeeping, step_s: f64) -> Motion {
         let data = &*ship.data;
@@ -85,16 +87,16 @@ impl Motion {
         motion
     }
 
-    /// The mass matrix over surge, sway and yaw with which the engine moves the ship (kg, kg·m, kg·m²). The matrix is
-    /// the resistance to a push in the plane of a ship that is free to heave, roll and pitch. The matrix includes the
-    /// water's reaction within the step.
+    /// The mass matrix over surge, sway and yaw with which the contact engine moves the ship (kg, kg·m, kg·m²). The
+    /// plane mass is the resistance to a push in the horizontal plane of a ship that is free to heave, roll and pitch.
+    /// The plane mass includes the water's reaction within the step.
     #[must_use]
     pub fn plane_mass(&self) -> &[[f64; 3]; 3] {
         &self.plane_mass
     }
 
-    /// The state of a ship that has moved with a steady velocity for long: `velocity` is surge, sway and yaw through
-    /// the water.
+    /// The state of motion of a ship that has moved with a steady velocity for long: `velocity` is surge, sway and yaw
+    /// through the water.
     #[must_use]
     pub fn start(&self, velocity: [f64; 3]) -> MotionState {
         let [surge, sway, yaw] = velocity;
@@ -102,15 +104,16 @@ impl Motion {
         MotionState { memory, ..MotionState::default() }
     }
 
-    /// The damping, and the added mass less that at infinite frequency, for two motions at a frequency (rad/s) in steps
-    /// of this length.
+    /// The radiation damping, and the added mass less that at infinite frequency, for two motions at a frequency
+    /// (rad/s), in steps of the motion's length.
     #[must_use]
     pub fn answer(&self, entry: [usize; 2], frequency_radps: f64) -> [f64; 2] {
         self.bank.answer(entry, frequency_radps)
     }
 
-    /// The force of the water against a motion from rest, at the end of each step. The velocities belong to the middles
-    /// of steps. The part of the forces that acts as mass is subtracted: it is in [`Motion::mass`].
+    /// The force of the water's memory against a motion that starts from rest, at the end of each step. The given
+    /// velocities belong to the middles of steps. The part of the memory's force that acts as mass is subtracted,
+    /// because it is in [`Motion::mass`].
     #[must_use]
     pub fn memory_force(&self, velocities: &[Six]) -> Vec<Six> {
         let mut memory = self.bank.steady([0.0; 6]);
@@ -123,20 +126,20 @@ impl Motion {
         velocities.iter().map(force).collect()
     }
 
-    /// Mass, with the part of the water's reaction that acts as mass with this step.
+    /// Mass matrix of the ship, with the part of the water's reaction that acts as mass in steps of this length.
     #[must_use]
     pub fn mass(&self) -> &Matrix6 {
         &self.mass
     }
 
-    /// The damping that replaces what the fit of the memory lacks.
+    /// The small damping in place of the damping that the fit of the memory lacks.
     #[must_use]
     pub fn rest(&self) -> &Matrix6 {
         &self.bank.rest
     }
 
-    /// The load in the plane that takes the engine's body to where the ship is without contact. `velocity` is the
-    /// velocity through the water in the ship's axes: surge, sway, yaw.
+    /// The load in the horizontal plane that brings the contact engine's body to where the ship is without contact.
+    /// `velocity` is the ship's velocity through the water in her axes: surge, sway, yaw.
     pub fn predict(
         &self,
         state: &mut MotionState,
@@ -164,8 +167,8 @@ impl Motion {
         })
     }
 
-    /// Moves heave, roll and pitch over the step. `velocity` is the velocity through the water after the step, in the
-    /// ship's axes before the step. `contact` is the load of contact on heave, roll and pitch.
+    /// Moves the ship's heave, roll and pitch over the step. `velocity` is the ship's velocity through the water after
+    /// the step, in her axes before the step. `contact` is the load that contact puts on heave, roll and pitch.
     pub fn settle(
         &self,
         state: &mut MotionState,
@@ -210,11 +213,12 @@ impl Motion {
         }
     }
 
-    /// Leaves an impulse in the plane to the next step, if contact changed the velocities.
+    /// Leaves an impulse in the horizontal plane to the next step, if contact changed the ship's velocities.
     ///
-    /// The impulse is late by one step there. This would add energy, because the moments of fenders are mostly
-    /// restoring. So if the impulse is a small part of the contact's effect, the next step is assumed to need the same
-    /// change again, and any excess is taken back in the step after. A large part would ring.
+    /// The impulse that a step leaves acts one step late. A late impulse would add energy, because the moments of
+    /// fenders are mostly restoring. If the impulse that is left is a small part of the contact's effect, the next step
+    /// is therefore assumed to need the same change again, and any excess is taken back in the step after. If a large
+    /// part of the contact's impulse were guessed ahead, the motion would ring.
     fn leave(&self, state: &mut MotionState, left: [f64; 3], by_contact: [f64; 3]) {
         let size = |impulse: [f64; 3]| -> f64 {
             (0..3).map(|k| impulse[k] * impulse[k] / self.plane_mass[k][k]).sum()
@@ -228,7 +232,7 @@ impl Motion {
         state.ahead = ahead;
     }
 
-    /// The matrices that multiply the velocities after and before the step.
+    /// The matrices of the equation of motion that multiply the velocities after and before the step.
     fn sides(&self, acts_s: f64) -> (Matrix6, Matrix6) {
         let stiff = acts_s * self.step_s / 12.0;
         let inert = plus(&self.mass, stiff, &self.restoring);
@@ -236,7 +240,7 @@ impl Motion {
         (plus(&after, 0.5 * acts_s, &self.damping), plus(&inert, -0.5 * acts_s, &self.damping))
     }
 
-    /// The impulse of the load, the restoring and the memory.
+    /// The impulse on the ship of the load, the restoring and the memory in a step.
     fn impulse(&self, state: &MotionState, attitude: &Attitude, load: &StepLoad) -> Six {
         let Attitude { heave, roll, pitch } = attitude;
         let stiff = times(&self.restoring, &[0.0, 0.0, heave.value, roll.value, pitch.value, 0.0]);
@@ -247,8 +251,9 @@ impl Motion {
     }
 }
 
-/// The mass matrix in the plane of a ship that is free in heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp). The coupling
-/// of surge with sway and yaw is left out, because the engine has none.
+/// The mass matrix in the horizontal plane of a ship that is free in heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp; p:
+/// plane, q: upright motions). The coupling of surge with sway and yaw is left out of the plane mass, because the
+/// contact engine has none.
 fn free_plane_mass(total: &Matrix6) -> [[f64; 3]; 3] {
     let block = |rows: [usize; 3], columns: [usize; 3]| -> [[f64; 3]; 3] {
         rows.map(|row| columns.map(|column| total[row][column]))

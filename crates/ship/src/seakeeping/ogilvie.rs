@@ -1,4 +1,4 @@
-//! Ogilvie's relation between damping and added mass: A(ω) − A∞ = (2/π)∫(B(w) − B(ω))/(w² − ω²)dw.
+//! Ogilvie's relation between damping B and added mass A: A(ω) − A∞ = (2/π)∫(B(w) − B(ω))/(w² − ω²)dw.
 
 use core::f64::consts::FRAC_2_PI;
 
@@ -24,7 +24,7 @@ pub(super) fn change(grid_radps: &[f64], of: impl Fn(usize) -> f64, frequency_ra
     FRAC_2_PI * (inner + beyond)
 }
 
-/// An integral over a grid by the trapezoidal rule.
+/// Computes an integral over a grid by the trapezoidal rule.
 pub(super) fn integral(axis: &[f64], of: impl Fn(usize) -> f64) -> f64 {
     let (mut sum, mut before) = (0.0, of(0));
     for k in 1..axis.len() {

@@ -1,23 +1,24 @@
-//! Checks that no combination of motions gains energy from the data. The entries on the diagonals may be right while
-//! the couplings are wrong.
+//! Checks that no combination of motions gains energy from the data. The entries on the diagonals of the damping may be
+//! right while the couplings are wrong.
 
 use fenderline_contact::number::greater;
 
 use super::error::{Part, Reason, SeakeepingError, error};
 use super::matrix::{Matrix6, Six, smallest_eigenvalue};
 
-/// How far below zero the damping of a combination of motions may be, over the maxima of the single motions. Less than
-/// the first value is numerical noise; the data of this repository have up to 0.4 %. More than the second value is
-/// refused.
+/// How far below zero the damping of a combination of motions may be, divided by the maxima of the single motions. A
+/// negative damping below the first value is numerical noise; the data of this repository have up to 0.4 %. A negative
+/// damping above the second value is refused.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
-/// The identity matrix. A part of a matrix that is scaled to ones on its diagonal may be written over it.
+/// The identity matrix. The identity matrix, over which a part of a matrix that is scaled to ones on its diagonal may
+/// be written.
 pub(super) fn scaled_to_one() -> Matrix6 {
     std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)))
 }
 
 /// The two motions with the largest part in the eigenvector of the smallest eigenvalue, if this eigenvalue is not
-/// positive. The matrix has ones on its diagonal.
+/// positive. The matrix must have ones on its diagonal.
 pub(super) fn negative_together(matrix: &Matrix6) -> Option<[usize; 2]> {
     let (value, vector) = smallest_eigenvalue(matrix);
     (value <= 0.0).then(|| largest_two(&vector))
@@ -41,8 +42,8 @@ pub(super) fn check_total_mass(total: &Matrix6) -> Result<(), SeakeepingError> {
     }
 }
 
-/// Checks the damping of all motions together at each frequency. A violation a little above noise is reported as a
-/// doubt: the memory of the water is made passive.
+/// Checks the damping of all motions together at each frequency. A negative damping a little above noise is reported as
+/// a doubt only, because the memory of the water is made passive.
 ///
 /// # Errors
 /// [`Reason::NegativeTogether`].
@@ -68,7 +69,7 @@ pub(super) fn check_damping(
     }
 }
 
-/// The two largest entries of a vector, the lower index first.
+/// Indices of the two largest entries of a vector, the lower index first.
 fn largest_two(vector: &Six) -> [usize; 2] {
     let mut order = [0, 1, 2, 3, 4, 5];
     order.sort_by(|a, b| vector[*b].abs().total_cmp(&vector[*a].abs()));

@@ -1,13 +1,14 @@
-//! The place and heading of a ship at which the forces of waves are computed.
+//! The slowly moving place and heading of a ship at which the forces of waves are computed.
 //!
-//! Forces of first order belong to the mean place of a ship. At her present place, excitation times her own wave motion
-//! would add a second-order force, which the drift already contains. So a slow place p̂ follows the ship. The slow
-//! place has no lag if she moves steadily: p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
+//! Wave forces of first order belong to the mean place of a ship. If wave forces were computed at the ship's present
+//! place, excitation times her own wave motion would add a second-order force, which the drift already contains. For
+//! the wave forces, a slow place p̂ therefore follows the ship's place p. The slow place p̂ has no lag if the ship
+//! moves steadily: p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
 
 use fenderline_contact::{BodyState, Vec2};
 
-/// c (rad/s). A wave motion at 0.6 rad/s moves the slow place by a fifteenth of the motion; a slow drift at 0.01 rad/s
-/// moves it by the whole drift.
+/// Rate c with which the slow place follows the ship (rad/s): a wave motion at 0.6 rad/s moves the slow place by a
+/// fifteenth of the motion; a slow drift at 0.01 rad/s moves it by the whole drift.
 const RATE_RADPS: f64 = 0.02;
 
 /// A place and a heading that slowly follow those of a ship.

@@ -1,4 +1,5 @@
-//! The retardation function K(t) = (2/π)∫B(ω) cos ωt dω, and the added mass that follows from the damping.
+//! The retardation function K(t) = (2/π)∫B(ω) cos ωt dω of the damping B, and the added mass that follows from the
+//! damping.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -10,12 +11,13 @@ use super::ogilvie::{change, integral};
 use super::spline::Spline;
 use super::unknown_damping::{FIRST_NODE, TAIL, unknown_damping};
 
-/// Number of points of the fine grid up to the last frequency of the data, and beyond it.
+/// Number of points of the fine frequency grid up to the last frequency of the data, and beyond it.
 const FINE: [usize; 2] = [400, 200];
 
-/// Damping on a fine grid of frequencies: a cubic spline of the data, zero at zero frequency. Below the first frequency of the data and beyond the last,
-/// the damping is the one that agrees best with the added mass of the data (`unknown_damping`); at 1.5 times the last frequency it has faded. A reaction
-/// of the water that is faster acts as mass (`effective_infinite`).
+/// Damping on a fine grid of frequencies: a cubic spline through the data, and zero at zero frequency. Below the first
+/// frequency of the data and beyond the last, the damping is the one that agrees best with the added mass of the data
+/// (`unknown_damping`); at 1.5 times the last frequency it has faded. A reaction of the water that is faster than the
+/// frequencies of the grid acts as mass (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
     frequencies_radps: Vec<f64>,
@@ -36,7 +38,7 @@ impl Retardation {
         Retardation { frequencies_radps, damping }
     }
 
-    /// The value of K for two motions at a time (N/m, N, N·m).
+    /// The value of the retardation function K for two motions at a time (N/m, N, N·m).
     #[must_use]
     pub fn at(&self, row: usize, column: usize, t_s: f64) -> f64 {
         FRAC_2_PI
@@ -45,7 +47,7 @@ impl Retardation {
             })
     }
 
-    /// The damping of two motions at a frequency, linear on the fine grid.
+    /// The damping for two motions at a frequency, linear on the fine grid.
     #[must_use]
     pub fn damping(&self, row: usize, column: usize, frequency_radps: f64) -> f64 {
         let axis = &self.frequencies_radps;
@@ -64,15 +66,16 @@ impl Retardation {
         std::array::from_fn(|i| std::array::from_fn(|j| self.damping(i, j, frequency_radps)))
     }
 
-    /// The added mass of two motions, less the added mass at infinite frequency, computed from the damping: A(ω) − A∞ =
-    /// (2/π)∫(B(w) − B(ω))/(w² − ω²)dw. This is −(1/ω)∫K sin ωt dt (Ogilvie 1964), but without the singularity.
+    /// The added mass for two motions, less the added mass at infinite frequency, computed from the damping B: A(ω) −
+    /// A∞ = (2/π)∫(B(w) − B(ω))/(w² − ω²)dw. The integral for A(ω) − A∞ equals −(1/ω)∫K sin ωt dt (Ogilvie 1964), but
+    /// has no singularity.
     #[must_use]
     pub fn added_mass_change(&self, row: usize, column: usize, frequency_radps: f64) -> f64 {
         change(&self.frequencies_radps, |k| self.damping[k][row][column], frequency_radps)
     }
 
-    /// The matrices of added mass at some frequencies (rad/s), less the added mass at infinite frequency. Within the data they are as the data have
-    /// them, elsewhere as they follow from the damping.
+    /// The matrices of added mass at some frequencies (rad/s), less the added mass at infinite frequency. Within the
+    /// frequencies of the data these matrices are as the data have them; elsewhere they follow from the damping.
     pub(super) fn added_mass(
         &self,
         data: &Hydrodynamics,
@@ -95,15 +98,16 @@ impl Retardation {
         frequencies_radps.iter().map(at).collect()
     }
 
-    /// The integral over the grid by the trapezoidal rule.
+    /// Computes an integral over the frequency grid by the trapezoidal rule.
     fn integral(&self, of: impl Fn(usize) -> f64) -> f64 {
         integral(&self.frequencies_radps, of)
     }
 }
 
-/// The effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that follows
-/// from the damping by Ogilvie's relation gives a value; the result is the median of these values, up to where the
-/// damping has faded. The median differs from A∞ by the part of the water's reaction that is faster than the data.
+/// Computes the effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that
+/// follows from the damping by Ogilvie's relation gives a value for the effective added mass; the result is the median
+/// of these values, up to where the damping has faded. The effective added mass differs from A∞ by the part of the
+/// water's reaction that is faster than the data.
 pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation) -> Matrix6 {
     let of = |i: usize, j: usize| {
         let mut values: Vec<f64> = data
@@ -119,7 +123,7 @@ pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation
     std::array::from_fn(|i| std::array::from_fn(|j| of(i.min(j), i.max(j))))
 }
 
-/// The damping at the frequencies of a grid (rad/s), as far as the data have it.
+/// The damping of the data at the frequencies of a grid (rad/s), as far as the data reach.
 fn known_damping(data: &Hydrodynamics, grid_radps: &[f64]) -> Vec<Matrix6> {
     let spline = Spline::new(data.frequencies_radps.clone(), data.damping.clone());
     let last = data.frequencies_radps.len() - 1;

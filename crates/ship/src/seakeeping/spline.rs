@@ -2,10 +2,12 @@
 
 use super::matrix::{Matrix6, ZERO};
 
-/// Cubics between the points of an axis, with continuous curvature. At both ends the slope is the slope of the parabola through the three points there.
+/// A spline: cubics between the points of an axis, with continuous curvature. At both ends of the axis the slope is
+/// that of the parabola through the three points there.
 ///
-/// Its error goes with the fourth power of the steps. Cubics with the slopes of parabolas through three neighbours have an error of the third power, which
-/// counts at a quay, where the resonance of the gap is a few steps wide.
+/// The error of the spline goes with the fourth power of the steps. Cubics with the slopes of parabolas through three
+/// neighbours, instead of a spline, have an error of the third power, which counts at a quay, where the resonance of
+/// the gap is a few steps wide.
 #[derive(Clone, Debug)]
 pub(super) struct Spline {
     axis: Vec<f64>,
@@ -14,7 +16,7 @@ pub(super) struct Spline {
 }
 
 impl Spline {
-    /// The spline of values on an axis of at least three rising numbers.
+    /// Makes the spline through values on an axis of at least three rising numbers.
     pub(super) fn new(axis: Vec<f64>, values: Vec<Matrix6>) -> Spline {
         let last = axis.len() - 1;
         let width = |k: usize| axis[k + 1] - axis[k];
@@ -45,12 +47,12 @@ impl Spline {
         Spline { axis, values, slopes }
     }
 
-    /// The slope at the first point.
+    /// The slope of the spline at the first point.
     pub(super) fn first_slope(&self) -> &Matrix6 {
         &self.slopes[0]
     }
 
-    /// The value at a number within the axis.
+    /// The value of the spline at a number within the axis.
     pub(super) fn at(&self, x: f64) -> Matrix6 {
         let low = self.axis.partition_point(|start| *start <= x).clamp(1, self.axis.len() - 1) - 1;
         let width = self.axis[low + 1] - self.axis[low];

@@ -1,9 +1,11 @@
-//! The damping where the data have none: below their first frequency, and beyond their last.
+//! Estimates the damping where the data have none: below their first frequency, and beyond their last.
 //!
-//! Panel codes give the added mass and the damping each by itself. By Ogilvie's relation (Kramers and Kronig's) the damping at *all* frequencies gives
-//! the added mass at each. So the added mass of the data shows the damping that the data lack. This damping is a polygon over a few nodes. The values
-//! at the nodes are those with which added mass and damping agree best, by least squares. The lacking part is large at a quay, where the resonances of
-//! the gap do not end with the data, and in heave in shallow water, where the damping is large in the slowest waves of the data.
+//! Panel codes compute the added mass and the damping each by itself. By Ogilvie's relation (Kramers and Kronig's) the
+//! damping at *all* frequencies gives the added mass at each frequency. The added mass of the data therefore shows the
+//! damping that the data lack. The lacking damping is taken as a polygon over a few nodes of frequency. The values of
+//! the lacking damping at the nodes are those with which added mass and damping agree best, by least squares. The
+//! lacking part of the damping is large at a quay, where the resonances of the gap do not end with the data, and in
+//! heave in shallow water, where the damping is large in the slowest waves of the data.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -11,18 +13,23 @@ use super::data::Hydrodynamics;
 use super::matrix::{Matrix6, ZERO};
 use super::ogilvie::change;
 
-/// Nodes below the first frequency of the data, over this frequency. At both ends the polygon is zero.
+/// Nodes of the polygon below the first frequency of the data, divided by this frequency. At both ends of these nodes
+/// the polygon of the lacking damping is zero.
 const SLOW: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-/// End of the tail, over the last frequency of the data.
+/// Frequency at which the damping's tail ends, divided by the last frequency of the data.
 pub(super) const TAIL: f64 = 1.5;
-/// Nodes beyond the last frequency of the data, over this frequency. At both ends the polygon is zero.
+/// Nodes of the polygon beyond the last frequency of the data, divided by this frequency. At both ends of these nodes
+/// the polygon of the lacking damping is zero.
 const FAST: [f64; 7] = [1.0, FIRST_NODE, 1.1, 1.2, 1.3, 1.4, TAIL];
-/// To here the damping of the last frequency falls in a straight line, beside the polygon.
+/// Frequency, divided by the last of the data, to which the damping of the last frequency falls in a straight line,
+/// beside the polygon.
 pub(super) const FIRST_NODE: f64 = 1.05;
-/// Number of nodes with a value.
+/// Number of nodes at which the polygon has a value.
 const NODES: usize = SLOW.len() - 2 + FAST.len() - 2;
-/// Weight of the size of the values beside the agreement. Found by trial: with half of this weight the moored ship's sway at a step of 0.5 s is 2.2 % less
-/// than at 0.1 s (`moored_in_waves.rs` allows 2 %); with half as much again a row of the ship in 15 m of water is 2.03 % off (`waves_between.rs`).
+/// Weight of the size of the polygon's values in the least squares, beside the agreement of added mass and damping. The
+/// weight of the values' size was found by trial: with half of it the moored ship's sway at a step of 0.5 s is 2.2 %
+/// less than at 0.1 s (`moored_in_waves.rs` allows 2 %); with half as much again a row of the ship in 15 m of water is
+/// 2.03 % off (`waves_between.rs`).
 const RIDGE: f64 = 2e-2;
 /// Rounds of the solution.
 const ROUNDS: usize = 1000;
@@ -30,10 +37,11 @@ const ROUNDS: usize = 1000;
 /// Values at the nodes.
 type AtNodes = [f64; NODES];
 
-/// The unknown damping at the frequencies of a grid (rad/s), beside a damping that is known on this grid.
+/// Computes the unknown damping at the frequencies of a grid (rad/s), beside a damping that is known on this grid.
 ///
-/// Of a single motion the damping takes energy, and the unknown part is no more than the most that the data have. The values of two motions are limited
-/// by the values of each, as the damping takes energy in both together too.
+/// For a single motion, the damping must take energy, and the unknown part is no more than the largest damping of the
+/// data. For two coupled motions, the unknown damping is limited by that of each motion, because the damping must take
+/// energy in both together too.
 pub(super) fn unknown_damping(
     data: &Hydrodynamics,
     grid_radps: &[f64],
@@ -93,7 +101,7 @@ pub(super) fn unknown_damping(
     (0..grid_radps.len()).map(at).collect()
 }
 
-/// The part of the polygon that belongs to a node: 1 there, 0 at the nodes beside it.
+/// The part of the polygon that belongs to a node: it is 1 at the node and 0 at the nodes beside it.
 fn triangle(node: usize, frequency_radps: f64, [first_radps, last_radps]: [f64; 2]) -> f64 {
     let slow = SLOW.len() - 2;
     let (nodes, x) = match node < slow {
@@ -105,14 +113,15 @@ fn triangle(node: usize, frequency_radps: f64, [first_radps, last_radps]: [f64; 
     greater(lesser(rises, falls), 0.0)
 }
 
-/// Values less their mean: a constant is added mass at infinite frequency, which is free.
+/// Subtracts the mean from values: a constant counts as added mass at infinite frequency, which is free.
 fn without_mean(mut values: Vec<f64>) -> Vec<f64> {
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     values.iter_mut().for_each(|value| *value -= mean);
     values
 }
 
-/// Factors of the columns, within limits, whose sum is nearest to what is wanted: one factor after the other, in rounds.
+/// Finds factors of columns, within limits, with which their sum is nearest to the wanted values: one factor after the
+/// other, in rounds.
 fn best(columns: &[Vec<f64>; NODES], wanted: &[f64], limits: &[[f64; 2]; NODES]) -> AtNodes {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut squares: [AtNodes; NODES] =

@@ -7,16 +7,17 @@ use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
-/// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, over the damping of the data. The ratio is taken in
-/// heave, at the frequency of the largest damping. It should be 1, and 2 at a quay. Newtons in place of kilonewtons would be wrong by a factor of a
-/// million, tonnes-force by a hundred, feet by eleven.
+/// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, divided by the
+/// damping of the data. The ratio of the two dampings is taken in heave, at the frequency of the largest damping. The
+/// ratio of the two dampings should be 1, and 2 at a quay. With forces in newtons in place of kilonewtons the ratio
+/// would be wrong by a factor of a million, with tonnes-force by a hundred, with feet by eleven.
 const HASKIND: [f64; 2] = [0.1, 10.0];
-/// Largest mean drift over ρgL/2, which is the total reflection of a wave over the length. The limit allows for
-/// resonance.
+/// Largest mean drift that is accepted, divided by ρgL/2, which is the drift of a wave that is wholly reflected over
+/// the length L. The limit of the mean drift leaves room for resonance.
 const DRIFT: f64 = 10.0;
 
-/// Haskind's relation in heave: the damping is k/(8πρg c) ∫|X|² dμ, where X is the exciting force in a wave of
-/// amplitude 1 m, by heading, k the wave number and c the group velocity (Newman 1962 in deep water, recalled).
+/// Checks Haskind's relation in heave: the damping is k/(8πρg c) ∫|X|² dμ, where X is the exciting force in a wave of
+/// amplitude 1 m, by heading, k the wave number and c the group velocity (Newman 1962 in deep water, from memory).
 ///
 /// # Errors
 /// [`Reason::ForcesOfOtherUnits`], [`Reason::Implausible`].

@@ -8,7 +8,7 @@ use crate::range::OutOfRange;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TrackError {
-    /// A number outside its range.
+    /// A number of the track is outside its range.
     OutOfRange(OutOfRange),
     /// Fewer than two waypoints.
     TooFew,
@@ -17,16 +17,16 @@ pub enum TrackError {
         /// Index of the waypoint.
         waypoint: usize,
     },
-    /// The legs at a waypoint are too short for a bend of this radius, or the ship would turn round on the spot.
+    /// The legs at a waypoint are too short for a bend of the given radius, or the ship would turn round on the spot.
     Bend {
         /// Index of the waypoint.
         waypoint: usize,
-        /// The largest radius that fits (m); 0 if the track turns back.
+        /// The largest radius of a bend that fits (m); 0 if the track turns back.
         most_m: f64,
     },
-    /// The times of speeds do not increase.
+    /// The times at which speeds are given do not increase.
     NotLater {
-        /// Index of the first time that is not later than the time before it.
+        /// Index of the first time of a speed that is not later than the time before it.
         entry: usize,
     },
 }
@@ -50,7 +50,7 @@ impl fmt::Display for TrackError {
                 )
             }
             TrackError::NotLater { entry } => {
-                write!(f, "speed {entry} is not later than the speed before it")
+                write!(f, "the time of speed {entry} is not later than that of the speed before it")
             }
         }
     }

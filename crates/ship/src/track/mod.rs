@@ -1,8 +1,8 @@
 //! Tracks: the positions of a ship that follows waypoints at given speeds, whatever forces act on her.
 //!
-//! Everything here is a pure function of time, without state, so a run can be copied, restored and replayed bit for
-//! bit. A track has no end: before its first waypoint and after its last waypoint the ship is on the straight line
-//! through the first or last leg.
+//! Everything about a track is a pure function of time, without state, so that a run can be copied, restored and
+//! replayed bit for bit. A track has no end: before the first waypoint and after the last the ship is on the straight
+//! line through the first or last leg.
 
 mod error;
 mod pace;
@@ -14,27 +14,27 @@ pub use error::TrackError;
 pub use pace::Pace;
 pub use path::Path;
 
-/// The position of a ship at each time.
+/// A track: the position of a ship at each time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// The path of the ship.
+    /// The path along which the ship moves.
     pub path: Path,
-    /// The progress of the ship along the path.
+    /// The progress of the ship along the path over time.
     pub pace: Pace,
 }
 
-/// A ship on her track at some time.
+/// Position and motion of a ship on her track at some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnTrack {
-    /// Pose of the ship's midship; the heading is that of the path.
+    /// Pose of the ship's midship point; the heading is that of the path.
     pub pose: Pose,
     /// Heading of the ship, clockwise from north, from −π to π (rad).
     pub heading_rad: f64,
-    /// Speed over the ground along the path (m/s).
+    /// Speed of the ship over the ground along the path (m/s).
     pub speed_mps: f64,
-    /// Velocity over the ground, north and east (m/s).
+    /// Velocity of the ship over the ground, north and east (m/s).
     pub velocity_mps: Vec2,
-    /// Rate of turn, clockwise (rad/s).
+    /// Rate of turn of the ship, clockwise (rad/s).
     pub yaw_rate_radps: f64,
 }
 

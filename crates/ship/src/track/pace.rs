@@ -6,20 +6,20 @@ use crate::range::within;
 /// Speed along a track by time: straight lines between times, constant before the first and after the last time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pace {
-    /// Times and speeds, from the first time on.
+    /// Knots: times at which a speed is given, and the speeds, from the first time on.
     knots: Vec<Knot>,
-    /// Distance from the first knot at which the track begins (m).
+    /// Distance from the first knot (time with a speed) to the first waypoint of the track (m).
     begins_m: f64,
-    /// When the ship is at the first waypoint (s).
+    /// Time at which the ship is at the first waypoint (s).
     at_first_s: f64,
 }
 
-/// A time at which the speed is given.
+/// A knot: a time at which the speed is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Knot {
     t_s: f64,
     speed_mps: f64,
-    /// Distance covered since the first knot (m).
+    /// Distance that the ship has covered since the first knot (m).
     covered_m: f64,
 }
 
@@ -27,16 +27,17 @@ impl Pace {
     /// A constant speed (m/s). The ship is at the first waypoint at the time `at_s` (s).
     ///
     /// # Errors
-    /// A speed that is not between 0 and 50 m/s, a time beyond ±10⁸ s.
+    /// Fails for a speed that is not between 0 and 50 m/s, or a time beyond ±10⁸ s.
     pub fn steady(speed_mps: f64, at_s: f64) -> Result<Pace, TrackError> {
         Pace::by_time(&[(0.0, speed_mps)], at_s)
     }
 
-    /// A speed that changes with time: times (s) and speeds (m/s). The ship is at the first waypoint at the time `at_s`
-    /// (s).
+    /// Makes a speed that changes with time, from times (s) and speeds (m/s). The ship is at the first waypoint at the
+    /// time `at_s` (s).
     ///
     /// # Errors
-    /// No speed; a speed that is not between 0 and 50 m/s; a time beyond ±10⁸ s, or not later than the time before it.
+    /// Fails if there is no speed, a speed that is not between 0 and 50 m/s, or a time that is beyond ±10⁸ s or not
+    /// later than the time before it.
     pub fn by_time(speeds: &[(f64, f64)], at_s: f64) -> Result<Pace, TrackError> {
         within("number of speeds of a track", speeds.len() as f64, 1.0, 1e6)?;
         within("time at the first waypoint [s]", at_s, -1e8, 1e8)?;
@@ -58,18 +59,18 @@ impl Pace {
         Ok(pace)
     }
 
-    /// When the ship is at the first waypoint (s).
+    /// Time at which the ship is at the first waypoint (s).
     #[must_use]
     pub fn at_first_s(&self) -> f64 {
         self.at_first_s
     }
 
-    /// The given times (s) and speeds (m/s); a steady speed has one pair.
+    /// The given times (s) and speeds (m/s) along the track; a steady speed has one pair.
     pub fn speeds(&self) -> impl ExactSizeIterator<Item = (f64, f64)> {
         self.knots.iter().map(|knot| (knot.t_s, knot.speed_mps))
     }
 
-    /// Speed at a time (m/s).
+    /// Speed along the track at a time (m/s).
     #[must_use]
     pub fn speed_mps(&self, t_s: f64) -> f64 {
         let (last, next) = self.around(t_s);
@@ -82,14 +83,14 @@ impl Pace {
         }
     }
 
-    /// The highest speed at any time (m/s).
+    /// The highest speed along the track at any time (m/s).
     #[must_use]
     pub fn fastest_mps(&self) -> f64 {
         let speeds = self.knots.iter().map(|knot| knot.speed_mps);
         speeds.fold(0.0, fenderline_contact::number::greater)
     }
 
-    /// Distance along the track from its first waypoint at a time (m), negative before the first waypoint.
+    /// Distance of the ship along the track from its first waypoint at a time (m), negative before the first waypoint.
     #[must_use]
     pub fn distance_m(&self, t_s: f64) -> f64 {
         self.covered_m(t_s) - self.begins_m
@@ -100,8 +101,8 @@ impl Pace {
         last.covered_m + 0.5 * (t_s - last.t_s) * (last.speed_mps + self.speed_mps(t_s))
     }
 
-    /// The knot at or before a time, or the first knot; and the knot after it. There is no second knot before the
-    /// first.
+    /// Finds the knot (time with a speed) at or before a time, or the first knot; and the knot after it. Before the
+    /// first knot, no second knot is returned.
     fn around(&self, t_s: f64) -> (Knot, Option<Knot>) {
         let later = self.knots.partition_point(|knot| knot.t_s <= t_s);
         if later == 0 {

@@ -1,4 +1,4 @@
-//! The line that a ship follows: straight legs with round bends.
+//! The line that a ship on a track follows: straight legs with round bends.
 
 use core::f64::consts::PI;
 
@@ -7,40 +7,40 @@ use fenderline_contact::{Rotation, Vec2, vec2};
 use super::error::TrackError;
 use crate::range::within;
 
-/// Straight legs between waypoints, joined by arcs of one radius.
+/// A path of straight legs between waypoints, joined by arcs of one radius.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     pieces: Vec<Piece>,
 }
 
-/// A leg or an arc.
+/// A piece of a path: a straight leg or an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Piece {
     /// Distance along the path at which the piece begins (m).
     from_m: f64,
-    /// Place at which the piece begins, north and east (m).
+    /// Place at which the piece of path begins, north and east (m).
     start_m: Vec2,
-    /// Heading at the start of the piece (rad).
+    /// Heading at the start of the piece of path (rad).
     heading_rad: f64,
-    /// One over the radius (1/m), positive for a turn to starboard; 0 for a leg.
+    /// Curvature of the piece: 1 divided by the radius (1/m), positive for a turn to starboard; 0 for a leg.
     curvature_pm: f64,
 }
 
-/// A place on a path.
+/// A place on the path of a ship on a track.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub(super) position_m: Vec2,
     pub(super) heading_rad: f64,
-    /// Unit vector along the path.
+    /// Unit vector along the path at this place.
     pub(super) ahead: Vec2,
     pub(super) curvature_pm: f64,
 }
 
 impl Path {
-    /// A straight line through a point, north and east (m), with a heading (rad).
+    /// Makes a straight path through a point, north and east (m), with a heading (rad).
     ///
     /// # Errors
-    /// A number that is not finite or beyond 10⁸.
+    /// Fails for a number that is not finite or beyond 10⁸.
     pub fn straight(through_m: Vec2, heading_rad: f64) -> Result<Path, TrackError> {
         for value in [through_m.x, through_m.y] {
             within("position of a track [m]", value, -1e8, 1e8)?;
@@ -52,11 +52,11 @@ impl Path {
         })
     }
 
-    /// Legs between waypoints, north and east (m), with bends of a radius (m) that touch both legs.
+    /// Makes a path of legs between waypoints, north and east (m), with bends of a radius (m) that touch both legs.
     ///
     /// # Errors
-    /// Fewer than two waypoints; a waypoint less than a metre from the waypoint before it; a radius that is not between
-    /// 1 m and 100 km, or that does not fit between the waypoints.
+    /// Fails for fewer than two waypoints; a waypoint less than a metre from the waypoint before it; or a radius that
+    /// is not between 1 m and 100 km, or that does not fit between the waypoints.
     pub fn through(waypoints_m: &[Vec2], radius_m: f64) -> Result<Path, TrackError> {
         if waypoints_m.len() < 2 {
             return Err(TrackError::TooFew);
@@ -120,8 +120,8 @@ impl Path {
         }
     }
 
-    /// Points for drawing, from `from_m` to `to_m` along the path (m), given north and east (m). The points are the
-    /// ends of legs, and points on bends at most a twelfth of a turn apart.
+    /// Points for drawing the path, from `from_m` to `to_m` along it (m), given north and east (m). The points for
+    /// drawing are the ends of legs, and points on bends at most a twelfth of a turn apart.
     #[must_use]
     pub fn points_m(&self, from_m: f64, to_m: f64) -> Vec<Vec2> {
         let mut points = vec![self.at(from_m).position_m];
@@ -140,7 +140,7 @@ impl Path {
     }
 }
 
-/// Checks that each leg has room for the bends at both of its ends.
+/// Checks that each leg of the path has room for the bends at both of its ends.
 fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), TrackError> {
     // Length of a leg that a bend of radius 1 takes.
     let cut = |index: usize| libm::tan(0.5 * turns_rad[index].abs());
@@ -155,7 +155,7 @@ fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), Tr
     Ok(())
 }
 
-/// The angle in the range from −π to π (rad).
+/// Returns an angle in the range from −π to π (rad).
 fn within_half_turn(angle_rad: f64) -> f64 {
     angle_rad - 2.0 * PI * libm::round(angle_rad / (2.0 * PI))
 }

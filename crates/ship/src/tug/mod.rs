@@ -1,8 +1,8 @@
 //! Vector tugs. A vector tug is a force on a ship, within the tug's envelope and with the tug's delay and lag.
 //!
-//! A [`VectorTug`] is the constant part, checked once. A [`TugState`] is plain data. [`VectorTug::order`] gives an
-//! order, and [`VectorTug::step`] computes the force. A tug that pushes with a bow fender, or that moves on her line,
-//! is a vessel with her own body instead.
+//! A [`VectorTug`] is the part of a tug that does not change in a run, checked once. A [`TugState`] is the changing
+//! part of a vector tug: plain data. [`VectorTug::order`] gives a tug an order, and [`VectorTug::step`] computes the
+//! tug's force. A tug that pushes with a bow fender, or that moves on her line, is a vessel with her own body instead.
 //!
 //! ```
 //! use fenderline_contact::vec2;

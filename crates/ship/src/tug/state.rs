@@ -1,4 +1,4 @@
-//! A vector tug: orders, delay, lag.
+//! The state of a vector tug: its orders, with their delay, and the lag of its force.
 
 use core::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use fenderline_contact::{Vec2, vec2};
 use super::envelope::TugEnvelope;
 use crate::range::{OutOfRange, within};
 
-/// A tug changes between pushing and pulling when her force is below this share of her bollard pull.
+/// Share of the bollard pull: a tug changes between pushing and pulling when her force is below this share.
 const SLACK_SHARE: f64 = 0.01;
 
-/// A tug that acts as a force at a point of a ship; the constant part.
+/// A tug that acts as a force at a point of a ship: the data that do not change in a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VectorTug {
     /// Name, for messages.
@@ -22,11 +22,11 @@ pub struct VectorTug {
     pub push_at_m: Vec2,
     /// Fairlead of the tug's line, forward and to starboard of the ship's midship (m).
     pub pull_at_m: Vec2,
-    /// Delay of an order (s).
+    /// Time after which the tug begins to carry out an order (s).
     pub delay_s: f64,
-    /// Time constant of the force (s).
+    /// Time constant of the lag of the tug's force (s).
     pub force_lag_s: f64,
-    /// Time constant of the direction of the force (s).
+    /// Time constant of the lag of the force's direction (s).
     pub direction_lag_s: f64,
 }
 
@@ -40,43 +40,43 @@ pub enum TugOrder {
     Push {
         /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship, from the ship's bow, positive to starboard (rad).
+        /// Direction in which the tug pushes the ship, from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
     },
     /// Pull on the line.
     Pull {
         /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship, from the ship's bow, positive to starboard (rad).
+        /// Direction in which the tug pulls the ship, from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
     },
 }
 
-/// The variable state of a tug: plain data.
+/// The state of a tug that changes in a run: plain data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TugState {
-    /// The order that the tug carries out.
+    /// The order that the tug carries out at present.
     pub order: TugOrder,
-    /// Delayed orders, oldest first, with the time (s) at which they begin.
+    /// Orders that the tug has not yet begun, oldest first, with the time (s) at which they begin.
     pub waiting: Vec<(f64, TugOrder)>,
     /// Force (N).
     pub force_n: f64,
-    /// Direction of the force from the ship's bow, positive to starboard (rad).
+    /// Present direction of the tug's force from the ship's bow, positive to starboard (rad).
     pub direction_rad: f64,
     /// Whether the tug pulls on her line instead of pushing at the hull.
     pub on_line: bool,
 }
 
-/// A tug's force in a step.
+/// A tug's force on a ship in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TugForce {
-    /// [X, Y, N] about midship in the ship's axes (N, N, N·m).
+    /// Force and moment [X, Y, N] of the tug about midship in the ship's axes (N, N, N·m).
     pub force: [f64; 3],
-    /// Point of action, from midship (m).
+    /// Point of the ship where the tug's force acts, from midship (m).
     pub at_m: Vec2,
     /// Whether the ordered force was limited to the force that the tug can give at this speed and angle.
     pub limited: bool,
-    /// Whether an order began in this step.
+    /// Whether the tug began an order in this step.
     pub began: bool,
 }
 
@@ -84,7 +84,7 @@ impl VectorTug {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first number out of range, with its name.
+    /// Fails at the first number of the tug that is out of range, and names it.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.envelope.check()?;
         for place_m in [self.push_at_m, self.pull_at_m] {
@@ -97,11 +97,12 @@ impl VectorTug {
         Ok(())
     }
 
-    /// Gives an order at a time. The order begins after the delay. Orders are carried out in sequence.
+    /// Gives an order to the tug at a time. The tug begins to carry out an order after the delay. The tug carries out
+    /// orders one after the other.
     ///
     /// # Errors
-    /// A force below 0 or above 10⁸ N, or a direction out of range; the state is then unchanged. A force above the
-    /// bollard pull is accepted, but limited in each step.
+    /// Fails for a force below 0 or above 10⁸ N, or a direction out of range; the tug's state is then unchanged. An
+    /// ordered force above the bollard pull is accepted, but limited in each step.
     pub fn order(&self, state: &mut TugState, t_s: f64, order: TugOrder) -> Result<(), OutOfRange> {
         if let TugOrder::Push { force_n, direction_rad }
         | TugOrder::Pull { force_n, direction_rad } = order
@@ -114,10 +115,10 @@ impl VectorTug {
         Ok(())
     }
 
-    /// The force at the end of a step from `t_s`. `water_mps` is the velocity of the ship through the water in the
-    /// ship's axes, forward and to starboard (m/s). Force and direction follow the order as exact exponentials, for a
-    /// step of any length. Between push and pull the force first falls to zero. An order takes effect in the first step
-    /// that begins at its time or later.
+    /// The force of the tug at the end of a step that begins at `t_s`. `water_mps` is the velocity of the ship through
+    /// the water in the ship's axes, forward and to starboard (m/s). Force and direction of the tug follow the order as
+    /// exact exponentials, for a step of any length. Between pushing and pulling the tug's force first falls to zero.
+    /// An order to the tug takes effect in the first step that begins at its time or later.
     pub fn step(
         &self,
         state: &mut TugState,
@@ -154,8 +155,8 @@ impl VectorTug {
         }
     }
 
-    /// True if the tug is at the hull or on her line, as the order needs. The tug changes between the two once the
-    /// force is small.
+    /// True if the tug is at the hull or on her line, as her order needs. The tug changes between hull and line once
+    /// her force is small.
     fn change_over(&self, state: &mut TugState, target: &Target) -> bool {
         let Some(on_line) = target.on_line else { return true };
         if state.on_line != on_line && state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
@@ -171,7 +172,7 @@ impl VectorTug {
     }
 }
 
-/// Begins the orders that are due. Returns true if any order was due.
+/// Begins the tug's orders that are due. Returns true if any order to the tug was due.
 fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     let due = state.waiting.iter().take_while(|(begins_s, _)| *begins_s <= t_s).count();
     for (_, order) in state.waiting.drain(..due) {
@@ -180,11 +181,11 @@ fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     due > 0
 }
 
-/// The force that an order asks for.
+/// The force that an order to a tug asks for.
 struct Target {
     wanted_n: f64,
     direction_rad: f64,
-    /// True for the line, false for the hull; `None` for either.
+    /// True if the order needs the tug on her line, false if it needs her at the hull; `None` if it needs neither.
     on_line: Option<bool>,
 }
 
@@ -204,7 +205,7 @@ impl Target {
     }
 }
 
-/// 1 − e^(−Δt/τ): the share of a change that a first-order lag covers in a step; 1 without a lag.
+/// Share 1 − e^(−Δt/τ) of a change that a first-order lag covers in a step; 1 without a lag.
 fn share(step_s: f64, lag_s: f64) -> f64 {
     if lag_s > 0.0 { -libm::expm1(-step_s / lag_s) } else { 1.0 }
 }

@@ -1,6 +1,6 @@
-//! Random numbers from a seed, the same on every platform.
+//! Draws random numbers from a seed, the same on every platform.
 
-/// Steele, Lea and Flood's SplitMix64.
+/// The generator is SplitMix64 by Steele, Lea and Flood.
 pub(crate) struct Draw(u64);
 
 impl Draw {
@@ -19,12 +19,12 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// A uniform number from `low` up to `high`.
+    /// Draws a uniform random number from `low` up to `high`.
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.word() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// A random element of `all`.
+    /// Draws a random element of the list `all`.
     pub(crate) fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[(self.word() % all.len() as u64) as usize]
     }

@@ -1,4 +1,4 @@
-//! One impact: a tug at any heading, velocity and rate of turn meets fenders on a quay or a pontoon.
+//! One random impact: a tug at any heading, velocity and rate of turn meets fenders on a quay or a pontoon.
 
 use std::f64::consts::PI;
 
@@ -12,12 +12,12 @@ use crate::draw::Draw;
 use crate::support::scenes::{FENDER_HEIGHT_M, berth_materials, cone_fender, quay, tug};
 use crate::support::{floating, rectangle, spring};
 
-/// The random parameters of an episode.
+/// The random parameters of an impact.
 #[derive(Clone, Debug)]
 pub(crate) struct Episode {
-    /// Mass of the pontoon that carries the fenders; `None`: a quay carries them.
+    /// Mass of the pontoon that carries the fenders (kg); `None` if a quay carries them.
     host_kg: Option<f64>,
-    /// Added mass in sway over displacement, of the tug and of the pontoon.
+    /// Added mass in sway of the tug and of the pontoon, divided by their displacements.
     added: [f64; 2],
     boxy: bool,
     heading_rad: f64,
@@ -33,7 +33,7 @@ pub(crate) struct Episode {
     pub(crate) step_s: f64,
     /// Unloading law of the fenders.
     unloading: Option<UnloadsBy>,
-    /// Panel of each fender: the places of its two cones, and the break load of its tension chain.
+    /// Panel in front of each fender: the places of its two cones, and the break load of its tension chain.
     pub(crate) panel: Option<([f64; 2], f64)>,
 }
 
@@ -46,21 +46,22 @@ enum Law {
 
 #[derive(Clone, Copy, Debug)]
 enum UnloadsBy {
-    /// The fenders return this share of the energy.
+    /// The fenders return this share of the absorbed energy.
     Returned(f64),
-    /// An unloading curve at this share of the loading curve. For an area law: the returned share of the energy.
+    /// The unloading curve is this share of the loading curve. For fenders with an area law, the number is the returned
+    /// share of the absorbed energy.
     Curve(f64),
 }
 
-/// The energy balance of an episode, as shares of the kinetic energy before the impact.
+/// The energy balance of a random impact, as shares of the kinetic energy before the impact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome {
     /// Energy lost in contact.
     lost: f64,
-    /// Residual of the energy ledger: the error of the Coriolis terms within a step.
+    /// Residual of the energy balance: the error of the Coriolis terms within a step.
     pub(crate) turning: f64,
     pub(crate) touched: bool,
-    /// Whether the hull also touched the structure behind the fenders.
+    /// True if the hull also touched the structure behind the fenders.
     pub(crate) touched_structure: bool,
 }
 
@@ -70,13 +71,14 @@ impl Outcome {
         -self.lost
     }
 
-    /// Energy gained by contact, with the residual added.
+    /// Energy gained by contact, with the residual of the energy balance added.
     pub(crate) fn gain_with_turning(&self) -> f64 {
         self.turning - self.lost
     }
 }
 
-/// The episode of a seed. With `unloads` the fenders have unloading laws; the impact is the same.
+/// Draws the parameters of an impact from a seed. With `unloads` the fenders have unloading laws, but the impact is the
+/// same as without `unloads`.
 pub(crate) fn random(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     let mut draw = Draw::new(seed);
     let added = [draw.between(0.0, 0.9), draw.between(0.0, 0.9)];
@@ -106,7 +108,7 @@ pub(crate) fn random(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     }
 }
 
-/// Runs an episode of 20 s.
+/// Simulates an impact for 20 s and returns its energy balance.
 pub(crate) fn play(episode: &Episode) -> Outcome {
     let mut simulation = Simulation::new(setup(episode)).expect("a good set-up");
     let before_j = simulation.energy().kinetic_j;

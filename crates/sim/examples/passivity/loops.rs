@@ -1,8 +1,9 @@
-//! Work of a closed, frictionless loop. The corner of a hull moves round the corner of a quay: into the quay on one
-//! side and out on the other.
+//! Measures the work of a closed, frictionless loop. The corner of a hull moves round the corner of a quay: into the
+//! quay on one side and out on the other.
 //!
-//! Along the chord's normal the force kS is not the gradient of an energy (docs/contact_model.md, section 2), so a loop
-//! gains or loses energy. Along a face the force is such a gradient, and a loop does no work.
+//! With the force kS along the chord's normal, which is not the gradient of an energy (docs/contact_model.md, section
+//! 2), a loop gains or loses energy. Along a fender's face the force is the gradient of an energy, and a loop does no
+//! work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,14 +16,16 @@ use crate::support::{outline, rectangle, spring};
 
 /// The paper's k (N/m²).
 const STIFFNESS_NPM2: f64 = 500e3;
-/// The ship's corner moves on a circle of this radius about a point at this distance inside both sides of the quay (m).
+/// Radius of the circle on which the ship's corner moves, and distance of the centre of the circle inside both sides of
+/// the quay (m).
 const RADIUS_M: f64 = 2.0;
 const WITHIN_M: f64 = 0.5;
 const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
-/// Steps round the circle. The error decreases with the square of the number of steps.
+/// Steps round the circle. The error of the computed work decreases with the square of the number of steps.
 const STEPS: u32 = 20_000;
 
-/// Measures the loop by chord and by face. Returns false if the loop along the face did work.
+/// Measures the work of the loop with the force by chord and with the force by face. Returns false if the loop along
+/// the fender's face did work.
 pub(crate) fn report() -> bool {
     println!(
         "frictionless closed loops of {RADIUS_M} m round a corner, k = {:.0} kN/m²:",
@@ -48,15 +51,15 @@ pub(crate) fn report() -> bool {
     println!(
         "  {}",
         if closed {
-            "the loop along a face does no work"
+            "the closed loop along a fender face does no work"
         } else {
-            "THE LOOP ALONG A FACE DID WORK"
+            "THE CLOSED LOOP ALONG A FENDER FACE DID WORK"
         }
     );
     closed
 }
 
-/// Work on the ship in one loop, and the greatest energy taken from her on the way (J).
+/// Work on the ship in one loop, and the greatest energy taken from her on the way round (J).
 fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     let turned = Rotation::from_angle(heading_rad);
     let middle_m = vec2(WITHIN_M, WITHIN_M) - turned.apply(SHIP_CORNER_M);
@@ -74,7 +77,7 @@ fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     (work_j, -least_j)
 }
 
-/// The spring force, before any limiter.
+/// The spring force on the ship, before any limiter.
 fn force_on_ship_n(model: &Model, position_m: Vec2, heading_rad: f64) -> Vec2 {
     let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
     let ship = BodyState { position_m, heading_rad, ..BodyState::default() };
@@ -85,13 +88,13 @@ fn force_on_ship_n(model: &Model, position_m: Vec2, heading_rad: f64) -> Vec2 {
         .fold(Vec2::ZERO, |sum, c| sum + c.normal * (c.parts.spring_n + c.parts.stop_n))
 }
 
-/// A quay with its corner at the origin.
+/// The model of a quay with its corner at the origin.
 fn corner() -> Model {
     let square = [vec2(0.0, 0.0), vec2(60.0, 0.0), vec2(60.0, 60.0), vec2(0.0, 60.0)];
     model(outline(&square), None, spring(STIFFNESS_NPM2, 1.0))
 }
 
-/// A fender whose face ends at the same corner, with the quay 4 m behind.
+/// The model of a fender whose face ends at the quay's corner, with the quay 4 m behind the face.
 fn face() -> Model {
     let quay = [vec2(4.0, 0.0), vec2(60.0, 0.0), vec2(60.0, 60.0), vec2(4.0, 60.0)];
     let fender = Fender {

@@ -1,13 +1,14 @@
 //! Checks that contact does not generate energy: `cargo xtask passivity [EPISODES]`.
 //!
-//! Random impacts on fender faces with γ ≤ 0.9, half of them on panels with two cones and a tension chain, and the same
-//! impacts on fenders with unloading laws. No body may leave with more kinetic energy than it had before. Then there
-//! are two measurements: the gain with γ = 1 for each time step, which must decrease with the step; and the work of a
-//! closed loop round a corner, by the chord's normal and by a fender's face.
+//! The program simulates random impacts on fender faces with γ ≤ 0.9, half of them on panels with two cones and a
+//! tension chain, and the same impacts on fenders with unloading laws. No body may leave an impact with more kinetic
+//! energy than it had before. The program then makes two measurements: the gain with γ = 1 for each time step, which
+//! must decrease with the step; and the work of a closed loop round a corner, by the chord's normal and by a fender's
+//! face.
 //!
-//! The exit code is 1 if a check fails.
+//! The exit code of the program is 1 if a check fails.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "these are expected values, not results")]
 
 #[path = "../../tests/support/mod.rs"]
 mod support;
@@ -20,11 +21,11 @@ use std::process::ExitCode;
 
 use episode::{Outcome, play};
 
-/// Default number of episodes of each kind.
+/// Default number of random impacts of each kind.
 const EPISODES: u64 = 100_000;
-/// Episodes at each time step with γ = 1.
+/// Number of random impacts at each time step with γ = 1.
 const ELASTIC_EPISODES: u64 = 2_000;
-/// Rounding error of a run of some hundred sub-steps.
+/// Rounding error of the energy balance of a run with some hundred sub-steps.
 const ROUNDING: f64 = 1e-9;
 
 fn main() -> ExitCode {
@@ -46,7 +47,7 @@ fn main() -> ExitCode {
     if passive && decreases && closed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Runs episodes with γ up to 0.9, or with unloading laws. Returns false if an episode gained energy.
+/// Simulates random impacts with γ up to 0.9, or with unloading laws. Returns false if energy was gained in an impact.
 fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool {
     let of_seed = |seed| episode::random(seed, anisotropic, unloads);
     let all = in_two_threads(episodes, |seed| play(&of_seed(seed)));
@@ -56,10 +57,14 @@ fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool 
     println!("{law}, {what}: {episodes} impacts");
     println!("  {touched} touched a fender, {structure} of these also the structure behind it");
     let (gain, worst) = largest(&all, Outcome::gain);
-    println!("  largest gain {gain:+.3e} of the kinetic energy before the impact, seed {worst}");
+    println!(
+        "  largest energy gain {gain:+.3e} of the kinetic energy before the impact, seed {worst}"
+    );
     if anisotropic {
         let (gain, worst) = largest(&all, Outcome::gain_with_turning);
-        println!("  largest gain with the error of the Coriolis terms {gain:+.3e}, seed {worst}");
+        println!(
+            "  largest energy gain with the error of the Coriolis terms {gain:+.3e}, seed {worst}"
+        );
         let (most, worst) = largest(&all, |o| o.turning.abs());
         println!("  largest error of the Coriolis terms {most:.3e}, seed {worst}");
     }
@@ -71,10 +76,11 @@ fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool 
     passive
 }
 
-/// γ = 1: the gain that the integrator makes, for each time step. Only impacts on faces count, because the force of the
-/// structure behind acts along the chord's normal. Returns false if the gain does not decrease with the step.
+/// Measures for γ = 1 the gain of energy that the integrator makes, for each time step. Only impacts on faces are
+/// counted, because the force of the structure behind them acts along the chord's normal. Returns false if the gain
+/// does not decrease with the time step.
 fn elastic() -> bool {
-    println!("γ = 1, {ELASTIC_EPISODES} impacts at each time step, those on faces alone:");
+    println!("γ = 1, {ELASTIC_EPISODES} impacts at each time step, only impacts on fender faces:");
     let mut largest_gains = vec![];
     for step_s in [1.0, 0.5, 0.1, 0.05, 0.01] {
         let all = in_two_threads(ELASTIC_EPISODES, |seed| {
@@ -98,21 +104,21 @@ fn elastic() -> bool {
     println!(
         "  {}",
         if decreases {
-            "the gain decreases with the time step"
+            "the energy gain decreases with the time step"
         } else {
-            "THE GAIN DOES NOT DECREASE"
+            "THE ENERGY GAIN DOES NOT DECREASE WITH THE TIME STEP"
         }
     );
     decreases
 }
 
-/// The largest value and its seed.
+/// The largest value among the outcomes, and the seed of this outcome.
 fn largest(all: &[Outcome], value: impl Fn(&Outcome) -> f64) -> (f64, usize) {
     let values = all.iter().enumerate().map(|(seed, outcome)| (value(outcome), seed));
     values.fold((f64::NEG_INFINITY, 0), |most, one| if one.0 > most.0 { one } else { most })
 }
 
-/// The outcome of each seed below `count`, in their order.
+/// The outcomes for the seeds below `count`, in the order of the seeds.
 fn in_two_threads(count: u64, one: impl Fn(u64) -> Outcome + Sync) -> Vec<Outcome> {
     let half = count / 2;
     std::thread::scope(|scope| {

@@ -7,20 +7,20 @@ use fenderline_ship::anchor::{AnchorPosition, SHACKLE_M, WindlassOrder};
 use fenderline_world::setup::Setup;
 use fenderline_world::world::AnchorAtWork;
 
-/// By this much the chain may be shorter than asked for (m): an order in shackles and a condition in metres differ by
-/// rounding.
+/// By this much (m) the chain may be shorter than the goal asks: an order in shackles and a condition in metres differ
+/// by rounding.
 const CHAIN_SLACK_M: f64 = 1e-3;
 
-/// The place where an anchor must lie.
+/// The place where an anchor must lie to fulfil a goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorPlace {
     /// North and east (m).
     pub at_m: Vec2,
-    /// The anchor is at most this far from the place (m).
+    /// Largest distance of the anchor from the place (m).
     pub within_m: f64,
 }
 
-/// The condition that an anchor must meet to count.
+/// What an anchor must fulfil to be counted in a goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Holding<'a> {
     /// Least chain out (m).
@@ -30,7 +30,8 @@ pub(super) struct Holding<'a> {
 }
 
 impl Holding<'_> {
-    /// True if the anchor is on the bottom at its place, with enough chain out and the brake on, and does not drag.
+    /// Returns true if the anchor is on the bottom at its place, with enough chain out and the brake on, and does not
+    /// drag.
     pub(super) fn is_met_by(&self, anchor: &AnchorAtWork) -> bool {
         let AnchorPosition::OnBottom(at_m) = anchor.state.position else { return false };
         anchor.state.order == WindlassOrder::Hold
@@ -39,7 +40,7 @@ impl Holding<'_> {
             && self.place.is_none_or(|place| (at_m - place.at_m).length() <= place.within_m)
     }
 
-    /// The condition, in words that follow "holds".
+    /// The condition for an anchor in words that follow the word "holds".
     pub(super) fn words(&self) -> String {
         let chain = match self.chain_m > 0.0 {
             true => format!(", at least {} out", shackles(self.chain_m)),
@@ -52,7 +53,7 @@ impl Holding<'_> {
         format!("{chain}{place}")
     }
 
-    /// The state of each anchor that is not home, in a few words.
+    /// Describes in a few words the state of each anchor that is not home in its hawse pipe.
     pub(super) fn now(&self, anchors: &[usize], all: &[AnchorAtWork], setup: &Setup) -> String {
         let out = anchors.iter().filter(|&&anchor| {
             let state = &all[anchor].state;

@@ -1,4 +1,4 @@
-//! The state of an exercise from step to step, and its score.
+//! The state of an exercise from step to step, and the score of the exercise.
 
 use std::sync::Arc;
 
@@ -13,19 +13,20 @@ use crate::berth::Lie;
 use crate::simulation::Simulation;
 use fenderline_world::setup::Setup;
 
-/// The state of an exercise.
+/// Whether an exercise goes on, has reached its goal or has ended by its time limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum State {
     /// The exercise goes on.
     Running,
-    /// The goal was reached at this time (s). What happens later does not count.
+    /// The goal of the exercise was reached at this time (s). After the goal is reached, nothing more counts in the
+    /// exercise.
     Reached(f64),
-    /// The time was over at this time (s), without the goal.
+    /// The time limit of the exercise was reached at this time (s), without the goal.
     TimeOver(f64),
 }
 
 impl State {
-    /// The word for the state in results and messages.
+    /// The word for the state of the exercise in results and messages.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -35,7 +36,7 @@ impl State {
         }
     }
 
-    /// When the exercise ended (s); `None` while it goes on.
+    /// Time at which the exercise ended (s); `None` while the exercise goes on.
     #[must_use]
     pub fn ended_s(self) -> Option<f64> {
         match self {
@@ -45,47 +46,49 @@ impl State {
     }
 }
 
-/// The record of an exercise for one of its limits.
+/// What an exercise records for one of its limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark {
-    /// The worst value so far, the subject to which it belonged, and its time (s). `None` before the limit counted.
+    /// The worst value of the limit's measure so far, the subject that had this value, and the time of the value (s).
+    /// `None` until the limit counts for the first time.
     pub worst: Option<(f64, Subject, f64)>,
-    /// When the limit was exceeded first (s).
+    /// Time at which the limit was first exceeded (s).
     pub first_s: Option<f64>,
     /// For how long the limit was exceeded in total (s); 0 for limits on peak values.
     pub lasting_s: f64,
 }
 
-/// A deduction from the score.
+/// A deduction from the score of an exercise because a limit was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deduction<'a> {
-    /// The limit that was exceeded.
+    /// The limit of the exercise that was exceeded.
     pub limit: &'a Limit,
-    /// The record for this limit.
+    /// The record of the exercise for this limit.
     pub mark: &'a Mark,
     /// The worst value.
     pub value: f64,
-    /// The subject to which the worst value belonged.
+    /// The subject that had the worst value, such as the bow or a fender.
     pub subject: Subject,
-    /// Time of the worst value (s).
+    /// Time at which the worst value occurred (s).
     pub at_s: f64,
     /// The points deducted.
     pub points: f64,
 }
 
-/// An exercise that goes on or has ended. An exercise is plain data, and is copied with the state of a session.
+/// An exercise that goes on or has ended. An exercise is plain data, and is copied together with the state of a
+/// session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     setup: Arc<ExerciseSetup>,
     state: State,
-    /// Time since which all conditions hold (s).
+    /// Time since which all conditions of the goal hold (s).
     held_since_s: Option<f64>,
     conditions: Vec<Fulfilled>,
     marks: Vec<Mark>,
 }
 
 impl Assessment {
-    /// An assessment before the first step.
+    /// Starts an assessment of an exercise, before the first step.
     #[must_use]
     pub fn new(setup: ExerciseSetup, simulation: &Simulation) -> Assessment {
         let marks = vec![Mark::default(); setup.limits.len()];
@@ -101,7 +104,7 @@ impl Assessment {
         assessment
     }
 
-    /// Looks at the state after a step. After the end of the exercise it does nothing.
+    /// Evaluates the state of the simulation after a step. After the end of the exercise the function does nothing.
     pub fn update(&mut self, simulation: &Simulation) {
         if self.state != State::Running {
             return;
@@ -149,31 +152,31 @@ impl Assessment {
         &self.setup
     }
 
-    /// The state of the exercise.
+    /// Whether the exercise goes on, has reached its goal or has ended by its time limit.
     #[must_use]
     pub fn state(&self) -> State {
         self.state
     }
 
-    /// The conditions of the goal, each as it is now, or as it was at the end of the exercise.
+    /// The conditions of the goal, each as it is in the present state, or as it was at the end of the exercise.
     #[must_use]
     pub fn conditions(&self) -> &[Fulfilled] {
         &self.conditions
     }
 
-    /// For how long all conditions hold now (s).
+    /// For how long all conditions of the goal have held by the time `t_s` (s).
     #[must_use]
     pub fn held_s(&self, t_s: f64) -> f64 {
         self.held_since_s.map_or(0.0, |since_s| greater(t_s - since_s, 0.0))
     }
 
-    /// The record of each limit, in the order of the limits.
+    /// The record of the exercise for each limit, in the order of the limits.
     #[must_use]
     pub fn marks(&self) -> &[Mark] {
         &self.marks
     }
 
-    /// The deductions so far, in the order of the limits.
+    /// The deductions from the score so far, in the order of the limits.
     pub fn deductions(&self) -> impl Iterator<Item = Deduction<'_>> {
         self.setup.limits.iter().zip(&self.marks).filter_map(|(limit, mark)| {
             let (value, subject, at_s) = mark.worst?;
@@ -183,15 +186,16 @@ impl Assessment {
         })
     }
 
-    /// The score: 100 less all deductions, at least 0.
+    /// The score of the exercise: 100 less all deductions, at least 0.
     #[must_use]
     pub fn score(&self) -> f64 {
         let points: f64 = self.deductions().map(|deduction| deduction.points).sum();
         greater(FULL_SCORE - points, 0.0)
     }
 
-    /// Whether the exercise is passed; `None` while that is open. The exercise is failed if the goal is not reached, or
-    /// if the score is below the pass mark. If a limit is exceeded that fails the exercise, it is failed at once.
+    /// Returns whether the exercise is passed; `None` while this is not decided. The exercise is failed if the goal is
+    /// not reached, or if the score is below the pass mark. If a limit with `fails` is exceeded, the exercise is failed
+    /// at once.
     #[must_use]
     pub fn is_passed(&self) -> Option<bool> {
         if self.deductions().any(|deduction| deduction.limit.fails) {
@@ -204,7 +208,7 @@ impl Assessment {
         }
     }
 
-    /// The result in a sentence.
+    /// The result of the exercise in one sentence.
     #[must_use]
     pub fn sentence(&self) -> String {
         let score = format!("score {:.0} of {FULL_SCORE:.0}", self.score());
@@ -241,7 +245,7 @@ impl Mark {
 }
 
 impl Deduction<'_> {
-    /// A sentence on what exceeded the limit, by how much and when.
+    /// Says in one sentence what exceeded the limit, by how much and when.
     #[must_use]
     pub fn sentence(&self, setup: &Setup) -> String {
         let measure = self.limit.measure;

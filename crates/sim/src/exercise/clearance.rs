@@ -1,11 +1,11 @@
-//! The distance between two outlines at their positions.
+//! Computes the distance between two outlines at their positions.
 
 use fenderline_contact::{Outline, Pose, Vec2};
 
 use fenderline_ship::distance::of_outlines_m;
 
-/// The least distance between two outlines at their positions (m); 0 if they overlap. `nearer_m` is a distance already
-/// known: larger distances need not be found exactly.
+/// The least distance between two outlines at their positions (m); 0 if they overlap. `nearer_m` is a distance that is
+/// already known: larger distances need not be computed exactly.
 pub(super) fn distance_m(
     (one, one_at): (&Outline, Pose),
     (other, other_at): (&Outline, Pose),

@@ -9,16 +9,16 @@ use crate::berth::Lie;
 use crate::simulation::Simulation;
 use fenderline_world::world::Mooring;
 
-/// A condition of a goal.
+/// A condition that belongs to the goal of an exercise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
-    /// At least a number of these lines are fast, with a tension between two bounds.
+    /// At least a given number of these lines are fast, with a tension between two bounds.
     LinesFast {
         /// Indices into [`crate::WorldSetup::lines`].
         lines: Vec<usize>,
-        /// The least number of such lines.
+        /// The least number of lines that must be fast with a tension between the two bounds.
         at_least: usize,
-        /// Least and greatest tension (N).
+        /// Least and greatest tension of a line that counts as fast (N).
         tension_n: [f64; 2],
     },
     /// No line of the ship is ashore or under way.
@@ -26,47 +26,47 @@ pub enum Condition {
         /// The lines of the ship: indices into [`crate::WorldSetup::lines`].
         lines: Vec<usize>,
     },
-    /// Both ends of the flat of the ship's side are abreast of the berth, and within a distance of the line of the
-    /// fenders.
+    /// Both ends of the flat of the ship's side are abreast of the berth, and within a given distance of the line of
+    /// the fenders.
     Alongside {
-        /// The greatest distance from the line of the fenders (m).
+        /// The greatest distance of the two ends of the ship's flat side from the line of the fenders (m).
         within_m: f64,
     },
     /// No end of the flat of the ship's side moves faster than this speed relative to the berth. Without a berth, the
-    /// ship's origin moves no faster over the ground.
+    /// condition is that the ship's origin moves no faster than this speed over the ground.
     AtRest {
         /// Greatest speed (m/s).
         at_most_mps: f64,
     },
-    /// Both ends of the flat of the ship's side are at least a distance off the line of the fenders.
+    /// Both ends of the flat of the ship's side are at least a given distance off the line of the fenders.
     Clear {
-        /// The least distance off the line of the fenders (m).
+        /// The least distance of the two ends of the ship's flat side from the line of the fenders (m).
         by_m: f64,
     },
-    /// At least a number of these anchors hold: they are on the bottom with the brake on, and do not drag.
+    /// At least a given number of these anchors hold: they are on the bottom with the brake on, and do not drag.
     AnchorsHold {
         /// Indices into [`crate::WorldSetup::anchors`].
         anchors: Vec<usize>,
-        /// The least number of such anchors.
+        /// The least number of anchors that must hold.
         at_least: usize,
-        /// Least chain out of each (m).
+        /// Least length of chain out of each anchor (m).
         chain_m: f64,
-        /// The place where each anchor must lie; `None` if it may lie anywhere.
+        /// The place where each anchor must lie; `None` if the anchor may lie anywhere.
         place: Option<AnchorPlace>,
     },
 }
 
-/// Whether a condition is fulfilled now.
+/// A condition of the goal, and whether it is fulfilled in the present state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fulfilled {
-    /// True if the condition is fulfilled.
+    /// True if the condition of the goal is fulfilled.
     pub is_met: bool,
-    /// The present state, in a few words.
+    /// The present state of what the condition is about, in a few words.
     pub now: String,
 }
 
 impl Condition {
-    /// Whether the condition is fulfilled. `lie` is the position of the ship relative to her berth.
+    /// Evaluates whether the condition is fulfilled. `lie` is the position of the ship relative to her berth.
     pub(super) fn look(
         &self,
         exercise: &ExerciseSetup,
@@ -82,7 +82,8 @@ impl Condition {
                     is_fast(&all[**line]) && tension >= tension_n[0] && tension <= tension_n[1]
                 };
                 let good = lines.iter().filter(within).count();
-                let now = format!("{fast} fast, {good} of {at_least} with this tension");
+                let now =
+                    format!("{fast} lines fast, {good} of {at_least} with the required tension");
                 Fulfilled { is_met: good >= *at_least, now }
             }
             Condition::LinesAboard { lines } => {
@@ -159,15 +160,15 @@ impl Condition {
         }
     }
 
-    /// True if the condition needs a berth.
+    /// Returns true if the condition can only be evaluated at a berth.
     #[must_use]
     pub fn needs_berth(&self) -> bool {
         matches!(self, Condition::Alongside { .. } | Condition::Clear { .. })
     }
 }
 
-/// The reader of scenarios refuses an exercise whose condition needs a berth that is not there. An exercise made by
-/// calls is never fulfilled.
+/// The reader of scenarios refuses an exercise whose condition needs a berth that the scenario does not have. A
+/// condition that needs a missing berth is never fulfilled in an exercise made by calls of this crate.
 fn no_berth() -> Fulfilled {
     Fulfilled { is_met: false, now: "there is no berth".to_owned() }
 }

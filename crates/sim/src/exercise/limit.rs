@@ -4,32 +4,32 @@ use fenderline_contact::number::bounded;
 
 use super::words::{angle, force_share, metres, seconds, speed};
 
-/// The quantity that a limit bounds.
+/// The quantity that a limit of an exercise bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Measure {
-    /// Speed of bow and stern towards the berth (m/s).
+    /// Speed of the ship's bow and stern towards the berth (m/s).
     ApproachSpeed,
     /// Speed of the ship along her axis, relative to the berth (m/s).
     AheadSpeed,
-    /// Angle between ship and berth (rad).
+    /// Angle between the ship and the berth (rad).
     Angle,
-    /// Revolutions of the engine over full revolutions.
+    /// Revolutions of the engine, divided by full revolutions.
     Engine,
-    /// Peak energy or reaction of a fender of the berth over the rated value; the larger of the two shares.
+    /// Peak energy or reaction of a fender of the berth, divided by the rated value; the larger of the two shares.
     Fender,
-    /// Tension over break load of a line that is fast to the ship.
+    /// Tension, divided by break load, of a line that is fast to the ship.
     Line,
-    /// Tension over break load of an anchor chain of the ship.
+    /// Tension, divided by break load, of an anchor chain of the ship.
     Chain,
     /// How far an anchor of the ship has dragged since it came to the bottom (m).
     Dragged,
-    /// Distance of the hull from fixed structures other than the berth (m).
+    /// Distance of the ship's hull from fixed structures other than the berth (m).
     Clearance,
-    /// Water under the keel (m).
+    /// Water under the ship's keel (m).
     UnderKeel,
-    /// 1 if the hull touched a structure or another hull without a fender between them, else 0.
+    /// 1 if the ship's hull touched a structure or another hull without a fender between them, else 0.
     Touch,
-    /// Time until the goal is reached (s).
+    /// Time until the goal of the exercise is reached (s).
     Time,
 }
 
@@ -104,7 +104,7 @@ impl Measure {
         }
     }
 
-    /// The unit of values in results; empty for a plain number.
+    /// The unit of the measure's values in results; empty for a plain number.
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
@@ -118,13 +118,14 @@ impl Measure {
         }
     }
 
-    /// True if a value below the bound exceeds the limit, as for a clearance.
+    /// Returns true if a value below the bound exceeds the limit, as for a clearance.
     #[must_use]
     pub fn is_least(self) -> bool {
         matches!(self, Measure::Clearance | Measure::UnderKeel)
     }
 
-    /// True if the measure counts only near the berth. A limit on such a measure has a distance.
+    /// Returns true if the measure counts only near the berth. A limit on a measure that counts only near the berth has
+    /// a distance from the berth.
     #[must_use]
     pub fn is_near_berth(self) -> bool {
         matches!(
@@ -133,14 +134,14 @@ impl Measure {
         )
     }
 
-    /// True if the measure needs a berth.
+    /// Returns true if the measure can only be evaluated at a berth.
     #[must_use]
     pub fn needs_berth(self) -> bool {
         self.is_near_berth() || self == Measure::Fender
     }
 
-    /// True if the measure is a present value, such as a speed, which can fall below its limit again: an excess then has a duration. The other measures
-    /// are peaks, which never fall.
+    /// Returns true if the measure is a present value, such as a speed, which can fall below its limit again: the time
+    /// above the limit is then reported. Measures that are not momentary are peak values, which never fall.
     #[must_use]
     pub fn is_momentary(self) -> bool {
         !matches!(self, Measure::Fender | Measure::Dragged | Measure::Time)
@@ -152,28 +153,29 @@ impl Measure {
 pub struct Limit {
     /// The quantity that the limit bounds.
     pub measure: Measure,
-    /// The bound, in the unit of the measure. Nothing is deducted up to this value; for a least value, down to it.
+    /// The bound of the limit, in the unit of its measure. No points are deducted up to this value; for a limit on a
+    /// least value, down to this value.
     pub bound: f64,
-    /// The value at which all points are deducted.
+    /// The value of the measure at which all points of the limit are deducted.
     pub worst: f64,
-    /// The points that the limit can take.
+    /// The points that an excess of this limit can deduct from the score.
     pub points: f64,
-    /// Whether the exercise is failed if the limit is exceeded.
+    /// True if the exercise is failed when this limit is exceeded.
     pub fails: bool,
-    /// The limit counts while the ship is abreast of the berth and one of her ends is this near to it (m); infinite:
-    /// everywhere.
+    /// The limit counts while the ship is abreast of the berth and one of her ends is this near to the berth (m);
+    /// infinite if the limit counts everywhere.
     pub within_m: f64,
 }
 
 impl Limit {
-    /// True if a value exceeds the limit.
+    /// Returns true if a value of the measure exceeds the limit.
     #[must_use]
     pub fn is_exceeded_by(&self, value: f64) -> bool {
         if self.measure.is_least() { value < self.bound } else { value > self.bound }
     }
 
-    /// Points deducted for a value: none at the bound, all at the worst value and beyond, and in proportion between the
-    /// two.
+    /// Points that a value of the measure deducts: none at the bound, all at the worst value and beyond, and in
+    /// proportion between these two values.
     #[must_use]
     pub fn points_at(&self, value: f64) -> f64 {
         if !self.is_exceeded_by(value) {

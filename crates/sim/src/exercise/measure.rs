@@ -1,4 +1,4 @@
-//! The present value of each measure of an exercise.
+//! Computes the present value of each measure of an exercise.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -10,7 +10,7 @@ use crate::simulation::Simulation;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::{AnchorAtWork, LineEnd};
 
-/// The subject of a value: the part to which the value belongs.
+/// The subject of a measured value: the ship, a part of her, a fender, a line, an anchor or a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The ship as a whole.
@@ -19,13 +19,13 @@ pub enum Subject {
     Bow,
     /// The ship's stern.
     Stern,
-    /// A fender: an index into [`Setup::fenders`].
+    /// A fender, by its index in [`Setup::fenders`].
     Fender(usize),
-    /// A line: an index into [`crate::WorldSetup::lines`].
+    /// A line, by its index in [`crate::WorldSetup::lines`].
     Line(usize),
-    /// An anchor: an index into [`crate::WorldSetup::anchors`].
+    /// An anchor, by its index in [`crate::WorldSetup::anchors`].
     Anchor(usize),
-    /// A body: an index into [`Setup::bodies`].
+    /// A body, by its index in [`Setup::bodies`].
     Body(usize),
 }
 
@@ -45,7 +45,8 @@ impl Subject {
     }
 }
 
-/// The worst present value that a limit watches, and the ship, line or fender that has this value. `None` if there is no value, for example far from the berth.
+/// The worst present value of the quantity that a limit bounds, and the ship, line or fender that has this value.
+/// `None` if the quantity has no value, for example far from the berth.
 pub(super) fn worst_now(
     limit: &Limit,
     exercise: &ExerciseSetup,
@@ -99,7 +100,7 @@ fn largest(of: impl Iterator<Item = (f64, Subject)>) -> Option<(f64, Subject)> {
     of.reduce(|best, next| if next.0 > best.0 { next } else { best })
 }
 
-/// True if the ship is abreast of the berth and one of her ends is within a distance of the berth.
+/// Returns true if the ship is abreast of the berth and one of her ends is within `within_m` of the berth.
 fn is_near(within_m: f64, exercise: &ExerciseSetup, simulation: &Simulation, lie: &Lie) -> bool {
     let Some(berth) = &exercise.berth else { return false };
     let setup = simulation.setup();
@@ -110,7 +111,7 @@ fn is_near(within_m: f64, exercise: &ExerciseSetup, simulation: &Simulation, lie
         && berth.is_near(on, outline, &states[body], f64::INFINITY)
 }
 
-/// The largest share so far of a fender on the body of the berth.
+/// The largest share of its rating that a fender on the body of the berth has reached so far.
 fn fender(exercise: &ExerciseSetup, simulation: &Simulation) -> Option<(f64, Subject)> {
     let on = exercise.berth?.body;
     let fenders = &simulation.setup().fenders;
@@ -121,7 +122,7 @@ fn fender(exercise: &ExerciseSetup, simulation: &Simulation) -> Option<(f64, Sub
     }))
 }
 
-/// The largest tension over break load of the lines that are fast to the ship.
+/// The largest tension of a line that is fast to the ship, divided by the break load of the line.
 fn line(body: usize, simulation: &Simulation) -> Option<(f64, Subject)> {
     let world = &simulation.setup().world;
     let lines = simulation.lines().iter().zip(&world.lines).enumerate();
@@ -137,7 +138,7 @@ fn line(body: usize, simulation: &Simulation) -> Option<(f64, Subject)> {
     }))
 }
 
-/// The anchors of a vessel, with their indices.
+/// The anchors of a vessel, with their indices in the set-up.
 fn own_anchors(
     vessel: usize,
     simulation: &Simulation,
@@ -147,7 +148,7 @@ fn own_anchors(
     own.map(|(index, (anchor, _))| (index, anchor))
 }
 
-/// The least distance of the hull from a fixed body that is not her berth.
+/// The least distance of the ship's hull from a fixed body that is not her berth.
 fn clearance(
     body: usize,
     exercise: &ExerciseSetup,
@@ -170,8 +171,8 @@ fn clearance(
     best
 }
 
-/// The value 1 and the body that the hull touches in this step without a fender between them; the value 0 without such
-/// a touch.
+/// Returns 1 and the body that the ship's hull touches in this step without a fender between them; returns 0 without
+/// such a touch.
 fn touch(body: usize, simulation: &Simulation) -> (f64, Subject) {
     for contact in simulation.contacts().iter().filter(|contact| contact.fender.is_none()) {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];

@@ -1,17 +1,17 @@
-//! An exercise: a goal to reach and limits to keep, and the score that follows from both.
+//! An exercise has a goal to reach, limits to keep, and a score that follows from both.
 //!
-//! An exercise looks at a simulation after each step and changes nothing in it: a run gives the same bits with and
-//! without an exercise. The score begins at 100. Each exceeded limit takes points in proportion to the excess, up to
-//! all its points at a given worst value. A limit may also decide that the exercise is failed.
+//! An exercise evaluates a simulation after each step and changes nothing in it: a run gives the same bits with and
+//! without an exercise. The score of an exercise begins at 100. Each exceeded limit deducts points in proportion to the
+//! excess, up to all points of the limit at a given worst value. A limit may also decide that the exercise is failed.
 //!
 //! | file | content |
 //! |---|---|
-//! | `exercise/anchored.rs` | whether an anchor holds as a goal asks |
-//! | `exercise/condition.rs` | the parts of a goal, and whether each is fulfilled now |
-//! | `exercise/limit.rs` | the limits, and what each measures |
-//! | `exercise/measure.rs` | the present value of each measure |
+//! | `exercise/anchored.rs` | whether an anchor holds as the goal of an exercise asks |
+//! | `exercise/condition.rs` | the conditions of a goal, and whether each is fulfilled in the present state |
+//! | `exercise/limit.rs` | the limits of an exercise, and what each limit measures |
+//! | `exercise/measure.rs` | the present value of each measure of an exercise |
 //! | `exercise/clearance.rs` | the distance between two outlines |
-//! | `exercise/assessment.rs` | the state from step to step, and the score |
+//! | `exercise/assessment.rs` | the state of an exercise from step to step, and its score |
 //! | `exercise/words.rs` | conditions, limits and deductions in words |
 
 mod anchored;
@@ -36,20 +36,20 @@ pub const FULL_SCORE: f64 = 100.0;
 /// An exercise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExerciseSetup {
-    /// The task of the pilot in words; may be empty.
+    /// The task of the exercise for the pilot, in words; may be empty.
     pub task: String,
-    /// The ship: an index into [`crate::WorldSetup::vessels`].
+    /// The ship of the exercise, by her index in [`crate::WorldSetup::vessels`].
     pub vessel: usize,
-    /// The ship's berth; `None` if neither goal nor limits need one.
+    /// The ship's berth; `None` if neither the goal nor the limits need a berth.
     pub berth: Option<Berth>,
-    /// The conditions of the goal. The goal is reached when all hold.
+    /// The conditions of the goal of the exercise. The goal is reached when all conditions hold.
     pub goal: Vec<Condition>,
-    /// How long all conditions must hold without a break (s).
+    /// How long all conditions must hold without a break for the goal to be reached (s).
     pub hold_s: f64,
     /// After this time the exercise ends even if the goal is not reached (s); infinite if there is no time limit.
     pub time_limit_s: f64,
-    /// The least score with which the exercise is passed.
+    /// The least score with which a pilot passes the exercise.
     pub pass_mark: f64,
-    /// The limits, in the order of the scenario.
+    /// The limits of the exercise, in the order of the scenario.
     pub limits: Vec<Limit>,
 }

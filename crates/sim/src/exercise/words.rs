@@ -1,4 +1,4 @@
-//! Values of an exercise in words.
+//! Writes values of an exercise in words.
 
 pub(super) fn metres(value_m: f64) -> String {
     if value_m.abs() < 10.0 { format!("{value_m:.2} m") } else { format!("{value_m:.0} m") }

@@ -1,4 +1,4 @@
-//! Reading a run, and changing it between steps.
+//! Functions that read a run, and that change it between steps.
 
 use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
 
@@ -29,7 +29,7 @@ impl Simulation {
         &self.setup
     }
 
-    /// The contact model of the set-up.
+    /// The contact model that was built from the set-up.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
@@ -47,27 +47,28 @@ impl Simulation {
         self.index
     }
 
-    /// Number of steps from the start of the run up to and including the step that contains a time (s).
+    /// Number of steps from the start of the run up to and including the step that contains the time `t_s` (s).
     #[must_use]
     pub fn steps_until(&self, t_s: f64) -> u64 {
         whole_steps(t_s / self.setup.step_s)
     }
 
-    /// True after the last step.
+    /// Returns true after the last step of the run.
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.index >= self.steps_total
     }
 
-    /// Current time (s): steps taken times Δt, so that rounding does not accumulate.
+    /// Current time of the run (s), computed as steps taken times Δt, so that rounding does not accumulate.
     #[must_use]
     pub fn time_s(&self) -> f64 {
         self.index as f64 * self.setup.step_s
     }
 
     /// The time to which the velocities in [`Simulation::states`] belong (s). In the coupled method with the
-    /// semi-implicit integrator the motion is a leapfrog: velocities belong to the middle of the last step, or to the
-    /// middle of its last sub-step if contacts needed several. Otherwise this is [`Simulation::time_s`].
+    /// semi-implicit integrator the motion is a leapfrog scheme: velocities belong to the middle of the last step, or
+    /// to the middle of its last sub-step if contacts needed several sub-steps. Otherwise this is
+    /// [`Simulation::time_s`].
     #[must_use]
     pub fn velocity_time_s(&self) -> f64 {
         let is_leapfrog = self.setup.integrator == Integrator::SemiImplicit
@@ -79,14 +80,14 @@ impl Simulation {
         }
     }
 
-    /// Current states, one per body, in the order of the set-up. The velocities belong to
+    /// Current states of the bodies, in the order of the set-up. The velocities in these states belong to the time
     /// [`Simulation::velocity_time_s`].
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
-    /// The current memory of the contact engine.
+    /// The current memory of the contact engine in this simulation.
     #[must_use]
     pub fn memory(&self) -> &Memory {
         &self.memory
@@ -99,9 +100,10 @@ impl Simulation {
         self.ledger.energy(Bodies { order, inertias, states: &self.states })
     }
 
-    /// The energy that contacts created, if it is large enough to be reported. The paper's method creates energy,
-    /// because its forces are explicit, and a stiff spring acts for too long in a long step. [`Method::Coupled`] bounds
-    /// the energy that each contact returns; this function checks that too.
+    /// The energy that contacts created in the run, if it is large enough to be reported. The paper's method creates
+    /// energy, because its forces are explicit, and a stiff spring acts for too long in a long step.
+    /// [`Method::Coupled`] bounds the energy that each contact returns, and this function checks the coupled method
+    /// too.
     #[must_use]
     pub fn energy_gain(&self) -> Option<EnergyGain> {
         let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
@@ -109,18 +111,18 @@ impl Simulation {
         is_reported.then_some(EnergyGain { gained_j, taken_j })
     }
 
-    /// A summary of each pair of bodies that touched, in the order of first touch.
+    /// Summaries of the pairs of bodies that touched, in the order of first touch.
     #[must_use]
     pub fn pair_summaries(&self) -> &[PairSummary] {
         &self.summaries.pairs
     }
 
-    /// A summary of each fender that was touched, in the order of the set-up.
+    /// Summaries of the fenders that were touched, in the order of the set-up.
     pub fn fender_summaries(&self) -> impl Iterator<Item = &FenderSummary> {
         self.fender_summaries.all.iter().flatten()
     }
 
-    /// A summary of each flexible dolphin, in the order of the set-up.
+    /// Summaries of the flexible dolphins, in the order of the set-up.
     #[must_use]
     pub fn dolphin_summaries(&self) -> &[DolphinSummary] {
         &self.dolphins.summaries
@@ -141,24 +143,25 @@ impl Simulation {
         all
     }
 
-    /// Notes that a program that gives forces has not replied for the coming step. The run is then in doubt, and the
-    /// verdict says so.
+    /// Notes that an external program that gives forces has not replied for the coming step. The results of the run are
+    /// then in doubt, and the verdict says so.
     ///
     /// # Panics
-    /// If there is no such provider in the set-up.
+    /// Panics if the set-up has no such provider of forces.
     pub fn note_silent_provider(&mut self, provider: usize) {
         assert!(provider < self.setup.world.providers.len(), "the set-up has it");
         let t_s = self.time_s();
         self.watch.note_silent_provider(provider, t_s);
     }
 
-    /// Statistics of motions and lines so far; `None` if the set-up asks for none.
+    /// Statistics of motions and lines so far; `None` if the set-up asks for no statistics.
     #[must_use]
     pub fn statistics(&self) -> Option<&Statistics> {
         self.statistics.as_ref()
     }
 
-    /// The values with which the limits of the set-up are compared, in the order of the limits; empty without limits.
+    /// The values of the run that are compared with the limits of the set-up, in the order of the limits; empty without
+    /// limits.
     #[must_use]
     pub fn limit_values(&self) -> Vec<f64> {
         let Some(statistics) =
@@ -170,8 +173,8 @@ impl Simulation {
         statistics.values(&self.setup, &tensions, self.fender_summaries())
     }
 
-    /// Findings on bodies that start inside each other; empty in a sound scenario. These findings are known before the
-    /// first step.
+    /// Findings on bodies that start inside each other; empty in a sound scenario. The findings on the start of a run
+    /// are known before the first step.
     #[must_use]
     pub fn start_findings(&self) -> &[Finding] {
         self.watch.starts()
@@ -207,7 +210,7 @@ impl Simulation {
         &self.world.anchors
     }
 
-    /// Contact wrenches of the last step, one per body; zero before the first step.
+    /// Contact wrenches on the bodies in the last step; zero before the first step.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         self.work.wrenches()
@@ -219,18 +222,19 @@ impl Simulation {
         self.work.contacts()
     }
 
-    /// The simulated berthing, compared with the berthing formulas. `None` if the set-up has no berthing, or if no
-    /// fender was touched yet. An error if ship or speed are outside the range of the formulas.
+    /// The results of the simulated berthing, compared with the berthing formulas. Returns `None` if the set-up has no
+    /// berthing, or if no fender was touched yet. Returns an error if the ship or the speed is outside the range of the
+    /// formulas.
     #[must_use]
     pub fn berthing(&self) -> Option<Result<&BerthingOutcome, &BerthingError>> {
         self.study.as_ref()?.outcome.as_ref().map(Result::as_ref)
     }
 
-    /// Sets an external wrench on each body: forces of another program, a controller or a model of the caller. The
-    /// wrenches act from the next step on, until they are set again.
+    /// Sets an external wrench on each body, such as forces of another program, a controller or a model of the caller.
+    /// The external wrenches act from the next step on, until they are set again.
     ///
     /// # Panics
-    /// If the number of wrenches is not the number of bodies, or if a wrench is not finite.
+    /// Panics if the number of wrenches is not the number of bodies, or if a wrench is not finite.
     pub fn set_external(&mut self, wrenches: &[Wrench]) {
         assert_eq!(wrenches.len(), self.states.len(), "one wrench per body");
         for wrench in wrenches {
@@ -239,26 +243,26 @@ impl Simulation {
         self.buffers.external.copy_from_slice(wrenches);
     }
 
-    /// Gives an order during the run, as manual control does. The order is carried out in the step that contains its
-    /// time, or in the next step if the time has passed. Of several orders for the same time, the orders of the set-up
-    /// come first, then the others in the order in which they were given.
+    /// Gives an order during the run, as a user in manual control does. The simulation carries the order out in the
+    /// step that contains the order's time, or in the next step if this time has passed. Of several orders for the same
+    /// time, the orders of the set-up come first, and then the other orders in the order in which they were given.
     ///
     /// # Errors
-    /// [`SetupError`] if the order names something that does not exist, if a number is out of its limits, or if the
-    /// gear is missing. No order is then changed.
+    /// Returns a [`SetupError`] if the order names something that does not exist, if a number is out of its limits, or
+    /// if the gear is missing. After an error no order is changed.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
         self.world.order(order);
         Ok(())
     }
 
-    /// Checks that an order can be carried out in the present state. The order cannot be carried out if its line is on
-    /// board or has parted, if the bollard is taken or out of reach, if the anchor is home, down or lost, or if a
-    /// station pilot uses the tug. Orders to lines and anchors that wait for the next step count as carried out. This
-    /// check does not apply to orders for a later time.
+    /// Checks that an order can be carried out in the present state of the simulation. An order cannot be carried out
+    /// if its line is on board or has parted, if the bollard is taken or out of reach, if the anchor is home, down or
+    /// lost, or if a station pilot uses the tug. Orders to lines and anchors that wait for the next step count as
+    /// carried out in this check. The check does not apply to orders for a later time.
     ///
     /// # Errors
-    /// The reason why the order cannot be carried out.
+    /// Returns the reason why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
         let times_s = (self.time_s(), self.setup.step_s);
         let lines = self.world.lines_after_orders(&self.setup.world, times_s);
@@ -305,27 +309,28 @@ impl Simulation {
         }
     }
 
-    /// Keeps only the pending orders, including those of the set-up, for which `keep` returns true. Use this method
+    /// Keeps only the pending orders, including those of the set-up, for which `keep` returns true. Call this function
     /// when a user takes manual control, so that planned orders do not interfere.
     pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.world.retain_orders(keep);
     }
 
-    /// The pending orders in order of time, including those of the set-up.
+    /// The pending orders in order of time, including the orders of the set-up.
     #[must_use]
     pub fn pending_orders(&self) -> &[Order] {
         self.world.pending_orders()
     }
 
-    /// Sets the wind from the next step on; `None` for no wind. The wind jumps, and a change over a time ends.
+    /// Sets the wind from the next step on; `None` for no wind. The wind jumps to the new value, and a planned change
+    /// of the wind over a time ends.
     pub fn set_wind(&mut self, wind: Option<Wind>) {
         self.changes.ramps.wind = None;
         self.setup.world.environment.wind = wind;
         self.world.renew_gusts(&self.setup.world);
     }
 
-    /// Sets the current from the next step on; `None` for no current. The current jumps, but the jump itself causes no
-    /// acceleration force: drag takes ships along.
+    /// Sets the current from the next step on; `None` for no current. The current jumps to the new value, but the jump
+    /// itself causes no acceleration force: drag takes ships along.
     pub fn set_current(&mut self, current: Option<Current>) {
         self.changes.ramps.current = None;
         self.setup.world.environment.current = current;
@@ -334,7 +339,7 @@ impl Simulation {
     /// Sets the equipment faults of a vessel, from the next step on.
     ///
     /// # Errors
-    /// [`SetupError::BadBody`] if there is no such vessel.
+    /// Returns [`SetupError::BadBody`] if there is no such vessel.
     pub fn set_faults(&mut self, vessel: usize, faults: Faults) -> Result<(), SetupError> {
         let state = self.world.vessels.get_mut(vessel);
         let state = state.ok_or(SetupError::BadBody { owner: "fault", body: vessel })?;
@@ -342,11 +347,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Lets a vector tug drop out, or come back, from the next step on. While the tug is out she carries out no orders.
-    /// When she comes back she stands by.
+    /// Lets a vector tug drop out, or come back, from the next step on. While the tug has dropped out, she carries out
+    /// no orders. When the tug comes back, she stands by.
     ///
     /// # Errors
-    /// [`SetupError::BadBody`] if there is no such tug.
+    /// Returns [`SetupError::BadBody`] if there is no such tug.
     pub fn set_tug_out(&mut self, tug: usize, out: bool) -> Result<(), SetupError> {
         let state = self.world.tugs.get_mut(tug);
         state.ok_or(SetupError::BadBody { owner: "fault", body: tug })?.out = out;
@@ -356,7 +361,7 @@ impl Simulation {
     /// Sets the faults of an anchor and its windlass, from the next step on.
     ///
     /// # Errors
-    /// [`SetupError::BadBody`] if there is no such anchor.
+    /// Returns [`SetupError::BadBody`] if there is no such anchor.
     pub fn set_anchor_faults(
         &mut self,
         anchor: usize,
@@ -368,7 +373,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// Parts a line, as if it broke. Returns whether there is such a line and it is fast.
+    /// Parts a mooring line, as if it broke. Returns true if there is such a line and it was fast.
     pub fn part_line(&mut self, line: usize) -> bool {
         let line = self.world.lines.get_mut(line).and_then(|line| line.line.as_mut());
         let fast = line.filter(|(_, state)| !state.parted);

@@ -1,4 +1,4 @@
-//! Works and energies of a step: the work of contacts and loads on the bodies.
+//! Computes works and energies of a step: the work of contacts and loads on the bodies.
 
 use super::Simulation;
 use crate::load_work::{LoadedStep, plain_work_j};
@@ -22,7 +22,7 @@ impl Simulation {
         self.ledger.add(&works, &self.contact_totals, &self.dolphins.motions);
     }
 
-    /// The works of vessels, tugs, lines, anchors and piles in the step.
+    /// Computes the works of vessels, tugs, lines, anchors and piles in the step.
     fn works_of_world(&self) -> LoadWork {
         let (world, buffers) = (&self.setup.world, &self.buffers);
         if !world.changes() && self.dolphins.motions.is_empty() {
@@ -46,7 +46,7 @@ impl Simulation {
         step.works()
     }
 
-    /// Whether the contact engine moves the bodies itself.
+    /// Returns true if the contact engine moves the bodies itself.
     pub(super) fn engine_moves(&self) -> bool {
         self.setup.method == Method::Coupled && self.setup.integrator == Integrator::SemiImplicit
     }
@@ -71,7 +71,7 @@ impl Simulation {
         }
     }
 
-    /// Works and energies of each contact in the step.
+    /// Computes the work and the energies of each contact in the step.
     fn account_contacts(&mut self) {
         let step_s = self.setup.step_s;
         let engine_moves = self.engine_moves();

@@ -6,30 +6,30 @@ use crate::integrate::Rate;
 use fenderline_world::mean_velocity::MeanVelocity;
 use fenderline_world::world::WorldBackup;
 
-/// Most lists have one entry per body.
+/// Most lists in these buffers have one entry per body.
 #[derive(Clone, Debug)]
 pub(super) struct Buffers {
     /// All loads except contact.
     pub(super) loads: Vec<Wrench>,
-    /// The part of `loads` that does not come from the world: loads of the set-up and of the host.
+    /// The part of `loads` that does not come from the world: the loads of the set-up and of the host.
     pub(super) plain_loads: Vec<Wrench>,
     /// The wrench that turns a body's momentum with the body over the step, if the engine does not do so.
     pub(super) turning: Vec<Wrench>,
     /// Wrenches given by [`super::Simulation::set_external`].
     pub(super) external: Vec<Wrench>,
-    /// Sum of the wrenches that move the body.
+    /// Sum of the wrenches that move each body.
     pub(super) sums: Vec<Wrench>,
-    /// Rates of the Runge–Kutta stages.
+    /// Rates of change of the bodies' states in the Runge–Kutta stages.
     pub(super) rates: [Vec<Rate>; 4],
-    /// States of a Runge–Kutta stage.
+    /// States of the bodies in a Runge–Kutta stage.
     pub(super) trial: Vec<BodyState>,
     /// States before the step.
     pub(super) before: Vec<BodyState>,
-    /// How far velocities of the engine lag behind positions (s).
+    /// How far the velocities of the contact engine lag behind the positions (s).
     pub(super) lags_s: Vec<f64>,
-    /// Mean velocities of the step.
+    /// Mean velocities of the bodies over the step.
     pub(super) mean: Vec<MeanVelocity>,
-    /// The current at the body (m/s).
+    /// Velocity of the current at each body (m/s).
     pub(super) currents_mps: Vec<Vec2>,
     /// Contacts of Runge–Kutta stages 2 to 4.
     pub(super) stage_contacts: [Vec<Contact>; 3],

@@ -9,10 +9,11 @@ use fenderline_world::change::{Change, ChangeError, Flow, Ramp, fog_m};
 use fenderline_world::world::{Faults, WorldEvent, WorldEventKind};
 
 impl Simulation {
-    /// Changes weather, faults, lines or tugs from the next step on. A change over a time then continues by itself.
+    /// Changes weather, faults, lines or tugs, from the next step on. A change that takes a time continues by itself
+    /// after the call.
     ///
     /// # Errors
-    /// [`ChangeError`]; then nothing has changed.
+    /// Returns a [`ChangeError`]; then nothing has changed.
     pub fn change(&mut self, change: &Change) -> Result<(), ChangeError> {
         change.check(&self.setup)?;
         match *change {
@@ -96,8 +97,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// The changes of this simulation that are still to come or under way, with their times from the present: what
-    /// remains of changes over a time, and planned changes.
+    /// The changes of this simulation that are planned or under way, with times counted from the present: what remains
+    /// of changes over a time, and planned changes.
     #[must_use]
     pub fn changes_to_come(&self) -> Vec<(f64, Change)> {
         let t_s = self.time_s();
@@ -123,7 +124,7 @@ impl Simulation {
         self.changes.taken.get(planned).copied().unwrap_or(false)
     }
 
-    /// True if a change is planned for the next step, or under way.
+    /// Returns true if a change is planned for the next step, or is under way.
     pub(super) fn changes_are_due(&self) -> bool {
         let end_s = self.time_s() + self.setup.step_s;
         let mut planned = self.setup.world.planned.iter().enumerate();
@@ -131,7 +132,7 @@ impl Simulation {
             || planned.any(|(index, planned)| planned.at_s < end_s && !self.is_taken(index))
     }
 
-    /// Carries out the changes that are planned for the next step, and those under way.
+    /// Carries out the changes that are planned for the next step, and the changes that are under way.
     pub(super) fn run_changes(&mut self) {
         let end_s = self.time_s() + self.setup.step_s;
         let planned = self.setup.world.planned.len();
@@ -177,7 +178,8 @@ impl Simulation {
         }
     }
 
-    /// Reports lines that a change has parted, and lines that it should have parted, in the events of this step.
+    /// Reports the lines that a change has parted, and the lines that a change should have parted, in the events of
+    /// this step.
     pub(super) fn report_changes(&mut self) {
         let events = &mut self.world.events;
         let event = |kind| move |who| WorldEvent { who, kind };

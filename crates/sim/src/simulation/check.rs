@@ -8,8 +8,8 @@ use fenderline_world::rigid_body::initial_state;
 use fenderline_world::setup::{Load, Setup};
 use fenderline_world::world::LineEnd;
 
-/// A number of steps from a time over Δt, rounded up. A ratio within 1e-9 of a whole number counts as that number, so
-/// 20 s in steps of 0.1 s are 200 steps.
+/// The number of steps in a time: the time divided by Δt, rounded up. A ratio within 1e-9 of a whole number is taken as
+/// this number, so 20 s in steps of 0.1 s are 200 steps.
 pub(super) fn whole_steps(ratio: f64) -> u64 {
     let whole = libm::round(ratio);
     let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
@@ -33,7 +33,7 @@ pub(super) fn count_steps(setup: &Setup) -> Result<u64, SetupError> {
     Ok(whole_steps(ratio).max(1))
 }
 
-/// Checks a load: a floating body, finite numbers.
+/// Checks that a load acts on a floating body and has finite numbers.
 pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     if setup.bodies.get(load.body).is_none_or(|b| b.mass.is_none()) {
         return Err(SetupError::BadBody { owner: "load", body: load.body });
@@ -53,7 +53,7 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// Checks that the set-up gives the hull of every vessel for the flow between ships, or no hull if none is needed.
+/// Checks that the set-up gives, for the flow between ships, the hull of every vessel, or no hull if none is needed.
 pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     let hulls = setup.world.flow.hulls.len();
     let by_image = |bank: &Bank| bank.method() == BankMethod::Image;
@@ -118,7 +118,7 @@ pub(super) fn check_anchors(setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// The comparison of a berthing with the berthing formulas, if the set-up asks for one.
+/// Makes the comparison of a berthing with the berthing formulas, if the set-up asks for it.
 pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError> {
     let Some(berthing) = setup.berthing else { return Ok(None) };
     let ship = setup.bodies.get(berthing.ship).and_then(|body| body.mass);
@@ -130,7 +130,7 @@ pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError>
     Ok(Some(Study::new(berthing, displacements_kg.collect(), shallow_factor(setup, berthing.ship))))
 }
 
-/// The shallow-water factor on a vessel's added mass in sway, for the water at the start.
+/// Factor of shallow water on a vessel's added mass in sway, for the depth of water at the start.
 fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
     let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == ship)?;
     let state = initial_state(&setup.bodies[ship]);

@@ -12,12 +12,12 @@ use fenderline_world::setup::{Integrator, Method};
 use fenderline_world::turning::{TurningStep, YawRateAt, turning_wrench};
 
 impl Simulation {
-    /// The wrench that turns each body's momentum with the body (Coriolis and centripetal terms). For vessels the
-    /// wrench is a mean over the step; for other bodies it is the value at the start of the step.
+    /// Computes the wrench that turns each body's momentum with the body (Coriolis and centripetal terms). For vessels
+    /// this wrench is a mean over the step; for other bodies it is the value at the start of the step.
     ///
     /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses the contact
-    /// forces of the last step. Without these forces, a vessel at rest on her fenders would be expected to move through
-    /// them.
+    /// forces of the last step. Without the contact forces, a vessel at rest on her fenders would be expected to move
+    /// through them.
     pub(super) fn turn_momentum(&mut self) {
         if self.engine_moves() && self.setup.world.vessels.is_empty() {
             return; // the engine turns that of plain bodies
@@ -62,7 +62,7 @@ impl Simulation {
         }
     }
 
-    /// One step of an integrator with a single stage.
+    /// Computes one step of an integrator with a single stage.
     pub(super) fn one_stage(&mut self, advance: fn(&BodyState, &Rate, f64) -> BodyState) {
         let Buffers { loads, turning, sums, .. } = &mut self.buffers;
         gather(loads, self.work.wrenches(), sums);
@@ -75,8 +75,9 @@ impl Simulation {
         }
     }
 
-    /// One step of classical Runge–Kutta. In the paper's method stages 2 to 4 compute their contact forces on a copy of
-    /// the contact memory. In the coupled method all stages use the mean contact wrench of the step.
+    /// Computes one step of the classical Runge–Kutta method. In the paper's method stages 2 to 4 compute their contact
+    /// forces on a copy of the contact memory. In the coupled method all stages use the mean contact wrench of the
+    /// step.
     pub(super) fn runge_kutta(&mut self) -> Result<(), contact::StepError> {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;
@@ -116,14 +117,14 @@ impl Simulation {
     }
 }
 
-/// Bodies and the current at each of them.
+/// Lists the bodies, and the current at each body.
 struct InCurrent<'a> {
     inertias: &'a [Inertia],
     currents_mps: &'a [Vec2],
 }
 
 impl InCurrent<'_> {
-    /// Rates of change of `states` under loads and contact wrenches.
+    /// Computes the rates of change of `states` under loads and contact wrenches.
     fn rates(&self, states: &[BodyState], loads: &[Wrench], contact: &[Wrench], into: &mut [Rate]) {
         for (body, rate) in into.iter_mut().enumerate() {
             let (inertia, state) = (&self.inertias[body], &states[body]);

@@ -1,19 +1,19 @@
-//! Placing bodies before the first step.
+//! Places bodies before the first step of a run.
 
 use super::Simulation;
 use fenderline_world::error::SetupError;
 use fenderline_world::start::BodyStart;
 
 impl Simulation {
-    /// Places floating bodies before the first step, each by its index. Orders, weather and faults that were given
-    /// before stay.
+    /// Places floating bodies before the first step; each body is given by its index. Orders, weather and faults that
+    /// were given before the call stay.
     ///
     /// # Errors
-    /// [`SetupError`], as for a new simulation, for example if a line is then too short; or a body that does not exist
-    /// or is fixed. The simulation is then unchanged.
+    /// Returns the [`SetupError`] that a new simulation would give, for example if a line is then too short; or an
+    /// error for a body that does not exist or is fixed. After an error the simulation is unchanged.
     ///
     /// # Panics
-    /// If a step has been taken.
+    /// Panics if a step has been taken.
     pub fn place(&mut self, places: &[(usize, BodyStart)]) -> Result<(), SetupError> {
         assert_eq!(self.index, 0, "before the first step");
         let mut setup = self.setup.clone();

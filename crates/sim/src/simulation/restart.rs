@@ -1,4 +1,4 @@
-//! Starting a simulation again from its first step, in its present memory.
+//! Starts a simulation again from its first step, in the memory that it has.
 
 use fenderline_contact::{BodyState, Wrench};
 
@@ -14,17 +14,18 @@ use fenderline_world::start::Start;
 impl Simulation {
     /// Starts the simulation again, with another initial state of its bodies, another wind and another current. The
     /// result is the same, to the bit, as a new simulation of the set-up with this start. A restart takes a fraction of
-    /// the time: most of the simulation stays as it is, and nothing is allocated for plain bodies.
+    /// the time of a new simulation: most of the simulation stays as it is, and no memory is allocated for plain
+    /// bodies.
     ///
-    /// Orders, wind and current given during the last run, and wrenches of the host, are forgotten, as in a new
-    /// simulation.
+    /// As in a new simulation, the orders, wind and current given during the last run and the wrenches of the host are
+    /// forgotten.
     ///
     /// # Errors
-    /// As [`Simulation::new`], if the set-up does not restart in place ([`crate::Setup::restarts_in_place`]); the
-    /// simulation is then unchanged.
+    /// Returns the errors of [`Simulation::new`] if the set-up does not restart in place
+    /// ([`crate::Setup::restarts_in_place`]); the simulation is then unchanged.
     ///
     /// # Panics
-    /// If the number of starts is not the number of bodies.
+    /// Panics if the number of starts is not the number of bodies.
     pub fn restart(&mut self, start: &Start) -> Result<(), SetupError> {
         if !self.setup.restarts_in_place() {
             let mut setup = self.setup.clone();

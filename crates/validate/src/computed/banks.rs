@@ -1,4 +1,4 @@
-//! The pull of a wall on a ship who goes along it, by her image.
+//! Computes the pull of a wall on a ship that goes along it, from the flow of her mirror image.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::passing::{PassingShip, Sections, force_of_wall};
@@ -8,10 +8,10 @@ use super::Values;
 const LENGTH_M: f64 = 200.0;
 const AREA_M2: f64 = 300.0;
 
-/// Y over ρu²S²/L² for parabolic sections.
+/// Computes the side force Y on a ship with parabolic sections, divided by ρu²S²/L².
 ///
 /// # Panics
-/// A ship that is refused: a bug.
+/// Panics if the ship is refused, which would be a bug.
 pub(super) fn compute(values: &mut Values) {
     let sections = Sections::parabola(LENGTH_M, AREA_M2).expect("a good ship");
     let own = PassingShip {

@@ -1,5 +1,5 @@
-//! The scenarios of `scenarios/berth` without hydrodynamics, at their own steps. `validation/independent/coupled_berth.py`
-//! computes the same values.
+//! Runs the scenarios of `scenarios/berth` that have no hydrodynamics, at their own time steps. The script
+//! `validation/independent/coupled_berth.py` computes the same values independently.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ pub(super) fn compute(values: &mut Values) {
 /// Runs a scenario.
 ///
 /// # Panics
-/// A scenario that cannot be read or stepped: a bug.
+/// Panics if the scenario cannot be read or stepped, which would be a bug.
 fn run(name: &str, text: &str, values: &mut Values) {
     let scenario = Scenario::parse(text, &format!("scenarios/berth/{name}.toml"))
         .unwrap_or_else(|e| panic!("the built-in {e}"));
@@ -62,7 +62,8 @@ fn run(name: &str, text: &str, values: &mut Values) {
     }
 }
 
-/// By fender, or pair of bodies: the sum of the patches' peak normal forces in a step (N), and the largest depth (m).
+/// For each fender or pair of bodies: the sum of the patches' peak normal forces in a step (N), and the largest depth
+/// (m).
 fn step_peaks(
     record: &StepRecord<'_>,
     bodies: &[(String, bool)],

@@ -1,10 +1,11 @@
-//! A current on a ship at rest, from all directions: side force, yaw moment and surge of the hull.
+//! Computes the force of a current on a ship at rest, from all directions: side force, yaw moment and surge of the
+//! hull.
 
 use fenderline_sim::hydro::{Known, Mmg, Particulars, Velocity, Water, estimated};
 
 use super::Values;
 
-/// Angles off the bow (°).
+/// Angles off the bow from which the current comes (°).
 const OFF_THE_BOW_DEG: [u32; 12] = [0, 10, 20, 40, 60, 80, 100, 120, 140, 160, 170, 180];
 /// Depth over draught.
 const DEPTH_RATIO: f64 = 1.1;
@@ -26,7 +27,8 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// C_X, C_Y and C_N by ½ρLTV² and ½ρL²TV², positive as the water pushes her ahead, across, and at the bow more than at the stern.
+/// Force coefficients C_X and C_Y (divided by ½ρLTV²) and moment coefficient C_N (divided by ½ρL²TV²), positive as the
+/// water pushes the ship ahead, across, and at the bow more than at the stern.
 fn coefficients(ship: &Mmg, off_the_bow_deg: f64) -> [f64; 3] {
     let hull = &ship.particulars;
     let (sin, cos) = libm::sincos(off_the_bow_deg.to_radians());
@@ -37,8 +39,8 @@ fn coefficients(ship: &Mmg, off_the_bow_deg: f64) -> [f64; 3] {
     [force.surge_n / unit_n, -force.sway_n / unit_n, -force.yaw_nm / (unit_n * hull.length_m)]
 }
 
-/// The tanker of 250,000 dwt of the worked example in OCIMF's guidelines, by her particulars. Her beam and block coefficient are
-/// not in the example: they are usual for such ships.
+/// The tanker of 250,000 dwt of the worked example in OCIMF's guidelines, with her particulars. The tanker's beam and
+/// block coefficient are not in the example of OCIMF: they are usual for such ships.
 fn tanker() -> Mmg {
     let particulars = Particulars::from_block(329.3, 51.8, 19.2, 0.85).expect("she floats");
     let known =

@@ -1,4 +1,4 @@
-//! A flexible dolphin: the peaks of a berthing, and its period when the ship has gone.
+//! Runs a ship against a flexible dolphin: the peaks of the berthing, and the dolphin's period when the ship has gone.
 
 use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
@@ -11,7 +11,7 @@ const SCENARIO: &str = include_str!(concat!(
 ));
 
 /// # Panics
-/// A scenario that cannot be read or stepped, or in which the dolphin does not swing: a bug.
+/// Panics if the scenario cannot be read or stepped, or if the dolphin does not swing; either would be a bug.
 pub(super) fn compute(values: &mut Values) {
     let file_name = "scenarios/closed_form/fender_and_dolphin_in_series.toml";
     let scenario =

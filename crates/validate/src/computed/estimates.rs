@@ -1,5 +1,5 @@
-//! Ships estimated from their main particulars alone, by both routes: the standard manoeuvres of six ships that have
-//! references.
+//! Ships that are estimated from their main particulars alone, by both estimation methods: the standard manoeuvres of
+//! six ships that have references.
 
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::manoeuvres::{turning_circle, zig_zag};
@@ -12,11 +12,12 @@ use super::Values;
 use super::manoeuvres::Trial;
 use super::ships::vessel;
 
-/// The routes, with their names in `validation/estimated_ships.toml`.
+/// The estimation methods (routes) that are compared, with their names in `validation/estimated_ships.toml`.
 pub(crate) const ROUTES: [(&str, EstimateMethod); 2] =
     [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
-/// A ship with references for its manoeuvres. The errors of the estimates are computed over these ships.
+/// A ship for which there are reference numbers of her manoeuvres. The errors of the estimation methods are computed
+/// over the reference ships.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ReferenceShip {
     Kcs,
@@ -49,7 +50,8 @@ impl ReferenceShip {
         }
     }
 
-    /// The name of a second reference in the same file. It does not count in the errors.
+    /// The name of a second reference for the ship in `validation/estimated_ships.toml`. The second reference does not
+    /// count in the errors of the estimates.
     fn second_reference(self) -> Option<&'static str> {
         match self {
             ReferenceShip::Kvlcc2 => Some("kvlcc2_tests"),
@@ -59,13 +61,13 @@ impl ReferenceShip {
     }
 }
 
-/// The measures, with their units.
+/// The measures of the manoeuvres that are compared, with their units.
 pub(crate) const MEASURES: [(&str, &str); 4] =
     [("advance", "L"), ("diameter", "L"), ("overshoot_10", "°"), ("overshoot_20", "°")];
 
-/// A step over the time in which the ship sails her own length.
+/// Time step of a manoeuvre, divided by the time in which the ship sails her own length.
 const STEP: f64 = 0.005;
-/// Aspect ratio of a rudder where the source has none: usual.
+/// Aspect ratio of a rudder for which the source gives none: a usual value.
 const USUAL_ASPECT: f64 = 1.6;
 
 pub(super) fn compute(values: &mut Values) {
@@ -74,7 +76,7 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// All measures of all ships by one route.
+/// Computes all measures of all ships by one estimation method.
 pub(crate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
     for ship in ReferenceShip::ALL {
         let measures = measured(&estimate_of(ship, route));
@@ -86,7 +88,8 @@ pub(crate) fn compute_route(values: &mut Values, name: &str, route: EstimateMeth
     }
 }
 
-/// In the order of [`MEASURES`]. An estimated ship is the same to both sides.
+/// Measures an estimated ship's manoeuvres, in the order of [`MEASURES`]. An estimated ship behaves alike to both
+/// sides, so that one side is enough.
 fn measured(vessel: &Vessel) -> [f64; 4] {
     let trial = Trial::stepped(vessel, STEP);
     let turn = turning_circle(&trial.model, &trial.approach, 35_f64.to_radians());
@@ -104,7 +107,7 @@ fn measured(vessel: &Vessel) -> [f64; 4] {
     ]
 }
 
-/// A ship by the data that a user without tests would have.
+/// Estimates a ship from the data that a user without tests would have.
 pub(super) fn estimate_of(ship: ReferenceShip, route: EstimateMethod) -> Vessel {
     let of = |known: &Known| estimated_by(route, known).expect("a ship").model;
     let library = |key: &str| {
@@ -168,7 +171,7 @@ fn gear(propeller_m: f64, rudder_m2: f64, aspect_ratio: f64) -> SternGear {
     }
 }
 
-/// A ship that is not in the data, by her model, her speed of approach (m/s) and her rudder's rate (°/s).
+/// Makes a vessel that is not in the data, from her model, her speed of approach (m/s) and her rudder's rate (°/s).
 fn other(ship: fenderline_sim::hydro::Mmg, approach_mps: f64, rate_degps: f64) -> Vessel {
     Vessel {
         ship,

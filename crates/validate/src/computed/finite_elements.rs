@@ -1,12 +1,12 @@
-//! Fenders fitted to finite-element curves: reaction and energy of the fitted curve, and of the one stiffness that takes
-//! the same rated energy. The files are made by `validation/finite_elements/analyse.py`.
+//! Compares fenders that were fitted to finite-element curves: reaction and energy of the fitted curve, and of the one
+//! stiffness that takes the same rated energy. The fender files are made by `validation/finite_elements/analyse.py`.
 
 use fenderline_contact::number::lesser;
 use fenderline_scenario::FenderLibrary;
 
 use super::Values;
 
-/// The fender files: what rows call them, and their texts.
+/// The fender files: the names by which rows call them, and their texts.
 macro_rules! fenders {
     ($($name:literal),* $(,)?) => {
         [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/finite_elements/fenders/", $name, ".toml"
@@ -14,13 +14,14 @@ macro_rules! fenders {
     };
 }
 
-/// Shape, fineness, elements, deflection, reaction and energy of every step on every mesh.
+/// Table of the finite-element analysis: shape, fineness, elements, deflection, reaction and energy of every step on
+/// every mesh.
 const PRESSED: &str = include_str!(concat!(
     env!("FENDERLINE_DATA"),
     "/validation/finite_elements/results/pressed.csv"
 ));
 
-/// Shapes that were analysed on more than one mesh.
+/// Fender shapes that were analysed on more than one mesh.
 const HALVED: [&str; 3] = ["cylinder", "solid_d", "hollow_d"];
 
 const FENDERS: [(&str, &str); 4] = fenders!["cylinder", "solid_d", "hollow_d", "cone"];
@@ -35,11 +36,11 @@ pub(super) fn compute(values: &mut Values) {
         let before = FenderLibrary::built_in().families().len();
         let library = FenderLibrary::built_in()
             .with_file(text, name)
-            .unwrap_or_else(|e| panic!("the fender file of {name}: {e}"));
+            .unwrap_or_else(|e| panic!("the fender file of {name} is wrong: {e}"));
         let family = &library.families()[before];
         let fender = library
             .fender(&family.name, &family.sizes[0].designation)
-            .expect("a family has the size that it was read with");
+            .expect("the fender family has the size with which it was read");
         let rated_m = fender.rated_deflection_m;
         let stiffness_npm = 2.0 * fender.rated_energy_j / (rated_m * rated_m);
         for share in ["0.5", "1.0"] {
@@ -54,7 +55,7 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// Reaction and energy at the largest deflection on the mesh before the finest one.
+/// Reaction and energy of a fender at the largest deflection, on the mesh before the finest one.
 fn last_but_finest(shape: &str) -> (f64, f64) {
     let of_shape = PRESSED.lines().filter_map(|line| {
         let cells: Vec<&str> = line.split(',').collect();
@@ -75,7 +76,7 @@ fn last_but_finest(shape: &str) -> (f64, f64) {
     (reaction, energy)
 }
 
-/// Reaction (N) and energy (J) at a deflection (m) on a curve of straight pieces.
+/// Reaction (N) and energy (J) of a fender at a deflection (m) on a curve of straight pieces.
 fn on_curve(curve: &[(f64, f64)], deflection_m: f64) -> (f64, f64) {
     let (mut reaction_n, mut energy_j) = (0.0, 0.0);
     for piece in curve.windows(2) {

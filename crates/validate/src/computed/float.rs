@@ -1,4 +1,4 @@
-//! Periods of heave and roll of the container ship.
+//! Computes the periods of heave and roll of the paper's container ship.
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics};
 use fenderline_sim::constants::SEA_WATER_KGPM3;

@@ -1,4 +1,4 @@
-//! Hull forces at low speed, added masses, forces of current, and squat in shallow water.
+//! Computes hull forces at low speed, added masses, forces of current, and squat in shallow water.
 
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3};
 use fenderline_sim::hydro::shallow::{
@@ -19,7 +19,7 @@ pub(super) fn compute(values: &mut Values) {
     squat(values);
 }
 
-/// Pure sway at 1 m/s and pure yaw at 0.01 rad/s of the container ship.
+/// Cross-flow drag of the container ship in pure sway at 1 m/s and in pure yaw at 0.01 rad/s.
 fn cross_flow(values: &mut Values) {
     let ship = container();
     let drag = hoerner_drag_coefficient(ship.beam_m, ship.draught_m);
@@ -37,7 +37,7 @@ fn cross_flow(values: &mut Values) {
     }
 }
 
-/// Force over ½ρLdV² and moment over ½ρL²dV², V² = u² + v² + (rL)², of the model at three states.
+/// Hull force divided by ½ρLdV² and moment divided by ½ρL²dV², with V² = u² + v² + (rL)², of the model at three states.
 fn esso_osaka(values: &mut Values) {
     let ship = vessel("esso-osaka").ship;
     let (length_m, draught_m) = (ship.particulars.length_m, ship.particulars.draught_m);
@@ -58,7 +58,8 @@ fn esso_osaka(values: &mut Values) {
 
 fn added_masses(values: &mut Values) {
     for (name, ship) in [("container", container()), ("tug", tug())] {
-        let zhou = zhou_added_mass(&ship).expect("the hull is inside the charts");
+        let zhou = zhou_added_mass(&ship)
+            .expect("the hull is inside the range of the charts of added mass");
         let mass_kg = SEA_WATER_KGPM3 * (ship.volume_m3 + zhou.surge_m3);
         values.put(format!("{name}/zhou/surge"), zhou.surge_m3 / ship.volume_m3, "");
         values.put(format!("{name}/zhou/sway"), zhou.sway_m3 / ship.volume_m3, "");
@@ -71,7 +72,7 @@ fn added_masses(values: &mut Values) {
     values.put("container/clarke/yaw", yaw_m5 / ship.yaw_inertia_m5(), "");
 }
 
-/// 0.5 m/s abeam of the container ship.
+/// Force of a current of 0.5 m/s abeam on the container ship.
 fn current(values: &mut Values) {
     // The midship coefficient is assumed; validation/independent/ship_formulas.py takes the same.
     let (ship, midship_coefficient) = (container(), 0.98);
@@ -90,7 +91,7 @@ fn current(values: &mut Values) {
     }
 }
 
-/// The container ship at 8 kn, h/T 1.2.
+/// Squat of the container ship at 8 kn in 1.2 draughts of water.
 fn squat(values: &mut Values) {
     let ship = container();
     let (depth_m, speed_mps) = (1.2 * ship.draught_m, 8.0 * KNOT_MPS);

@@ -1,4 +1,4 @@
-//! Standard manoeuvres of KVLCC2, KCS and Esso Osaka.
+//! Computes the standard manoeuvres of KVLCC2, KCS and Esso Osaka.
 
 use fenderline_sim::hydro::manoeuvres::{Approach, self_propulsion_rps, turning_circle, zig_zag};
 use fenderline_sim::hydro::vessels::Vessel;
@@ -7,7 +7,7 @@ use fenderline_sim::hydro::{Model3, Water};
 use super::Values;
 use super::ships::vessel;
 
-/// A step over the time in which the ship sails her own length: 0.08 s for KVLCC2.
+/// Time step of a manoeuvre, divided by the time in which the ship sails her own length; this is 0.08 s for KVLCC2.
 const STEP: f64 = 0.002;
 
 pub(super) fn compute(values: &mut Values) {
@@ -34,10 +34,10 @@ pub(super) fn compute(values: &mut Values) {
 }
 
 fn approach_mps(vessel: &Vessel) -> f64 {
-    vessel.approach_mps.expect("published ships have a speed of approach")
+    vessel.approach_mps.expect("every published ship has a speed of approach")
 }
 
-/// A ship at her speed of approach.
+/// A ship at her speed of approach, ready for a standard manoeuvre.
 pub(super) struct Trial {
     pub(super) model: Model3,
     pub(super) approach: Approach,
@@ -49,18 +49,18 @@ impl Trial {
         Trial::stepped(vessel, STEP)
     }
 
-    /// With a step over the time in which she sails her own length.
+    /// Makes a trial from a vessel and a step, given as a share of the time in which she sails her own length.
     pub(super) fn stepped(vessel: &Vessel, step: f64) -> Trial {
         let model = Model3::new(vessel.ship, Water::SEA);
         let length_m = vessel.ship.particulars.length_m;
         let approach_mps = approach_mps(vessel);
         let step_s = step * length_m / approach_mps;
         let approach = Approach::at(&model, approach_mps, vessel.steering, step_s)
-            .expect("the propeller holds the speed of approach");
+            .expect("some revolutions of the propeller hold the speed of approach");
         Trial { model, approach, length_m }
     }
 
-    /// The turn of the rudder's side: every measure counts positive to it.
+    /// Computes a turn with the rudder to one side: every measure counts positive to that side.
     fn turn(&self, values: &mut Values, name: &str, rudder_deg: f64) {
         let turn = turning_circle(&self.model, &self.approach, rudder_deg.to_radians())
             .expect("she turns");

@@ -1,6 +1,8 @@
-//! Values by name: pure functions and standard manoeuvres of the simulator, and scenarios of more than two bodies.
+//! Computes values by name: from pure functions and standard manoeuvres of the simulator, and from scenarios of more
+//! than two bodies.
 //!
-//! Each file has one subject and fills a [`Values`]. It has the inputs of its cases, never the published numbers.
+//! Each file of this folder has one subject and fills a [`Values`]. A file of this folder has the inputs of its cases,
+//! never the published numbers.
 
 mod banks;
 mod berth;
@@ -22,18 +24,18 @@ mod worked;
 
 use std::collections::BTreeMap;
 
-/// A value with its unit; the unit is empty for a plain number.
+/// A computed value with its unit; the unit is empty for a plain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Value {
     pub(crate) value: f64,
     pub(crate) unit: &'static str,
 }
 
-/// Values by their names in the files under `validation/`.
+/// Computed values, by their names in the files under `validation/`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Values(BTreeMap<String, Value>);
 
-/// What computes them, a subject each.
+/// The functions that compute the values, one for each subject.
 pub(crate) const SUBJECTS: [fn(&mut Values); 16] = [
     manoeuvres::compute,
     estimates::compute,
@@ -57,13 +59,13 @@ impl Values {
     pub(crate) fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });
-        assert!(before.is_none(), "two values have the name {name}");
+        assert!(before.is_none(), "two computed values have the name {name}");
     }
 
     /// The value called `name`.
     ///
     /// # Panics
-    /// There is no such value: a bug.
+    /// Panics if there is no value of this name, which would be a bug.
     pub(crate) fn get(&self, name: &str) -> Value {
         *self.0.get(name).unwrap_or_else(|| panic!("no computed value is called {name}"))
     }

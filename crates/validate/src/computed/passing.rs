@@ -1,4 +1,4 @@
-//! Peaks of the forces of a passing ship.
+//! Computes the peaks of the forces of a passing ship on a ship at rest.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Pose, Vec2, vec2};
@@ -10,11 +10,12 @@ use super::Values;
 const DENSITY_KGPM3: f64 = 1025.0;
 const NAMES: [&str; 3] = ["surge", "sway", "yaw"];
 
-/// Places of the passing ship at which the peak is looked for, on one side: the forces are symmetric.
+/// Number of places of the passing ship at which the peak is looked for, on one side only, because the forces are
+/// symmetric.
 const PLACES: u32 = 200;
 
 /// # Panics
-/// Ships and depths that are refused: a bug.
+/// Panics if a ship or a depth is refused, which would be a bug.
 pub(super) fn compute(values: &mut Values) {
     for (share, name) in [(0.10, "0.10"), (0.26, "0.26"), (0.50, "0.50")] {
         let found = peaks([200.0, 200.0], share * 200.0);
@@ -29,7 +30,7 @@ pub(super) fn compute(values: &mut Values) {
     in_a_worksheet(values);
 }
 
-/// Forces of parallel passing that another program's worksheets printed, in feet, slugs and pounds-force.
+/// Computes the forces of parallel passing that another program's worksheets printed, in feet, slugs and pounds-force.
 fn in_a_worksheet(values: &mut Values) {
     let at = |lengths: [f64; 2], areas: [f64; 2], place: [f64; 2], density: f64, speed: f64| {
         let [at_rest, passing] =
@@ -51,7 +52,7 @@ fn in_a_worksheet(values: &mut Values) {
     }
 }
 
-/// The worked case with the coefficients of its source.
+/// Computes the worked case of a passing ship with the coefficients of its source.
 fn by_table(values: &mut Values) {
     let areas_m2 = [0.98 * 39.0 * 15.3, 0.98 * 25.8 * 6.8];
     let speed_mps = 10.0 * KNOT_MPS;
@@ -59,13 +60,14 @@ fn by_table(values: &mut Values) {
         DENSITY_KGPM3 * speed_mps * speed_mps * areas_m2[0] * areas_m2[1] / (185.4 * 185.4);
     let mean_beam_m = 0.5 * (39.0 + 25.8);
     let by = factors(15.3 / 20.0, (110.0 - mean_beam_m) / mean_beam_m, Berth::Open);
-    let [surge, sway, yaw] = by.expect("a depth and a gap");
+    let [surge, sway, yaw] = by.expect("depth and gap are within their ranges");
     values.put("passing/worked_by_table/surge", 1e-3 * unit_n * 0.299 * surge, "kN");
     values.put("passing/worked_by_table/sway", 1e-3 * unit_n * 1.064 * sway, "kN");
     values.put("passing/worked_by_table/yaw", 1e-6 * unit_n * 243.5 * 0.204 * yaw, "MN·m");
 }
 
-/// The largest surge and sway over ρU²S₁S₂/L₂² and the largest yaw over that times L₁, of a ship at rest and one that passes.
+/// The largest surge and sway force, divided by ρU²S₁S₂/L₂², and the largest yaw moment, divided by that times L₁, of a
+/// passing ship (1) on a ship at rest (2).
 fn peaks(lengths_m: [f64; 2], across_m: f64) -> [f64; 3] {
     let [at_rest, passing] =
         lengths_m.map(|length_m| Sections::parabola(length_m, 1.0).expect("a good ship"));

@@ -1,4 +1,4 @@
-//! Propellers in four quadrants, and thrusters.
+//! Computes forces of propellers in four quadrants, and of thrusters.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// K_T of KVLCC2's propeller ahead.
+/// Thrust coefficient K_T of KVLCC2's propeller going ahead.
 fn own_polynomial(values: &mut Values) {
     let propeller = vessel("kvlcc2").ship.propulsion.expect("she has a propeller").propeller;
     for (advance, name) in [(0.0, "0"), (0.4, "0.4"), (0.8, "0.8")] {
@@ -26,7 +26,8 @@ fn own_polynomial(values: &mut Values) {
     }
 }
 
-/// K_T and K_Q of the series ahead by J, and C_T* and C_Q* in the other quadrants by β.
+/// Coefficients K_T and K_Q of the propeller series ahead by advance ratio J, and C_T* and C_Q* in the other quadrants
+/// by angle β.
 fn series(values: &mut Values) {
     let density_kgpm3 = Water::SEA.density_kgpm3;
     for (name, series) in [("0.8", Series::B4Pitch08), ("1.0", Series::B4Pitch10)] {
@@ -51,7 +52,7 @@ fn series(values: &mut Values) {
     }
 }
 
-/// Force on KVLCC2 over ρn²D⁴ with the propeller astern while she goes ahead, with wake and thrust deduction as
+/// Force on KVLCC2, divided by ρn²D⁴, with the propeller astern while she goes ahead, with wake and thrust deduction as
 /// her model has them, by Js = u/(nD).
 fn force_astern(values: &mut Values) {
     let propulsion = vessel("kvlcc2").ship.propulsion.expect("she has a propeller");
@@ -63,7 +64,7 @@ fn force_astern(values: &mut Values) {
     }
 }
 
-/// Thrust over ρn²D⁴ at J = va/(nD) and n (1/s).
+/// Thrust of a propeller divided by ρn²D⁴, at an advance ratio J = va/(nD) and revolutions n (1/s).
 fn thrust_coefficient(propeller: &Propeller, advance: f64, shaft_rps: f64) -> f64 {
     let diameter_m = propeller.diameter_m;
     let square = diameter_m * diameter_m;

@@ -1,4 +1,4 @@
-//! Waves, mooring cable and tug.
+//! Computes values for waves, mooring cables and tugs.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -18,7 +18,8 @@ pub(super) fn compute(values: &mut Values) {
     tug(values);
 }
 
-/// The two ships of the MSS toolbox: mean drift over ρga² in deep water, from ahead −X, from port Y.
+/// Mean wave drift of the two ships of the MSS toolbox, divided by ρga², in deep water: −X for waves from ahead, Y for
+/// waves from port.
 fn drift(values: &mut Values) {
     let tanker = DriftHull {
         length_m: 246.0,
@@ -44,7 +45,7 @@ fn drift(values: &mut Values) {
     }
 }
 
-/// Hs 2 m, Tp 8 s, γ 3.3, from 0.2 to 4 rad/s, in strips of 1e-3 rad/s.
+/// A wave spectrum with Hs 2 m, Tp 8 s and γ 3.3, from 0.2 to 4 rad/s, in strips of 1e-3 rad/s.
 fn jonswap_m0_m2() -> f64 {
     let sea = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
     let strip_radps = 1e-3;
@@ -52,7 +53,8 @@ fn jonswap_m0_m2() -> f64 {
     densities.sum::<f64>() * strip_radps
 }
 
-/// EA 1e9 N, 200 kg/m, ø 0.1 m in sea water, 210 m over a span of 200 m and a depth of 50 m.
+/// A mooring cable with EA 1e9 N, 200 kg/m and a diameter of 0.1 m in sea water: 210 m of it over a span of 200 m and a
+/// depth of 50 m.
 fn cable(values: &mut Values) {
     let displaced_kgpm = SEA_WATER_KGPM3 * PI * 0.1 * 0.1 / 4.0;
     let weight_npm = (200.0 - displaced_kgpm) * STANDARD_GRAVITY_MPS2;
@@ -63,7 +65,7 @@ fn cable(values: &mut Values) {
     values.put("cable/vertical", hanging.upper_vertical_n / 1e3, "kN");
 }
 
-/// Beam-on push of a tug of 60 t bollard pull, 32 × 4.5 m, Cd 0.73, over the bollard pull.
+/// Push of a tug beam-on to the flow, divided by her bollard pull: 60 t bollard pull, 32 × 4.5 m, Cd 0.73.
 fn tug(values: &mut Values) {
     let bollard_pull_n = 60e3 * STANDARD_GRAVITY_MPS2;
     let envelope = TugEnvelope {

@@ -1,4 +1,5 @@
-//! A box barge with hydrodynamic data: motions in regular waves, the memory of the water beside direct convolution, and drift.
+//! Computes a box barge with hydrodynamic data: motions in regular waves, the memory of the water beside direct
+//! convolution, and drift.
 
 use std::f64::consts::TAU;
 
@@ -33,11 +34,11 @@ roll_damping = 0
 vessel = "barge"
 outline = [[-40, -10], [40, -10], [40, 10], [-40, 10]]
 "#;
-/// Height of the waves (m): so small that drag and drift do not matter.
+/// Height of the regular waves (m), so small that drag and drift do not matter.
 const HEIGHT_M: f64 = 1e-4;
 
 /// # Panics
-/// A scenario that cannot be read or stepped: a bug.
+/// Panics if the scenario cannot be read or stepped, which would be a bug.
 pub(super) fn compute(values: &mut Values) {
     for (w, heading_deg) in [(0.6, 60), (0.9, 90), (1.2, 150)] {
         for (motion, size) in MOTIONS.iter().zip(regular(w, f64::from(heading_deg))) {
@@ -64,8 +65,8 @@ fn simulation(waves: &str) -> Simulation {
     Simulation::new(barge(waves).setup).expect("a good set-up")
 }
 
-/// Amplitudes of the six motions over that of a regular wave which runs towards a heading (m/m, rad/m): least squares over five minutes,
-/// after the start has died down, of a sine beside a parabola.
+/// Amplitudes of the barge's six motions, divided by that of a regular wave which runs towards a heading (m/m, rad/m):
+/// least squares over five minutes, after the start has died down, of a sine beside a parabola.
 fn regular(w: f64, heading_deg: f64) -> [f64; 6] {
     let (period_s, from_deg) = (TAU / w, heading_deg + 180.0);
     let mut simulation = simulation(&format!(
@@ -99,8 +100,8 @@ fn regular(w: f64, heading_deg: f64) -> [f64; 6] {
     })
 }
 
-/// The largest difference between the memory's force and the convolution of K by the trapezoidal rule, over the largest force, for a
-/// motion of two frequencies that begins softly; at a step of 0.05 s.
+/// The largest difference between the force of the water's memory and the convolution of K by the trapezoidal rule,
+/// divided by the largest force, for a motion of two frequencies that begins softly; at a step of 0.05 s.
 fn off_the_convolution(ship: &Seakeeping, index: usize) -> f64 {
     let (step_s, count) = (0.05, 1200_usize);
     let motion = Motion::new(ship, step_s);
@@ -135,7 +136,8 @@ fn off_the_convolution(ship: &Seakeeping, index: usize) -> f64 {
     off / most
 }
 
-/// Mean drift by the data in a beam wave of 2 rad/s (kN over the square of its amplitude in m).
+/// Mean drift of the barge by the data, in a beam wave of 2 rad/s (kN, divided by the square of the wave's amplitude in
+/// m).
 fn short_beam_wave_kn() -> f64 {
     let waves = format!(
         "{{ height = {HEIGHT_M}, period = {}, from = \"270 deg\", regular = true }}",

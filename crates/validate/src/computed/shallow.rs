@@ -1,4 +1,4 @@
-//! Shallow water: factors of each set of corrections, and what they make of turns and zig-zags.
+//! Computes effects of shallow water: the factors of each set of corrections, and the turns and zig-zags with them.
 
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::manoeuvres::{Approach, turning_circle, zig_zag};
@@ -10,7 +10,7 @@ use super::Values;
 use super::estimates::{ReferenceShip, estimate_of};
 use super::ships::vessel;
 
-/// Depth over draught, and their names.
+/// Ratios of depth to draught, with their names in the results.
 const DEPTHS: [(f64, &str); 3] = [(2.0, "2"), (1.5, "1.5"), (1.2, "1.2")];
 /// The sets of corrections that are compared.
 const SETS: [CorrectionSet; 4] = [
@@ -19,8 +19,8 @@ const SETS: [CorrectionSet; 4] = [
     CorrectionSet::Ankudinov,
     CorrectionSet::Taimuri,
 ];
-/// Ships that have a propeller and a rudder, whether all sets are compared for them or the one taken, and whether drift
-/// and overshoot are, too.
+/// Ships with a propeller and a rudder; and for each, whether all sets of corrections are compared or only the default,
+/// and whether drift and overshoot are compared.
 const SHIPS: [(&str, bool, bool); 5] = [
     ("kvlcc2", true, true),
     ("kcs", true, true),
@@ -28,7 +28,7 @@ const SHIPS: [(&str, bool, bool); 5] = [
     ("bulk-carrier", false, false),
     ("container-ship", false, false),
 ];
-/// A correction factor: its name in the results, and where it is found.
+/// A correction factor: its name in the results, and where it is in the corrections.
 type Factor = (&'static str, fn(&Corrections) -> f64);
 
 const Y_V: Factor = ("y_v", |all| all.hull.y_v);
@@ -43,7 +43,7 @@ const M_X: Factor = ("m_x", |all| all.mass.surge);
 const M_Y: Factor = ("m_y", |all| all.mass.sway);
 const J_Z: Factor = ("j_z", |all| all.mass.yaw);
 
-/// The factors that are compared, by ship and set.
+/// Computes the factors that are compared, by ship and set of corrections.
 const FACTORS: [(&str, CorrectionSet, &[Factor]); 7] = [
     (
         "tanker",
@@ -57,12 +57,12 @@ const FACTORS: [(&str, CorrectionSet, &[Factor]); 7] = [
     ("kvlcc2", CorrectionSet::Ankudinov, &[N_V]),
     ("kvlcc2", CorrectionSet::Taimuri, &[Y_V]),
 ];
-/// A step over the time in which the ship sails her own length.
+/// Time step of a manoeuvre, divided by the time in which the ship sails her own length.
 const STEP: f64 = 0.01;
-/// Froude number of the approach of a ship without a speed of her own.
+/// Froude number of the approach, for a ship whose data have no speed of approach.
 const FROUDE: f64 = 0.15;
 
-/// The name of a set in the results.
+/// The name of a set of corrections in the results.
 fn name_of(set: CorrectionSet) -> &'static str {
     match set {
         CorrectionSet::Combined => "combined",
@@ -108,7 +108,8 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// Tactical diameters of ships that are estimated from particulars alone, by the route that the program takes.
+/// Tactical diameters of ships that are estimated from particulars alone, by the estimation method that the program
+/// chooses.
 fn estimated(values: &mut Values) {
     for ship in ReferenceShip::ALL {
         let name = ship.name();
@@ -123,7 +124,7 @@ fn estimated(values: &mut Values) {
     }
 }
 
-/// The tanker of 190 000 dwt of van Berlekom & Goddard.
+/// Computes the factors for the tanker of 190 000 dwt of van Berlekom & Goddard.
 fn tanker() -> Particulars {
     Particulars {
         length_m: 304.8,
@@ -135,7 +136,7 @@ fn tanker() -> Particulars {
     }
 }
 
-/// Of a turn with a rudder of 35° to starboard, and of a 20°/20° zig-zag.
+/// Computes the measures of a turn with a rudder of 35° to starboard, and of a 20°/20° zig-zag.
 struct Measures {
     diameter_m: f64,
     drift_rad: f64,
@@ -143,7 +144,8 @@ struct Measures {
 }
 
 impl Measures {
-    /// At the speed of approach that she has in deep water; a set that leaves her without an answer gives NaN.
+    /// The trial runs at the speed of approach that the ship has in deep water; the result is NaN for a set of
+    /// corrections with which she cannot do the manoeuvre.
     fn of(vessel: &Vessel, ship: Mmg) -> Measures {
         // In ratios the density of the water plays no part.
         let model = Model3::new(ship, Water::SEA);
@@ -153,7 +155,7 @@ impl Measures {
             .unwrap_or_else(|| FROUDE * (STANDARD_GRAVITY_MPS2 * length_m).sqrt());
         let approach =
             Approach::at(&model, speed_mps, vessel.steering, STEP * length_m / speed_mps)
-                .expect("the propeller holds the speed of approach");
+                .expect("some revolutions of the propeller hold the speed of approach");
         let turn = turning_circle(&model, &approach, 35_f64.to_radians()).ok();
         let check_rad = 20_f64.to_radians();
         let run = zig_zag(&model, &approach, check_rad, check_rad).ok();

@@ -1,4 +1,4 @@
-//! The ships of the computed cases, from the vessel data.
+//! The ships of the computed cases, made from the vessel data.
 
 use fenderline_scenario::{VesselData, VesselLibrary};
 use fenderline_sim::hydro::Particulars;
@@ -9,7 +9,7 @@ pub(crate) fn vessel(name: &str) -> Vessel {
     data(name).trial()
 }
 
-/// The paper's container ship, with coefficients by the length overall, the only length that the paper gives.
+/// The paper's container ship, with coefficients based on the length overall, the only length that the paper gives.
 pub(super) fn container() -> Particulars {
     by_length_overall("container-ship")
 }
@@ -28,5 +28,5 @@ fn by_length_overall(name: &str) -> Particulars {
 }
 
 fn data(name: &str) -> VesselData {
-    VesselLibrary::built_in().vessel(name).expect("the vessel is built in").clone()
+    VesselLibrary::built_in().vessel(name).expect("the vessel is built into the program").clone()
 }

@@ -1,4 +1,5 @@
-//! Wind coefficients of the paper's container ship, with areas that are assumed (298 × 46 m, A_L 9000 m², A_F 1700 m²).
+//! Computes wind coefficients of the paper's container ship, with areas that are assumed (298 × 46 m, A_L 9000 m², A_F
+//! 1700 m²).
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
@@ -8,7 +9,7 @@ use fenderline_sim::environment::wind::{
 
 use super::Values;
 
-/// Density of the air of the side force, as in validation/independent/ship_formulas.py (kg/m³).
+/// Density of the air with which the side force is computed, as in validation/independent/ship_formulas.py (kg/m³).
 const AIR_KGPM3: f64 = 1.224;
 
 pub(super) fn compute(values: &mut Values) {
@@ -18,7 +19,8 @@ pub(super) fn compute(values: &mut Values) {
         superstructure_m2: 1500.0,
         mast_groups: 1.0,
     }));
-    let of_type = Blendermann::of_type("container ship, loaded").expect("a type of the table");
+    let of_type = Blendermann::of_type("container ship, loaded")
+        .expect("the type of ship is in Blendermann's table");
     let blendermann = ship(WindMethod::Blendermann(of_type));
     for (angle_rad, at) in [(0.0, "0"), (FRAC_PI_3, "60"), (PI, "180")] {
         let surge = isherwood.coefficients(angle_rad).surge;
@@ -43,7 +45,7 @@ pub(super) fn compute(values: &mut Values) {
     values.put("blendermann/side", side_n / 1e6, "MN");
 }
 
-/// The free-running model of the Esso Osaka, with the particulars of the found coefficients.
+/// The free-running model of the Esso Osaka, with the particulars for which the found coefficients hold.
 fn esso_osaka_model() -> ShipWindage {
     ShipWindage {
         length_m: 3.0,
@@ -60,7 +62,7 @@ fn esso_osaka_model() -> ShipWindage {
     }
 }
 
-/// 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
+/// The paper's container ship: 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
 fn ship(method: WindMethod) -> ShipWindage {
     ShipWindage {
         length_m: 298.0,

@@ -1,5 +1,5 @@
-//! Published worked examples of berthing, each a scenario of `scenarios/worked`: what its fenders take in the run, what the
-//! `[berthing]` study of the run gives, and the formulas alone.
+//! Runs published worked examples of berthing, each a scenario of `scenarios/worked`, and gives what its fenders take
+//! in the run, what the `[berthing]` study of the run gives, and what the formulas alone give.
 
 use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
@@ -30,10 +30,11 @@ pub(super) fn compute(values: &mut Values) {
     formulas(values);
 }
 
-/// Runs a scenario: peak energy, deflection and reaction of each fender, and the share of the ship's energy that they took.
+/// Runs a scenario and gives peak energy, deflection and reaction of each fender, and the share of the ship's energy
+/// that the fenders took.
 ///
 /// # Panics
-/// A scenario that cannot be read or stepped: a bug.
+/// Panics if the scenario cannot be read or stepped, which would be a bug.
 fn run(name: &str, text: &str, values: &mut Values) {
     let scenario = Scenario::parse(text, &format!("scenarios/worked/{name}.toml"))
         .unwrap_or_else(|e| panic!("the built-in {e}"));
@@ -57,16 +58,16 @@ fn run(name: &str, text: &str, values: &mut Values) {
     }
 }
 
-/// The formulas with the particulars of the sources.
+/// Computes the formulas alone, with the particulars of the sources.
 ///
 /// # Panics
-/// Particulars out of range: a bug.
+/// Panics if particulars are out of range, which would be a bug.
 fn formulas(values: &mut Values) {
     let ce = |along_m: f64, beam_m: f64, block: f64, length_m: f64, angle_deg: f64| {
         let gyradius_m = gyradius_m(block, length_m).expect("particulars within their ranges");
         ContactPoint { along_m, beam_m }
             .eccentricity(gyradius_m, angle_deg.to_radians())
-            .expect("a point within its range")
+            .expect("the point of contact is within its range")
     };
     // ½ M V² Cm Ce Cs, in kN·m.
     let energy =

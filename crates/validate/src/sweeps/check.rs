@@ -1,4 +1,4 @@
-//! The one place that judges sweeps: continuity, mirror image, laws, growth, references.
+//! The one module that judges sweeps: continuity, mirror image, laws, growth, references.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_report::plot::plain;
@@ -9,14 +9,14 @@ use super::sweep::{Curve, Function, Law, Sweep};
 /// How finely sweeps are sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resolution {
-    /// For a test: few places.
+    /// Few places along an axis, for a test.
     Reduced,
     /// For the page.
     Full,
 }
 
 impl Resolution {
-    /// Steps along an axis; continuity also looks at twice as many.
+    /// Number of steps along an axis; the check of continuity also looks at twice as many.
     pub(super) fn steps(self) -> u32 {
         match self {
             Resolution::Reduced => 60,
@@ -24,7 +24,7 @@ impl Resolution {
         }
     }
 
-    /// Steps that are halved again and again in search of a jump: those where the curve bends the most.
+    /// Number of steps that are halved again and again in search of a jump: those where the curve bends the most.
     fn searched(self) -> usize {
         match self {
             Resolution::Reduced => 6,
@@ -33,63 +33,64 @@ impl Resolution {
     }
 }
 
-/// A step is halved this many times towards the half over which the value changes more: to 10⁻¹² of it.
+/// How many times a step is halved towards the half over which the value changes more: to 10⁻¹² of the step.
 const HALVINGS: u32 = 40;
-/// What may be left of a step of a continuous function, as a share of the largest value.
+/// Largest change that may be left of a halved step of a continuous function, as a share of the largest value.
 const LEFT: f64 = 1e-6;
-/// What rounding may do to a mirror image, as a share of the largest value.
+/// Largest difference that rounding may make between a value and its mirror image, as a share of the largest value.
 const MIRROR: f64 = 1e-11;
-/// Where the size of a value is below this share of the largest, its growth is not judged.
+/// Share of the largest value below which the growth of a value is not judged.
 const SMALL: f64 = 1e-6;
-/// Where a reference is below this share of its largest value, a difference is a share of that.
+/// Share of a reference's largest value. Where the reference is smaller, a difference is judged by this share of the
+/// largest value, not by the reference itself.
 const NEAR_ZERO: f64 = 0.25;
 
 /// A curve with its values, and what the checks found.
 pub(super) struct Judged {
     /// Places on the axis.
     pub(super) places: Vec<f64>,
-    /// The values of each curve there.
+    /// The values of each curve at these places.
     pub(super) values: Vec<Vec<f64>>,
     pub(super) findings: Vec<Finding>,
     pub(super) compared: Vec<Compared>,
 }
 
-/// What a check found of a curve.
+/// What a check found about a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Finding {
     pub(super) curve: String,
-    /// The check, as `known_fault` names it.
+    /// Name of the check, as `known_fault` in `validation/sweeps.toml` gives it.
     pub(super) check: String,
     pub(super) holds: bool,
     /// In words and figures.
     pub(super) found: String,
-    /// The place on the axis that is worst.
+    /// The place on the axis where the check is worst.
     pub(super) at: f64,
-    /// Why it is known to fail.
+    /// Why the check is known to fail; `None` if it is not.
     pub(super) known: Option<String>,
 }
 
-/// A reference beside a curve.
+/// How a curve compares with a reference.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Compared {
     pub(super) curve: String,
     pub(super) short: String,
-    /// Places, values of the reference, and what they may differ by.
+    /// Places on the axis, values of the reference, and how much the curve may differ from them.
     pub(super) points: Vec<[f64; 3]>,
     pub(super) is_line: bool,
-    /// Ours over the reference, the least and the greatest, where the reference is not near zero.
+    /// The least and the greatest ratio of our value to the reference, where the reference is not near zero.
     pub(super) ratio: [f64; 2],
     /// The band.
     pub(super) band: f64,
-    /// The greatest difference over what is allowed, and its place.
+    /// The greatest difference divided by the allowed difference, and the place where it is.
     pub(super) worst: f64,
     pub(super) worst_at: f64,
     pub(super) holds: bool,
-    /// Why it is known not to hold.
+    /// Why the curve is known to be outside the reference's band; `None` if it is not.
     pub(super) known: Option<String>,
 }
 
-/// Samples and judges a sweep.
+/// Samples the curves of a sweep and judges them.
 pub(super) fn judge(sweep: &Sweep, references: &References, resolution: Resolution) -> Judged {
     let fine = sweep.axis.places(2 * resolution.steps());
     let (mut values, mut findings) = (Vec::new(), Vec::new());
@@ -141,7 +142,7 @@ fn judge_curve(
             true => "holds".to_owned(),
             false => {
                 let (by, value) = (plain(worst.abs(), 3), plain((curve.at)(at), 3));
-                format!("BROKEN by {by} where the value is {value}")
+                format!("BROKEN by {by} where the value of the curve is {value}")
             }
         };
         add(says, holds, found, at);
@@ -153,11 +154,12 @@ fn judge_curve(
             true => format!("as the power {fastest:.2} of the axis, at most"),
             false => "does not grow".to_owned(),
         };
-        add(&format!("growth at most as the power {power}"), holds, found, at);
+        add(&format!("the curve grows at most as the power {power} of the axis"), holds, found, at);
     }
 }
 
-/// The largest step, with half the spacing, over that with the whole; and what is left of the steps when they are halved on.
+/// Checks continuity: the ratio of the largest step with half the spacing to that with the whole, and what is left of
+/// the steps when they are halved on.
 fn continuity(
     curve: &Curve,
     [xs, ys]: [&[f64]; 2],
@@ -181,20 +183,28 @@ fn continuity(
     let share = left / largest;
     let is_continuous = share <= greater(LEFT, curve.noise);
     let steps = format!(
-        "largest step {:.2} % of the largest value, {:.2} % at twice the resolution",
+        "largest step {:.2} % of the curve's largest value, and {:.2} % at twice the resolution",
         100.0 * coarse / largest,
         100.0 * fine / largest,
     );
     match (is_continuous, curve.jump) {
         (true, None) => (true, steps, at),
-        (true, Some(why)) => (false, format!("no jump, though the law has one: {why}"), at),
-        (false, Some(why)) => {
-            (true, format!("jumps by {:.1} %, by its law: {why}", 100.0 * share), at)
+        (true, Some(why)) => {
+            (false, format!("the curve has no jump, though its law has one: {why}"), at)
         }
+        (false, Some(why)) => (
+            true,
+            format!(
+                "the curve jumps by {:.1} % of its largest value, as its law does: {why}",
+                100.0 * share
+            ),
+            at,
+        ),
         (false, None) => (
             false,
             format!(
-                "a JUMP of {:.3} % of the largest value that no halving lessens; {steps}",
+                "a JUMP of {:.3} % of the curve's largest value that no halving of the step \
+                 lessens; {steps}",
                 100.0 * share
             ),
             at,
@@ -202,7 +212,7 @@ fn continuity(
     }
 }
 
-/// The steps where the slope changes the most, and the largest step.
+/// Finds the steps where the slope of the curve changes the most, and the largest step.
 fn most_bent(ys: &[f64], count: usize) -> Vec<usize> {
     let step = |k: usize| ys[k + 1] - ys[k];
     let last = ys.len() - 2;
@@ -221,7 +231,8 @@ fn most_bent(ys: &[f64], count: usize) -> Vec<usize> {
     order
 }
 
-/// What is left of the change over a step when it is halved on towards the half that has more of it, and where.
+/// Halves a step again and again towards the half with more of its change, and returns the change that is left, and
+/// where.
 fn halved_on(
     at: &Function,
     [mut low, mut high]: [f64; 2],
@@ -253,7 +264,7 @@ fn asymmetry(mirrored: &Function, [xs, ys]: [&[f64]; 2]) -> (f64, f64) {
     worst
 }
 
-/// The least value and its place.
+/// Finds the least value and its place.
 fn least([xs, ys]: [&[f64]; 2]) -> (f64, f64) {
     let mut least = (f64::INFINITY, xs[0]);
     for (&x, &y) in xs.iter().zip(ys) {
@@ -264,7 +275,7 @@ fn least([xs, ys]: [&[f64]; 2]) -> (f64, f64) {
     least
 }
 
-/// The greatest exponent with which the size of the value grows from one place to the next, away from zero.
+/// Finds the greatest exponent with which the size of the value grows from one place to the next, away from zero.
 fn fastest_growth([xs, ys]: [&[f64]; 2], largest: f64) -> (f64, f64) {
     let mut fastest = (f64::NEG_INFINITY, xs[0]);
     for k in 1..xs.len() {
@@ -283,10 +294,10 @@ fn fastest_growth([xs, ys]: [&[f64]; 2], largest: f64) -> (f64, f64) {
     fastest
 }
 
-/// A reference beside the curve that it names.
+/// Compares a reference with the curve that it names.
 ///
 /// # Panics
-/// The sweep has no such curve, or no such formula: a mistake in `validation/sweeps.toml`.
+/// Panics if the sweep has no such curve or no such formula, which is a mistake in `validation/sweeps.toml`.
 fn compare(sweep: &Sweep, reference: &Reference, resolution: Resolution) -> Compared {
     let curve = sweep.curves.iter().find(|curve| curve.name == reference.curve);
     let curve = curve
@@ -382,6 +393,9 @@ mod tests {
         let says = "it is against the motion";
         assert!(failing(drag(1.0).value_law(says, |x, y| -x * y).growing_at_most(2.0)).is_empty());
         assert_eq!(failing(drag(1.0).value_law(says, |x, y| x * y)), [says]);
-        assert_eq!(failing(drag(1.2).growing_at_most(2.0)), ["growth at most as the power 2"]);
+        assert_eq!(
+            failing(drag(1.2).growing_at_most(2.0)),
+            ["the curve grows at most as the power 2 of the axis"]
+        );
     }
 }

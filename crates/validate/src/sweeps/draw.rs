@@ -1,17 +1,19 @@
-//! The one place that draws sweeps: ours as lines, the references beside them.
+//! The one module that draws sweeps: our curves as lines, the references beside them.
 
 use fenderline_report::plot::{Axis, Chart, Point, Series};
 
 use super::Swept;
 use super::check::Compared;
 
-/// Narrower bands are not drawn: between marks far apart they would be a stroke beside the curve.
+/// Width of a band, as a share, below which it is not drawn: a narrow band between marks far apart would look like a
+/// stroke beside the curve.
 const DRAWN_BAND: f64 = 0.05;
 
-/// Of the sampled places, every second one is drawn.
+/// Every second one of the sampled places is drawn.
 const EVERY: usize = 2;
 
-/// The chart of a sweep: a line for each curve; references as marks in the colour of their curve, or as a line, within their band.
+/// Makes the chart of a sweep: a line for each curve; references as marks in the colour of their curve, or as a line,
+/// within their band.
 pub(super) fn chart(swept: &Swept) -> Chart {
     let Swept { sweep, judged } = swept;
     let mut series: Vec<Series> = Vec::new();
@@ -58,7 +60,7 @@ fn style_of(swept: &Swept, curve: &str) -> usize {
     swept.sweep.curves.iter().position(|own| own.name == curve).unwrap_or(0)
 }
 
-/// What a reference allows, without a name of its own in the legend.
+/// The band of values that a reference allows, without a name of its own in the legend.
 fn band(compared: &Compared) -> Series {
     let edge = |sign: f64| {
         let points = compared.points.iter();

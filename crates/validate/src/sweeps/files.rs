@@ -1,4 +1,4 @@
-//! `sweeps.html`, `sweeps.csv`, `sweeps.json`, and a picture of each sweep.
+//! Writes `sweeps.html`, `sweeps.csv`, `sweeps.json`, and a picture of each sweep.
 
 use fenderline_report::plot::{page, plain};
 use maud::{Markup, html};
@@ -25,7 +25,7 @@ pub(super) fn files(sweeps: &Sweeps) -> Vec<(String, String)> {
     tables.into_iter().chain(pictures).collect()
 }
 
-/// The page. No clock and no path: the same program gives the same bytes.
+/// The page. The page has no time and no path of a file, so that the same program gives the same bytes.
 fn whole_page(sweeps: &Sweeps) -> String {
     let (holds, checks) = count(sweeps);
     let (within, compared) = count_references(sweeps);
@@ -38,16 +38,18 @@ fn whole_page(sweeps: &Sweeps) -> String {
                 (sweeps.references.none.len()) " of " (sweeps.swept.len()) " sweeps have no reference." }
         }
         p {
-            "Each curve is checked along its whole axis: no jump that halving the step does not lessen, the mirror image to rounding, the \
-             signs that physics asks, growth no faster than the law says. Marks and extra lines are references, with their bands in the \
-             colour of the curve."
+            "Each curve is checked along its whole axis: there is no jump that stays when steps \
+             are halved, the mirror image is the same to rounding, the signs are those of \
+             physics, and the values grow no faster than the law says. Marks and extra lines in \
+             the charts are references, with their bands in the colour of the curve."
         }
         @for group in of_one {
             h2 { (group[0].sweep.subject) }
             @for swept in group { (section(swept, sweeps)) }
         }
         footer {
-            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " validate --sweeps. The same program gives this page again, byte for byte."
+            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " validate --sweeps. "
+            "The same program makes the same page again, byte for byte."
         }
     };
     page(TITLE, &body)
@@ -88,7 +90,7 @@ fn reference(swept: &Swept, compared: &Compared, sweeps: &Sweeps) -> Markup {
     }
 }
 
-/// The names of the checks of a sweep, each once.
+/// Lists the names of the checks of a sweep, each once.
 fn checks_text(swept: &Swept) -> String {
     let mut names: Vec<&str> = Vec::new();
     for Finding { check, .. } in &swept.judged.findings {
@@ -99,11 +101,11 @@ fn checks_text(swept: &Swept) -> String {
     names.join("; ")
 }
 
-/// The values at every fourth sampled place.
+/// The values of the curves at every fourth sampled place.
 fn csv_text(sweeps: &Sweeps) -> String {
     let mut table = csv::Writer::from_writer(Vec::new());
     let mut write = |record: [String; 8]| {
-        table.write_record(&record).expect("a table in memory takes every row");
+        table.write_record(&record).expect("a table in memory accepts every row");
     };
     write(
         ["subject", "sweep", "curve", "axis", "axis_unit", "at", "value", "unit"]
@@ -125,7 +127,7 @@ fn csv_text(sweeps: &Sweeps) -> String {
             }
         }
     }
-    let bytes = table.into_inner().expect("a table in memory ends");
+    let bytes = table.into_inner().expect("a table in memory can be finished");
     String::from_utf8(bytes).expect("all cells are text")
 }
 
@@ -202,7 +204,7 @@ fn compared_json(swept: &Swept, compared: &Compared, sweeps: &Sweeps) -> Value {
     })
 }
 
-/// A ratio; `None` if no value of the reference is away from zero.
+/// The ratio of our values to a reference; `None` if no value of the reference is away from zero.
 fn finite(ratio: f64) -> Option<f64> {
     ratio.is_finite().then_some(ratio)
 }

@@ -1,8 +1,10 @@
-//! Sweeps: every force over its whole domain, between the points that cases visit.
+//! Sweeps show every force over its whole domain, also between the points that published cases have.
 //!
-//! `force` has the sweeps, a file for each force; `sweep` says what a sweep is; `check` judges all of them: continuity, mirror image, what
-//! physics asks, growth, references. `reference` reads `validation/sweeps.toml`: references with their bands, sweeps without one, faults
-//! that are known. `stage` places a ship in the program for one step. `printed`, `draw` and `files` write the results.
+//! The module `force` has the sweeps, with a file for each force; `sweep` says what a sweep is; `check` judges all of
+//! them: continuity, mirror image, laws of physics, growth, references. The module `reference` reads
+//! `validation/sweeps.toml`: references with their bands, sweeps without a reference, and faults that are known. The
+//! module `stage` places a ship in the program for one step. The modules `printed`, `draw` and `files` write the
+//! results of the sweeps.
 
 mod check;
 mod draw;
@@ -40,13 +42,13 @@ impl std::fmt::Debug for Sweeps {
 }
 
 impl Sweeps {
-    /// How many sweeps there are, which `progress` of [`Sweeps::run`] counts.
+    /// The number of sweeps, up to which `progress` of [`Sweeps::run`] counts.
     #[must_use]
     pub fn count() -> usize {
         force::all().len()
     }
 
-    /// Samples and judges all sweeps. `progress` gets the number of those that are done, after each.
+    /// Samples and judges all sweeps. `progress` gets the number of sweeps that are done, after each sweep.
     #[must_use]
     pub fn run(resolution: Resolution, mut progress: impl FnMut(usize)) -> Sweeps {
         let references = References::parse(REFERENCES, &crate::sources())
@@ -60,7 +62,7 @@ impl Sweeps {
         Sweeps { swept, references }
     }
 
-    /// The tables for the terminal.
+    /// The tables of all sweeps, for the terminal.
     #[must_use]
     pub fn table(&self) -> String {
         printed::tables(self)
@@ -72,23 +74,23 @@ impl Sweeps {
         files::files(self)
     }
 
-    /// A complaint for each check that fails and each reference out of its band, unless that is known; for each that is known and does
-    /// not fail; and for each sweep that has no reference and does not say so.
+    /// Complaints: for each check that fails and each reference whose band a curve leaves, unless this is known; for
+    /// each known fault that does not show; and for each sweep that has no reference and does not say so.
     #[must_use]
     pub fn complaints(&self) -> Vec<String> {
         let of_sweeps = self.swept.iter().flat_map(|swept| swept.complaints(&self.references));
         of_sweeps.chain(self.idle_entries()).collect()
     }
 
-    /// Complaints about entries of `validation/sweeps.toml` that name nothing.
+    /// Complaints about entries of `validation/sweeps.toml` that name no sweep, curve or check.
     fn idle_entries(&self) -> Vec<String> {
         let References { references, none, known_faults } = &self.references;
         let found = |key: &str| self.swept.iter().find(|swept| swept.sweep.key == key);
         let named = references.iter().map(|reference| &reference.sweep);
         let unknown = named.chain(none.iter().map(|none| &none.sweep));
         let unknown = unknown.filter(|key| found(key).is_none());
-        let unknown =
-            unknown.map(|key| format!("validation/sweeps.toml: no sweep is called {key}"));
+        let unknown = unknown
+            .map(|key| format!("validation/sweeps.toml: there is no sweep with the key {key}"));
         let idle = known_faults.iter().filter(|known| {
             let has_it = |swept: &Swept| {
                 let mut findings = swept.judged.findings.iter();
@@ -120,7 +122,8 @@ impl Swept {
                     self.sweep.axis.unit,
                 )),
                 (true, Some(_)) => complaints.push(format!(
-                    "{key}, {curve}: {check}: is listed as a known fault, and holds: take it out of validation/sweeps.toml"
+                    "{key}, {curve}: {check}: the check holds, but is listed as a known fault: \
+                     take the fault out of validation/sweeps.toml"
                 )),
                 _ => {}
             }
@@ -133,8 +136,8 @@ impl Swept {
                     100.0 * band
                 )),
                 (true, Some(_)) => complaints.push(format!(
-                    "{key}, {curve}: {short}: is listed as a known mismatch, and matches: take that out of \
-                     validation/sweeps.toml"
+                    "{key}, {curve}: {short}: the curve is within the band, but is listed as a \
+                     known mismatch: take the mismatch out of validation/sweeps.toml"
                 )),
                 _ => {}
             }
@@ -142,7 +145,8 @@ impl Swept {
         let says_none = references.none.iter().any(|none| none.sweep == key);
         if self.judged.compared.is_empty() != says_none {
             complaints.push(format!(
-                "{key}: validation/sweeps.toml must have a reference or say that there is none, and not both"
+                "{key}: validation/sweeps.toml must either have a reference for the sweep or say \
+                 that there is none"
             ));
         }
         complaints

@@ -1,4 +1,4 @@
-//! The tables that `validate --sweeps` prints, and the texts of their cells.
+//! Writes the tables that `validate --sweeps` prints, and the texts of their cells.
 
 use core::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use super::{Sweeps, Swept};
 /// Longest line (characters).
 const LINE: usize = 120;
 
-/// For each force its sweeps: what was checked, what failed, the ratios to references.
+/// Writes, for each force, its sweeps: what was checked, what failed, and the ratios to references.
 pub(super) fn tables(sweeps: &Sweeps) -> String {
     let mut text = String::new();
     let mut subject = "";
@@ -33,13 +33,13 @@ pub(super) fn tables(sweeps: &Sweeps) -> String {
     text
 }
 
-/// How many checks hold, and how many there are.
+/// How many checks of all sweeps hold, and how many checks there are.
 pub(super) fn count(sweeps: &Sweeps) -> (usize, usize) {
     let findings = || sweeps.swept.iter().flat_map(|swept| &swept.judged.findings);
     (findings().filter(|finding| finding.holds).count(), findings().count())
 }
 
-/// How many references are within their bands, and how many there are.
+/// Within the bands of how many references the curves are, and how many references there are.
 pub(super) fn count_references(sweeps: &Sweeps) -> (usize, usize) {
     let compared = || sweeps.swept.iter().flat_map(|swept| &swept.judged.compared);
     (compared().filter(|compared| compared.holds).count(), compared().count())
@@ -83,7 +83,7 @@ pub(super) fn failure_text(swept: &Swept, finding: &Finding) -> String {
     format!("{begin}: {curve}: {check}: {found}, at {}{}{note}", plain(*at, 4), spaced(axis.unit))
 }
 
-/// A reference with its ratio and band.
+/// Text about a reference with its ratio and band.
 pub(super) fn reference_text(swept: &Swept, compared: &Compared) -> String {
     let Compared { curve, short, .. } = compared;
     let begin = match (compared.holds, compared.known.is_some()) {
@@ -107,7 +107,7 @@ pub(super) fn ratio_text(compared: &Compared) -> String {
     if least == greatest { least } else { format!("{least} to {greatest}") }
 }
 
-/// A band as a share.
+/// Text of a band as a share.
 pub(super) fn band_text(band: f64) -> String {
     format!("±{} %", plain(100.0 * band, 2))
 }
@@ -120,7 +120,7 @@ fn spaced(unit: &str) -> String {
     }
 }
 
-/// A paragraph within the width of a page.
+/// Adds a paragraph, wrapped to the width of a page.
 fn add_wrapped(text: &mut String, paragraph: &str) {
     let mut line = String::from("    ");
     for word in paragraph.split_whitespace() {

@@ -1,4 +1,5 @@
-//! `validation/sweeps.toml`: the references of the sweeps, the sweeps without one, and the faults that are known.
+//! Reads `validation/sweeps.toml`: the references of the sweeps, the sweeps without a reference, and the faults that
+//! are known.
 
 use toml::de::DeTable;
 
@@ -13,42 +14,43 @@ pub(super) struct References {
     pub(super) known_faults: Vec<KnownFault>,
 }
 
-/// A reference of a curve.
+/// A reference with which a curve of a sweep is compared.
 #[derive(Debug)]
 pub(super) struct Reference {
-    /// The sweep, and the curve in it.
+    /// The key of the sweep, and the curve in the sweep.
     pub(super) sweep: String,
     pub(super) curve: String,
     pub(super) short: String,
     pub(super) citation: String,
     pub(super) standing: Standing,
     pub(super) is: Is,
-    /// The greatest difference, as a share of the reference, or of a quarter of its largest value where the reference is smaller.
+    /// The greatest difference that is allowed, as a share of the reference, or of a quarter of its largest value where
+    /// the reference is smaller.
     pub(super) band: f64,
     /// Why this band.
     pub(super) band_from: String,
-    /// Why the curve is known to be outside the band; empty if it is within.
+    /// Why the curve is known to be outside the band; empty if it is not.
     pub(super) known_mismatch: String,
 }
 
 /// What a reference is.
 #[derive(Debug)]
 pub(super) enum Is {
-    /// Places on the axis and values.
+    /// The reference is a list of places on the axis and values.
     Points(Vec<[f64; 2]>),
-    /// A formula of the sweep, between two places.
+    /// The reference is a formula of the sweep, between two places on the axis.
     Line { from: f64, to: f64 },
 }
 
-/// A sweep without a reference.
+/// A sweep for which there is no reference.
 #[derive(Debug)]
 pub(super) struct NoReference {
     pub(super) sweep: String,
-    /// What was looked for, or why there is none.
+    /// What was looked for as a reference, or why there is none.
     pub(super) looked_for: String,
 }
 
-/// A check that is known to fail.
+/// A check of a curve that is known to fail.
 #[derive(Debug)]
 pub(super) struct KnownFault {
     pub(super) sweep: String,
@@ -58,10 +60,10 @@ pub(super) struct KnownFault {
 }
 
 impl References {
-    /// Reads the file; rows of other files are found in `sources`.
+    /// Reads the file of references; rows of other files are found in `sources`.
     ///
     /// # Errors
-    /// The fault, with table and key.
+    /// Fails with the fault in the file, with table and key.
     pub(super) fn parse(text: &str, sources: &[Source]) -> Result<References, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };
@@ -105,7 +107,7 @@ fn reference(table: &Table<'_, '_>, sources: &[Source]) -> Result<Reference, Str
         let is = match table.has("line") {
             true => match table.pairs("line")?.as_slice() {
                 [[from, to]] => Is::Line { from: *from, to: *to },
-                _ => return Err(table.error("line: one pair of places is meant")),
+                _ => return Err(table.error("line: exactly one pair of places must be given")),
             },
             false => {
                 let points = table.pairs("points")?.into_iter();
@@ -131,7 +133,8 @@ fn reference(table: &Table<'_, '_>, sources: &[Source]) -> Result<Reference, Str
     })
 }
 
-/// Points from rows of other files, each with its place on the axis, and their source. Sources of several files may have one name.
+/// Reads points from rows of other files, each with its place on the axis, and their source. Sources of several files
+/// may have the same name.
 fn rows<'s>(
     table: &Table<'_, '_>,
     named: &[&'s Source],
@@ -145,8 +148,11 @@ fn rows<'s>(
             let row = source.numbers.iter().find(|number| is_it(&number.origin))?;
             Some((*source, row))
         });
-        let (source, row) =
-            row.ok_or_else(|| table.error(&format!("rows: no source of that name has {name}")))?;
+        let (source, row) = row.ok_or_else(|| {
+            table.error(&format!(
+                "rows: no source with the name of this reference has the row {name}"
+            ))
+        })?;
         points.push([x, factor * row.published]);
         of = Some(source);
     }

@@ -1,20 +1,20 @@
-//! A ship in the program, placed for one step: the forces that a run would have there.
+//! Places a ship in the program for one step, to find the forces that a run would have there.
 
 use fenderline_scenario::Scenario;
 use fenderline_sim::hydro::Mmg;
 use fenderline_sim::{Setup, Simulation, VesselForces, VesselSetup};
 
-/// A scenario whose first vessel is looked at.
+/// A scenario whose first vessel the sweeps look at.
 #[derive(Clone)]
 pub(super) struct Stage {
     setup: Setup,
 }
 
 impl Stage {
-    /// The scenario of a text, with steps so short that nothing moves.
+    /// Makes the scenario of a text, with steps so short that nothing moves.
     ///
     /// # Panics
-    /// A text that cannot be read: a bug.
+    /// Panics if the text cannot be read, which would be a bug.
     pub(super) fn of(text: &str) -> Stage {
         let text = format!("[time]\nstep = \"1 ms\"\nduration = \"1 s\"\n{text}");
         let scenario = Scenario::parse(&text, "sweep.toml");
@@ -26,16 +26,16 @@ impl Stage {
         &self.setup.world.vessels[0]
     }
 
-    /// Her hull, propeller and rudder in a depth over her draught.
+    /// The vessel's hull, propeller and rudder at a ratio of depth to draught.
     pub(super) fn at_depth_ratio(&self, ratio: f64) -> Mmg {
         let deep = &self.vessel().deep;
         deep.at_depth(ratio * deep.particulars.draught_m)
     }
 
-    /// The forces on her in the first step, after the set-up was changed.
+    /// The forces on the vessel in the first step, after the set-up was changed.
     ///
     /// # Panics
-    /// A set-up that is refused: a bug.
+    /// Panics if the set-up is refused, which would be a bug.
     pub(super) fn forces(&self, change: impl FnOnce(&mut Setup)) -> VesselForces {
         let mut setup = self.setup.clone();
         change(&mut setup);
@@ -45,7 +45,8 @@ impl Stage {
     }
 }
 
-/// The loaded tanker of 250,000 dwt of the worked examples of OCIMF's guidelines. Wind areas of her own, the rest estimated.
+/// The loaded tanker of 250,000 dwt of the worked examples of OCIMF's guidelines. The tanker has wind areas of her own;
+/// all else about her is estimated.
 pub(super) const TANKER: &str = r#"
 [vessel.tanker]
 length_bp = "329.3 m"

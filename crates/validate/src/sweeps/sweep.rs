@@ -1,21 +1,21 @@
-//! What a sweep is: one force along one axis, by several curves, with the laws that it must obey.
+//! Says what a sweep is: one force along one axis, by several curves, with the laws that the force must obey.
 
 use std::rc::Rc;
 
 use fenderline_contact::number::greater;
 
-/// A force, or its coefficient, along the axis of a sweep.
+/// The value of a curve, a force or its coefficient, as a function of the place on the sweep's axis.
 pub(super) type Function = Rc<dyn Fn(f64) -> f64>;
 
-/// One force along one axis.
+/// A sweep: one force along one axis.
 pub(super) struct Sweep {
-    /// Names it in `validation/sweeps.toml` and in file names.
+    /// Name of the sweep in `validation/sweeps.toml` and in file names.
     pub(super) key: &'static str,
-    /// The force: the heading that it stands under.
+    /// The heading of the force under which the sweep stands.
     pub(super) subject: &'static str,
     pub(super) title: String,
     pub(super) axis: Axis,
-    /// Name and unit of the values.
+    /// Name and unit of the sweep's values.
     pub(super) value: [&'static str; 2],
     pub(super) curves: Vec<Curve>,
     /// References that are formulas.
@@ -30,7 +30,7 @@ pub(super) struct Axis {
     pub(super) unit: &'static str,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The same ratio from one place to the next, not the same step.
+    /// True if the ratio from one place to the next is constant, not the step.
     pub(super) is_geometric: bool,
 }
 
@@ -39,18 +39,18 @@ impl Axis {
         Axis { name, unit, from, to, is_geometric: false }
     }
 
-    /// With the same ratio from one place to the next.
+    /// Makes the axis geometric: the ratio from one place to the next is constant.
     pub(super) const fn geometric(mut self) -> Axis {
         self.is_geometric = true;
         self
     }
 
-    /// Angles from one side of the bow to the stern (°).
+    /// Makes an axis of angles from one side of the bow to the stern (°).
     pub(super) const fn off_the_bow(name: &'static str) -> Axis {
         Axis::new(name, "°", 0.0, 180.0)
     }
 
-    /// `count` + 1 places from one end to the other.
+    /// Returns `count` + 1 places from one end of the axis to the other.
     pub(super) fn places(&self, count: u32) -> Vec<f64> {
         let place = |index: u32| {
             let share = f64::from(index) / f64::from(count);
@@ -65,40 +65,41 @@ impl Axis {
     }
 }
 
-/// One curve of a sweep, with what must be true of it.
+/// One curve of a sweep, with the laws that it must obey.
 pub(super) struct Curve {
-    /// Name of the curve in the legend; unique in the sweep.
+    /// Name of the curve in the legend, which no other curve of the sweep may have.
     pub(super) name: String,
     pub(super) at: Function,
-    /// The same values from another situation, such as the mirrored one with the signs turned back: what it is, and the values.
+    /// Functions that must give the same values from another situation, such as the mirrored one with the signs turned
+    /// back: the name of the situation, and the values.
     pub(super) images: Vec<(&'static str, Function)>,
     pub(super) laws: Vec<Law>,
-    /// The value grows at most as this power of the axis.
+    /// Largest power of the axis with which the value may grow.
     pub(super) growth: Option<f64>,
-    /// A jump that the law itself has, and why.
+    /// Why the curve may jump, if the law of the force itself has a jump.
     pub(super) jump: Option<&'static str>,
-    /// Numerical noise of an iteration, as a share of the largest value.
+    /// Numerical noise of the curve from an iteration, as a share of the largest value.
     pub(super) noise: f64,
 }
 
-/// What physics asks of a curve.
+/// A law of physics that a curve must obey.
 pub(super) struct Law {
-    /// In words, as it is printed.
+    /// The law in words, as it is printed.
     pub(super) says: &'static str,
-    /// Not negative where the law holds.
+    /// Function of the place that is not negative where the law holds.
     pub(super) margin: Function,
 }
 
-/// A reference that is a formula.
+/// A reference that is given by a formula.
 pub(super) struct Line {
-    /// Names its citation in `validation/sweeps.toml`.
+    /// Name of the reference's citation in `validation/sweeps.toml`.
     pub(super) short: &'static str,
-    /// The curve that it is compared with.
+    /// Name of the curve with which the reference is compared.
     pub(super) curve: String,
     pub(super) at: Function,
 }
 
-/// Rounding, as a share of the largest value.
+/// Noise of a curve by rounding alone, as a share of the largest value.
 const ROUNDING: f64 = 1e-12;
 
 impl Curve {
@@ -119,7 +120,7 @@ impl Curve {
         self.same_as("mirror", at)
     }
 
-    /// With another situation that gives the same values to rounding.
+    /// Adds another situation that must give the curve's values to rounding.
     pub(super) fn same_as(
         mut self,
         what: &'static str,
@@ -129,7 +130,7 @@ impl Curve {
         self
     }
 
-    /// f(x) = f(−x): the mirror image is on the other side of the axis.
+    /// Adds the law f(x) = f(−x): the mirror image is on the other side of the axis.
     pub(super) fn even(self) -> Curve {
         let at = self.at.clone();
         self.mirrored(move |x| at(-x))
@@ -141,7 +142,7 @@ impl Curve {
         self.mirrored(move |x| -at(-x))
     }
 
-    /// With a law: `margin` is not negative where it holds.
+    /// Adds a law to the curve: `margin` is not negative where the law holds.
     pub(super) fn law(
         mut self,
         says: &'static str,
@@ -151,7 +152,7 @@ impl Curve {
         self
     }
 
-    /// With a law about its value.
+    /// Adds a law about the curve's value.
     pub(super) fn value_law(
         self,
         says: &'static str,
@@ -161,46 +162,46 @@ impl Curve {
         self.law(says, move |x| margin(x, at(x)))
     }
 
-    /// Its value is never below zero.
+    /// Adds the law that the curve's value is never below zero.
     pub(super) fn never_negative(self, says: &'static str) -> Curve {
         self.value_law(says, |_, value| value)
     }
 
-    /// Its value is never above zero.
+    /// Adds the law that the curve's value is never above zero.
     pub(super) fn never_positive(self, says: &'static str) -> Curve {
         self.value_law(says, |_, value| -value)
     }
 
-    /// Its size is at most a limit.
+    /// Adds the law that the size of the curve's value is at most a limit.
     pub(super) fn at_most(self, says: &'static str, limit: impl Fn(f64) -> f64 + 'static) -> Curve {
         self.value_law(says, move |x, value| limit(x) - value.abs())
     }
 
-    /// It never falls along the axis, from `from` on.
+    /// Adds the law that the curve never falls along the axis; `step` is the step with which this is checked.
     pub(super) fn rising(self, says: &'static str, step: f64) -> Curve {
         let at = self.at.clone();
         self.law(says, move |x| at(x + step) - at(x))
     }
 
-    /// It never rises along the axis.
+    /// Adds the law that the curve never rises along the axis.
     pub(super) fn falling(self, says: &'static str, step: f64) -> Curve {
         let at = self.at.clone();
         self.law(says, move |x| at(x) - at(x + step))
     }
 
-    /// It grows at most as this power of the axis, on either side of zero.
+    /// Adds the law that the curve grows at most as this power of the axis, on either side of zero.
     pub(super) fn growing_at_most(mut self, power: f64) -> Curve {
         self.growth = Some(power);
         self
     }
 
-    /// It jumps by its law.
+    /// Says that the curve jumps by the law of the force.
     pub(super) fn jumping(mut self, why: &'static str) -> Curve {
         self.jump = Some(why);
         self
     }
 
-    /// Its values come from an iteration that leaves this share of the largest value.
+    /// Says that the curve's values come from an iteration, whose noise is this share of the largest value.
     pub(super) fn noisy(mut self, share: f64) -> Curve {
         self.noise = greater(share, ROUNDING);
         self

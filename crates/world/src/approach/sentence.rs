@@ -5,7 +5,7 @@ use crate::named::called;
 use crate::setup::Setup;
 
 impl Approach {
-    /// The approach in a sentence.
+    /// A sentence that describes the approach.
     #[must_use]
     pub fn sentence(&self, setup: &Setup) -> String {
         let ship = &setup.bodies[self.body].name;
@@ -16,7 +16,8 @@ impl Approach {
             if fender == to { String::new() } else { format!(", {}", called("fender", fender)) };
         let angle = self.angle_rad.to_degrees();
         let mut text = format!(
-            "{ship} meets {to}{fender}, with her {} side {:.1} m {} of midship at {:.3} m/s and {angle:.1}°",
+            "{ship} meets {to}{fender}, with her {} side {:.1} m {} of midship at {:.3} m/s and \
+             {angle:.1}°",
             self.side,
             self.contact_m.abs(),
             if self.contact_m < 0.0 { "aft" } else { "forward" },
@@ -33,7 +34,7 @@ impl Approach {
         text
     }
 
-    /// The state of the start in a sentence.
+    /// A sentence with the ship's position, heading and velocity at the start of the approach.
     #[must_use]
     pub fn start_sentence(&self, setup: &Setup) -> String {
         let body = &setup.bodies[self.body];

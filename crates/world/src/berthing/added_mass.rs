@@ -1,4 +1,4 @@
-//! Cm, the added mass factor in sway: displacement plus added mass, over displacement.
+//! Formulas for Cm, the added mass factor in sway: displacement plus added mass, divided by displacement.
 
 use fenderline_contact::number::bounded;
 
@@ -10,10 +10,10 @@ use super::error::BerthingError;
 /// Cm by PIANC 2002: 1.8 if the under-keel clearance KC is at most 0.1 of the draught D, 1.5 if it is at least 0.5 of
 /// the draught, and 1.875 − 0.75·KC/D between.
 ///
-/// Source: found (public fender design manuals that cite PIANC 2002).
+/// Source of the formula: found (public fender design manuals that cite PIANC 2002).
 ///
 /// # Errors
-/// A clearance below 0 (a ship aground) or a draught out of range.
+/// Fails if the clearance is below 0 (the ship is aground) or the draught is out of range.
 pub fn pianc_2002_added_mass(
     under_keel_clearance_m: f64,
     draught_m: f64,
@@ -24,10 +24,10 @@ pub fn pianc_2002_added_mass(
 
 /// Cm by Shigeru Ueda: 1 + πD/(2·Cb·B).
 ///
-/// Source: found (public fender design manuals).
+/// Source of the formula: found (public fender design manuals).
 ///
 /// # Errors
-/// A particular out of range.
+/// Fails if a particular of the ship is out of range.
 pub fn ueda_added_mass(
     draught_m: f64,
     beam_m: f64,
@@ -38,28 +38,28 @@ pub fn ueda_added_mass(
     Ok(1.0 + PI * draught_m / (2.0 * block * beam_m))
 }
 
-/// Cm by Vasco Costa: 1 + 2D/B. Meant for an under-keel clearance of at least 0.1 of the draught and a speed of at
-/// least 0.08 m/s (recalled).
+/// Cm by Vasco Costa: 1 + 2D/B. The formula is meant for an under-keel clearance of at least 0.1 of the draught and a
+/// speed of at least 0.08 m/s (this condition is from memory).
 ///
-/// Source: found (public fender design manuals).
+/// Source of the formula: found (public fender design manuals).
 ///
 /// # Errors
-/// A particular out of range.
+/// Fails if a particular of the ship is out of range.
 pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, BerthingError> {
     Ok(1.0 + 2.0 * DRAUGHT.check(draught_m)? / BEAM.check(beam_m)?)
 }
 
 /// Cm by UFC 4-152-01: Cm₀ + (Cm₁ − Cm₀)(D/d)^3.5 with the depth of water d, Cm₀ = 1.3 + 1.5 D/B and Cm₁ = F (12.4
-/// (D/B)^0.3 − 50 D/L). F is 1.5 Cb below a block coefficient of 0.6 and 0.9 from there on. With little water under the
-/// keel it gives far more than the other formulas: 5.0 against 1.5 to 1.8.
+/// (D/B)^0.3 − 50 D/L). The factor F is 1.5 Cb for block coefficients below 0.6, and 0.9 from 0.6 on. With little water
+/// under the keel this formula gives a far larger Cm than the other formulas: 5.0 against 1.5 to 1.8.
 ///
-/// Source: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); the text of the UFC was not read.
-/// In F the calculator uses the product of the other berthing factors instead of the block coefficient. The block
-/// coefficient is recalled: added mass depends on the hull, not on the point of contact. Both readings give F = 0.9 for
-/// a full ship broadside.
+/// Source of the formula: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); we did not read the
+/// text of the UFC. In F the public calculator uses the product of the other berthing factors instead of the block
+/// coefficient. We take the block coefficient in F from memory, because added mass depends on the hull, not on the
+/// point of contact. Block coefficient and product of factors both give F = 0.9 for a full ship that berths broadside.
 ///
 /// # Errors
-/// A particular out of range, or a ship for which the formula is below 1.
+/// Fails if a particular of the ship is out of range, or if the formula gives less than 1 for the ship.
 pub fn ufc_added_mass(
     under_keel_clearance_m: f64,
     draught_m: f64,

@@ -1,4 +1,4 @@
-//! Range checks of the particulars.
+//! Checks that the particulars of a berthing are within their ranges.
 
 use super::error::BerthingError;
 use fenderline_ship::range::{OutOfRange, within};

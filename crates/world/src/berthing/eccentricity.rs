@@ -1,5 +1,5 @@
-//! Ce, the eccentricity factor: the share of the ship's energy that a contact away from midship absorbs. The rest remains
-//! as rotation.
+//! Ce, the eccentricity factor: the share of the ship's energy that a contact away from midship absorbs. The rest of
+//! the ship's energy remains as rotation of the ship.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -8,10 +8,10 @@ use super::error::BerthingError;
 
 /// Radius of gyration about the vertical, K = (0.19·Cb + 0.11)·L_BP (m).
 ///
-/// Source: found (public fender design manuals that cite PIANC 2002).
+/// Source of the formula: found (public fender design manuals that cite PIANC 2002).
 ///
 /// # Errors
-/// A particular out of range.
+/// Fails if a particular of the ship is out of range.
 pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, BerthingError> {
     let block = BLOCK_COEFFICIENT.check(block_coefficient)?;
     Ok((0.19 * block + 0.11) * LENGTH.check(length_bp_m)?)
@@ -20,11 +20,11 @@ pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, Berth
 /// Ce = (K² + R² cos²γ)/(K² + R²), with the radius of gyration K (m), the distance R of the point of contact from the
 /// centre of mass (m), and the angle γ between R and the velocity (rad).
 ///
-/// Source: found. Mechanics gives the same for a ship without spin whose point of contact stops dead, without sliding
-/// and rebound: `tests/identities.rs` compares the engine with it.
+/// Source of the formula: found. Mechanics gives the same Ce for a ship without spin whose point of contact stops dead,
+/// without sliding and rebound; `tests/identities.rs` compares the contact engine with this formula.
 ///
 /// # Errors
-/// A radius or an angle out of range.
+/// Fails if a radius or an angle is out of range.
 pub fn eccentricity_factor(
     gyradius_m: f64,
     radius_m: f64,
@@ -36,55 +36,58 @@ pub fn eccentricity_factor(
     Ok((k * k + r * r * cos * cos) / (k * k + r * r))
 }
 
-/// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without rebound takes. a is the
-/// lever arm of the normal force about the centre of mass (m).
+/// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without rebound takes. Here a is
+/// the lever arm of the normal force about the centre of mass (m).
 ///
-/// Source: mechanics; `tests/identities.rs` compares the engine with it. PIANC's Ce is for a contact that does not
-/// slide. A fender with a low-friction facing lies between the two.
+/// Source of the formula: mechanics; `tests/identities.rs` compares the contact engine with this formula. PIANC's Ce is
+/// for a contact that does not slide. The share of energy for a fender with a low-friction facing lies between Ce and
+/// this factor.
 ///
 /// # Errors
-/// A radius or an arm out of range.
+/// Fails if a radius or a lever arm is out of range.
 pub fn frictionless_factor(gyradius_m: f64, arm_m: f64) -> Result<f64, BerthingError> {
     let k = GYRADIUS.check(gyradius_m)?;
     let a = ARM.check(arm_m)?;
     Ok(k * k / (k * k + a * a))
 }
 
-/// The point of contact on a ship's parallel side.
+/// The point of contact on the parallel side of a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactPoint {
     /// Distance along the hull from the centre of mass, positive forward (m): L/4 for a quarter-point berthing, L/6 for
     /// a third-point berthing.
     pub along_m: f64,
-    /// The ship's beam (m); the point lies half the beam off the centre line.
+    /// Beam of the ship (m); the point of contact lies half the beam off the centre line.
     pub beam_m: f64,
 }
 
 impl ContactPoint {
-    /// R = √(y² + (B/2)²) (m).
+    /// Distance of the point of contact from the centre of mass (m): R = √(y² + (B/2)²).
     ///
     /// # Errors
-    /// A point out of range.
+    /// Fails if the point of contact is out of range.
     pub fn radius_m(&self) -> Result<f64, BerthingError> {
         let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
         Ok(libm::hypot(along_m, 0.5 * beam_m))
     }
 
-    /// γ = 90° − α − asin(B/2R) (rad), for a ship that moves square to the berth with her bow turned in by α. The arc
-    /// sine is taken in the quadrant of the point, so that γ is also right aft of midships.
+    /// Angle between R and the velocity (rad): γ = 90° − α − asin(B/2R), for a ship that moves square to the berth with
+    /// her bow turned in by α. The arc sine is taken in the quadrant of the point of contact, so that γ is also right
+    /// for a point aft of midships.
     ///
     /// # Errors
-    /// A point that no ship has, or an angle beyond 90°.
+    /// Fails if no ship has such a point of contact, or if the angle is beyond 90°.
     pub fn velocity_angle_rad(&self, berthing_angle_rad: f64) -> Result<f64, BerthingError> {
         let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
         let angle_rad = BERTHING_ANGLE.check(berthing_angle_rad)?;
         Ok(FRAC_PI_2 - angle_rad - libm::atan2(0.5 * beam_m, along_m))
     }
 
-    /// Ce of a berthing at this point: [`eccentricity_factor`] with the radius and the angle above.
+    /// Ce of a berthing at this point of contact: [`eccentricity_factor`] with [`ContactPoint::radius_m`] and
+    /// [`ContactPoint::velocity_angle_rad`].
     ///
     /// # Errors
-    /// As [`ContactPoint::radius_m`] and [`ContactPoint::velocity_angle_rad`].
+    /// Fails like [`ContactPoint::radius_m`] and [`ContactPoint::velocity_angle_rad`].
     pub fn eccentricity(
         &self,
         gyradius_m: f64,

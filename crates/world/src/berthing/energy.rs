@@ -1,4 +1,4 @@
-//! The berthing energy, and the factors that are chosen by category.
+//! The berthing energy, and the factors of the energy that are chosen by category.
 
 use super::check::{DISPLACEMENT, Range, SPEED};
 use super::error::BerthingError;
@@ -13,7 +13,7 @@ pub enum Softness {
 }
 
 impl Softness {
-    /// Cs, 1.0 or 0.9. Source: found (public fender design manuals).
+    /// Cs, 1.0 or 0.9. Source of the factor: found (public fender design manuals).
     #[must_use]
     pub fn factor(self) -> f64 {
         match self {
@@ -30,12 +30,12 @@ pub enum Configuration {
     SolidQuay,
     /// A partly open structure.
     SemiOpen,
-    /// A jetty on open piles: no water cushion.
+    /// A jetty on open piles, with no water cushion between hull and berth.
     OpenPiles,
 }
 
 impl Configuration {
-    /// Cc, 0.8, 0.9 or 1.0. Source: found (public fender design manuals).
+    /// The configuration factor Cc: 0.8, 0.9 or 1.0. Source of the factor: found (public fender design manuals).
     #[must_use]
     pub fn factor(self) -> f64 {
         match self {
@@ -46,12 +46,12 @@ impl Configuration {
     }
 }
 
-/// A berthing and its four factors.
+/// The displacement and speed of a berthing ship, and the four factors of her berthing energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingEnergy {
-    /// M, displacement without added mass (kg).
+    /// Displacement M of the ship without added mass (kg).
     pub displacement_kg: f64,
-    /// V, speed square to the berth at the moment of contact (m/s).
+    /// Speed V of the ship square to the berth at the moment of contact (m/s).
     pub speed_mps: f64,
     /// Cm, 1 or more.
     pub added_mass: f64,
@@ -71,11 +71,11 @@ static ABNORMAL: Range = Range::new("abnormal berthing factor", 1.25, 2.0);
 static ENERGY: Range = Range::new("energy [J]", 0.0, 1e16);
 
 impl BerthingEnergy {
-    /// Energy of a normal berthing, ½ M V² Cm Ce Cs Cc (J). Source: found (PIANC 2002's kinetic
-    /// method as public manuals print it).
+    /// Energy of a normal berthing, ½ M V² Cm Ce Cs Cc (J). Source of the formula: found (PIANC 2002's kinetic method
+    /// as public manuals print it).
     ///
     /// # Errors
-    /// The first quantity out of range.
+    /// Returns the first quantity that is out of range.
     pub fn normal_j(&self) -> Result<f64, BerthingError> {
         let mass_kg = DISPLACEMENT.check(self.displacement_kg)?;
         let speed_mps = SPEED.check(self.speed_mps)?;
@@ -88,10 +88,11 @@ impl BerthingEnergy {
 }
 
 /// Energy of an abnormal berthing (J): the energy of a normal berthing times a factor of 1.25 to 2.0 by type and size
-/// of ship. Source: found. The table by type of ship is recalled and left to the user.
+/// of ship. Source of the formula: found. We know the table of factors by type of ship only from memory, so the user
+/// gives the factor.
 ///
 /// # Errors
-/// A factor or an energy out of range.
+/// Fails if the factor or the energy is out of range.
 pub fn abnormal_energy_j(normal_j: f64, factor: f64) -> Result<f64, BerthingError> {
     Ok(ENERGY.check(normal_j)? * ABNORMAL.check(factor)?)
 }

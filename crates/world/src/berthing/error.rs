@@ -1,4 +1,4 @@
-//! Errors: particulars out of range.
+//! Errors of the berthing formulas: particulars that are out of range.
 
 use std::fmt;
 
@@ -8,20 +8,20 @@ use fenderline_contact::DisplayNumber;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BerthingError {
-    /// A quantity is not a number within its range, both ends included.
+    /// A quantity is not a number within its range; both ends of the range are allowed.
     OutOfRange {
-        /// The quantity, with its unit.
+        /// Name of the quantity, with its unit.
         quantity: &'static str,
         /// The value of the quantity.
         value: f64,
-        /// Lower limit.
+        /// Lower limit of the quantity.
         low: f64,
-        /// Upper limit.
+        /// Upper limit of the quantity.
         high: f64,
     },
-    /// With this bow the hull meets the quay between two fenders, however close the fenders stand.
+    /// With the given bow radius, the hull meets the quay between two fenders, however close the fenders stand.
     NoClearance {
-        /// How far the compressed fender stands out (m).
+        /// How far the compressed fender stands out from the quay (m).
         projection_m: f64,
         /// The required clearance between hull and quay (m).
         clearance_m: f64,

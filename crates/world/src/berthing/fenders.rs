@@ -1,4 +1,4 @@
-//! Requirements on a berth's fenders besides the energy: spacing, hull pressure, compression time.
+//! Requirements on the fenders of a berth other than the energy: spacing, hull pressure and compression time.
 
 use fenderline_contact::number::lesser;
 
@@ -14,13 +14,13 @@ static DEFLECTION: Range = Range::new("rated deflection [m]", 1e-6, 100.0);
 static CLOSING_SPEED: Range = Range::new("berthing speed [m/s]", 1e-9, 50.0);
 
 /// The greatest spacing of fenders along a berth (m): 2√(R_b² − (R_b − p + c)²), and at most 0.15 of the ship's length.
-/// With this spacing, a bow of radius R_b that compresses two fenders to a projection p keeps a clearance c from the
-/// quay.
+/// With the greatest spacing, a bow of radius R_b that compresses two fenders to a projection p keeps a clearance c
+/// from the quay.
 ///
-/// Source: found (public fender design manuals).
+/// Source of the formula: found (public fender design manuals).
 ///
 /// # Errors
-/// A particular that no ship or berth has, or a fender that stands out no more than the clearance.
+/// Fails if no ship or berth has such a particular, or if the fender stands out no more than the clearance.
 pub fn largest_spacing_m(
     bow_radius_m: f64,
     projection_m: f64,
@@ -41,21 +41,24 @@ pub fn largest_spacing_m(
     Ok(lesser(2.0 * half_chord_m, by_length_m))
 }
 
-/// Mean pressure on the hull (N/m²): the reaction over the flat area of the panel. The panel determines the pressure,
-/// not the rubber. Limits by type of ship are data, not code: `fenders/hull_pressure.toml`.
+/// Mean pressure of a fender on the hull (N/m²): the reaction divided by the flat area of the panel. The panel of the
+/// fender determines the pressure on the hull, not the rubber. The limits of hull pressure by type of ship are in the
+/// data file `fenders/hull_pressure.toml`.
 ///
 /// # Errors
-/// A reaction or an area out of range.
+/// Fails if the reaction or the area is out of range.
 pub fn hull_pressure_npm2(reaction_n: f64, panel_area_m2: f64) -> Result<f64, BerthingError> {
     Ok(REACTION.check(reaction_n)? / PANEL_AREA.check(panel_area_m2)?)
 }
 
-/// Time to rated deflection (s): t = δ_rated/(0.74·V). Velocity factors are tabulated by this time.
+/// Time to rated deflection (s): t = δ_rated/(0.74·V). Fender catalogues tabulate velocity factors by the time to rated
+/// deflection.
 ///
-/// Source: found (a public calculator for cone fenders); that 0.74 V is the mean speed during compression is recalled.
+/// Source of the formula: found (a public calculator for cone fenders); we know only from memory that 0.74 V is the
+/// mean speed during compression.
 ///
 /// # Errors
-/// A deflection or a speed out of range.
+/// Fails if the deflection or the speed is out of range.
 pub fn compression_time_s(rated_deflection_m: f64, speed_mps: f64) -> Result<f64, BerthingError> {
     Ok(DEFLECTION.check(rated_deflection_m)? / (0.74 * CLOSING_SPEED.check(speed_mps)?))
 }

@@ -1,4 +1,4 @@
-//! The choice of the formula for Cm.
+//! The choice of the formula for the added mass factor Cm.
 
 /// The formulas for Cm, the added mass factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

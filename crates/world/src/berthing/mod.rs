@@ -1,9 +1,10 @@
-//! Berthing energy by the kinetic method of PIANC 2002, E = ½ M V² Cm Ce Cs Cc. This design calculation is compared
-//! with the energy in a simulation.
+//! Berthing energy by the kinetic method of PIANC 2002, E = ½ M V² Cm Ce Cs Cc. The program compares the berthing
+//! energy of this design calculation with the energy in a simulation.
 //!
-//! Pure functions in SI units. Each function names its source and how well the source is known. *Found*: read in a
-//! public source. *Recalled*: from memory, to be checked. The text of PIANC's guidelines was not read, and no
-//! conformity with them is claimed.
+//! This module has pure functions in SI units. Each function of this module names the source of its formula and says
+//! how well the source is known. *Found* means that we read the formula in a public source. *Recalled* means that the
+//! formula is from memory and must be checked. We did not read the text of PIANC's guidelines, and we claim no
+//! conformity with them.
 //!
 //! ```
 //! use fenderline_world::berthing::*;

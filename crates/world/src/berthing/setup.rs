@@ -9,32 +9,33 @@ use super::energy::{Configuration, Softness, abnormal_energy_j};
 use super::error::BerthingError;
 use super::formula::{AddedMass, AddedMassFormula};
 
-/// Cm as a number.
+/// Range of Cm if the scenario gives Cm as a number.
 static GIVEN_ADDED_MASS: Range = Range::new("added mass factor Cm", 1.0, 10.0);
 
-/// The inputs of the formulas: particulars of ship and berth.
+/// The inputs of the berthing formulas: particulars of ship and berth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingSetup {
     /// Index of the ship in [`crate::setup::Setup::bodies`].
     pub ship: usize,
     /// Length between perpendiculars (m).
     pub length_bp_m: f64,
-    /// Beam (m).
+    /// Beam of the ship (m).
     pub beam_m: f64,
-    /// Draught (m).
+    /// Draught of the ship (m).
     pub draught_m: f64,
     /// Under-keel clearance (m).
     pub under_keel_clearance_m: f64,
     /// Block coefficient.
     pub block_coefficient: f64,
-    /// The Cm for the main result and for the abnormal energy.
+    /// The added mass factor Cm for the main result and for the abnormal energy.
     pub added_mass: AddedMass,
     /// Cs.
     pub softness: Softness,
     /// Cc.
     pub configuration: Configuration,
     /// Design speed square to the berth (m/s): the speed of the ship's approach, with the factor of an abnormal
-    /// berthing. `None`: the formula uses the speed of the run at the first touch.
+    /// berthing if there is one. If the design speed is `None`, the formula uses the speed at the first touch in the
+    /// run.
     pub design_speed_mps: Option<f64>,
     /// Abnormal berthing factor; `None` if no abnormal energy is asked for.
     pub abnormal_factor: Option<f64>,
@@ -44,7 +45,7 @@ impl BerthingSetup {
     /// Checks the particulars against the ranges of the formulas.
     ///
     /// # Errors
-    /// The first particular outside its range.
+    /// Returns the first particular that is outside its range.
     pub fn check(&self) -> Result<(), BerthingError> {
         self.added_masses()?;
         if let AddedMass::Given(factor) = self.added_mass {

@@ -1,4 +1,4 @@
-//! Checks that a change can come in a set-up.
+//! Checks that a change is possible in a set-up.
 
 use super::{Change, ChangeError};
 use crate::setup::Setup;
@@ -11,10 +11,10 @@ use fenderline_ship::range::within;
 const LARGEST_ANGLE_RAD: f64 = 100.0;
 
 impl Change {
-    /// Checks numbers and indices.
+    /// Checks the numbers and indices of a change.
     ///
     /// # Errors
-    /// A number out of its limits; a vessel, thruster, line or tug that does not exist.
+    /// Fails if a number is out of its limits, or if a vessel, thruster, line or tug does not exist.
     pub fn check(&self, setup: &Setup) -> Result<(), ChangeError> {
         let time = |over_s| within("time of the change [s]", over_s, 0.0, Change::LONGEST_S);
         let world = &setup.world;

@@ -10,13 +10,13 @@ use fenderline_ship::range::OutOfRange;
 pub enum ChangeError {
     /// A number is out of its limits.
     OutOfRange(OutOfRange),
-    /// Wind or current is out of its limits.
+    /// The wind or the current is out of its limits.
     Environment(EnvironmentError),
-    /// The set-up has no such vessel, thruster, line or tug.
+    /// The set-up has no vessel, thruster, line or tug with the index that the change gives.
     NotThere(&'static str),
-    /// The line is not fast, so it cannot part.
+    /// The line is not fast, so the line cannot part.
     NotFast {
-        /// The line.
+        /// Name of the line.
         line: String,
     },
 }
@@ -27,7 +27,9 @@ impl fmt::Display for ChangeError {
             ChangeError::OutOfRange(error) => error.fmt(f),
             ChangeError::Environment(error) => error.fmt(f),
             ChangeError::NotThere(what) => write!(f, "there is no such {what}"),
-            ChangeError::NotFast { line } => write!(f, "{line} is not fast: it cannot part"),
+            ChangeError::NotFast { line } => {
+                write!(f, "line {line} is not fast, so it cannot part")
+            }
         }
     }
 }

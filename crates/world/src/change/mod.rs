@@ -11,67 +11,69 @@ pub use self::ramp::{Flow, Ramp, Ramps, fog_m};
 
 use crate::world::Fault;
 
-/// A change of a simulation. Indices are those of [`crate::world::WorldSetup`].
+/// A change of a simulation. The indices in a change are indices of lists in [`crate::world::WorldSetup`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
-    /// The mean wind 10 m above the water: speed (m/s) and direction from which it comes (rad), at once or over a time
-    /// (s). Gusts continue, in proportion to the new mean wind. A wind given as a time series becomes steady.
+    /// The mean wind 10 m above the water changes, at once or over a time: its speed (m/s), and the direction from
+    /// which it comes (rad). After a change of the wind, gusts continue in proportion to the new mean wind. A wind
+    /// given as a time series becomes steady.
     Wind {
-        /// Speed (m/s).
+        /// Speed of the wind after the change (m/s).
         speed_mps: f64,
-        /// Direction from which it comes (rad).
+        /// Direction from which the wind comes after the change (rad).
         from_rad: f64,
-        /// Duration of the change (s); 0: at once.
+        /// Duration of the change (s); with 0 the change is sudden.
         over_s: f64,
     },
-    /// A uniform current in place of the present one: speed (m/s) and direction to which it sets (rad), at once or over a time (s).
+    /// The current becomes uniform, at once or over a time, with a speed (m/s) and a direction to which it sets (rad).
     Current {
-        /// Speed (m/s).
+        /// Speed of the current after the change (m/s).
         speed_mps: f64,
-        /// Direction to which it sets (rad).
+        /// Direction to which the current sets after the change (rad).
         to_rad: f64,
-        /// Duration of the change (s); 0: at once.
+        /// Duration of the change (s); with 0 the change is sudden.
         over_s: f64,
-        /// A change over a time begins with the present current at this vessel; `None`: at the origin.
+        /// Index of the vessel at whose place a change over a time takes the present current; `None`: at the scenario's
+        /// origin.
         at: Option<usize>,
     },
-    /// The visibility (m), at once or over a time (s); `None`: clear. It exerts no force.
+    /// The visibility changes, at once or over a time. The visibility exerts no force.
     Visibility {
-        /// The distance (m).
+        /// Distance that people can see after the change (m); `None` for clear visibility.
         distance_m: Option<f64>,
-        /// Duration of the change (s); 0: at once.
+        /// Duration of the change (s); with 0 the change is sudden.
         over_s: f64,
     },
     /// A fault of a vessel begins or ends.
     Fault {
-        /// The vessel.
+        /// Index of the vessel.
         vessel: usize,
         /// The fault.
         fault: Fault,
-        /// Whether the fault begins; false: it ends.
+        /// True if the fault begins, false if the fault ends.
         on: bool,
     },
-    /// One thruster or azimuth unit of a vessel trips, or comes back.
+    /// One thruster or azimuth unit of a vessel fails, or works again.
     Thruster {
-        /// The vessel.
+        /// Index of the vessel.
         vessel: usize,
-        /// Number of the unit: thrusters first, then azimuth units.
+        /// Number of the unit among the vessel's thrusters and azimuth units: thrusters come first, then azimuth units.
         unit: usize,
-        /// Whether the unit trips; false: it comes back.
+        /// True if the unit fails, false if it works again.
         on: bool,
     },
     /// A line parts.
     PartLine(usize),
-    /// A vector tug drops out, or comes back.
+    /// A vector tug drops out, or is available again.
     TugOut {
-        /// The tug.
+        /// Index of the vector tug.
         tug: usize,
-        /// Whether the tug drops out; false: she comes back.
+        /// True if the tug drops out, false if she is available again.
         on: bool,
     },
 }
 
-/// A change at a time of the run. The change takes effect in the step that contains its time.
+/// A change that is planned for a time of the run. The change takes effect in the step that contains its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedChange {
     /// The time (s).
@@ -83,19 +85,19 @@ pub struct PlannedChange {
 impl Change {
     /// Longest duration of a change (s).
     pub const LONGEST_S: f64 = 7200.0;
-    /// Least and greatest visibility (m).
+    /// Least and greatest visibility that a change may give (m).
     pub const VISIBILITY_M: [f64; 2] = [50.0, 50e3];
 }
 
-/// The changes of a simulation that are under way: plain data.
+/// The changes of a simulation that are under way, as plain data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
     /// Changes of wind, current and visibility that take time.
     pub ramps: Ramps,
-    /// For each planned change of the set-up, whether its time has come.
+    /// For each planned change of the set-up, whether the time of the change has come.
     pub taken: Vec<bool>,
     /// Lines that a change has parted since the last step.
     pub parted: Vec<usize>,
-    /// Lines that a change should have parted, but that were not fast.
+    /// Lines that a change should have parted since the last step, but that were not fast.
     pub not_parted: Vec<usize>,
 }

@@ -1,8 +1,8 @@
-//! Changes over a time: wind, current, visibility.
+//! Changes of wind, current and visibility that take some time.
 
 use fenderline_contact::number::{bounded, lesser};
 
-/// Speed and direction of wind or current.
+/// Speed and direction of the wind or of the current.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flow {
     /// Speed (m/s).
@@ -13,13 +13,13 @@ pub struct Flow {
 
 /// A quantity that can change over a time.
 pub trait Between: Copy {
-    /// The value after a share of the way, from 0 to 1.
+    /// The value of the quantity after a share `share` of the change, from 0 to 1.
     fn between(from: Self, to: Self, share: f64) -> Self;
 }
 
 impl Between for Flow {
-    /// The speed changes along a straight line, the direction by the shorter turn. If the start is calm, the direction
-    /// is that of the end throughout.
+    /// The speed of wind or current changes linearly, the direction by the shorter turn. If there is no flow at the
+    /// start of the change, the direction is the direction at the end throughout the change.
     fn between(from: Flow, to: Flow, share: f64) -> Flow {
         let turn_rad =
             libm::remainder(to.direction_rad - from.direction_rad, core::f64::consts::TAU);
@@ -38,22 +38,22 @@ impl Between for Flow {
 pub struct Sight(pub f64);
 
 impl Between for Sight {
-    /// The value changes by equal ratios in equal times: from 2000 m to 200 m it is 632 m half-way.
+    /// The visibility changes by equal ratios in equal times: half-way from 2000 m to 200 m it is 632 m.
     fn between(from: Sight, to: Sight, share: f64) -> Sight {
         Sight(from.0 * libm::pow(to.0 / from.0, share))
     }
 }
 
-/// In a change over a time, a visibility from this distance on counts as clear (m): it is beyond the ships of an
-/// exercise.
+/// Visibility that counts as clear in a change over a time (m), because the ships of an exercise are not so far away.
 const CLEAR_M: f64 = 20_000.0;
 
-/// A visibility as a distance (m). Used for a change over a time that begins or ends with this visibility.
+/// Turns a visibility, which may be clear, into a distance (m). The function is used for a change over a time that
+/// begins or ends with this visibility.
 pub fn fog_m(visibility_m: Option<f64>) -> Sight {
     Sight(visibility_m.unwrap_or(CLEAR_M))
 }
 
-/// A change from one value to another over a time.
+/// A gradual change of a quantity from one value to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp<T> {
     from: T,
@@ -63,18 +63,18 @@ pub struct Ramp<T> {
 }
 
 impl<T: Between> Ramp<T> {
-    /// A ramp that begins at a time (s) and lasts `over_s`.
+    /// Makes a ramp that begins at the time `begins_s` (s) and lasts `over_s` (s).
     pub fn new(from: T, to: T, begins_s: f64, over_s: f64) -> Ramp<T> {
         Ramp { from, to, begins_s, over_s }
     }
 
-    /// The value at a time (s); after the end, the last value.
+    /// The value of the ramp at the time `t_s` (s); after the end of the ramp, its last value.
     pub fn at(&self, t_s: f64) -> T {
         let share = bounded((t_s - self.begins_s) / self.over_s, 0.0, 1.0);
         if share < 1.0 { T::between(self.from, self.to, lesser(share, 1.0)) } else { self.to }
     }
 
-    /// True at the end of the ramp and later.
+    /// True if the ramp has ended at the time `t_s` (s).
     pub fn is_over(&self, t_s: f64) -> bool {
         t_s >= self.begins_s + self.over_s
     }
@@ -85,19 +85,20 @@ impl<T: Between> Ramp<T> {
     }
 }
 
-/// The changes that are under way.
+/// The gradual changes that are under way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ramps {
-    /// Of the wind.
+    /// The ramp of the wind; `None` if the wind does not change.
     pub wind: Option<Ramp<Flow>>,
-    /// Of the current.
+    /// The ramp of the current; `None` if the current does not change.
     pub current: Option<Ramp<Flow>>,
-    /// The ramp of the visibility, and the visibility at its end (m); `None`: clear.
+    /// The ramp of the visibility, and the visibility at the end of the ramp (m), where an inner `None` means clear
+    /// visibility.
     pub visibility: Option<(Ramp<Sight>, Option<f64>)>,
 }
 
 impl Ramps {
-    /// True while something changes.
+    /// True while wind, current or visibility changes gradually.
     pub fn any(&self) -> bool {
         self.wind.is_some() || self.current.is_some() || self.visibility.is_some()
     }

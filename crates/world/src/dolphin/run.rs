@@ -1,59 +1,60 @@
-//! What the dolphins of a run do.
+//! Motions and summaries of the flexible dolphins in a run.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Model, PileMotion};
 
 use crate::setup::{BodySetup, Setup};
 
-/// The pile of a dolphin in a step.
+/// The motion of a dolphin's pile in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DolphinMotion {
-    /// The dolphin: an index into [`Setup::bodies`].
+    /// Index of the dolphin in [`Setup::bodies`].
     pub body: usize,
-    /// What its pile did.
+    /// Motion of the dolphin's pile.
     pub pile: PileMotion,
 }
 
-/// What a dolphin's pile bore in a run.
+/// Summary of the deflections, loads and losses of a dolphin's pile in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DolphinSummary {
-    /// The dolphin: an index into [`Setup::bodies`].
+    /// Index of the dolphin in [`Setup::bodies`].
     pub body: usize,
-    /// Largest deflection of the head, permanent part included (m).
+    /// Largest deflection of the dolphin's head, permanent part included (m).
     pub peak_deflection_m: f64,
-    /// Start of the step of it (s).
+    /// Start of the step with the largest deflection (s).
     pub peak_deflection_at_s: f64,
     /// Largest load on the pile (N).
     pub peak_load_n: f64,
-    /// Start of the step of it (s).
+    /// Start of the step with the largest load (s).
     pub peak_load_at_s: f64,
-    /// Largest energy in the pile's bending (J).
+    /// Largest energy stored in the bending of the pile (J).
     pub peak_energy_j: f64,
-    /// The largest load over the yield load, if that is known.
+    /// The largest load divided by the yield load, if the yield load is known.
     pub share_of_yield_load: Option<f64>,
-    /// Start of the first step in which it yielded (s).
+    /// Start of the first step in which the pile yielded (s); `None` if the pile did not yield.
     pub yielded_at_s: Option<f64>,
-    /// Permanent deflection (m).
+    /// Permanent deflection of the dolphin's head (m).
     pub offset_m: f64,
-    /// Energy lost to yielding (J).
+    /// Energy lost to yielding of the pile (J).
     pub yield_j: f64,
-    /// Energy lost to damping (J).
+    /// Energy lost to damping of the pile (J).
     pub damping_j: f64,
 }
 
-/// The dolphins of a run: their last motions, and their summaries, in the order of the set-up.
+/// The flexible dolphins of a run in the order of the set-up, with their last motions and their summaries.
 #[derive(Clone, Debug, Default)]
 pub struct Dolphins {
-    /// For each dolphin, the number of its pile in the engine.
+    /// For each dolphin, the number of its pile in the contact engine.
     piles: Vec<usize>,
-    /// Their motions in the last step.
+    /// Motions of the dolphins in the last step.
     pub motions: Vec<DolphinMotion>,
-    /// What they did in the run.
+    /// Summaries of the dolphins in the run.
     pub summaries: Vec<DolphinSummary>,
 }
 
 impl Dolphins {
-    /// Before the first step. The engine has the piles in the order of its bodies' keys.
+    /// Makes the dolphins as they are before the first step. The contact engine has the piles in the order of its keys
+    /// of bodies.
     pub fn new(setup: &Setup, model: &Model) -> Dolphins {
         let with_pile = |(body, of): (usize, &BodySetup)| of.dolphin.map(|_| body);
         let bodies: Vec<usize> = setup.bodies.iter().enumerate().filter_map(with_pile).collect();
@@ -70,14 +71,14 @@ impl Dolphins {
         }
     }
 
-    /// Takes over a step of the engine.
+    /// Takes over the motions of the piles in a step of the contact engine.
     pub fn take(&mut self, piles: &[PileMotion]) {
         for (motion, &pile) in self.motions.iter_mut().zip(&self.piles) {
             motion.pile = piles[pile];
         }
     }
 
-    /// Adds the last step to the summaries.
+    /// Adds the last step to the summaries of the dolphins.
     pub fn summarise(&mut self, setup: &Setup, t_s: f64) {
         for (summary, motion) in self.summaries.iter_mut().zip(&self.motions) {
             let limit_n = setup.bodies[motion.body].dolphin.and_then(|of| of.yield_load_n);

@@ -1,34 +1,35 @@
 //! Forces from other programs: the trait [`ForceProvider`], and how a late, terminated or faulty provider is handled.
 //!
-//! A provider is queried once per step. A reply that comes in time acts during the step. Without a reply, the last
-//! wrench is held for a set time and then dropped. Each change is reported as an event. A wrench that is not finite or
-//! too large is treated as a missing reply.
+//! The simulation queries each provider of forces once per step. The force and moment of a reply that comes in time act
+//! during the step. If a provider does not reply, its last force and moment are held for a set time and then dropped.
+//! Each change in how a provider replies is reported as an event. A force or moment that is not finite or too large is
+//! treated as a missing reply.
 
 use fenderline_contact::{BodyState, Wrench};
 
 /// A query to a provider: the state of its body at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceRequest {
-    /// Time (s).
+    /// Time at the start of the step (s).
     pub t_s: f64,
     /// Length of the step (s).
     pub step_s: f64,
-    /// State of the body.
+    /// Position and velocity of the body.
     pub state: BodyState,
 }
 
 /// The reply of a provider.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceReply {
-    /// Force and moment about the centre of gravity, earth-fixed, for this step.
+    /// Force, and moment about the centre of gravity, for this step, in earth-fixed axes.
     Wrench(Wrench),
-    /// No reply yet.
+    /// The provider has not replied in time.
     Late,
-    /// The provider has terminated, with the reason.
+    /// The provider has terminated; the text gives the reason.
     Dead(String),
 }
 
-/// A source of the force on a body, which is queried in each step.
+/// A provider of the force on a body, which the simulation queries in each step.
 ///
 /// ```
 /// use fenderline_contact::{Wrench, vec2};
@@ -49,29 +50,31 @@ pub enum ForceReply {
 /// assert_eq!(reply, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
 /// ```
 pub trait ForceProvider {
-    /// Returns the wrench for the coming step. The call must return within the time that the host can wait.
+    /// Returns the force and moment for the coming step. The call must return within the time for which the host can
+    /// wait.
     fn reply(&mut self, request: &ForceRequest) -> ForceReply;
 }
 
 /// An event of a provider in a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ProviderEvent {
-    /// No reply in time: the last wrench is held.
+    /// The provider did not reply in time, so its last force and moment are held.
     Held,
-    /// No reply for too long: the wrench is dropped.
+    /// The provider has not replied for too long, so its force and moment are dropped.
     Dropped,
     /// The provider replies again.
     Resumed,
-    /// The wrench was not finite, or above 1e15 N or N·m, and was not used.
+    /// The force or moment of the provider was not finite, or above 1e15 N or N·m, and was not used.
     Refused,
-    /// The provider has terminated, with the reason: its wrench is held, then dropped.
+    /// The provider has terminated; the text gives the reason. Its last force and moment are held, then dropped.
     Died(String),
 }
 
-/// The largest force or moment that is accepted (N, N·m). This limit is the contact engine's limit for loads.
+/// The largest force (N) or moment (N·m) that is accepted from a provider. The limit is the same as the contact
+/// engine's limit for loads.
 const LARGEST_LOAD: f64 = 1e15;
 
-/// The wrench of one provider, which is held between replies.
+/// The force and moment of one provider, which are held between the provider's replies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldWrench {
     hold_s: f64,
@@ -89,7 +92,8 @@ enum Stage {
 }
 
 impl HeldWrench {
-    /// Starts with a zero wrench. Without replies, the last wrench is held for `hold_s` seconds.
+    /// Starts with zero force and moment. If the provider does not reply, its last force and moment are held for
+    /// `hold_s` seconds.
     #[must_use]
     pub fn new(hold_s: f64) -> HeldWrench {
         HeldWrench {
@@ -101,7 +105,8 @@ impl HeldWrench {
         }
     }
 
-    /// Queries the provider and returns the wrench for this step. Events are appended to `events`.
+    /// Queries the provider and returns the force and moment for this step. Events of the provider are appended to
+    /// `events`.
     pub fn wrench(
         &mut self,
         provider: &mut dyn ForceProvider,
@@ -130,13 +135,13 @@ impl HeldWrench {
         self.last
     }
 
-    /// Whether the last request got no usable wrench.
+    /// Whether the last query got no usable reply.
     #[must_use]
     pub fn is_silent(&self) -> bool {
         self.stage != Stage::Fresh
     }
 
-    /// Handles a step without a usable wrench.
+    /// Handles a step in which the provider gave no usable reply.
     fn no_reply(&mut self, step_s: f64, events: &mut Vec<ProviderEvent>) {
         self.silent_s += step_s;
         if self.stage == Stage::Fresh {
@@ -151,7 +156,7 @@ impl HeldWrench {
     }
 }
 
-/// True if the wrench is finite and within the limit.
+/// True if force and moment are finite and within [`LARGEST_LOAD`].
 fn is_usable(wrench: &Wrench) -> bool {
     [wrench.force_n.x, wrench.force_n.y, wrench.moment_nm]
         .iter()

@@ -1,4 +1,4 @@
-//! Fenders: their set-up, and the summary of each fender after a run.
+//! Builds the summary of each fender from the steps of a run.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ReactionFactors, combined_angle_rad};
@@ -11,20 +11,20 @@ use crate::panel::{ConeUse, PanelSummary};
 use crate::record::StepRecord;
 use crate::setup::material::NamedMaterial;
 
-/// Builds the [`FenderSummary`]s, in the order of the set-up; `None` for a fender that was never touched.
+/// The summaries of all fenders, which are updated in each step.
 #[derive(Clone, Debug, Default)]
 pub struct FenderSummaries {
-    /// The summaries.
+    /// The summaries, in the order of the set-up; `None` for a fender that was never touched.
     pub all: Vec<Option<FenderSummary>>,
-    /// The state of each fender in this step.
+    /// Reaction and energy of each fender in this step.
     now: Vec<Now>,
     /// Whether a fender that was touched has chains.
     has_chains: bool,
-    /// Chains of the fenders that are touched in this step.
+    /// Tensions of the chains of all fenders that are touched in this step.
     pub chains: Vec<ChainTension>,
 }
 
-/// The state of a fender in a step.
+/// Reaction and energy of a fender in a step.
 #[derive(Clone, Copy, Debug, Default)]
 struct Now {
     is_touched: bool,
@@ -33,7 +33,7 @@ struct Now {
 }
 
 impl FenderSummaries {
-    /// Before the first step, for a number of fenders.
+    /// Makes the summaries of `fenders` fenders as they are before the first step.
     pub fn new(fenders: usize) -> FenderSummaries {
         FenderSummaries {
             all: vec![None; fenders],
@@ -43,7 +43,7 @@ impl FenderSummaries {
         }
     }
 
-    /// Forgets the run so far.
+    /// Forgets everything that happened to the fenders in the run so far.
     pub fn restart(&mut self) {
         self.all.fill(None);
         self.now.fill(Now::default());
@@ -176,7 +176,7 @@ fn first_touch(
     }
 }
 
-/// Adds the deflection in a step. Returns true if the deflection is the largest so far.
+/// Adds the deflection of the fender in a step to its summary. Returns true if the deflection is the largest so far.
 fn add_deflection(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -196,8 +196,8 @@ fn add_deflection(
     is_deeper
 }
 
-/// Updates the peaks of energy and reaction, and the values that depend on these peaks and on the largest deflection,
-/// which may have changed.
+/// Updates the peaks of energy and reaction in a summary, and the values that depend on these peaks and on the largest
+/// deflection.
 fn update_peaks(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -235,7 +235,7 @@ fn update_peaks(
         pressure_npm2.zip(setup.hull_pressure_limit_npm2).map(|(pressure, limit)| pressure / limit);
 }
 
-/// Energy and reaction of the most compressed cone of a panel, each over the rated value of a cone.
+/// Energy and reaction of the most compressed cone of a panel, each divided by the rated value of a cone.
 fn shares_of_cone(setup: &FenderSetup, summary: &FenderSummary) -> (Option<f64>, Option<f64>) {
     let worst = ConeUse::of(setup, summary, summary.peak_deflection_m);
     worst.map_or((None, None), |cone| (cone.share_of_rated_energy, cone.share_of_rated_reaction))

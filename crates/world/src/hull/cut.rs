@@ -5,16 +5,17 @@ use fenderline_contact::{Slice, Vec2, vec2};
 
 use super::levels::HullByHeight;
 
-/// Heights are rounded to multiples of this (m), and angles to multiples of `ANGLE_RAD` (rad): 1e-5 rad are 1.5 mm at
-/// the bow of a ship of 300 m. So an outline is a function of the state alone, the same in a run and in its replay, and
-/// need not be cut anew in each step.
+/// The height of a fender on a hull is rounded to multiples of `HEIGHT_M` (m), and roll and pitch are rounded to
+/// multiples of `ANGLE_RAD` (rad); 1e-5 rad are 1.5 mm at the bow of a ship of 300 m. Because of this rounding, an
+/// outline depends only on the present motion, is the same in a run and in its replay, and need not be cut anew in each
+/// step.
 pub(super) const HEIGHT_M: f64 = 1e-3;
 pub(super) const ANGLE_RAD: f64 = 1e-5;
 
 /// The place of a fender on a hull, in whole numbers of [`HEIGHT_M`] and [`ANGLE_RAD`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Posture {
-    /// Height of the fender above the keel at the centre of gravity.
+    /// Height of the fender above the keel at the centre of gravity, in multiples of [`HEIGHT_M`].
     height: i64,
     roll: i64,
     pitch: i64,
@@ -30,14 +31,14 @@ impl Posture {
         }
     }
 
-    /// Height above the keel at the centre of gravity (m), roll and pitch (rad).
+    /// Height of the fender above the keel at the centre of gravity (m), and roll and pitch of the hull (rad).
     pub(super) fn values(self) -> (f64, f64, f64) {
         let value = |whole: i64, unit: f64| whole as f64 * unit;
         (value(self.height, HEIGHT_M), value(self.roll, ANGLE_RAD), value(self.pitch, ANGLE_RAD))
     }
 
     /// Height of the fender above the keel at a place on the hull (m), for small angles. Heel to starboard and trim by
-    /// the bow take this place down, so the fender meets the ship's side higher up.
+    /// the bow take a place on the starboard bow down, so that the fender meets the ship's side higher up.
     pub(super) fn height_at_m(self, place_m: Vec2) -> f64 {
         let (height_m, roll_rad, pitch_rad) = self.values();
         height_m - place_m.x * pitch_rad + place_m.y * roll_rad
@@ -49,7 +50,8 @@ impl Posture {
         vec2(-pitch_rad, roll_rad)
     }
 
-    /// The place on the upright hull that is at the fender (m), and its height above the keel (m), within `range_m`.
+    /// The place on the upright hull that is now at the fender (m), and the height of this place above the keel (m),
+    /// within the range `range_m`.
     pub(super) fn upright(
         self,
         place_m: Vec2,
@@ -67,12 +69,13 @@ impl Posture {
 }
 
 impl HullByHeight {
-    /// The outline at a fender. Each vertex is taken at the height at which the heeled and trimmed hull cuts the
-    /// fender's plane, and moved by heel and trim about the centre of gravity, which is `gravity_m` above the keel.
-    /// Beyond the hull's highest or lowest outline, that outline is used.
+    /// Cuts the outline of the hull at a fender. Each vertex of the outline is taken at the height at which the heeled
+    /// and trimmed hull cuts the fender's plane. Heel and trim then move the vertex about the centre of gravity, which
+    /// is `gravity_m` above the keel. Above the hull's highest outline the highest outline is used, and below the
+    /// lowest outline the lowest.
     ///
-    /// Between two valid outlines, heel could in theory fold the hull over itself. The nearest given outline is used
-    /// then.
+    /// Between two valid outlines, heel could in theory fold the hull over itself. If the hull is folded in this way,
+    /// the nearest given outline is used.
     pub(super) fn cut(&self, posture: Posture, gravity_m: f64) -> Slice {
         let (height_m, roll_rad, pitch_rad) = posture.values();
         let [low_m, high_m] = self.range_m();
@@ -101,7 +104,7 @@ impl HullByHeight {
         Slice::new(&vertices_m, &rates).unwrap_or_else(|_| self.given(height_m))
     }
 
-    /// The nearest given outline, taken as a vertical side.
+    /// The given outline that is nearest in height, taken as a hull with vertical sides.
     pub(super) fn given(&self, height_m: f64) -> Slice {
         let off_m = |level: &super::Level| (level.height_m - height_m).abs();
         let levels = self.levels();

@@ -1,4 +1,4 @@
-//! Outlines of a hull at several heights, checked.
+//! Hulls that are given by outlines at several heights, and the checks of these outlines.
 
 use std::fmt;
 
@@ -11,27 +11,27 @@ use super::resample::{self, TurnsBack};
 /// Between two given outlines, interpolated outlines are checked at this many heights.
 const CHECKED_BETWEEN: usize = 15;
 
-/// The most outlines of a hull, and the most vertices of each. This is more than any lines plan has, and few enough to
-/// be checked at once.
+/// Greatest number of outlines of a hull, and greatest number of vertices of each outline. These numbers are larger
+/// than in any lines plan, and small enough for a fast check.
 const MOST_LEVELS: usize = 50;
 const MOST_VERTICES: usize = 1000;
 
-/// The hull of a body by height: outlines at two heights or more, with straight lines between them.
+/// The hull of a body, given by outlines at two heights or more, with straight lines between the outlines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HullByHeight {
     levels: Vec<Level>,
     draught_m: f64,
 }
 
-/// Errors in outlines by height.
+/// Errors in the outlines of a hull at several heights.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HullError {
-    /// Fewer than two outlines.
+    /// The hull has fewer than two outlines.
     TooFew {
         /// Number of outlines.
         count: usize,
     },
-    /// More outlines than a hull may have.
+    /// The hull has more outlines than a hull may have.
     TooMany {
         /// Number of outlines.
         count: usize,
@@ -40,16 +40,16 @@ pub enum HullError {
     TooManyVertices {
         /// Number of the outline, from 0.
         level: usize,
-        /// Number of its vertices.
+        /// Number of the outline's vertices.
         count: usize,
     },
-    /// A height that is not greater than the height before it.
+    /// The height of an outline is not greater than the height of the previous outline.
     NotAscending {
         /// Number of the outline, from 0.
         level: usize,
         /// Height of the outline (m).
         height_m: f64,
-        /// Height of the outline before (m).
+        /// Height of the previous outline (m).
         before_m: f64,
     },
     /// A given outline is not valid.
@@ -59,12 +59,12 @@ pub enum HullError {
         /// The fault of the outline.
         error: OutlineError,
     },
-    /// The outlines have different numbers of vertices, and a side of one of them turns back.
+    /// The outlines have different numbers of vertices, and a side of one outline turns back between stern and bow.
     TurnsBack {
         /// Number of the outline, from 0.
         level: usize,
     },
-    /// Between two outlines no hull can be interpolated.
+    /// No hull can be interpolated between two of the outlines.
     Crossing {
         /// Number of the lower outline, from 0.
         level: usize,
@@ -86,18 +86,23 @@ impl fmt::Display for HullError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             HullError::TooFew { count } => {
-                write!(f, "needs outlines at two heights or more, but has {count}")
+                write!(f, "a hull needs outlines at two heights or more, but this hull has {count}")
             }
             HullError::TooMany { count } => {
-                write!(f, "may have at most {MOST_LEVELS} outlines, but has {count}")
+                write!(
+                    f,
+                    "a hull may have at most {MOST_LEVELS} outlines, but this hull has {count}"
+                )
             }
             HullError::TooManyVertices { level, count } => write!(
                 f,
-                "outline {level} has {count} vertices; with several heights an outline may have {MOST_VERTICES}"
+                "outline {level} has {count} vertices, but an outline of a hull with several \
+                 outlines may have at most {MOST_VERTICES}"
             ),
             HullError::NotAscending { level, height_m, before_m } => write!(
                 f,
-                "heights must rise from outline to outline, but outline {level} at {height_m} m follows an outline at {before_m} m"
+                "the heights of the outlines must rise, but outline {level} at {height_m} m \
+                 follows an outline at {before_m} m"
             ),
             HullError::BadOutline { level, error } => write!(f, "outline {level}: {error}"),
             HullError::TurnsBack { level } => write!(
@@ -112,7 +117,8 @@ impl fmt::Display for HullError {
             ),
             HullError::WaterlineOutside { waterline_m, range_m: [low_m, high_m] } => write!(
                 f,
-                "the outlines are from {low_m} m to {high_m} m and leave out the waterline at {waterline_m} m"
+                "the heights of the outlines go from {low_m} m to {high_m} m, so the waterline at \
+                 {waterline_m} m is outside"
             ),
         }
     }
@@ -121,12 +127,12 @@ impl fmt::Display for HullError {
 impl std::error::Error for HullError {}
 
 impl HullByHeight {
-    /// A hull from outlines in ascending order of height. Vertex `i` of one outline belongs to vertex `i` of the next.
-    /// Outlines with different numbers of vertices are resampled at common stations. `draught_m` is the height of the
-    /// waterline: the draught of a floating body, 0 (datum) for a fixed body.
+    /// Makes a hull from outlines in ascending order of height. Vertex `i` of one outline is joined to vertex `i` of
+    /// the next outline. Outlines with different numbers of vertices are resampled at common stations. `draught_m` is
+    /// the height of the waterline: the draught of a floating body, 0 (datum) for a fixed body.
     ///
     /// # Errors
-    /// [`HullError`], with the number of the outline.
+    /// Returns a [`HullError`], with the number of the faulty outline.
     pub fn new(levels: Vec<Level>, draught_m: f64) -> Result<HullByHeight, HullError> {
         if levels.len() < 2 {
             return Err(HullError::TooFew { count: levels.len() });
@@ -176,21 +182,24 @@ impl HullByHeight {
         Ok(())
     }
 
-    /// The outline at the waterline. The outlines of other bodies meet it; fenders do not.
+    /// The outline of the hull at the waterline. Outlines of other bodies meet the outline at the waterline; fenders do
+    /// not.
     ///
     /// # Errors
-    /// An interpolated outline that is not valid. This can happen between the heights that were checked.
+    /// Fails if the interpolated outline is not valid. An interpolated outline can be invalid between the heights that
+    /// were checked.
     pub fn at_waterline(&self) -> Result<Outline, OutlineError> {
         Outline::new(&self.vertices_at_m(self.draught_m)).map(|(outline, _)| outline)
     }
 
-    /// The outlines, resampled where they had different numbers of vertices.
+    /// The outlines of the hull, resampled if they had different numbers of vertices.
     #[must_use]
     pub fn levels(&self) -> &[Level] {
         &self.levels
     }
 
-    /// Height of the waterline (m): the draught; 0 for a fixed body, whose heights are above datum.
+    /// Height of the waterline (m), which is the draught of a floating body, and 0 for a fixed body, whose heights are
+    /// above datum.
     #[must_use]
     pub fn draught_m(&self) -> f64 {
         self.draught_m
@@ -215,13 +224,14 @@ impl HullByHeight {
         all.fold(Vec2::ZERO, |half, v| vec2(greater(half.x, v.x.abs()), greater(half.y, v.y.abs())))
     }
 
-    /// The vertices at a height (m). Beyond the lowest or highest outline, its vertices are returned.
+    /// The vertices of the hull's outline at a height (m). Above the highest or below the lowest outline, the vertices
+    /// of that outline are returned.
     fn vertices_at_m(&self, height_m: f64) -> Vec<Vec2> {
         (0..self.levels[0].vertices_m.len()).map(|vertex| self.vertex(vertex, height_m).0).collect()
     }
 
-    /// A vertex at a height (m), and the rate at which it moves with height (m/m). Beyond the lowest or highest outline
-    /// it is that outline's vertex, with rate 0.
+    /// A vertex of the hull at a height (m), and the rate at which the vertex moves with height (m/m). Above the
+    /// highest or below the lowest outline, the vertex is that of this outline, with rate 0.
     pub(super) fn vertex(&self, vertex: usize, height_m: f64) -> (Vec2, Vec2) {
         let at = |level: &Level| level.vertices_m[vertex];
         let levels = &self.levels;
@@ -249,7 +259,7 @@ impl HullByHeight {
     }
 }
 
-/// Turns an outline into the positive sense; its first vertex stays first.
+/// Puts the vertices of an outline in the positive sense; the first vertex stays first.
 fn make_positive(vertices_m: &mut [Vec2]) {
     let first = vertices_m[0];
     let doubled_m2: f64 =

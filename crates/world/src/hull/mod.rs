@@ -1,11 +1,10 @@
-//! The hull by height: outlines at several heights, and the outline that each fender meets (docs/contact_model.md,
-//! section 8).
+//! Hulls with outlines at several heights, and the outline that each fender meets (docs/contact_model.md, section 8).
 //!
 //! | file | content |
 //! |---|---|
 //! | `hull/level.rs` | an outline at a height |
-//! | `hull/levels.rs` | outlines at several heights, checked |
-//! | `hull/resample.rs` | outlines with different numbers of vertices, at common stations |
+//! | `hull/levels.rs` | a hull with outlines at several heights, and the checks of the outlines |
+//! | `hull/resample.rs` | resampling of outlines with different numbers of vertices at common stations |
 //! | `hull/cut.rs` | the outline at a height, with heel and trim |
 //! | `hull/lean.rs` | fenders that lean with their ship |
 //! | `hull/sides.rs` | the outlines that the fenders of a run meet, renewed before each step |

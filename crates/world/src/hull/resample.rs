@@ -1,25 +1,26 @@
-//! Outlines with different numbers of vertices, at common stations.
+//! Resamples outlines with different numbers of vertices at common stations.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 
 use super::level::Level;
 
-/// Stations nearer to each other than this share of the length count as one.
+/// Stations that are nearer to each other than this share of the hull's length count as one station.
 const SAME_STATION: f64 = 1e-9;
 
-/// A side of an outline turns back on its way from stern to bow.
+/// The error if a side of an outline turns back on its way from stern to bow.
 pub(super) struct TurnsBack {
     /// Number of the outline.
     pub(super) level: usize,
 }
 
-/// A side from stern to bow: rows of station (0 at the stern, 1 at the bow) and offset to starboard (m), ascending.
+/// A side of an outline from stern to bow: rows of station (0 at the stern, 1 at the bow) and offset to starboard (m),
+/// with ascending stations.
 type Side = Vec<(f64, f64)>;
 
 /// Gives all outlines the same number of vertices: on each side, one vertex at each station of any outline. A station
-/// is the share of the way from the outline's aftmost to its foremost point. Outlines are in the positive sense, from
-/// forward to starboard.
+/// is the share of the way from the outline's aftmost to its foremost point. The outlines must be in the positive
+/// sense, from forward to starboard.
 pub(super) fn at_common_stations(levels: &mut [Level]) -> Result<(), TurnsBack> {
     let mut sides = Vec::with_capacity(levels.len());
     for (level, of) in levels.iter().enumerate() {
@@ -41,7 +42,7 @@ pub(super) fn at_common_stations(levels: &mut [Level]) -> Result<(), TurnsBack> 
     Ok(())
 }
 
-/// The ends of an outline (m) and its port and starboard sides; `None` if one turns back.
+/// The after and forward ends of an outline (m), and its port and starboard sides; `None` if a side turns back.
 fn sides_of(vertices_m: &[Vec2]) -> Option<([f64; 2], [Side; 2])> {
     let count = vertices_m.len();
     let xs = || vertices_m.iter().map(|v| v.x);

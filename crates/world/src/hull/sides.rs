@@ -11,13 +11,14 @@ use crate::fender::FenderSetup;
 use crate::setup::Setup;
 use crate::world::{HullMotion, Shore, VesselState};
 
-/// A hull whose box is farther than this from a fender is not cut (m). Heel moves a side by less.
+/// Distance of a hull's bounding box from a fender beyond which the hull is not cut at the fender (m). Heel moves a
+/// side of a hull by less than this distance.
 const NEAR_M: f64 = 5.0;
 
 /// How a fender meets a hull with outlines by height, in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullTouch {
-    /// Height of the contact (m): above the keel of a floating body, above datum of a fixed one.
+    /// Height of the contact (m): above the keel of a floating body, above datum for a fixed body.
     pub height_m: f64,
     /// Tangent of the angle by which the hull's side leans out over the fender; positive for flare.
     pub slope: f64,
@@ -28,24 +29,25 @@ pub struct HullTouch {
 /// A fender that would have pressed on a hull if the hull had a side at the fender's height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideMissed {
-    /// Index into [`crate::setup::Setup::fenders`].
+    /// Index of the fender in [`crate::setup::Setup::fenders`].
     pub fender: usize,
-    /// Index into [`crate::setup::Setup::bodies`].
+    /// Index of the hull's body in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Start of the first step in which this happened (s).
+    /// Start of the first step in which the fender missed the hull (s).
     pub first_s: f64,
-    /// How far the middle of the face was above the highest outline (m); negative: below the lowest outline.
+    /// How far the middle of the fender's face was above the highest outline (m); a negative number says how far it was
+    /// below the lowest outline.
     pub off_m: f64,
 }
 
 /// The part of a hull that a fender meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Met {
-    /// Nothing was cut yet.
+    /// No outline was cut for the fender yet.
     Unset,
     /// The hull has no side at the fender's height.
     NoSide,
-    /// The outline at the fender.
+    /// The fender meets the outline of the hull that was cut at the fender.
     Side(Posture),
 }
 
@@ -54,7 +56,7 @@ enum Met {
 struct Pair {
     fender: usize,
     body: usize,
-    /// The vessels of hull and fender, as indices into the set-up's vessels.
+    /// The vessel of the hull and the vessel of the fender, as indices in the set-up's vessels.
     vessel: Option<usize>,
     host_vessel: Option<usize>,
     met: Met,
@@ -68,15 +70,15 @@ struct Pair {
 /// The energy that the renewal of an outline, or the lean of a fender, put into the fender (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightWork {
-    /// Indices of the bodies, the smaller first, and of the fender.
+    /// Indices of the two bodies, the smaller index first.
     pub bodies: [usize; 2],
-    /// The fender.
+    /// Index of the fender.
     pub fender: usize,
-    /// The energy (J).
+    /// The energy that the renewal put into the fender (J).
     pub work_j: f64,
 }
 
-/// A renewal that a failed step undoes.
+/// The renewal of an outline, kept so that a failed step can undo it.
 #[derive(Clone, Debug)]
 struct Undo {
     pair: usize,
@@ -84,13 +86,13 @@ struct Undo {
     before: Option<Slice>,
 }
 
-/// All fenders and hulls by height of a run.
+/// All pairs of a fender and a hull with outlines at several heights in a run.
 #[derive(Clone, Debug, Default)]
 pub struct Sides {
     pairs: Vec<Pair>,
-    /// The lowest and the highest outline of each pair's hull.
+    /// The lowest and the highest outline of the hull of each pair.
     ends: Vec<[Slice; 2]>,
-    /// The works of the present step.
+    /// The energies that renewals of outlines put into fenders in the present step.
     pub works: Vec<HeightWork>,
     /// For each contact of the last step, how its fender meets the hull; `None` for other contacts.
     pub touches: Vec<Option<HullTouch>>,
@@ -104,11 +106,11 @@ pub struct Sides {
 /// Heights of fenders and hulls in a step.
 #[derive(Clone, Copy)]
 pub struct Heights<'a> {
-    /// What stands on the bottom and on other ships.
+    /// The heights of points on quays and on vessels.
     pub shore: Shore<'a>,
     /// Heave, roll and pitch of the vessels.
     pub vessels: &'a [VesselState],
-    /// Start and length of the step (s).
+    /// Start of the step (s).
     pub t_s: f64,
     /// Length of the step (s).
     pub step_s: f64,
@@ -126,7 +128,7 @@ impl Heights<'_> {
     }
 
     /// Height of a fender above the keel of a hull, at the hull's centre of gravity (m); for a fixed body above datum.
-    /// Also returns the hull's motion.
+    /// The function also returns heave, roll and pitch of the hull.
     fn of(&self, pair: &Pair, fender: &FenderSetup, setup: &Setup) -> (f64, HullMotion) {
         let hull = self.motion(pair.vessel);
         let mut above_water_m = self.shore.fender_above_water_m(fender);
@@ -142,7 +144,7 @@ impl Heights<'_> {
 }
 
 impl Sides {
-    /// Before the first step.
+    /// Makes all pairs of fenders and hulls as they are before the first step.
     pub fn new(setup: &Setup) -> Sides {
         let mut sides = Sides { leaning: Leaning::all(setup), ..Sides::default() };
         let vessel_of = |body: usize| setup.world.vessels.iter().position(|v| v.body == body);
@@ -256,7 +258,7 @@ impl Sides {
         }
     }
 
-    /// Finds how each contact of a step meets a hull. `states` are the states at the start of the step.
+    /// Finds how each contact of a step meets a hull. `states` are the states of the bodies at the start of the step.
     pub fn find_touches(
         &mut self,
         setup: &Setup,
@@ -287,8 +289,8 @@ impl Sides {
     }
 }
 
-/// Height of a hull's centre of gravity above the keel (m). Without stability data, the height of the waterline is
-/// used.
+/// Height of a hull's centre of gravity above the keel (m). If a vessel has no stability data, the height of the
+/// waterline is taken instead of the height of the centre of gravity.
 fn gravity_m(draught_m: f64, vessel: Option<usize>, setup: &Setup) -> f64 {
     let float = vessel.and_then(|index| setup.world.vessels[index].float);
     float.map_or(draught_m, |float| float.gravity_above_water_m + draught_m)
@@ -300,7 +302,7 @@ pub fn place_m(contact: &Contact, body: usize, state: &BodyState) -> Vec2 {
     state.pose().rotation.apply_inverse(arm_m)
 }
 
-/// The larger of two peaks of the vertical force (N), up or down.
+/// The one of two vertical forces that is larger in size, up or down (N).
 pub fn larger_force_n(one_n: f64, other_n: f64) -> f64 {
     if greater(other_n, -other_n) > greater(one_n, -one_n) { other_n } else { one_n }
 }

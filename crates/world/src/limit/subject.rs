@@ -1,10 +1,10 @@
-//! What a limit is on, in words.
+//! Says in words what a limit of motions, lines or fenders limits.
 
 use super::{LimitSetup, Limited};
 use crate::setup::Setup;
 
 impl LimitSetup {
-    /// What is limited, in words.
+    /// The motion or load that the limit limits, in words.
     #[must_use]
     pub fn subject(&self, setup: &Setup) -> String {
         match self.what {
@@ -12,8 +12,11 @@ impl LimitSetup {
                 let name = &setup.bodies[setup.world.vessels[vessel].body].name;
                 format!("{} of {name}, {}", motion.word(), measure.word())
             }
-            Limited::Lines => "largest tension of a line over its break load".to_owned(),
-            Limited::Fenders => "largest use of a fender over its rating".to_owned(),
+            Limited::Lines => "largest tension of a line divided by its break load".to_owned(),
+            Limited::Fenders => {
+                "largest energy, deflection or reaction of a fender divided by its rating"
+                    .to_owned()
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Orders with indices instead of names: the kinds of orders, and the conversion from and to arguments. All matches are
-//! exhaustive, so the program does not compile if an order of the table is missing.
+//! Orders with indices instead of names: the kinds of orders, and the conversion from and to arguments. All matches of
+//! this module are exhaustive, so the program does not compile if an order of the table is missing.
 
 use fenderline_contact::Vec2;
 
@@ -18,16 +18,16 @@ pub struct Order {
     pub action: Action,
 }
 
-/// An order without its time: target and content.
+/// An order without the time at which it is given: the target and the content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// An order to a vessel, by her index in [`crate::world::WorldSetup::vessels`].
+    /// An order to a vessel, by the vessel's index in [`crate::world::WorldSetup::vessels`].
     Vessel(usize, VesselAction),
-    /// An order to a vector tug, by her index in [`crate::world::WorldSetup::tugs`].
+    /// An order to a vector tug, by the tug's index in [`crate::world::WorldSetup::tugs`].
     Tug(usize, TugOrder),
-    /// An order to a line, by its index in [`crate::world::WorldSetup::lines`].
+    /// An order to a line, by the line's index in [`crate::world::WorldSetup::lines`].
     Line(usize, LineAction),
-    /// An order to an anchor, by its index in [`crate::world::WorldSetup::anchors`].
+    /// An order to an anchor, by the anchor's index in [`crate::world::WorldSetup::anchors`].
     Anchor(usize, AnchorAction),
 }
 
@@ -36,24 +36,25 @@ pub enum Action {
 pub enum VesselAction {
     /// Rudder angle (rad). A positive angle turns a ship that goes ahead to starboard.
     Rudder(f64),
-    /// Revolutions over full revolutions, −1 to 1.
+    /// The engine's revolutions divided by its full revolutions, −1 to 1.
     Engine(f64),
-    /// A tunnel thruster by its index, −1 (to port) to 1 (to starboard).
+    /// Sets the tunnel thruster of this index to a share of its greatest thrust, −1 (to port) to 1 (to starboard).
     Thruster(usize, f64),
-    /// An azimuth unit by its index. A value of `None` leaves power or direction unchanged.
+    /// Sets the azimuth unit of this index. A value of `None` leaves power or direction unchanged.
     Azimuth {
         /// Index into [`crate::world::VesselSetup::azimuths`].
         unit: usize,
-        /// Thrust over the thrust at rest and full power, 0 to 1.
+        /// Thrust divided by the thrust at rest and full power, 0 to 1.
         power: Option<f64>,
         /// Direction of the thrust from the bow, positive to starboard (rad).
         direction_rad: Option<f64>,
     },
-    /// Keep a heading (rad) with the rudder; or with the azimuth units if there is no rudder.
+    /// Keep a heading (rad) with the rudder, or with the azimuth units if the vessel has no rudder.
     Course(f64),
-    /// Keep a speed ahead through the water (m/s) with the engine; or with the azimuth units if there is no engine.
+    /// Keep a speed ahead through the water (m/s) with the engine, or with the azimuth units if the vessel has no
+    /// engine.
     Speed(f64),
-    /// Go to a position and stay there with engine, thrusters and tugs.
+    /// Go to a position and stay at this position with engine, thrusters and tugs.
     Station(Station),
     /// Assist a ship with the azimuth units.
     Assist(Assist),
@@ -78,39 +79,39 @@ pub enum LineAction {
 /// An order to an anchor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnchorAction {
-    /// Let the anchor go, and put the brake on when this length of chain is out.
+    /// Let the anchor go, and put the windlass's brake on when this length of chain is out (m).
     LetGo {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Pay chain out under power until this length is out.
+    /// Pay chain out under power until this length of chain is out (m).
     Veer {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Heave chain in until this length is out; 0: until the anchor is home.
+    /// Heave chain in until this length of chain is out (m); with 0, until the anchor is home.
     Heave {
         /// Chain out (m).
         chain_m: f64,
     },
     /// Brake on.
     Hold,
-    /// Slip the chain: chain and anchor are lost.
+    /// Slip the chain: the ship loses chain and anchor.
     Slip,
 }
 
-/// The position and heading that a ship must keep, and her greatest speed.
+/// The position and heading that a ship must keep, and the greatest speed of the ship on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Position of the centre of gravity (m).
+    /// Position of the ship's centre of gravity (m).
     pub position_m: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
-    /// The greatest surge and sway velocity (m/s).
+    /// The greatest surge and sway velocity of the ship (m/s).
     pub fastest_mps: [f64; 2],
 }
 
-/// The target of an order, by index.
+/// The target of an order, given by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Target {
     /// A vessel.
@@ -148,7 +149,7 @@ impl Action {
         }
     }
 
-    /// Row of the action in the table of orders.
+    /// Name of the action's row in the table of orders.
     #[must_use]
     pub fn name(&self) -> OrderName {
         match self {
@@ -185,8 +186,8 @@ impl Action {
 }
 
 impl Action {
-    /// Arguments of the action, by their names in the table of orders. [`OrderName::build`] builds the same action from
-    /// them.
+    /// Arguments of the action, with their names in the table of orders. [`OrderName::build`] builds the same action
+    /// from these arguments.
     #[must_use]
     pub fn arguments(&self) -> Arguments {
         let all = Arguments::new();

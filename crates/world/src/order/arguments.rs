@@ -1,4 +1,4 @@
-//! Arguments of an order, by their names in the table.
+//! Arguments of an order, with their names in the table of orders.
 
 use fenderline_contact::Vec2;
 
@@ -6,7 +6,7 @@ use super::error::OrderError;
 use super::table::{Absent, ArgumentKind, OrderName};
 use crate::setup::Setup;
 
-/// The value of an argument.
+/// The value of an argument of an order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// A number in its SI unit.
@@ -17,7 +17,8 @@ pub enum Value {
     Index(usize),
 }
 
-/// The arguments of an order by their names in the table. Absent arguments have their defaults.
+/// The arguments of an order, with their names in the table of orders. An argument that is absent has its default
+/// value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arguments(Vec<(&'static str, Value)>);
 
@@ -46,24 +47,24 @@ impl Arguments {
         self.0.iter().copied()
     }
 
-    /// The value of an argument, if it is given.
+    /// The value of the argument of this name; `None` if it is not given.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Value> {
         self.iter().find(|(given, _)| *given == name).map(|(_, value)| value)
     }
 }
 
-/// The arguments given for one order, read by name.
+/// Reads the arguments given for one order by their names.
 pub(super) struct Given<'a> {
     order: OrderName,
     arguments: &'a Arguments,
 }
 
 impl<'a> Given<'a> {
-    /// The arguments, checked against the table.
+    /// The arguments, checked against the order's row in the table.
     ///
     /// # Errors
-    /// The first argument that the order does not have, or that has the wrong kind.
+    /// Returns the first argument that the order does not have, or whose value has the wrong kind.
     pub(super) fn new(order: OrderName, arguments: &'a Arguments) -> Result<Given<'a>, OrderError> {
         for (name, value) in arguments.iter() {
             let fits = order.spec().argument(name).is_some_and(|argument| {

@@ -1,4 +1,4 @@
-//! Orders from words and arguments.
+//! Builds orders from words and arguments.
 
 use super::action::{Action, AnchorAction, LineAction, Station, VesselAction};
 use super::arguments::{Arguments, Given};
@@ -14,7 +14,8 @@ impl OrderName {
     /// Builds the action from a target's index and arguments, and checks it with [`super::check()`].
     ///
     /// # Errors
-    /// [`OrderError`]: an argument that is missing, unknown or out of its limits; a target or gear that does not exist.
+    /// Fails with an [`OrderError`] if an argument is missing, unknown or outside its limits, or if the target or its
+    /// gear does not exist.
     pub fn build(
         self,
         target: usize,

@@ -1,4 +1,5 @@
-//! Checks whether an order can be carried out in a set-up. The same check serves scenarios, sessions, Python and FMUs.
+//! Checks whether an order can be carried out in a set-up. Scenarios, live sessions, Python and FMUs use the same
+//! check.
 
 use super::action::{Action, AnchorAction, LineAction, Order, Target, VesselAction};
 use super::arguments::Value;
@@ -8,10 +9,10 @@ use crate::error::SetupError;
 use crate::setup::Setup;
 use crate::world::{AnchorSetup, Assist, Environment, Job, LineEnd};
 
-/// Checks target, limits, names and gear of an order.
+/// Checks an order: its target, the limits and names of its arguments, and the gear of the target.
 ///
 /// # Errors
-/// The first fault.
+/// Returns the first fault of the order.
 pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     let world = &setup.world;
     let (index, count) = match action.target() {
@@ -57,7 +58,7 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     }
 }
 
-/// Does as [`check()`], and also checks the time of the order.
+/// Checks an order as [`check()`] does, and also checks the order's time.
 pub fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
     if !order.at_s.is_finite() {
         return Err(SetupError::OutOfRange { field: "the time of an order", value: order.at_s });
@@ -65,7 +66,7 @@ pub fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
     check(&order.action, setup).map_err(SetupError::Order)
 }
 
-/// The user's name of the target of an order.
+/// The name that the user gave the target of an order.
 fn name_of(target: Target, setup: &Setup) -> String {
     let world = &setup.world;
     match target {
@@ -139,8 +140,8 @@ fn check_anchor(
     Ok(())
 }
 
-/// Checks an order to assist. A tug may assist only another body that she may touch or has a line to, with at most her
-/// bollard pull.
+/// Checks an order to assist. A tug may assist only another body: one that the tug may touch, or to which the tug has a
+/// line. The force is at most the tug's bollard pull.
 fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), OrderError> {
     let tug = &setup.world.vessels[vessel];
     let name = |body: usize| setup.bodies[body].name.clone();

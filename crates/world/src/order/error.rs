@@ -9,37 +9,37 @@ use fenderline_ship::anchor::{LostBy, SHACKLE_M};
 use super::table::{Argument, Gear, OrderName, TargetKind};
 use crate::world::NotAtTheSide;
 
-/// The reason why an order cannot be carried out. Nothing was changed.
+/// The reason why an order cannot be carried out. An order with such an error changes nothing.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OrderError {
-    /// There is no vessel, tug, line or anchor of this index.
+    /// No vessel, tug, line or anchor has this index.
     NoTarget {
-        /// The kind of target.
+        /// Kind of target of the order.
         kind: TargetKind,
         /// The index.
         index: usize,
     },
-    /// A required argument is missing.
+    /// A required argument of the order is missing.
     Missing {
         /// The order.
         order: OrderName,
         /// The argument's name.
         argument: &'static str,
     },
-    /// The order has no such argument, or has it with another kind.
+    /// The order has no argument of this name, or has the argument with another kind of value.
     Unknown {
         /// The order.
         order: OrderName,
-        /// The name that was given.
+        /// Name of the argument that was given.
         argument: String,
     },
-    /// The value is of another kind than the argument.
+    /// The value is of another kind than the argument needs.
     WrongKind {
         /// The argument.
         argument: &'static Argument,
     },
-    /// A number is not within its limits.
+    /// The number given for an argument is outside the argument's limits.
     OutOfRange {
         /// The argument.
         argument: &'static Argument,
@@ -50,32 +50,32 @@ pub enum OrderError {
         /// The greatest value allowed.
         high: f64,
     },
-    /// The index does not exist.
+    /// No object that the argument can name has this index.
     NoIndex {
         /// The argument.
         argument: &'static Argument,
         /// The index.
         index: usize,
     },
-    /// There is no body of this index.
+    /// No body has this index.
     NoBody(usize),
-    /// The target lacks the gear that the order needs.
+    /// The target does not have the gear that the order needs.
     NoGear {
         /// The target.
         who: String,
-        /// The gear that the target lacks.
+        /// The gear that the target does not have.
         gear: Gear,
     },
-    /// An azimuth unit is given neither a power nor a direction.
+    /// The order to an azimuth unit gives neither a power nor a direction.
     Nothing,
-    /// The place to push is not at the ship's side.
+    /// The place at which the tug must push is not at the ship's side.
     NotAtTheSide(NotAtTheSide),
-    /// A tug is ordered to assist herself.
+    /// The order asks a tug to assist herself.
     TugHerself {
         /// The tug.
         tug: String,
     },
-    /// No pair of the scenario lets tug and ship touch.
+    /// The scenario has no pair of the tug and the ship, so the two cannot touch.
     NoPair {
         /// The ship.
         ship: String,
@@ -85,14 +85,14 @@ pub enum OrderError {
         /// The line.
         line: String,
     },
-    /// The force is more than the tug's bollard pull.
+    /// The force that the order asks for is more than the tug's bollard pull.
     BeyondBollardPull {
-        /// The force (N).
+        /// The force that the order asks for (N).
         force_n: f64,
         /// The tug's bollard pull (N).
         pull_n: f64,
     },
-    /// The ship has no side at the place that the words name.
+    /// The ship has no side at the place that the words of the order name.
     NoPlace {
         /// The ship.
         ship: String,
@@ -102,7 +102,7 @@ pub enum OrderError {
         /// The ship.
         ship: String,
     },
-    /// The line is on board, so there is nothing to heave, to pay out or to let go.
+    /// The line is on board, so the ship cannot heave it, pay it out or let it go.
     LineAboard {
         /// The line.
         line: String,
@@ -117,7 +117,7 @@ pub enum OrderError {
         /// The line.
         line: String,
     },
-    /// The line is already fast, or will be made fast without an order.
+    /// The line is already fast, or line handlers will make it fast without an order.
     LineInUse {
         /// The line.
         line: String,
@@ -129,15 +129,15 @@ pub enum OrderError {
         /// The bollard.
         bollard: String,
     },
-    /// The bollard has as many lines as it takes.
+    /// The bollard already has as many lines as it can take.
     BollardTaken {
         /// The bollard.
         bollard: String,
-        /// How many lines the bollard takes.
+        /// Number of lines that the bollard can take.
         most_lines: usize,
     },
-    /// The bollard is too far away: farther than the rope reaches or, if there is no boat, farther than a heaving line
-    /// reaches.
+    /// The bollard is farther from the fairlead than the rope reaches or, if the scenario has no line boat, than a
+    /// heaving line reaches.
     OutOfReach {
         /// The line.
         line: String,
@@ -145,26 +145,26 @@ pub enum OrderError {
         bollard: String,
         /// Distance from fairlead to bollard (m).
         distance_m: f64,
-        /// The reach (m).
+        /// Reach of the rope or of the heaving line (m).
         reach_m: f64,
-        /// The rope or heaving line that reaches no farther.
+        /// Word for the rope or heaving line that does not reach the bollard.
         by: &'static str,
     },
     /// The order asks for more chain than the anchor has.
     ChainTooShort {
         /// The anchor.
         anchor: String,
-        /// The chain that the order asks for (m).
+        /// Length of chain that the order asks for (m).
         chain_m: f64,
         /// Length of the anchor's chain (m).
         length_m: f64,
     },
-    /// An anchor is let go in deep water: the scenario gives no depth.
+    /// The order lets an anchor go in deep water: the scenario gives no depth.
     NoBottom {
         /// The anchor.
         anchor: String,
     },
-    /// An anchor is let go in water that is deeper than its chain is long.
+    /// The order lets an anchor go where the hawse pipe is higher above the bottom than the chain is long.
     TooDeep {
         /// The anchor.
         anchor: String,
@@ -173,39 +173,39 @@ pub enum OrderError {
         /// Length of the anchor's chain (m).
         length_m: f64,
     },
-    /// The anchor is lost.
+    /// The ship has lost the anchor.
     AnchorLost {
         /// The anchor.
         anchor: String,
-        /// How the anchor was lost.
+        /// How the ship lost the anchor.
         by: LostBy,
     },
-    /// The anchor is home: there is nothing to heave, to hold or to slip.
+    /// The anchor is home in the hawse pipe, so the ship cannot heave, hold or slip its chain.
     AnchorHome {
         /// The anchor.
         anchor: String,
     },
-    /// The anchor is on the bottom already.
+    /// The anchor is already on the bottom.
     AnchorDown {
         /// The anchor.
         anchor: String,
     },
-    /// There is no chain to move. An order to veer asks for no more chain than is already out, or an order to heave for
-    /// no less.
+    /// The order moves no chain. An order to veer asks for no more chain than is already out, or an order to heave asks
+    /// for no less.
     NoChainToMove {
         /// The anchor.
         anchor: String,
-        /// Chain out (m).
+        /// Length of chain that is out (m).
         out_m: f64,
-        /// Whether more chain than is out must be asked for; false: less.
+        /// True if the order must ask for more chain than is out; false if the order must ask for less.
         more: bool,
     },
-    /// The windlass has no power.
+    /// The windlass of the anchor has no power.
     WindlassFailed {
         /// The anchor.
         anchor: String,
     },
-    /// A station pilot of the ship uses the tug.
+    /// A pilot that keeps the ship on her station uses the tug.
     TugOfStation {
         /// The ship.
         ship: String,
@@ -260,7 +260,7 @@ impl fmt::Display for OrderError {
                 write!(f, "there is no {} of index {index}", kind.word())
             }
             OrderError::Missing { order, argument } => {
-                write!(f, "the order `{}` needs `{argument}`", order.spec().word)
+                write!(f, "the order `{}` needs the argument `{argument}`", order.spec().word)
             }
             OrderError::Unknown { order, argument } => {
                 write!(
@@ -270,7 +270,7 @@ impl fmt::Display for OrderError {
                 )
             }
             OrderError::WrongKind { argument } => {
-                write!(f, "the {} is not of its kind", argument.meaning)
+                write!(f, "the value of the {} is of the wrong kind", argument.meaning)
             }
             OrderError::OutOfRange { argument, value, low, high } => {
                 let unit = match argument.kind {
@@ -294,21 +294,23 @@ impl fmt::Display for OrderError {
                 f.write_str("the order asks for nothing: give a power, a direction or both")
             }
             OrderError::NotAtTheSide(error) => error.fmt(f),
-            OrderError::TugHerself { tug } => write!(f, "`{tug}` is the tug herself"),
+            OrderError::TugHerself { tug } => {
+                write!(f, "`{tug}` is the tug herself, but a tug can assist only another body")
+            }
             OrderError::NoPair { ship } => {
-                write!(f, "no pair in the scenario lets her touch `{ship}`")
+                write!(f, "no pair in the scenario lets the tug touch `{ship}`")
             }
             OrderError::LineElsewhere { line } => {
-                write!(f, "line `{line}` is not between her and a ship")
+                write!(f, "line `{line}` is not between the tug and a ship")
             }
             OrderError::BeyondBollardPull { force_n, pull_n } => write!(
                 f,
-                "the force must be at most her bollard pull of {} kN, but is {} kN",
+                "the force must be at most the tug's bollard pull of {} kN, but is {} kN",
                 pull_n / 1e3,
                 force_n / 1e3
             ),
-            OrderError::NoPlace { ship } => write!(f, "`{ship}` has no side there"),
-            OrderError::NoTowline { ship } => write!(f, "she has no line to `{ship}`"),
+            OrderError::NoPlace { ship } => write!(f, "`{ship}` has no side at this place"),
+            OrderError::NoTowline { ship } => write!(f, "the tug has no line to `{ship}`"),
             OrderError::LineAboard { line } => write!(f, "line `{line}` is on board"),
             OrderError::LineUnderWay { line } => {
                 write!(f, "line `{line}` is on its way to a bollard")
@@ -322,26 +324,29 @@ impl fmt::Display for OrderError {
             }
             OrderError::BollardTaken { bollard, most_lines } => write!(
                 f,
-                "bollard `{bollard}` takes {most_lines} line{} and has as many",
+                "bollard `{bollard}` takes {most_lines} line{} and already has as many",
                 if *most_lines == 1 { "" } else { "s" }
             ),
             OrderError::OutOfReach { line, bollard, distance_m, reach_m, by } => write!(
                 f,
-                "bollard `{bollard}` is {distance_m:.0} m from the fairlead of line `{line}`, but {by} reaches {reach_m:.0} m"
+                "bollard `{bollard}` is {distance_m:.0} m from the fairlead of line `{line}`, but \
+                 {by} reaches {reach_m:.0} m"
             ),
             OrderError::ChainTooShort { anchor, chain_m, length_m } => write!(
                 f,
-                "the chain of anchor `{anchor}` is {length_m:.1} m long ({}), less than {chain_m:.1} m",
+                "the chain of anchor `{anchor}` is {length_m:.1} m long ({}), less than \
+                 {chain_m:.1} m",
                 shackles(*length_m)
             ),
             OrderError::NoBottom { anchor } => write!(
                 f,
-                "anchor `{anchor}` finds no bottom: the water is deep, as the scenario gives no depth"
+                "anchor `{anchor}` finds no bottom: the water is deep, because the scenario gives \
+                 no depth"
             ),
             OrderError::TooDeep { anchor, reach_m, length_m } => write!(
                 f,
-                "the water is too deep for anchor `{anchor}`: its hawse pipe is {reach_m:.1} m above the bottom, and its \
-                 chain is {length_m:.1} m long ({})",
+                "the water is too deep for anchor `{anchor}`: the hawse pipe is {reach_m:.1} m above the \
+                 bottom, and the chain is {length_m:.1} m long ({})",
                 shackles(*length_m)
             ),
             OrderError::AnchorLost { anchor, by } => {
@@ -350,33 +355,35 @@ impl fmt::Display for OrderError {
                     LostBy::Parted => "its chain parted",
                     LostBy::RanOut => "its chain ran out",
                 };
-                write!(f, "anchor `{anchor}` is gone: {how}")
+                write!(f, "anchor `{anchor}` is lost: {how}")
             }
             OrderError::AnchorHome { anchor } => {
                 write!(f, "anchor `{anchor}` is home in its hawse pipe")
             }
             OrderError::AnchorDown { anchor } => {
-                write!(f, "anchor `{anchor}` is on the bottom already: veer chain instead")
+                write!(f, "anchor `{anchor}` is already on the bottom: veer chain instead")
             }
             OrderError::NoChainToMove { anchor, out_m, more } => write!(
                 f,
-                "anchor `{anchor}` has {out_m:.1} m of chain out ({}) already: ask for {} than that",
+                "anchor `{anchor}` has {out_m:.1} m of chain out ({}): ask for {} than this length",
                 shackles(*out_m),
                 if *more { "more" } else { "less" }
             ),
             OrderError::WindlassFailed { anchor } => write!(
                 f,
-                "the windlass of anchor `{anchor}` has no power: the anchor can only be let go, held or slipped"
+                "the windlass of anchor `{anchor}` has no power: the anchor can only be let go, \
+                 held or slipped"
             ),
             OrderError::TugOfStation { ship } => write!(
                 f,
-                "the pilot that keeps `{ship}` on her station uses her tugs: steer her by hand first"
+                "the pilot that keeps `{ship}` on her station uses the ship's tugs: first steer \
+                 the ship by hand"
             ),
         }
     }
 }
 
-/// A length of chain in shackles.
+/// A length of chain as text in shackles.
 fn shackles(length_m: f64) -> String {
     format!("{:.1} shackles", length_m / SHACKLE_M)
 }

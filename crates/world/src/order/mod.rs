@@ -1,9 +1,9 @@
 //! Orders from a person, a file or another program to a vessel, a tug, a line or an anchor.
 //!
-//! [`OrderName`] is the table of all orders. For each order it has the word, the target, the arguments with units,
-//! limits and defaults, and the required gear. Scenario files, live sessions, Python and FMUs only translate their own
-//! names into [`Arguments`] and call [`OrderName::build`]. [`check()`] is the only place where limits and gear are
-//! checked. `docs/design/orders.md` follows an order from the button to the rudder.
+//! [`OrderName`] is the table of all orders. For each order the table has the word, the target, the arguments with
+//! units, limits and defaults, and the required gear. Scenario files, live sessions, Python and FMUs translate only
+//! their own names into [`Arguments`] and call [`OrderName::build`]. [`check()`] is the only place where limits and
+//! gear are checked. `docs/design/orders.md` explains the way of an order from a button on a page to the rudder.
 
 mod action;
 mod arguments;

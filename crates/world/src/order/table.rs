@@ -1,4 +1,5 @@
-//! The table of orders: the only place where an order's word, arguments, units, limits, defaults and gear are written.
+//! The table of orders: the only place that gives the word, the arguments, the units, the limits, the defaults and the
+//! gear of an order.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,7 +7,7 @@ use crate::setup::Setup;
 use fenderline_ship::constants::KNOT_MPS;
 use fenderline_ship::mooring::InboardEnd;
 
-/// The kind of target of an order.
+/// Kind of the target of an order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetKind {
     /// A vessel.
@@ -26,7 +27,7 @@ pub enum Gear {
     None,
     /// Propeller and rudder.
     PropellerAndRudder,
-    /// Propeller and rudder, or azimuth units instead.
+    /// Propeller and rudder, or azimuth units.
     Steering,
     /// The target must have at least one tunnel thruster.
     Thrusters,
@@ -36,7 +37,7 @@ pub enum Gear {
     Winch,
 }
 
-/// The unit of a number.
+/// Unit of a number in an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// No unit: a share of the greatest value.
@@ -54,7 +55,7 @@ pub enum Unit {
 /// What an argument holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ArgumentKind {
-    /// A number within limits, both included.
+    /// A number between two limits; both limits are allowed.
     Number {
         /// Unit of the number.
         unit: Unit,
@@ -63,49 +64,49 @@ pub enum ArgumentKind {
         /// The greatest value.
         high: f64,
     },
-    /// Two coordinates (m), each of limited size.
+    /// Two coordinates (m), each with a greatest magnitude.
     Place {
         /// The greatest magnitude of a coordinate (m).
         most_m: f64,
         /// The axes of the coordinates.
         frame: Frame,
     },
-    /// The name of something.
+    /// The name of an object of the scenario.
     Name(Named),
 }
 
-/// The axes of a place.
+/// The axes of the coordinates of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// North and east.
+    /// The coordinates are north and east.
     Earth,
-    /// Forward and to starboard of a body's origin.
+    /// The coordinates are forward and to starboard of a body's origin.
     Body,
 }
 
 /// The kind of object that a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named {
-    /// One of the vessel's tunnel thrusters.
+    /// The object is one of the vessel's tunnel thrusters.
     Thruster,
-    /// One of the vessel's azimuth units.
+    /// The object is one of the vessel's azimuth units.
     AzimuthUnit,
-    /// Any body of the scenario.
+    /// The object is any body of the scenario.
     Body,
-    /// Any line of the scenario.
+    /// The object is any line of the scenario.
     Line,
-    /// Any bollard of the scenario.
+    /// The object is any bollard of the scenario.
     Bollard,
 }
 
-/// The meaning of an absent argument.
+/// What an order means if an argument is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Absent {
     /// The argument is required.
     Refused,
-    /// This value, with a text for it.
+    /// The argument then has this value. The text gives the value with its unit.
     Is(f64, &'static str),
-    /// The meaning in this text.
+    /// The text says what the order then means.
     Means(&'static str),
 }
 
@@ -118,11 +119,11 @@ pub struct Argument {
     pub kind: ArgumentKind,
     /// Default of the argument.
     pub absent: Absent,
-    /// Meaning of the argument, for messages.
+    /// Meaning of the argument, as messages give it.
     pub meaning: &'static str,
 }
 
-/// One row of the table.
+/// One row of the table of orders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrderSpec {
     /// The word that scenario files and pages use.
@@ -133,7 +134,7 @@ pub struct OrderSpec {
     pub gear: Gear,
     /// Arguments of the order.
     pub arguments: &'static [Argument],
-    /// Meaning of the order, for messages.
+    /// Meaning of the order, as messages give it.
     pub meaning: &'static str,
 }
 
@@ -142,14 +143,14 @@ macro_rules! orders {
         #[doc = $meaning:literal]
         $name:ident = $word:literal to $target:ident with $gear:ident: $arguments:expr;
     )*) => {
-        /// All orders. [`OrderName::spec`] gives the row of an order.
+        /// All orders. [`OrderName::spec`] gives the row of an order in the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum OrderName {
             $(#[doc = $meaning] $name,)*
         }
 
         impl OrderName {
-            /// All orders, in the sequence of the table.
+            /// All orders, in the sequence of the rows of the table.
             pub const ALL: &'static [OrderName] = &[$(OrderName::$name),*];
         }
 
@@ -168,51 +169,58 @@ orders! {
     Rudder = "rudder" to Vessel with PropellerAndRudder:
         &[number("angle", Unit::Radian, -FRAC_PI_2, FRAC_PI_2, "rudder angle")];
     /// Set the engine to a share of full revolutions, positive ahead.
-    Engine = "engine" to Vessel with PropellerAndRudder: &[share("share", "revolutions over full revolutions")];
+    Engine = "engine" to Vessel with PropellerAndRudder: &[share("share", "revolutions divided by full revolutions")];
     /// Set a tunnel thruster to a share of its greatest thrust, positive to starboard.
     Thruster = "thruster" to Vessel with Thrusters: &[
         name("name", Named::Thruster, "thruster"),
-        share("power", "thrust over the greatest"),
+        share("power", "thrust divided by the greatest thrust"),
     ];
     /// Set an azimuth unit to a power, a direction or both.
     Azimuth = "azimuth" to Vessel with AzimuthUnits: &[
         name("name", Named::AzimuthUnit, "azimuth unit"),
-        Argument { absent: UNCHANGED, ..number("power", Unit::Share, 0.0, 1.0, "thrust over the thrust at rest and full power") },
-        Argument { absent: UNCHANGED, ..angle("direction", "direction of the thrust from the bow") },
+        Argument { absent: UNCHANGED, ..number("power", Unit::Share, 0.0, 1.0,
+            "thrust divided by the thrust at rest and full power") },
+        Argument { absent: UNCHANGED, ..angle("direction", "direction of the thrust, measured from the bow") },
     ];
     /// Keep a heading.
     Course = "course" to Vessel with Steering: &[angle("heading", "heading")];
     /// Keep a speed ahead through the water.
-    Speed = "speed" to Vessel with Steering: &[number("speed", Unit::MetrePerSecond, -30.0, 30.0, "speed ahead")];
-    /// Go to a place and stay there with engine, thrusters and tugs.
-    Station = "station" to Vessel with None: &[
-        place("position", Frame::Earth, 1e8, "place of the centre of gravity"),
-        angle("heading", "heading"),
-        Argument { absent: Absent::Is(0.5, "0.5 m/s"), ..fastest("surge", "greatest surge velocity") },
-        Argument { absent: Absent::Is(0.2, "0.2 m/s"), ..fastest("sway", "greatest sway velocity") },
+    Speed = "speed" to Vessel with Steering: &[
+        number("speed", Unit::MetrePerSecond, -30.0, 30.0, "speed ahead through the water"),
     ];
-    /// Go to a ship's side and push there.
+    /// Go to a place and stay at this place with engine, thrusters and tugs.
+    Station = "station" to Vessel with None: &[
+        place("position", Frame::Earth, 1e8, "position of the ship's centre of gravity"),
+        angle("heading", "heading"),
+        Argument { absent: Absent::Is(0.5, "0.5 m/s"), ..fastest("surge", "greatest surge velocity of the ship") },
+        Argument { absent: Absent::Is(0.2, "0.2 m/s"), ..fastest("sway", "greatest sway velocity of the ship") },
+    ];
+    /// Go to a ship's side and push at this side.
     PushShip = "push_ship" to Vessel with AzimuthUnits: &[
         name("ship", Named::Body, "ship"),
         place("at", Frame::Body, FARTHEST_BESIDE_M, "place at the ship's side"),
         force("force"),
-        Argument { absent: Absent::Is(2.0 * KNOT_MPS, "2 kn"), ..fastest("speed", "greatest speed beside the ship") },
+        Argument { absent: Absent::Is(2.0 * KNOT_MPS, "2 kn"), ..fastest("speed",
+            "greatest speed of the tug beside the ship") },
     ];
     /// Pull on a line to a ship.
     PullShip = "pull_ship" to Vessel with AzimuthUnits: &[
         name("line", Named::Line, "line"),
         force("force"),
-        angle("direction", "direction of the pull from the ship's bow"),
-        Argument { absent: Absent::Is(2.0 * KNOT_MPS, "2 kn"), ..fastest("speed", "greatest speed beside the ship") },
+        angle("direction", "direction of the pull, measured from the ship's bow"),
+        Argument { absent: Absent::Is(2.0 * KNOT_MPS, "2 kn"), ..fastest("speed",
+            "greatest speed of the tug beside the ship") },
     ];
     /// Keep a place and a heading beside a ship.
     FollowShip = "follow_ship" to Vessel with AzimuthUnits: &[
         name("ship", Named::Body, "ship"),
         place("at", Frame::Body, FARTHEST_BESIDE_M, "place beside the ship"),
-        Argument { absent: Absent::Is(0.0, "the ship's"), ..angle("heading", "heading from the ship's") },
-        Argument { absent: Absent::Is(4.0 * KNOT_MPS, "4 kn"), ..fastest("speed", "greatest speed beside the ship") },
+        Argument { absent: Absent::Is(0.0, "the ship's heading"), ..angle("heading",
+            "heading of the tug, measured from the ship's heading") },
+        Argument { absent: Absent::Is(4.0 * KNOT_MPS, "4 kn"), ..fastest("speed",
+            "greatest speed of the tug beside the ship") },
     ];
-    /// Hand steering: all pilots are switched off, and the controls stay where they are.
+    /// Steer by hand: switch off all pilots, and leave the controls as they are.
     Hands = "hands" to Vessel with None: &[];
     /// Push at the hull.
     Push = "push" to Tug with None: TUG_FORCE;
@@ -220,21 +228,21 @@ orders! {
     Pull = "pull" to Tug with None: TUG_FORCE;
     /// Stand by without force.
     StandBy = "stand_by" to Tug with None: &[];
-    /// Heave in on the winch.
+    /// Heave the line in with the winch.
     Heave = "heave" to Line with Winch: WINCH_RATE;
-    /// Pay out on the winch.
+    /// Pay the line out with the winch.
     PayOut = "pay_out" to Line with Winch: WINCH_RATE;
-    /// Hold on the winch's brake.
+    /// Hold the line on the winch's brake.
     Hold = "hold" to Line with Winch: &[];
-    /// Send the line to a bollard. Line handlers make it fast there.
+    /// Send the line to a bollard. Line handlers make the line fast at this bollard.
     Send = "send" to Line with None: &[name("bollard", Named::Bollard, "bollard")];
     /// Let the line go. The line is then hauled in.
     LetGo = "let_go" to Line with None: &[];
     /// Let the anchor go, and hold on the brake when this length of chain is out.
     LetGoAnchor = "let_go_anchor" to Anchor with None: CHAIN_OUT;
-    /// Veer: pay chain out under power until this length is out.
+    /// Veer: pay chain out under power until this length of chain is out.
     Veer = "veer" to Anchor with None: CHAIN_OUT;
-    /// Heave chain in until this length is out; 0 brings the anchor home.
+    /// Heave chain in until this length of chain is out; 0 brings the anchor home.
     HeaveIn = "heave_in" to Anchor with None: CHAIN_OUT;
     /// Hold the chain on the windlass's brake.
     HoldChain = "hold_chain" to Anchor with None: &[];
@@ -242,19 +250,20 @@ orders! {
     Slip = "slip" to Anchor with None: &[];
 }
 
-/// Largest distance of a position from a ship's centre of gravity, along and across (m).
+/// Largest distance of a position from a ship's centre of gravity, along the ship and across it (m).
 const FARTHEST_BESIDE_M: f64 = 1e4;
-const UNCHANGED: Absent = Absent::Means("as before");
+const UNCHANGED: Absent = Absent::Means("unchanged");
 const TUG_FORCE: &[Argument] = &[
     force("force"),
     Argument {
         absent: Absent::Means(
-            "square to the hull, away from her side for a push and towards it for a pull",
+            "square to the hull: away from the side at which the tug works for a push, towards \
+             this side for a pull",
         ),
-        ..angle("direction", "direction of the force from the ship's bow")
+        ..angle("direction", "direction of the force, measured from the ship's bow")
     },
 ];
-/// Chain out, from the hawse pipe.
+/// Length of chain out, measured from the hawse pipe.
 const CHAIN_OUT: &[Argument] = &[number("chain", Unit::Metre, 0.0, 5000.0, "chain out")];
 const WINCH_RATE: &[Argument] = &[number("rate", Unit::MetrePerSecond, 0.0, 20.0, "winch's rate")];
 
@@ -277,7 +286,7 @@ const fn share(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Share, -1.0, 1.0, meaning)
 }
 
-/// An argument for an angle. Any angle is allowed, also more than a full turn.
+/// An argument for an angle. Any angle is allowed, even more than a full turn.
 const fn angle(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Radian, -100.0, 100.0, meaning)
 }
@@ -299,22 +308,22 @@ const fn name(name: &'static str, named: Named, meaning: &'static str) -> Argume
 }
 
 impl OrderName {
-    /// Row of the order in the table.
+    /// Row of the order in the table of orders.
     #[must_use]
     pub const fn spec(self) -> &'static OrderSpec {
         &TABLE[self as usize]
     }
 
-    /// The order with this word.
+    /// The order with this word; `None` if no order has it.
     #[must_use]
     pub fn of_word(word: &str) -> Option<OrderName> {
         OrderName::ALL.iter().copied().find(|name| name.spec().word == word)
     }
 
-    /// The limits of a number. In a constant a wrong name is a compile error.
+    /// The limits of an argument that is a number or a place. In a constant, a wrong name is a compile error.
     ///
     /// # Panics
-    /// If the order has no number of this name.
+    /// Panics if the order has no number and no place of this name.
     #[must_use]
     pub const fn limits(self, argument: &str) -> [f64; 2] {
         let all = self.spec().arguments;
@@ -333,7 +342,7 @@ impl OrderName {
     }
 }
 
-/// Whether two texts are equal; usable in constants.
+/// True if two texts are equal. Constants can use this function.
 const fn is_same(one: &str, other: &str) -> bool {
     let (one, other) = (one.as_bytes(), other.as_bytes());
     if one.len() != other.len() {
@@ -350,7 +359,7 @@ const fn is_same(one: &str, other: &str) -> bool {
 }
 
 impl OrderSpec {
-    /// The argument with this name.
+    /// The argument with this name; `None` if the order has no such argument.
     #[must_use]
     pub fn argument(&self, name: &str) -> Option<&'static Argument> {
         self.arguments.iter().find(|argument| argument.name == name)
@@ -384,7 +393,7 @@ impl TargetKind {
 }
 
 impl Unit {
-    /// The ending of names with this unit.
+    /// The ending of the names of numbers with this unit.
     #[must_use]
     pub const fn suffix(self) -> &'static str {
         match self {
@@ -410,7 +419,7 @@ impl Unit {
 }
 
 impl Gear {
-    /// The missing gear, for a sentence that begins with "has no".
+    /// Word for the missing gear, for a sentence that begins with "has no".
     #[must_use]
     pub const fn missing(self) -> &'static str {
         match self {
@@ -423,7 +432,8 @@ impl Gear {
         }
     }
 
-    /// True if a target has the gear. The index is that of a line if the gear is a winch, else that of a vessel.
+    /// True if a target has the gear. The target is the index of a line if the gear is a winch; otherwise the target is
+    /// the index of a vessel.
     #[must_use]
     pub fn is_on(self, target: usize, setup: &Setup) -> bool {
         let vessel = || setup.world.vessels.get(target);

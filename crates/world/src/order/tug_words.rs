@@ -1,4 +1,4 @@
-//! Orders to a tug in words, and their conversion to an order with force, direction and position.
+//! Orders to a tug in words, and the conversion of the words to an order with force, direction and position.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -11,7 +11,7 @@ use super::table::OrderName;
 use crate::setup::Setup;
 use crate::world::LineEnd;
 
-/// A type for whose values there are words.
+/// A type with a word for each value.
 pub trait Word: Copy + PartialEq + 'static {
     /// All values.
     const ALL: &'static [Self];
@@ -19,7 +19,7 @@ pub trait Word: Copy + PartialEq + 'static {
     /// The word.
     fn word(self) -> &'static str;
 
-    /// The value of a word.
+    /// The value that a word stands for; `None` if no value has this word.
     #[must_use]
     fn of_word(word: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|one| one.word() == word)
@@ -51,13 +51,13 @@ words!(SidePlace:
 /// The order to a tug.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TugWord {
-    /// Push at the ship's side.
+    /// The tug pushes at the ship's side.
     Push,
-    /// Pull on the line.
+    /// The tug pulls on the line.
     Pull,
-    /// No force: a vector tug stands by; a tug that is a vessel stays at the ship's side.
+    /// The tug gives no force: a vector tug stands by, and a tug that is a vessel stays at the ship's side.
     Stop,
-    /// Keep clear of the ship's side. A vector tug stands by.
+    /// The tug keeps clear of the ship's side. A vector tug stands by.
     StandOff,
 }
 
@@ -67,16 +67,16 @@ pub enum Lead {
     /// Perpendicular to the side.
     #[default]
     Square,
-    /// 45° towards the ship's bow. For a tug on the centre line: 45° to starboard.
+    /// 45° from square, towards the ship's bow. For a tug on the centre line, 45° to starboard.
     Forward,
-    /// 45° towards the ship's stern. For a tug on the centre line: 45° to port.
+    /// 45° from square, towards the ship's stern. For a tug on the centre line, 45° to port.
     Aft,
 }
 
 /// A position at a ship's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SidePlace {
-    /// The position, of those below, that is nearest to the tug.
+    /// The one of the positions below that is nearest to the tug.
     #[default]
     Nearest,
     /// 0.3 of the length forward of midship, to port.
@@ -98,21 +98,22 @@ pub enum SidePlace {
 pub struct TugWords {
     /// The order.
     pub word: TugWord,
-    /// Force over the tug's bollard pull, 0 to 1.
+    /// Force divided by the tug's bollard pull, 0 to 1.
     pub power: f64,
-    /// Direction of the tug, for a pull and for the push of a vector tug.
+    /// Direction of the tug relative to the ship's side. It is for a pull, and for the push of a vector tug.
     pub lead: Lead,
-    /// The position of a tug that is a vessel.
+    /// Position of a tug that is a vessel.
     pub place: SidePlace,
 }
 
-/// A vector tug within this share of the half beam from the centre line acts along the centre line, at bow or stern.
+/// A vector tug nearer to the centre line than this share of the half beam acts along the centre line, at bow or stern.
 const CENTRE_SHARE: f64 = 0.3;
-/// A tug that stands off lies parallel to the ship, with this distance between the sides of the two (m).
+/// Distance between the sides of the ship and of a tug that stands off parallel to the ship (m).
 const STAND_OFF_M: f64 = 25.0;
 
 impl SidePlace {
-    /// Distance forward of midship over the ship's length, and the side: 1 to starboard, −1 to port.
+    /// Distance of the place forward of midship, divided by the ship's length, and the side of the place: 1 to
+    /// starboard, −1 to port.
     fn share_and_side(self) -> Option<(f64, f64)> {
         Some(match self {
             SidePlace::Nearest => return None,
@@ -133,7 +134,7 @@ impl SidePlace {
         side_at(outline, along_m, side).map(|across_m| vec2(along_m, across_m))
     }
 
-    /// The position at a ship's side nearest to a point in her frame.
+    /// The position at a ship's side that is nearest to a point in the ship's frame.
     #[must_use]
     pub fn nearest(at_m: Vec2, outline: &Outline, length_m: f64) -> Option<SidePlace> {
         let mut nearest: Option<(f64, SidePlace)> = None;
@@ -148,7 +149,8 @@ impl SidePlace {
     }
 }
 
-/// The ordinate of a hull's outline on a side (1 starboard, −1 port) at a distance forward of the ship's origin (m).
+/// The ordinate of a hull's outline on one side (1 to starboard, −1 to port) at a distance forward of the ship's origin
+/// (m).
 fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -162,8 +164,8 @@ fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     })
 }
 
-/// Direction of the force of a tug that pushes or pulls at a point of a ship, measured from the ship's bow, positive to
-/// starboard (rad). At a side a push acts inwards and a pull outwards. On the centre line, a tug at the stern pushes
+/// Direction of the force of a tug that pushes or pulls at a point of a ship: measured from the ship's bow, positive to
+/// starboard (rad). At a side, a push acts inwards and a pull outwards. On the centre line, a tug at the stern pushes
 /// ahead and pulls astern; a tug at the bow pushes astern and pulls ahead.
 fn direction_rad(at_m: Vec2, pulls: bool, lead: Lead, beam_m: f64) -> f64 {
     let lead = match lead {
@@ -203,11 +205,12 @@ impl TugWords {
         name.build(tug, &arguments, setup)
     }
 
-    /// The order to a tug that is a vessel and works at another vessel. Both vessels are given by their index among the
-    /// vessels.
+    /// The order to a tug that is a vessel and works at another vessel. Tug and ship are given by their indices among
+    /// the vessels.
     ///
     /// # Errors
-    /// The errors of [`OrderName::build`]. The ship has no side at the place, or a pull has no line to the ship.
+    /// The errors of [`OrderName::build`]. Fails if the ship has no side at the place, or if the words are a pull and
+    /// the tug has no line to the ship.
     pub fn for_vessel(
         &self,
         tug: usize,
@@ -258,7 +261,7 @@ impl TugWords {
     }
 }
 
-/// The line between a tug and a ship, given by their bodies, and the point of the line on the ship.
+/// The line between a tug and a ship, given by their bodies, and the point on the ship at which the line is fast.
 #[must_use]
 pub fn towline(setup: &Setup, tug: usize, ship: usize) -> Option<(usize, Vec2)> {
     setup.world.lines.iter().enumerate().find_map(|(index, line)| {

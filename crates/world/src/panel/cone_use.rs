@@ -1,25 +1,26 @@
-//! What a cone behind a panel took, over its part of the panel's rating.
+//! The largest loads of a cone behind a panel, and these loads divided by the cone's part of the panel's rating.
 
 use crate::fender::{FenderSetup, FenderSummary, Rated};
 
-/// What a cone took by its curve with the factor of the run, without the panel's stop, and that over the cone's own part of
-/// the panel's rating.
+/// The largest loads of a cone by its curve with the correction factors of the run, without the panel's stop, and these
+/// loads divided by the cone's part of the panel's rating.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeUse {
-    /// Largest reaction (N).
+    /// Largest reaction of the cone (N).
     pub peak_reaction_n: f64,
-    /// Energy up to its largest deflection (J).
+    /// Energy that the cone takes up to its largest deflection (J).
     pub peak_energy_j: f64,
-    /// Its largest deflection over the rated one; `None` without a rating, as the others.
+    /// Largest deflection of the cone divided by the rated deflection; `None` if the fender has no rating. This is true
+    /// of the two shares below as well.
     pub share_of_rated_deflection: Option<f64>,
-    /// The reaction over the rated one with the run's factor.
+    /// Largest reaction of the cone divided by its rated reaction with the correction factor of the run.
     pub share_of_rated_reaction: Option<f64>,
-    /// The energy over the capacity with the run's factors.
+    /// Energy of the cone divided by its capacity with the correction factors of the run.
     pub share_of_rated_energy: Option<f64>,
 }
 
 impl ConeUse {
-    /// Of a cone with this largest deflection (m). `None` for a fender with an area law.
+    /// The loads of a cone with this largest deflection (m); `None` for a fender with an area law.
     #[must_use]
     pub fn of(
         setup: &FenderSetup,

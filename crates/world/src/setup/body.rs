@@ -1,4 +1,4 @@
-//! One body of a set-up: outline, hull, mass, and how it starts.
+//! One body of a set-up: outline, hull, mass, and initial state.
 
 use fenderline_contact::{Outline, Vec2};
 
@@ -10,10 +10,10 @@ use crate::hull::HullByHeight;
 pub struct BodySetup {
     /// Unique name.
     pub name: String,
-    /// Outline in the body's frame, origin at the centre of gravity.
+    /// Outline in the body's frame, whose origin is the centre of gravity.
     pub outline: Outline,
-    /// The hull by height, which fenders meet instead of the outline; `None`: the sides of the outline are vertical.
-    /// Such a hull needs the coupled method.
+    /// The hull by height, which fenders meet instead of the outline; `None` if the sides of the outline are vertical.
+    /// A hull by height needs the coupled method.
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,
@@ -24,7 +24,7 @@ pub struct BodySetup {
     pub position_m: Vec2,
     /// Initial heading (rad).
     pub heading_rad: f64,
-    /// Initial velocity, in the body's axes.
+    /// Initial velocity of the body, in the body's axes.
     pub velocity: BodyVelocity,
 }
 
@@ -51,7 +51,7 @@ pub struct MassProperties {
     pub added_yaw_kgm2: f64,
 }
 
-/// Velocity in the body's axes.
+/// Velocity of a body, in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyVelocity {
     /// Surge velocity u, forward (m/s).

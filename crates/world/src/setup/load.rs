@@ -2,14 +2,14 @@
 
 use fenderline_contact::Vec2;
 
-/// An external load at a body's centre of gravity, earth-fixed, while `from_s ≤ t < until_s`.
+/// An external load at a body's centre of gravity, earth-fixed. The load acts while `from_s ≤ t < until_s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
     /// Index into [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Force, north and east (N).
+    /// Force of the load, north and east (N).
     pub force_n: Vec2,
-    /// Moment about the vertical, positive to starboard (N·m).
+    /// Moment of the load about the vertical, positive to starboard (N·m).
     pub moment_nm: f64,
     /// Start of the load (s).
     pub from_s: f64,

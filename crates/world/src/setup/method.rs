@@ -1,24 +1,25 @@
-//! How a run finds motion and contact.
+//! How a run calculates motion and contact.
 
 /// Time integrator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
     /// Forward Euler, as in the paper: positions move with the old velocities.
     Euler,
-    /// Semi-implicit Euler: first the velocities, then the positions with the new velocities. In the coupled method the
-    /// contact engine moves the bodies itself, as a leapfrog, in sub-steps where needed.
+    /// Semi-implicit Euler: first the velocities, then the positions with the new velocities. In the coupled method,
+    /// the contact engine moves the bodies itself, as a leapfrog, in sub-steps where needed.
     SemiImplicit,
-    /// Classical fourth-order Runge–Kutta. In the paper's method each stage computes its own contact forces. In the
-    /// coupled method the mean contact wrench of the step acts in all stages.
+    /// Classical fourth-order Runge–Kutta. In the paper's method, each stage computes its own contact forces. In the
+    /// coupled method, the mean contact wrench of the step acts in all stages.
     Rk4,
 }
 
 /// Contact method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// All contacts and loads of a step are solved together, in sub-steps where needed, with the full mass matrix of
-    /// each body.
+    /// The engine solves all contacts and loads of a step together, in sub-steps where needed, with the full mass
+    /// matrix of each body.
     Coupled,
-    /// The paper's method: each pair is limited by itself (eq. 9–26), with the smaller added mass in all directions.
+    /// The paper's method: the limiter treats each pair by itself (eq. 9–26), with the smaller added mass in all
+    /// directions.
     Paper,
 }

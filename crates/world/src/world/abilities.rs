@@ -1,4 +1,4 @@
-//! What a ship can do, for her pilots.
+//! What a ship can do: constants that the ship's pilots use.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_ship::hydro::{Controls, Velocity, Water};
@@ -6,7 +6,7 @@ use fenderline_ship::hydro::{Controls, Velocity, Water};
 use super::azimuth::AzimuthSetup;
 use super::vessel::{VesselSetup, mass_matrix};
 
-/// Constants of a ship for her pilots.
+/// Constants of a ship that the ship's pilots use.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Abilities {
     /// Force at rest at full revolutions astern (negative) and ahead (N).
@@ -51,7 +51,8 @@ impl Abilities {
         }
     }
 
-    /// Revolutions over full revolutions for a force at rest: thrust is proportional to their square.
+    /// Revolutions divided by full revolutions, for a force at rest: thrust is proportional to the square of the
+    /// revolutions.
     pub(super) fn revolutions(&self, surge_n: f64) -> f64 {
         let [astern_n, ahead_n] = self.bollard_n;
         if surge_n >= 0.0 {

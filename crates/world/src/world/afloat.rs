@@ -1,11 +1,11 @@
-//! How vessels with hydrodynamic data are afloat, and where forces act on them.
+//! How vessels with hydrodynamic data are afloat, and where forces act on these vessels.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_ship::attitude::Attitude;
 
 use super::vessel::{HullMotion, VesselSetup, VesselState};
 
-/// How a body with hydrodynamic data is afloat: her motion, and the height of her centre of gravity.
+/// How a body with hydrodynamic data is afloat: the motion of the body, and the height of the centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Afloat {
     pub(super) motion: HullMotion,
@@ -13,7 +13,8 @@ pub struct Afloat {
 }
 
 impl Afloat {
-    /// That of a vessel with hydrodynamic data; `None` for others, whose lines do not feel heave, roll and pitch.
+    /// How a vessel with hydrodynamic data is afloat; `None` for other vessels. Heave, roll and pitch do not move the
+    /// lines of the other vessels.
     pub(super) fn of(vessel: &VesselSetup, state: &VesselState) -> Option<Afloat> {
         vessel.seakeeping.as_ref()?;
         let Attitude { heave, roll, pitch } = state.attitude;
@@ -27,12 +28,12 @@ impl Afloat {
         })
     }
 
-    /// Where a point of the ship is: in her axes (m), and its height above the water (m).
+    /// Where a point of the ship is: its position in the ship's axes (m), and its height above the water (m).
     pub fn place(&self, at_m: Vec2, above_water_m: f64) -> (Vec2, f64) {
         (self.lever(at_m, above_water_m).at_m, above_water_m - self.motion.sinkage_m(at_m))
     }
 
-    /// The lever about her centre of gravity of a point of the ship, which heel and trim have turned with her.
+    /// The lever of a point of the ship about the ship's centre of gravity. Heel and trim turn the point with the ship.
     pub fn lever(&self, at_m: Vec2, above_water_m: f64) -> Lever {
         let HullMotion { roll_rad, pitch_rad, .. } = self.motion;
         let upright_m = above_water_m - self.gravity_above_water_m;
@@ -47,22 +48,22 @@ impl Afloat {
         vec2(-self.motion.pitch_rad, self.motion.roll_rad)
     }
 
-    /// How far below its place at rest a point of the ship is (m).
+    /// How far a point of the ship is below its place at rest (m).
     pub(super) fn sinkage_m(&self, at_m: Vec2) -> f64 {
         self.motion.sinkage_m(at_m)
     }
 
-    /// How far below its place at rest the centre of gravity is (m).
+    /// How far the centre of gravity is below its place at rest (m).
     pub(super) fn heave_m(&self) -> f64 {
         self.motion.heave_m
     }
 }
 
-/// Where a force acts on a ship as she lies.
+/// Where a force acts on a ship with her present heel and trim.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lever {
-    /// Forward and to starboard of the centre of gravity (m).
+    /// Distances of the point forward and to starboard of the centre of gravity (m).
     pub at_m: Vec2,
-    /// Above the centre of gravity (m).
+    /// Height of the point above the centre of gravity (m).
     pub above_gravity_m: f64,
 }

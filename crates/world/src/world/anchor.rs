@@ -1,4 +1,4 @@
-//! Anchors of a simulation: their places on the ships, and their orders.
+//! The anchors of a simulation: places of the anchors on the ships, and orders to the anchors.
 
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
@@ -18,13 +18,13 @@ use fenderline_ship::range::within;
 pub struct AnchorSetup {
     /// The anchor, with its chain and windlass.
     pub gear: AnchorGear,
-    /// Index of the vessel that carries the anchor, into [`crate::world::WorldSetup::vessels`].
+    /// Index of the vessel that carries the anchor, in [`crate::world::WorldSetup::vessels`].
     pub vessel: usize,
     /// Place of the hawse pipe in the frame of the vessel's body (m).
     pub hawse_m: Vec2,
     /// Height of the hawse pipe above the still water (m).
     pub hawse_above_water_m: f64,
-    /// Place of the anchor at the start; `None`: home in the hawse pipe.
+    /// Place and chain of the anchor at the start; `None` if the anchor is home in the hawse pipe.
     pub start: Option<AnchorStart>,
 }
 
@@ -37,14 +37,14 @@ pub struct AnchorStart {
     pub chain_m: f64,
 }
 
-/// An anchor in a run: plain data.
+/// The state of an anchor in a run, as plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorAtWork {
     /// State of the anchor.
     pub state: AnchorState,
     /// Forces of the anchor and its chain in the last step.
     pub load: AnchorLoad,
-    /// Place where the chain pulled at the ship in the last step.
+    /// Place on the ship where the chain pulled in the last step.
     pub lever: Lever,
 }
 
@@ -57,10 +57,11 @@ impl AnchorSetup {
         Some(deepest_m + self.hawse_above_water_m)
     }
 
-    /// Checks the numbers. If the anchor is on the bottom at the start of a run, also checks that the chain reaches it.
+    /// Checks the numbers of the anchor. If the anchor is on the bottom at the start of a run, also checks that the
+    /// chain reaches the anchor.
     ///
     /// # Errors
-    /// The fault, with the name of the anchor.
+    /// Returns the first fault, with the name of the anchor.
     pub fn check(&self, body: &BodySetup, environment: &Environment) -> Result<(), AnchorError> {
         self.gear.check()?;
         let name = || self.gear.name.clone();
@@ -68,10 +69,25 @@ impl AnchorSetup {
         let in_range = |what, value, low, high| {
             within(what, value, low, high).map(|_| ()).map_err(out_of_range)
         };
-        in_range("place of the hawse pipe [m]", self.hawse_m.length(), 0.0, 5e3)?;
-        in_range("height of the hawse pipe [m]", self.hawse_above_water_m, 0.0, 100.0)?;
+        in_range(
+            "distance of the hawse pipe from the ship's centre of gravity [m]",
+            self.hawse_m.length(),
+            0.0,
+            5e3,
+        )?;
+        in_range(
+            "height of the hawse pipe above the still water [m]",
+            self.hawse_above_water_m,
+            0.0,
+            100.0,
+        )?;
         let Some(start) = self.start else { return Ok(()) };
-        in_range("place of the anchor [m]", start.at_m.length(), 0.0, 1e8)?;
+        in_range(
+            "distance of the anchor from the origin of the scenario [m]",
+            start.at_m.length(),
+            0.0,
+            1e8,
+        )?;
         in_range("chain out [m]", start.chain_m, 0.0, self.gear.chain_length_m)?;
         let state = crate::rigid_body::initial_state(body);
         let hawse_m = state.pose().apply(self.hawse_m);
@@ -89,7 +105,7 @@ impl AnchorSetup {
 }
 
 impl AnchorAtWork {
-    /// An anchor with this state and these forces, whose chain has not pulled yet.
+    /// An anchor with this state and these forces, whose chain has not yet pulled.
     #[must_use]
     pub fn with(state: AnchorState, load: AnchorLoad) -> AnchorAtWork {
         AnchorAtWork { state, load, lever: Lever::default() }
@@ -104,7 +120,7 @@ impl AnchorAtWork {
         AnchorAtWork { state, load: AnchorLoad::default(), lever: Lever::default() }
     }
 
-    /// Checks whether an order can be carried out now.
+    /// Checks whether the anchor can carry out an order now.
     pub fn may(&self, setup: &AnchorSetup, action: AnchorAction) -> Result<(), OrderError> {
         let anchor = || setup.gear.name.clone();
         let AnchorState { position, chain_m: out_m, faults, .. } = self.state;
@@ -146,7 +162,7 @@ impl AnchorAtWork {
         }
     }
 
-    /// Takes an order. The order must be one that can be carried out.
+    /// Takes an order. [`AnchorAtWork::may`] must allow the order.
     pub fn take(&mut self, action: AnchorAction) {
         self.state.order = match action {
             AnchorAction::LetGo { chain_m } => WindlassOrder::LetGo(chain_m),

@@ -8,19 +8,19 @@ use fenderline_contact::{Contact, Outline, Vec2};
 use crate::fender::FenderSetup;
 use crate::setup::body::BodySetup;
 
-/// An order to a vessel to assist a ship.
+/// An order to a tug that is a vessel to assist a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assist {
     /// The job.
     pub job: Job,
-    /// The tug's greatest speed relative to the ship (m/s).
+    /// The greatest speed of the tug relative to the ship (m/s).
     pub fastest_mps: f64,
 }
 
 /// The kinds of [`Assist`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Job {
-    /// Keep a position relative to the ship.
+    /// The tug keeps a position relative to the ship.
     Follow {
         /// Index of the ship's body.
         ship: usize,
@@ -35,7 +35,7 @@ pub enum Job {
     Pull {
         /// Index of the line.
         line: usize,
-        /// Direction of the pull from the ship's bow, positive to starboard (rad).
+        /// Direction of the pull, measured from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
         /// Force (N).
         force_n: f64,
@@ -49,15 +49,15 @@ pub struct PushJob {
     pub ship: usize,
     /// Point of the ship's side, in the ship's frame (m).
     pub at_m: Vec2,
-    /// Unit normal into the ship at the point of the push, in the ship's frame.
+    /// Unit normal at the point of the push, in the ship's frame; the normal points into the ship.
     pub inward: Vec2,
-    /// Distance from the tug's centre of gravity to the tip of her bow, bow fender included (m).
+    /// Distance from the tug's centre of gravity to the tip of the tug's bow, bow fender included (m).
     pub bow_m: f64,
     /// Force (N).
     pub force_n: f64,
 }
 
-/// Largest distance of an ordered point from the ship's outline (m).
+/// Largest distance from the ship's outline of the point that an order to push gives (m).
 const FARTHEST_OFF_M: f64 = 2.0;
 
 /// The point of an order to push is not at the ship's side.
@@ -72,7 +72,8 @@ impl fmt::Display for NotAtTheSide {
         let off_m = self.off_m;
         write!(
             f,
-            "the point is {off_m:.1} m from the ship's outline, but must be within {FARTHEST_OFF_M} m"
+            "the point to push at is {off_m:.1} m from the ship's outline, but must be within \
+             {FARTHEST_OFF_M} m"
         )
     }
 }
@@ -80,10 +81,11 @@ impl fmt::Display for NotAtTheSide {
 impl std::error::Error for NotAtTheSide {}
 
 impl PushJob {
-    /// A push by a tug at the point of the ship's side nearest to `at_m`; both are indices of bodies.
+    /// A push by a tug at the point of the ship's side that is nearest to `at_m`. `tug` and `ship` are indices of
+    /// bodies.
     ///
     /// # Errors
-    /// [`NotAtTheSide`] if the nearest point of the side is farther away than 2 m.
+    /// Fails with [`NotAtTheSide`] if the nearest point of the side is more than 2 m from `at_m`.
     pub fn new(
         bodies: &[BodySetup],
         fenders: &[FenderSetup],
@@ -101,8 +103,8 @@ impl PushJob {
     }
 }
 
-/// The nearest point of an outline, and the unit normal into the body at this point. The body is to the left of the
-/// direction from vertex to vertex, as in all outlines of the engine.
+/// The point of an outline that is nearest to `at_m`, and the unit normal at this point, which points into the body.
+/// The body is to the left of the direction from vertex to vertex, as in all outlines of the engine.
 fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -119,7 +121,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     (best.1, best.2)
 }
 
-/// Distance from a body's origin to its foremost point, fenders that face ahead included (m).
+/// Distance from a body's origin to the body's foremost point, fenders that face ahead included (m).
 fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
     let (_, most) = outline.bounds();
     fenders
@@ -128,19 +130,19 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
         .fold(most.x, greater)
 }
 
-/// The state of a tug that assists: plain data.
+/// The state of a tug that assists a ship, as plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistPilot {
     /// The order.
     pub order: Assist,
-    /// Normal contact force between the tug and the ship that she pushes, in the last step (N).
+    /// Normal contact force between the tug and the ship that the tug pushes, in the last step (N).
     pub contact_n: f64,
-    /// Integral of the yaw control against the moment of the contact at her bow (N·m).
+    /// Integral part of the yaw control, which balances the moment of the contact at the tug's bow (N·m).
     pub steady_nm: f64,
 }
 
 impl AssistPilot {
-    /// A pilot who carries out an order.
+    /// A pilot that carries out an order.
     pub fn new(order: Assist) -> AssistPilot {
         AssistPilot { order, contact_n: 0.0, steady_nm: 0.0 }
     }

@@ -9,7 +9,7 @@ use super::line::{Mooring, MooringSetup};
 use super::line_end::LineEnd;
 
 impl AssistPilot {
-    /// Her task in a step.
+    /// The task of a tug in a step.
     pub fn task(
         &self,
         own: usize,
@@ -56,12 +56,15 @@ impl AssistPilot {
     }
 }
 
-/// The two ends of a line, body and position in its frame: first the other body's, then a body's own.
+/// The two ends of a line: first the end at the other body, then the end at the tug's own body. Each end has the index
+/// of the body and the position in the frame of the body.
 fn ends_for(line: &MooringSetup, own: usize) -> [(usize, Vec2); 2] {
     let near = (line.ship, line.fairlead_m);
     match line.end {
         Some(LineEnd::OnBody { body, at_m, .. }) if body == own => [near, (body, at_m)],
         Some(LineEnd::OnBody { body, at_m, .. }) => [(body, at_m), near],
-        Some(LineEnd::Fixed(_)) | None => unreachable!("a set-up with such an order is refused"),
+        Some(LineEnd::Fixed(_)) | None => {
+            unreachable!("the check of the set-up refuses an order with such a line")
+        }
     }
 }

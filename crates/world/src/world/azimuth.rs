@@ -23,29 +23,29 @@ pub struct AzimuthSetup {
     pub name: String,
     /// The unit.
     pub unit: AzimuthThruster,
-    /// Thrust at rest and full power (N).
+    /// Thrust of the unit at rest and full power (N).
     pub bollard_n: f64,
-    /// Time constant of the thrust (s).
+    /// Time constant with which the thrust follows its order (s).
     pub lag_s: f64,
     /// Rate of turn (rad/s).
     pub rate_radps: f64,
-    /// Largest angle to either side of ahead (rad); `None` if it turns all the way round.
+    /// Largest angle to either side of ahead (rad); `None` if the unit turns all the way round.
     pub stop_rad: Option<f64>,
 }
 
 /// The order to an azimuth unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AzimuthOrder {
-    /// Thrust over the thrust at rest and full power, 0 to 1.
+    /// Thrust divided by the thrust at rest and full power, 0 to 1.
     pub power: f64,
-    /// Direction of the thrust from the bow, positive to starboard (rad).
+    /// Direction of the thrust, measured from the bow, positive to starboard (rad).
     pub direction_rad: f64,
 }
 
-/// The state of an azimuth unit: plain data.
+/// The state of an azimuth unit, as plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AzimuthState {
-    /// Thrust over the thrust at rest and full power. At speed the same power gives less thrust.
+    /// Thrust divided by the thrust at rest and full power. At speed, the same power gives less thrust.
     pub power: Lag,
     /// Direction of the thrust.
     pub direction: Slewing,
@@ -54,7 +54,7 @@ pub struct AzimuthState {
 }
 
 impl AzimuthState {
-    /// A unit that is stopped and points ahead.
+    /// The state of a unit that is stopped and points ahead.
     pub fn new(setup: &AzimuthSetup) -> AzimuthState {
         AzimuthState {
             power: Lag { value: 0.0, time_constant_s: setup.lag_s },
@@ -67,7 +67,7 @@ impl AzimuthState {
         }
     }
 
-    /// Moves towards an order. Returns true if the order was limited.
+    /// Moves the unit towards an order. Returns true if the unit limited the order.
     pub fn act(&mut self, order: &AzimuthOrder, step_s: f64) -> bool {
         let power =
             if order.power.is_nan() { self.power.value } else { bounded(order.power, 0.0, 1.0) };
@@ -76,7 +76,7 @@ impl AzimuthState {
         power != order.power || turned == Order::Clamped
     }
 
-    /// The force in a step at a velocity of the vessel through the water.
+    /// Calculates the force of the unit in a step, at this velocity of the vessel through the water.
     pub fn compute_force(
         &mut self,
         setup: &AzimuthSetup,

@@ -1,4 +1,4 @@
-//! Pilots with azimuth units: under way, keeping a station, assisting a ship.
+//! Pilots that use azimuth units: under way, to keep a station, and to assist a ship.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
@@ -13,12 +13,12 @@ use fenderline_ship::control::{
 };
 use fenderline_ship::hydro::{Force, Velocity, Water};
 
-/// Time constant of the integral against the moment of the contact at a tug's bow (s).
+/// Time constant of the integral part of the yaw control, which balances the moment of the contact at a tug's bow (s).
 const INTEGRAL_S: f64 = 15.0;
-/// A unit with less than this share of its thrust keeps its direction.
+/// A unit that gets less than this share of its greatest thrust keeps its direction.
 const IDLE: f64 = 0.01;
 
-/// The velocity of a vessel through the water, and the water.
+/// The velocity of a vessel through the water, and the properties of the water.
 pub(super) struct Stream {
     pub(super) velocity: Velocity,
     pub(super) water: Water,
@@ -42,7 +42,8 @@ fn disturbance(setup: &VesselSetup, forces: &VesselForces) -> Demand {
     Demand { surge_n, sway_n, yaw_nm: yaw_nm - ahead_m * sway_n }
 }
 
-/// Keeps course and speed of a vessel that azimuth units alone propel and steer. `shares` is a buffer that is reused.
+/// Keeps course and speed of a vessel that azimuth units alone propel and steer. The function uses the buffer `shares`
+/// again in each step.
 pub(super) fn under_way(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -75,7 +76,8 @@ pub(super) fn under_way(
     order_azimuths(vessel, setup, &shares.forces_n, stream);
 }
 
-/// Sets the orders to the azimuth units of a tug that assists. `shares` is a buffer that is reused.
+/// Sets the orders to the azimuth units of a tug that assists. The function uses the buffer `shares` again in each
+/// step.
 pub(super) fn assist(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -119,8 +121,8 @@ pub(super) fn assist(
     }
 }
 
-/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N). `shares`
-/// is a buffer that is reused.
+/// Divides a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N). The
+/// function uses the buffer `shares` again in each step.
 pub(super) fn share_with_azimuths(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
@@ -148,7 +150,7 @@ pub(super) fn share_with_azimuths(
     forces_n.get(own + across.len()).map_or(0.0, |force_n| force_n.x)
 }
 
-/// Replaces devices by the azimuth units.
+/// Replaces the devices in the list by the azimuth units.
 fn azimuths_alone(setup: &VesselSetup, devices: &mut Vec<ThrustDevice>) {
     let device = |azimuth| ThrustDevice {
         at_m: azimuth_place(setup, azimuth),
@@ -158,14 +160,15 @@ fn azimuths_alone(setup: &VesselSetup, devices: &mut Vec<ThrustDevice>) {
     devices.extend(setup.azimuths.iter().map(device));
 }
 
-/// Position of a unit from the centre of gravity (m).
+/// Position of a unit, measured from the centre of gravity (m).
 fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
     vec2(azimuth.unit.along_m - ahead_m, azimuth.unit.across_m)
 }
 
-/// Orders a force of each unit, and the power that it needs at this velocity through the water. While a unit still
-/// turns, it gets the power for the component of the force in its present direction.
+/// Orders a force of each unit, and the power that the unit needs for this force at this velocity through the water.
+/// While a unit still turns, the order gives it the power for the component of the force in the unit's present
+/// direction.
 fn order_azimuths(
     vessel: &mut VesselState,
     setup: &VesselSetup,

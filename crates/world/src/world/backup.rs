@@ -1,4 +1,4 @@
-//! The parts of a world that a step changes. These parts are restored if the step fails.
+//! The parts of a world that a step changes. If a step fails, the world gets these parts back.
 
 use super::anchor::AnchorAtWork;
 use super::event::WorldEvent;
@@ -7,7 +7,7 @@ use super::state::World;
 use super::tug::TugAtWork;
 use super::vessel::{VesselForces, VesselState, WaterInertia};
 
-/// The state of a world before a step. The buffers of the backup are reused from step to step.
+/// The state of a world before a step. Each step uses the buffers of the backup again.
 #[derive(Clone, Debug, Default)]
 pub struct WorldBackup {
     vessels: Vec<VesselState>,
@@ -22,7 +22,7 @@ pub struct WorldBackup {
 }
 
 impl World {
-    /// Copies the parts that a step changes.
+    /// Copies the parts that a step changes into a backup.
     pub fn back_up(&self, into: &mut WorldBackup) {
         let WorldBackup {
             vessels,
@@ -46,7 +46,7 @@ impl World {
         clamped.clone_from(&self.clamped);
     }
 
-    /// Restores the copied parts. Afterwards the backup has what the step made.
+    /// Takes the copied parts back from a backup. The backup then has the values that the step calculated.
     pub fn put_back(&mut self, backup: &mut WorldBackup) {
         let WorldBackup {
             vessels,

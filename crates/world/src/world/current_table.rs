@@ -11,9 +11,10 @@ use fenderline_ship::range::within;
 /// A table of current forces on a hull, and the two speeds through the water between which the manoeuvring model takes
 /// over from the table.
 ///
-/// Such tables are for a ship that does not turn. Up to `alone_until_mps` the hull's force is H = C + (M(u, v, r) −
-/// M(u, v, 0)): the table C, plus what the rate of turn adds in the manoeuvring model M. From `gone_from_mps` on it is
-/// M alone. Between the two speeds M and H are mixed by a smooth step, so that the force and its slope are continuous.
+/// The table is for a ship that does not turn. Up to `alone_until_mps`, the hull's force is H = C + (M(u, v, r) − M(u,
+/// v, 0)): the force C of the table, plus the force that the rate of turn adds in the manoeuvring model M. From
+/// `gone_from_mps` on, the hull's force is M alone. Between the two speeds, a smooth step leads from H to M, so that
+/// the force and its slope are continuous.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentTable {
     loads: Arc<LoadTable>,
@@ -23,18 +24,23 @@ pub struct CurrentTable {
 }
 
 impl CurrentTable {
-    /// A table with its source, in the user's words.
+    /// A table with its source; the source is in the user's words.
     ///
     /// # Errors
-    /// A speed out of range, or a second speed below the first.
+    /// Fails if a speed is out of range, or if the second speed is less than 0.1 m/s above the first.
     pub fn new(
         loads: LoadTable,
         [alone_until_mps, gone_from_mps]: [f64; 2],
         source: &str,
     ) -> Result<CurrentTable, EnvironmentError> {
-        within("speed up to which a current table acts alone [m/s]", alone_until_mps, 0.0, 20.0)?;
+        within("speed up to which the current table alone acts [m/s]", alone_until_mps, 0.0, 20.0)?;
         let least_mps = alone_until_mps + 0.1;
-        within("speed from which a current table is gone [m/s]", gone_from_mps, least_mps, 40.0)?;
+        within(
+            "speed from which on the current table does not act [m/s]",
+            gone_from_mps,
+            least_mps,
+            40.0,
+        )?;
         Ok(CurrentTable {
             loads: Arc::new(loads),
             alone_until_mps,
@@ -49,19 +55,19 @@ impl CurrentTable {
         &self.loads
     }
 
-    /// Speed through the water up to which the table acts alone, and speed from which on the table is not used (m/s).
+    /// Speed through the water up to which the table alone acts, and speed from which on the table does not act (m/s).
     #[must_use]
     pub fn speeds_mps(&self) -> [f64; 2] {
         [self.alone_until_mps, self.gone_from_mps]
     }
 
-    /// The source of the table, in the user's words.
+    /// The source of the table, as the user wrote it.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// Share of the table at a speed through the water (m/s), 1 to 0.
+    /// Share with which the table acts at this speed through the water (m/s), 1 to 0.
     #[must_use]
     pub fn share(&self, speed_mps: f64) -> f64 {
         let wide_mps = self.gone_from_mps - self.alone_until_mps;
@@ -69,8 +75,8 @@ impl CurrentTable {
         1.0 - t * t * (3.0 - 2.0 * t)
     }
 
-    /// The table's force on a hull that goes through the water without turning, at this ratio of depth to draught;
-    /// `None`: deep water.
+    /// The table's force on a hull that goes through the water and does not turn, at this ratio of depth to draught
+    /// (`None` for deep water).
     #[must_use]
     pub fn force(&self, velocity: &Velocity, water: Water, depth_ratio: Option<f64>) -> Force {
         let speed_mps = velocity.speed_mps();
@@ -82,7 +88,7 @@ impl CurrentTable {
         Force { surge_n: surge, sway_n: sway, yaw_nm: yaw }
     }
 
-    /// The hull's force, given the force by the manoeuvring model.
+    /// The hull's force, from the force by the manoeuvring model.
     pub fn hull(
         &self,
         (model, hull): (&Mmg, Force),

@@ -139,28 +139,29 @@ pub struct Environment {
     pub current: Option<Current>,
     /// Waves.
     pub sea: Option<Sea>,
-    /// Long waves: their level is added to the tide, their velocity to the current.
+    /// Long waves: their level adds to the level of the tide, and their velocity adds to the current.
     pub long_waves: Option<LongWaves>,
     /// Density of the water (kg/m³).
     pub water_density_kgpm3: f64,
     /// Density of the air (kg/m³).
     pub air_density_kgpm3: f64,
-    /// Depth of the water below datum (m), negative if the bottom falls dry; `None`: deep.
+    /// Depth of the water below datum (m), negative if the bottom falls dry; `None` for deep water.
     pub depth_m: Option<f64>,
     /// Depth of the water by place, in place of `depth_m`.
     pub bottom: Option<Bottom>,
     /// Level of the water above datum.
     pub tide: Tide,
-    /// Method of squat in water of finite depth; `None`: no squat.
+    /// Method of squat in water of finite depth; `None` for no squat.
     pub squat: Option<Squat>,
-    /// Banks, which attract ships: unvalidated.
+    /// Banks, which attract ships. The model of banks is not validated.
     pub banks: Vec<Bank>,
-    /// Visibility (m), for the pages of live sessions; `None`: clear. It exerts no force.
+    /// Visibility (m), for the pages of live sessions; `None` for clear weather. The visibility has no effect on
+    /// forces.
     pub visibility_m: Option<f64>,
 }
 
 impl Default for Environment {
-    /// Deep sea water, with no wind, current or banks. If a depth is set, squat is by [`Squat::default`].
+    /// Deep sea water, with no wind, current or banks. If a depth is then set, [`Squat::default`] gives the squat.
     fn default() -> Environment {
         Environment {
             wind: None,
@@ -180,7 +181,7 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// Level of the water above datum at a time (m): tide and long waves.
+    /// Level of the water above datum at a time (m), with tide and long waves.
     #[must_use]
     pub fn level_m(&self, t_s: f64) -> f64 {
         let tide_m = self.tide.level_m(t_s);
@@ -188,7 +189,7 @@ impl Environment {
     }
 
     /// Bounds of the level of the water from the start of the run (m): the bounds of the tide ([`Tide::range_m`]) plus
-    /// those of the long waves ([`LongWaves::range_m`]).
+    /// the bounds of the long waves ([`LongWaves::range_m`]).
     #[must_use]
     pub fn level_range_m(&self) -> [f64; 2] {
         let [low_m, high_m] = self.tide.range_m();
@@ -252,7 +253,7 @@ impl Environment {
         hydro::Water { density_kgpm3: self.water_density_kgpm3 }
     }
 
-    /// Velocity of the water over a ship's draught (m/s): current and long waves.
+    /// Mean velocity of the water over a ship's draught (m/s), with current and long waves.
     pub fn current(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         let current = self.current.as_ref();
         let stream =
@@ -260,7 +261,8 @@ impl Environment {
         self.long_waves.as_ref().map_or(stream, |waves| stream + waves.velocity(t_s))
     }
 
-    /// DU/Dt: mean acceleration during a step of the water around a hull, for an observer who follows the water (m/s²).
+    /// Mean acceleration DU/Dt of the water around a hull during a step, for an observer who moves with the water
+    /// (m/s²).
     pub fn water_acceleration(
         &self,
         position_m: Vec2,

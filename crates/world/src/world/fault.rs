@@ -1,28 +1,29 @@
-//! Faults of a vessel's machinery and instruments: orders are accepted but not carried out, or displays stay frozen.
+//! Faults of a vessel's machinery and instruments: the vessel accepts orders but does not carry them out, or displays
+//! stay frozen.
 
 use crate::order::Word;
 
-/// The faults of a vessel.
+/// The faults that a vessel has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
-    /// The rudder stays where it is; azimuth units do not turn.
+    /// The rudder stays at its present angle, and azimuth units do not turn.
     pub rudder_stuck: bool,
-    /// The rudder does not follow the helm: it runs to its stop on the side of the order. With the order amidships it
-    /// stays where it is.
+    /// The rudder does not follow the helm: the rudder runs to its stop on the side of the order. With the order
+    /// amidships, the rudder stays at its present angle.
     pub follow_up_lost: bool,
-    /// The shaft runs down to a stop; azimuth units give no thrust.
+    /// The shaft slows down until it stops, and azimuth units give no thrust.
     pub engine_lost: bool,
     /// Tunnel thrusters give no thrust.
     pub thrusters_lost: bool,
-    /// All the faults above at once: the vessel has no power.
+    /// The vessel has no power, with the effect of all the faults above together.
     pub blackout: bool,
     /// Single thrusters and azimuth units that have tripped: they give no thrust.
     pub tripped: Tripped,
-    /// The heading that is shown on board stays frozen. The simulation goes on with the true heading.
+    /// The heading on the displays on board stays frozen. The simulation goes on with the true heading.
     pub heading_frozen: bool,
-    /// The speeds that are shown on board stay frozen.
+    /// The speeds on the displays on board stay frozen.
     pub speed_frozen: bool,
-    /// The position that is shown on board stays frozen.
+    /// The position on the displays on board stays frozen.
     pub position_frozen: bool,
 }
 
@@ -74,28 +75,30 @@ impl Word for Fault {
 }
 
 impl Fault {
-    /// True for a fault of an instrument. Nobody on board is told of such a fault.
+    /// True for a fault of an instrument. The displays on board do not report such a fault.
     #[must_use]
     pub fn is_of_instrument(self) -> bool {
         matches!(self, Fault::HeadingFrozen | Fault::SpeedFrozen | Fault::PositionFrozen)
     }
 }
 
-/// Thrusters and azimuth units of a vessel by number: thrusters first, then azimuth units.
+/// The thrusters and azimuth units of a vessel that have tripped. The numbers count first the thrusters, then the
+/// azimuth units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tripped(u64);
 
 impl Tripped {
-    /// How many units can be told apart.
+    /// Number of units that this type can hold.
     pub const MOST: usize = 64;
 
-    /// Whether a unit has tripped.
+    /// True if the unit of this number has tripped.
     #[must_use]
     pub fn has(self, unit: usize) -> bool {
         unit < Tripped::MOST && self.0 >> unit & 1 == 1
     }
 
-    /// These units, with one unit changed to tripped or to in order. A unit beyond [`Tripped::MOST`] changes nothing.
+    /// These units, after one unit has tripped or is in order again. A number of [`Tripped::MOST`] or more changes
+    /// nothing.
     #[must_use]
     pub fn with(self, unit: usize, tripped: bool) -> Tripped {
         let bit = if unit < Tripped::MOST { 1 << unit } else { 0 };
@@ -104,7 +107,7 @@ impl Tripped {
 }
 
 impl Faults {
-    /// Whether a fault is present.
+    /// True if the vessel has this fault.
     #[must_use]
     pub fn has(&self, fault: Fault) -> bool {
         let mut copy = *self;
@@ -129,19 +132,19 @@ impl Faults {
         }
     }
 
-    /// The faults that are on, without single units.
+    /// The faults that are on, except those of single units.
     pub fn active(&self) -> impl Iterator<Item = Fault> + use<> {
         let own = *self;
         Fault::ALL.iter().copied().filter(move |fault| own.has(*fault))
     }
 
-    /// True if the rudder and the direction of azimuth units do not move.
+    /// True if the rudder does not move and the azimuth units do not turn.
     #[must_use]
     pub fn steering_failed(&self) -> bool {
         self.rudder_stuck || self.blackout
     }
 
-    /// True if shaft and azimuth units have no power.
+    /// True if the shaft and the azimuth units have no power.
     #[must_use]
     pub fn engine_failed(&self) -> bool {
         self.engine_lost || self.blackout

@@ -1,4 +1,4 @@
-//! Mooring lines of a simulation: their ends on bodies, and when they are made fast.
+//! Mooring lines of a simulation: the ends of the lines on bodies, and the times at which lines are made fast.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
@@ -14,9 +14,10 @@ use fenderline_ship::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
 
-/// Slack with which a line on a winch is made fast at a bollard: a share of the distance, plus a length (m).
+/// Slack that a line on a winch gets when line handlers make it fast at a bollard: a share of the distance, plus a
+/// length (m).
 const SLACK: (f64, f64) = (0.02, 1.0);
-/// Rate at which a line on bitts is hauled in by hand (m/s); our assumption.
+/// Rate at which a crew hauls in a line on bitts by hand (m/s); our assumption.
 const BY_HAND_MPS: f64 = 0.5;
 
 /// A mooring line of a set-up.
@@ -28,34 +29,34 @@ pub struct MooringSetup {
     pub ship: usize,
     /// Fairlead in the frame of the body `ship` (m).
     pub fairlead_m: Vec2,
-    /// Height of the fairlead above the still water (m); above datum if the body is fixed.
+    /// Height of the fairlead above the still water (m), or above datum if the body is fixed.
     pub fairlead_above_water_m: f64,
     /// The end at which the line is made fast without an order; `None` if the line is on board until an order sends it
     /// to a bollard.
     pub end: Option<LineEnd>,
-    /// When the line is made fast without an order (s).
+    /// Time at which the line is made fast without an order (s).
     pub from_s: f64,
     /// Length of the rope, for a line that an order sends to a bollard (m).
     pub rope_m: f64,
 }
 
-/// The state of a line: plain data.
+/// The state of a line, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mooring {
-    /// The line and its state, once the line is made fast.
+    /// The line and its state; `None` until the line is first made fast.
     pub line: Option<(Line, LineState)>,
     /// The order to the winch of the line.
     pub order: WinchOrder,
     /// Forces of the line in the last step.
     pub load: LineLoad,
-    /// Whether the line is on board: it was not sent yet, was let go, or could not be made fast.
+    /// True if the line is on board: nobody has sent it yet, it was let go, or it could not be made fast.
     pub aboard: bool,
-    /// The bollard at which the line is fast or to which it was sent, as an index into [`crate::world::WorldSetup::bollards`].
-    /// `None`: the end that the set-up gives.
+    /// The bollard at which the line is fast or to which an order sent it, as an index in
+    /// [`crate::world::WorldSetup::bollards`]. With `None`, the line has the end that the set-up gives.
     pub bollard: Option<usize>,
-    /// The passage of the line to the bollard, while the line is under way.
+    /// The way of the line to the bollard; `None` if the line is not under way.
     pub sent: Option<Sent>,
-    /// When the line is hauled in after it was let go (s).
+    /// Time at which the line is completely hauled in after it was let go (s).
     hauled_in_s: f64,
     rendering: bool,
     /// Places where the line pulled at the bodies at its two ends in the last step.
@@ -65,15 +66,15 @@ pub struct Mooring {
 /// A line on its way to a bollard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sent {
-    /// When the line was sent (s).
+    /// Time at which an order sent the line (s).
     pub since_s: f64,
-    /// When the line will be fast (s); `None` while the line waits for line handlers.
+    /// Time at which the line will be fast (s); `None` while the line waits for line handlers.
     pub fast_at_s: Option<f64>,
 }
 
 impl Mooring {
-    /// Becomes a copy of another state. Does not allocate if both are states of the same line and it has been made fast
-    /// before.
+    /// Becomes a copy of another state. The copy does not allocate if both are states of the same line, and the line
+    /// was made fast before.
     pub fn copy_from(&mut self, other: &Mooring) {
         let mut line = self.line.take();
         match (&mut line, &other.line) {
@@ -83,7 +84,7 @@ impl Mooring {
         *self = Mooring { line, ..*other };
     }
 
-    /// The line at the start of a run.
+    /// The state of the line at the start of a run.
     pub fn new(setup: &MooringSetup) -> Mooring {
         Mooring {
             line: None,
@@ -104,7 +105,7 @@ impl Mooring {
         self.line.as_ref().is_some_and(|(_, state)| state.parted)
     }
 
-    /// The place of the line's far end, now or when it is made fast; `None` while the line is on board.
+    /// The place of the line's far end, now or when the line is made fast; `None` while the line is on board.
     #[must_use]
     pub fn end(&self, setup: &MooringSetup, bollards: &[BollardSetup]) -> Option<LineEnd> {
         match self.bollard {
@@ -114,7 +115,7 @@ impl Mooring {
         }
     }
 
-    /// Lets the line go at time `t_s`. The line is then hauled in.
+    /// Lets the line go at time `t_s`. The crew then hauls the line in.
     pub fn let_go(&mut self, setup: &MooringSetup, t_s: f64) {
         let outboard_m = self.line.as_ref().map_or(0.0, |(_, state)| state.length_m);
         let rate_mps = match setup.line.inboard_end {
@@ -136,13 +137,14 @@ impl Mooring {
         self.sent = Some(Sent { since_s: t_s, fast_at_s: None });
     }
 
-    /// True if line handlers can take the line: it was sent, and what was outboard before has been hauled in.
+    /// True if line handlers can take the line: an order has sent the line, and the crew has hauled in the part that
+    /// was outboard before.
     pub fn waits_for_handlers(&self, t_s: f64) -> bool {
         self.sent.is_some_and(|sent| sent.fast_at_s.is_none()) && t_s >= self.hauled_in_s
     }
 
     /// Makes the line fast at its time, moves the winch, and adds the line's forces to the bodies at both ends. The
-    /// line pulls between the places of the bodies in `met`, which may be ahead of their states.
+    /// line pulls between the places of the bodies in `met`, which may be later than the bodies' states.
     pub fn step(
         &mut self,
         index: usize,
@@ -200,7 +202,8 @@ impl Mooring {
 }
 
 impl MooringSetup {
-    /// The bodies at both ends, with the lever and the force on the body in the last step: north, east, up (N).
+    /// The bodies at both ends of the line. Each has the lever of the line's force, and the line's force on the body in
+    /// the last step: north, east, up (N).
     pub fn pulls(
         &self,
         mooring: &Mooring,
@@ -215,7 +218,8 @@ impl MooringSetup {
         core::iter::once((self.ship, near, on_ship_n)).chain(far)
     }
 
-    /// The levers of both ends, for the present attitude of the bodies. The lever of a fixed end is not used.
+    /// The levers of both ends of the line, for the present attitude of the bodies. Nothing uses the lever of a fixed
+    /// end.
     fn levers(&self, end: LineEnd, shore: Shore<'_>) -> [Lever; 2] {
         let near = shore.lever(self.ship, self.fairlead_m, self.fairlead_above_water_m);
         let far = match end {
@@ -225,8 +229,8 @@ impl MooringSetup {
         [near, far]
     }
 
-    /// Positions of both ends. Heave, roll and pitch of vessels with hydrodynamic data are included; other bodies are
-    /// taken as upright.
+    /// Positions of both ends. The places include heave, roll and pitch of vessels with hydrodynamic data. Other bodies
+    /// count as upright.
     pub fn ends(&self, end: LineEnd, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
             let (at_m, above_m) = shore.place(body, at_m, above_m);
@@ -242,8 +246,8 @@ impl MooringSetup {
         }
     }
 
-    /// The line when it is made fast at a bollard: with a little slack on a winch, hand-tight on bitts. `None` if the
-    /// rope is too short.
+    /// The line as it is when line handlers make it fast at a bollard: with a little slack on a winch, hand-tight on
+    /// bitts. `None` if the rope is too short.
     fn at_bollard(&self, ends: &LineEnds) -> Option<LineSetup> {
         let span_m = ends.distance_m();
         let mut line = self.line.clone();
@@ -259,7 +263,7 @@ impl MooringSetup {
         (length_m <= self.rope_m).then_some(line)
     }
 
-    /// The distance of the farthest bollard that the rope reaches (m).
+    /// The greatest distance of a bollard that the rope reaches (m).
     #[must_use]
     pub fn reach_m(&self) -> f64 {
         match self.line.inboard_end {
@@ -268,13 +272,13 @@ impl MooringSetup {
         }
     }
 
-    /// Checks that the line can be made fast at the start of a run. A line on board passes.
+    /// Checks that the line can be made fast at the start of a run. A line on board needs no such check.
     ///
     /// # Errors
-    /// The reason why the line cannot be made fast, with the name of the line.
+    /// Returns the reason why the line cannot be made fast, with the name of the line.
     ///
     /// # Panics
-    /// If the line refers to bodies that do not exist.
+    /// Panics if the line refers to bodies that do not exist.
     pub fn check_at_start(
         &self,
         bodies: &[BodySetup],

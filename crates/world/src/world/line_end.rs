@@ -5,15 +5,15 @@ use fenderline_contact::Vec2;
 /// The far end of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineEnd {
-    /// A bollard or an anchor: north, east and above datum (m).
+    /// A bollard or an anchor, with its position north, east and above datum (m).
     Fixed([f64; 3]),
-    /// A point on another body, which may be a quay.
+    /// A point on another body, for example on a quay.
     OnBody {
         /// Index into [`crate::setup::Setup::bodies`].
         body: usize,
-        /// Position in the body's frame (m).
+        /// Position of the point in the body's frame (m).
         at_m: Vec2,
-        /// Height above the still water (m); above datum where the body is fixed.
+        /// Height of the point above the still water (m), or above datum if the body is fixed.
         above_water_m: f64,
     },
 }

@@ -1,4 +1,5 @@
-//! The work of the line handlers: which lines may be sent to which bollard, and which line the handlers take next.
+//! The work of the line handlers: which lines an order may send to which bollard, and which line the handlers take
+//! next.
 
 use std::borrow::Cow;
 
@@ -9,8 +10,7 @@ use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::order::{Action, LineAction, Order, OrderError};
 
-/// The lines as they will be when the orders are carried out. If there is no order to a line, these are the present
-/// lines.
+/// The lines as they will be after the orders. If none of the orders is to a line, the result is the present lines.
 pub(super) fn after_orders<'l, 'o>(
     lines: &'l [Mooring],
     setup: &WorldSetup,
@@ -33,10 +33,11 @@ pub(super) fn after_orders<'l, 'o>(
     after
 }
 
-/// Checks that a line can be sent to a bollard now.
+/// Checks that an order can send a line to a bollard now.
 ///
 /// # Errors
-/// The reason why the line cannot be sent: the line is not on board, or the bollard is taken or out of reach.
+/// Returns the reason why the line cannot go: the line is not on board, the bollard has no free place, or the bollard
+/// is out of reach.
 pub(super) fn may_send(
     lines: &[Mooring],
     setup: &WorldSetup,
@@ -75,8 +76,8 @@ pub(super) fn may_send(
     Ok(())
 }
 
-/// Lets free line handlers take the waiting lines, in the order in which the lines were sent. If a bollard is out of
-/// reach by then, this is found when the line should be made fast.
+/// Gives the waiting lines to free line handlers, in the order in which the lines were sent. If the bollard is by then
+/// out of reach, the program finds this when the line should be made fast.
 pub(super) fn take_lines(
     lines: &mut [Mooring],
     setup: &WorldSetup,

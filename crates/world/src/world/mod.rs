@@ -1,9 +1,9 @@
-//! The world around the bodies of a set-up: everything that acts on them besides contact and plain loads.
+//! The world around the bodies of a set-up: everything that acts on the bodies except contact and plain loads.
 //!
-//! [`WorldSetup`] is the constant part. In each step, before contact, `World::step` carries out the orders that are due, runs
-//! the pilots, moves rudders, shafts and thrusters, and adds the wrench of hull, propeller, rudder, thrusters and wind to each
-//! vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch by all horizontal forces and their
-//! heights.
+//! [`WorldSetup`] is the constant part of the world. In each step, before contact, `World::step` carries out the orders
+//! that are due, runs the pilots, moves rudders, shafts and thrusters, and adds the wrench (force and moment) of hull,
+//! propeller, rudder, thrusters and wind to the load of each vessel's body. After contact, `World::settle` moves the
+//! vessels in heave, roll and pitch with all horizontal forces and the heights at which they act.
 
 mod abilities;
 mod afloat;

@@ -1,5 +1,5 @@
-//! The pilots of a vessel: they turn orders for course, speed or station into orders to rudder, engine and thrusters in each
-//! step.
+//! The pilots of a vessel. In each step, the pilots turn orders for course, speed or station into orders to rudder,
+//! engine and thrusters.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Rotation};
@@ -99,22 +99,22 @@ fn station_pilot(
     }
 }
 
-/// Memory of the pilots, reused from step to step.
+/// Buffers of the pilots, which each step uses again.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PilotWork {
-    /// Other lateral devices that serve the vessel: tugs.
+    /// Other lateral devices that serve the vessel, that is tugs.
     pub(super) helpers: Vec<LateralDevice>,
-    /// Forces of these devices, if a pilot uses them (N).
+    /// Forces of the helpers, if a pilot uses the helpers (N).
     pub(super) helpers_n: Vec<f64>,
-    /// Thrusters and helpers together, and their forces (N).
+    /// Thrusters and helpers together; `across_n` has the forces of these devices (N).
     across: Vec<LateralDevice>,
     across_n: Vec<f64>,
-    /// Azimuth units and all other devices, which meet a demand together, and the force of each.
+    /// Azimuth units and all other devices, which together give the demanded force, and the force of each device.
     pub(super) shares: ThrustShares,
 }
 
-/// Sets the orders of this step. `helpers` of `work` are other lateral devices. The forces of these devices are written
-/// to `helpers_n` of `work`.
+/// Sets the orders of the vessel for this step. The field `helpers` of `work` has the other lateral devices. The
+/// function writes the forces of these devices to `helpers_n` of `work`.
 pub(super) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,
@@ -166,7 +166,7 @@ pub(super) fn pilot(
     helpers_n.extend_from_slice(&forces_n[own..]);
 }
 
-/// Keeps course and speed with rudder and engine.
+/// Keeps the course and the speed with rudder and engine.
 fn under_way(vessel: &mut VesselState, state: &BodyState, step_s: f64) {
     let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
     if let Some(course) = &vessel.pilots.course {

@@ -1,4 +1,4 @@
-//! Vessels with hydrodynamic data in a world: their motion in six degrees of freedom around the engine's step.
+//! Motion of the vessels with hydrodynamic data in six degrees of freedom, before and after the engine's step.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use fenderline_ship::seakeeping::{
     DriftSource, Motion, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 
-/// Data of a vessel with hydrodynamic data that are constant in a run.
+/// The constant data of a vessel with hydrodynamic data in a run.
 #[derive(Clone, Debug)]
 pub(super) struct Seaway {
     motion: Arc<Motion>,
@@ -47,7 +47,7 @@ impl Seaway {
         })
     }
 
-    /// The state at the start of a run.
+    /// The state of the vessel at the start of a run.
     pub(super) fn start(&self, body: &BodyState) -> SeawayState {
         let own = Rotation::from_angle(body.heading_rad).apply_inverse(body.velocity_mps);
         SeawayState {
@@ -65,8 +65,8 @@ impl Seaway {
             .map_or(WaveLoad::default(), |waves| waves.at(position_m, heading_rad, t_s, sub_steps))
     }
 
-    /// The load on the vessel's body in a step, from a given load of everything except waves, radiation and contact.
-    /// Writes the forces of the waves and of the water's reaction.
+    /// The load on the vessel's body in a step. The given load has everything except waves, radiation and contact. Also
+    /// writes the forces of the waves and of the water's reaction to the vessel's forces.
     pub(super) fn load(
         &self,
         own: (&VesselSetup, &mut VesselState, &mut VesselForces),
@@ -138,7 +138,7 @@ impl Seaway {
     }
 }
 
-/// Velocity through the water in axes with this heading: surge, sway, yaw.
+/// Velocity of a body through the water, in axes with this heading: surge, sway and yaw.
 fn own_velocity(body: &BodyState, heading_rad: f64, stream_mps: Vec2) -> [f64; 3] {
     let axes = Rotation::from_angle(heading_rad);
     let own = axes.apply_inverse(body.velocity_mps - stream_mps);
@@ -147,17 +147,17 @@ fn own_velocity(body: &BodyState, heading_rad: f64, stream_mps: Vec2) -> [f64; 3
 
 /// The load on a ship with hydrodynamic data in six degrees of freedom, without waves, radiation and contact.
 pub(super) struct Given<'l> {
-    /// The load in the plane.
+    /// The load on surge, sway and yaw.
     pub(super) load: &'l Wrench,
     /// The load on heave, roll and pitch.
     pub(super) upright: AttitudeLoad,
-    /// The yaw moment of forces whose points heel and trim have moved (N·m).
+    /// The yaw moment that forces have because heel and trim have moved their points (N·m).
     pub(super) moved_nm: f64,
 }
 
 impl Given<'_> {
-    /// Adds forces of the ship that act above or below her centre of gravity, at points that turn with her. The moments
-    /// of these forces in the upright position are already in the load in the plane.
+    /// Adds forces of the ship that act above or below the ship's centre of gravity, at points that turn with the ship.
+    /// The moments of these forces in the upright position are already in the load on surge, sway and yaw.
     pub(super) fn add_own(&mut self, afloat: &Afloat, forces: impl Iterator<Item = (Force, f64)>) {
         for (Force { surge_n, sway_n, .. }, above_gravity_m) in forces {
             self.upright.add(surge_n, sway_n, above_gravity_m);
@@ -165,7 +165,7 @@ impl Given<'_> {
         }
     }
 
-    /// Adds a force north, east and up (N). The moment of this force in the plane is already in the load.
+    /// Adds a force north, east and up (N). The yaw moment of this force is already in the load.
     pub(super) fn add_force(&mut self, heading_rad: f64, lever: Lever, force_n: [f64; 3]) {
         let [north_n, east_n, up_n] = force_n;
         let own = Rotation::from_angle(heading_rad).apply_inverse(vec2(north_n, east_n));
@@ -173,8 +173,8 @@ impl Given<'_> {
         self.upright.add_upward(up_n, lever.at_m);
     }
 
-    /// Adds a force forward and to starboard (N) at a point of the ship that is at `at_m` when she is upright. The
-    /// moment for the upright position is already in the load.
+    /// Adds a force forward and to starboard (N) at a point of the ship that is at `at_m` when the ship is upright. The
+    /// moment of this force in the upright position is already in the load.
     pub(super) fn add_at(&mut self, at_m: Vec2, lever: Lever, own_n: Vec2) {
         self.upright.add(own_n.x, own_n.y, lever.above_gravity_m);
         self.moved_nm += (lever.at_m - at_m).cross(own_n);

@@ -3,12 +3,13 @@
 use fenderline_contact::Vec2;
 use fenderline_ship::seakeeping::{MotionState, SlowPlace};
 
-/// What one step leaves for the next: plain numbers.
+/// The values that one step leaves for the next step, as plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeawayState {
     pub(super) motion: MotionState,
     pub(super) place: SlowPlace,
-    /// Heading at the start of the step (rad), the stream there (m/s), and how long forces act in it (s).
+    /// Heading at the start of the step (rad), the current at the vessel (m/s), and the time for which forces act in
+    /// the step (s).
     pub(super) heading_rad: f64,
     pub(super) stream_mps: Vec2,
     pub(super) acts_s: f64,

@@ -13,14 +13,14 @@ use crate::limit::StatisticsSetup;
 use crate::order::Order;
 use fenderline_ship::passing::FlowSetup;
 
-/// Everything around the bodies of a [`crate::setup::Setup`]; empty by default.
+/// Everything around the bodies of a [`crate::setup::Setup`]. The default has nothing around the bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldSetup {
     /// Wind, current and water.
     pub environment: Environment,
     /// Bodies that are vessels.
     pub vessels: Vec<VesselSetup>,
-    /// Timed orders.
+    /// Orders with the times at which they are given.
     pub orders: Vec<Order>,
     /// Changes of weather and faults at times of the run.
     pub planned: Vec<PlannedChange>,
@@ -32,36 +32,36 @@ pub struct WorldSetup {
     pub anchors: Vec<AnchorSetup>,
     /// Bollards to which orders send lines.
     pub bollards: Vec<BollardSetup>,
-    /// How line handlers bring lines to a bollard.
+    /// How line handlers bring lines to the bollards.
     pub line_handling: LineHandling,
-    /// Passing ships, and vessels that act on each other through the flow about them.
+    /// Passing ships, and vessels that act on each other through the flow around the vessels.
     pub flow: FlowSetup,
-    /// Statistics of motions, and limits.
+    /// Statistics of motions, and limits on the results.
     pub statistics: StatisticsSetup,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
-    /// The chart that is drawn behind the bodies. It exerts no force.
+    /// The chart that pages draw behind the bodies. The chart has no effect on forces.
     pub chart: Chart,
     /// The user's partial factors.
     pub factors: PartialFactors,
 }
 
 impl WorldSetup {
-    /// True if the set-up has anything with a state.
+    /// True if the set-up has anything that changes in a run.
     pub fn changes(&self) -> bool {
         !(self.vessels.is_empty() && self.lines.is_empty())
     }
 }
 
-/// A program that gives a force on a body in each step: see [`crate::external`].
+/// A program that gives a force on a body in each step; see [`crate::external`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProviderSetup {
     /// Index of the body in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Program and arguments.
+    /// The program and its arguments.
     pub command: Vec<String>,
-    /// How long a step waits for the program's reply (s).
+    /// Greatest time that a step waits for the program's reply (s).
     pub timeout_s: f64,
-    /// How long the last wrench is held when the program does not reply (s).
+    /// Greatest time that the last force and moment continue to act if the program does not reply (s).
     pub hold_s: f64,
 }

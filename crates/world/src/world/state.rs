@@ -1,4 +1,4 @@
-//! The state of a world, and a step of it.
+//! The state of a world, and a step of the world.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -34,10 +34,10 @@ use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
 use fenderline_ship::seakeeping::{Motion, SubSteps};
 
-/// The variable state of a world: plain data, and values that are computed anew.
+/// The variable state of a world: plain data, and values that each step calculates anew.
 #[derive(Clone, Debug)]
 pub struct World {
-    /// The vessels, in the order of the set-up.
+    /// The states of the vessels, in the order of the set-up.
     pub vessels: Vec<VesselState>,
     /// The forces on each vessel in the last step.
     pub forces: Vec<VesselForces>,
@@ -49,15 +49,17 @@ pub struct World {
     sounded: Vec<Soundings>,
     /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
     passing: Vec<Force>,
-    /// Forces of banks by images on each vessel; computed anew in each step.
+    /// Forces of banks by images on each vessel. Each step calculates these forces anew.
     banks: Vec<Force>,
-    /// For each vessel, the constant part of its motion by hydrodynamic data.
+    /// For each vessel, the constant part of the motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
-    /// For each vessel, the matrix with which the engine moves her, over surge, sway and yaw (kg, kg·m, kg·m²).
+    /// For each vessel, the mass matrix with which the engine moves the vessel, for surge, sway and yaw (kg, kg·m,
+    /// kg·m²).
     masses: Vec<[[f64; 3]; 3]>,
-    /// The states of the bodies between which lines pull: see [`World::look_ahead`]. Empty without hydrodynamic data.
+    /// The states of the bodies between which lines pull; see [`World::look_ahead`]. The list is empty if no vessel has
+    /// hydrodynamic data.
     ahead: Vec<BodyState>,
-    /// For each body, its attitude afloat; empty without hydrodynamic data.
+    /// For each body, the attitude of the body afloat. The list is empty if no vessel has hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     /// The mooring lines.
     pub lines: Vec<Mooring>,
@@ -65,20 +67,20 @@ pub struct World {
     pub anchors: Vec<AnchorAtWork>,
     /// The vector tugs.
     pub tugs: Vec<TugAtWork>,
-    /// What happened in the last step.
+    /// The events of the last step.
     pub events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
-    /// The gusts of the set-up over each vessel.
+    /// The gusts of the set-up at each vessel.
     gusts: Vec<Option<ShipGusts>>,
-    /// Orders sorted by time, and the number of those that have been carried out.
+    /// Orders sorted by time, and the number of orders that the world has already carried out.
     orders: Vec<Order>,
     pub(super) taken: usize,
-    /// Vessels with an order beyond a stop in the last step, so that the event is reported once.
+    /// For each vessel, true if an order was beyond a stop in the last step, so that there is only one event.
     pub(super) clamped: Vec<bool>,
     pilots: PilotWork,
     /// The order of summation.
     pub order: SumOrder,
-    /// For each body, whether it is fixed: the tide rises and falls around it.
+    /// For each body, true if the body is fixed: the tide rises and falls around such a body.
     fixed: Vec<bool>,
 }
 
@@ -132,8 +134,8 @@ impl World {
         }
     }
 
-    /// Resets to the world at the start of another run with this set-up. Only wind and current of the set-up may have
-    /// changed.
+    /// Resets the world to the start of another run with this set-up. Of this set-up, only the wind and the current may
+    /// have changed.
     pub fn restart(&mut self, setup: &WorldSetup, states: &[BodyState]) {
         for (own, new) in self.vessels.iter_mut().zip(start_vessels(setup, &self.seaways, states)) {
             *own = new;
@@ -157,7 +159,7 @@ impl World {
         self.clamped.fill(false);
     }
 
-    /// Takes the gusts of the set-up again, because its wind may have changed.
+    /// Takes the gusts of the set-up again, because the wind of the set-up may have changed.
     pub fn renew_gusts(&mut self, setup: &WorldSetup) {
         let gusts = setup.environment.wind.as_ref().and_then(Wind::gusts);
         for (own, vessel) in self.gusts.iter_mut().zip(&setup.vessels) {
@@ -342,7 +344,7 @@ impl World {
         }
     }
 
-    /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
+    /// Calculates where the bodies with hydrodynamic data are in the middle of the time for which loads act; see
     /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
@@ -366,8 +368,8 @@ impl World {
         }
     }
 
-    /// Replaces the load of vessels with hydrodynamic data by the load that gives their motion in six degrees of
-    /// freedom.
+    /// Replaces the load of vessels with hydrodynamic data by the load that gives the motion of the vessel in six
+    /// degrees of freedom.
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
@@ -415,8 +417,8 @@ impl World {
         }
     }
 
-    /// The lines as they will be when the orders that wait for the step at a time are carried out. Of two orders in one
-    /// step, the second must not be judged as if there were no first.
+    /// The lines as they will be after the orders that wait for the step at this time. If two orders are for the same
+    /// step, the check of the second order must take the first order into account.
     pub fn lines_after_orders(
         &self,
         setup: &WorldSetup,
@@ -425,8 +427,8 @@ impl World {
         line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
-    /// Checks that a line can be sent to a bollard at a time. Line and bollard are given by index; `lines` are the
-    /// lines at that time.
+    /// Checks that an order can send a line to a bollard at a time. `line` and `bollard` are indices; `lines` are the
+    /// lines at this time.
     pub fn may_send(
         &self,
         lines: &[Mooring],
@@ -440,8 +442,7 @@ impl World {
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
-    /// An anchor as it will be when the orders that wait for the step at a time are carried out. See
-    /// [`World::lines_after_orders`].
+    /// An anchor as it will be after the orders that wait for the step at this time. See [`World::lines_after_orders`].
     pub fn anchor_after_orders(
         &self,
         setup: &WorldSetup,
@@ -460,12 +461,13 @@ impl World {
         after
     }
 
-    /// The orders that wait for a step, given by its start and length (s).
+    /// The orders that wait for a step, which is given by its start and its length (s).
     fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
         self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
     }
 
-    /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
+    /// Adds an order. The world then forgets the orders that it has carried out, so that memory does not grow in a run
+    /// of hours.
     pub fn order(&mut self, order: Order) {
         self.orders.drain(..self.taken);
         self.taken = 0;
@@ -473,19 +475,19 @@ impl World {
         self.orders.insert(place, order);
     }
 
-    /// Drops the pending orders for which `keep` returns false.
+    /// Removes the pending orders for which `keep` returns false.
     pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.orders.drain(..self.taken);
         self.taken = 0;
         self.orders.retain(keep);
     }
 
-    /// The pending orders by time.
+    /// The pending orders, sorted by time.
     pub fn pending_orders(&self) -> &[Order] {
         &self.orders[self.taken..]
     }
 
-    /// Takes the pending orders of another world.
+    /// Replaces the orders by the pending orders of another world.
     pub fn take_orders_of(&mut self, other: &World) {
         self.orders = other.pending_orders().to_vec();
         self.taken = 0;
@@ -539,14 +541,15 @@ impl World {
         }
     }
 
-    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s): they give the heights of fenders above the keels.
+    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s). These values give
+    /// the heights of fenders above the keels.
     pub fn heights<'a>(&'a self, setup: &WorldSetup, (t_s, step_s): (f64, f64)) -> Heights<'a> {
         let level_m = setup.environment.level_m(t_s + 0.5 * step_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
 
-    /// Moves the vessels in heave, roll and pitch after a step, from the vessels' own forces and from contact at the
+    /// Moves the vessels in heave, roll and pitch after a step, under the vessels' own forces and under contact at the
     /// height of the fenders.
     pub fn settle(
         &mut self,
@@ -627,7 +630,8 @@ impl World {
     }
 }
 
-/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` without data.
+/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` for a vessel without
+/// hydrodynamic data.
 pub fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     let of = |vessel: &VesselSetup| {
         vessel.seakeeping.as_ref().map(|ship| Arc::new(Motion::new(ship, step_s)))
@@ -635,7 +639,7 @@ pub fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     setup.vessels.iter().map(of).collect()
 }
 
-/// The vessels at the start of a run.
+/// The states of the vessels at the start of a run.
 fn start_vessels<'a>(
     setup: &'a WorldSetup,
     seaways: &'a [Option<Seaway>],

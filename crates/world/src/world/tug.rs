@@ -18,28 +18,28 @@ pub struct TugSetup {
     pub vessel: usize,
     /// The tug.
     pub tug: VectorTug,
-    /// Height above the still water at which the tug pushes, and of the fairlead of her line (m). Because of this
-    /// height, her force heels and trims a vessel with hydrodynamic data.
+    /// Height above the still water at which the tug pushes, and at which the fairlead of the tug's line is (m).
+    /// Because of this height, the tug's force heels and trims a vessel with hydrodynamic data.
     pub above_water_m: f64,
 }
 
-/// The state of a vector tug: plain data.
+/// The state of a vector tug, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TugAtWork {
     /// Orders, force and direction.
     pub state: TugState,
-    /// Force in the last step, in the vessel's axes about midship.
+    /// Force of the tug in the last step, in the vessel's axes about midship.
     pub force: Force,
-    /// Point of action of the force, from midship (m).
+    /// Point at which the force acts, measured from midship (m).
     pub at_m: Vec2,
-    /// Whether the tug could not give the ordered force in the last step.
+    /// True if the tug could not give the ordered force in the last step.
     pub limited: bool,
-    /// Whether the tug has dropped out: she then carries out no orders, and her force ends.
+    /// True if the tug has dropped out: the tug then carries out no orders and gives no force.
     pub out: bool,
 }
 
 impl TugAtWork {
-    /// Becomes a copy of another state. Allocates only if a buffer is too small.
+    /// Becomes a copy of another state. The copy allocates only if a buffer is too small.
     pub fn copy_from(&mut self, other: &TugAtWork) {
         let mut waiting = std::mem::take(&mut self.state.waiting);
         waiting.clone_from(&other.state.waiting);
@@ -47,7 +47,7 @@ impl TugAtWork {
         *self = TugAtWork { state, ..*other };
     }
 
-    /// The tug at the start of a run.
+    /// The state of the tug at the start of a run.
     pub fn new(setup: &TugSetup) -> TugAtWork {
         TugAtWork {
             state: TugState::default(),
@@ -58,7 +58,8 @@ impl TugAtWork {
         }
     }
 
-    /// Orders a force to starboard of the vessel (N): a push if it points away from the tug's side, else a pull on her line.
+    /// Orders a force to starboard of the vessel (N): a push if the force points away from the tug's side, otherwise a
+    /// pull on the tug's line.
     pub fn push_or_pull(&mut self, setup: &TugSetup, t_s: f64, starboard_n: f64) {
         let direction_rad = FRAC_PI_2.copysign(starboard_n);
         let force_n = starboard_n.abs();
@@ -74,7 +75,7 @@ impl TugAtWork {
         debug_assert!(taken.is_ok(), "a pilot stays within the limits of a tug");
     }
 
-    /// Takes a step of the tug. Returns the tug's wrench on the vessel's body.
+    /// Does one step of the tug. Returns the wrench (force and moment) of the tug on the vessel's body.
     pub fn step(
         &mut self,
         index: usize,
@@ -116,8 +117,8 @@ impl TugSetup {
         -FRAC_PI_2.copysign(self.tug.push_at_m.y)
     }
 
-    /// Describes the tug as a device for an automatic pilot of the ship. The tug can pull on her line with the same
-    /// force as she can push.
+    /// Describes the tug as a device for an automatic pilot of the ship. The tug can pull on the line with the same
+    /// force with which the tug can push.
     pub fn device(&self, vessel: &VesselSetup) -> LateralDevice {
         let most_n = 0.95 * self.tug.envelope.bollard_pull_n;
         LateralDevice {

@@ -1,4 +1,4 @@
-//! A ship in water and wind: computes the wrench on the ship's body from her state and controls.
+//! A ship in water and wind: the forces and moments on the ship's body from the ship's state and controls.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
@@ -37,12 +37,13 @@ pub(super) const SLOW_MPS: f64 = 0.01;
 pub struct VesselSetup {
     /// Index of the vessel's body in [`crate::setup::Setup::bodies`].
     pub body: usize,
-    /// Name of the vessel, and the sources of her data.
+    /// Name of the vessel, and the sources of the vessel's data.
     pub origin: Origin,
-    /// Hull, propeller and rudder, about midship, in the depth at the start of the run. The engine moves the vessel
-    /// with the mass at the start, throughout the run.
+    /// Data of hull, propeller and rudder, about midship, in the depth at the start of the run. In the whole run, the
+    /// engine moves the vessel with the mass at the start.
     pub ship: Mmg,
-    /// Hull, propeller and rudder in deep water. With a tide, the hull in any depth is computed from this.
+    /// Data of hull, propeller and rudder in deep water. With a tide, the model calculates the hull at each depth from
+    /// this data.
     pub deep: Mmg,
     /// Rudder: angle at the start, rate and stop (rad).
     pub rudder: RateLimited,
@@ -52,19 +53,19 @@ pub struct VesselSetup {
     pub thrusters: Vec<ThrusterSetup>,
     /// Azimuth units.
     pub azimuths: Vec<AzimuthSetup>,
-    /// The user's own current coefficients, which give the hull's force at low speed.
+    /// The user's own current coefficients, which give the force on the hull at low speed.
     pub current_table: Option<CurrentTable>,
-    /// Wind areas.
+    /// Areas of the ship for the wind.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
     pub float: Option<Float>,
-    /// First-order response to waves, which is added to all other motion.
+    /// First-order response to waves, which adds to all other motion.
     pub response: Option<MotionResponse>,
-    /// Hull data for mean wave drift.
+    /// Data of the hull for mean wave drift.
     pub drift: Option<DriftHull>,
     /// Hydrodynamic data, with which the vessel moves in six degrees of freedom. A vessel with such data has no
-    /// `response`, and her `float` gives her centre of gravity. Only in the coupled method with the semi-implicit
-    /// integrator.
+    /// `response`, and the vessel's `float` gives the height of the centre of gravity. Hydrodynamic data need the
+    /// coupled method with the semi-implicit integrator.
     pub seakeeping: Option<Seakeeping>,
 }
 
@@ -73,7 +74,8 @@ pub struct VesselSetup {
 pub struct Float {
     /// The three oscillators.
     pub hydrostatics: Hydrostatics,
-    /// Centre of gravity above the still waterline (m); negative below it.
+    /// Height of the centre of gravity above the still waterline (m); negative if the centre of gravity is below the
+    /// waterline.
     pub gravity_above_water_m: f64,
     /// Draught (m).
     pub draught_m: f64,
@@ -82,9 +84,9 @@ pub struct Float {
 /// The present orders to rudder, engine and thrusters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VesselOrders {
-    /// Rudder (rad).
+    /// Order to the rudder (rad).
     pub rudder_rad: f64,
-    /// Revolutions over full revolutions.
+    /// Order to the engine: revolutions divided by full revolutions.
     pub shaft: f64,
     /// Order to each thruster, −1 (to port) to 1 (to starboard).
     pub thrusters: Vec<f64>,
@@ -101,7 +103,7 @@ impl VesselOrders {
     }
 }
 
-/// The variable state of a vessel, besides the state of her body in the plane: plain data.
+/// The variable state of a vessel, except the state of the vessel's body in the plane, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselState {
     /// Present orders.
@@ -118,18 +120,18 @@ pub struct VesselState {
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
-    /// First-order wave motion, to be added to the other motion.
+    /// First-order wave motion, which adds to the other motion.
     pub wave_motion: FirstOrderMotion,
     /// The memory of the water for a vessel with hydrodynamic data.
     pub seaway: Option<SeawayState>,
     /// Squat (m): additional sinkage under way in shallow water.
     pub squat_m: f64,
-    /// Under-keel clearance with squat (m); `None` in deep water. Negative if the vessel is aground.
+    /// Under-keel clearance with squat (m); `None` in deep water. The clearance is negative if the vessel is aground.
     pub under_keel_m: Option<f64>,
-    /// Whether the vessel is aground.
+    /// True if the vessel is aground.
     pub aground: bool,
-    /// Whether the water is shallower than the range of the shallow-water formulas. In such water, the values at the
-    /// end of the range are used.
+    /// True if the water is shallower than the range of the shallow-water formulas. In such water, the model uses the
+    /// values at the end of the range.
     pub held: bool,
     /// Faults of the vessel.
     pub faults: Faults,
@@ -147,7 +149,7 @@ pub struct HullMotion {
 }
 
 impl HullMotion {
-    /// How much lower a place on the hull is than at rest (m), for small angles.
+    /// How much lower a place on the hull is than the same place at rest (m), for small angles.
     pub fn sinkage_m(&self, place_m: Vec2) -> f64 {
         self.heave_m - place_m.x * self.pitch_rad + place_m.y * self.roll_rad
     }
@@ -156,50 +158,51 @@ impl HullMotion {
 /// The forces on a vessel by source, in the vessel's axes about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VesselForces {
-    /// Hull, with the effect of current.
+    /// Force on the hull, with the effect of current.
     pub hull: Force,
-    /// Propeller.
+    /// Force of the propeller.
     pub propeller: Force,
     /// Rudder.
     pub rudder: Force,
-    /// Thrusters, azimuth units included.
+    /// Force of the thrusters, azimuth units included.
     pub thrusters: Force,
     /// Wind.
     pub wind: Force,
-    /// Mean wave drift; for a vessel with hydrodynamic data also slow drift.
+    /// Force of mean wave drift; for a vessel with hydrodynamic data also of slow drift.
     pub waves: Force,
     /// Exciting force of the waves on a vessel with hydrodynamic data.
     pub excitation: Force,
     /// Reaction of the water to the motion of a vessel with hydrodynamic data, and the effect of heave, roll and pitch
-    /// on the motion in the plane. This reaction is the difference to a body with the engine's constant mass.
+    /// on the motion in the plane. This reaction is the difference from the reaction to a body with the engine's
+    /// constant mass.
     pub radiation: Force,
-    /// Banks: unvalidated.
+    /// Force of banks. The model of banks is not validated.
     pub banks: Force,
-    /// The flow of ships that pass, and of other vessels.
+    /// Force of the flow of passing ships and of other vessels.
     pub passing: Force,
-    /// The bottom, if the vessel is aground.
+    /// Force of the bottom, if the vessel is aground.
     pub bottom: Force,
 }
 
-/// Forces by the inertia of the water, besides those of [`VesselForces`].
+/// Forces from the inertia of the water that are not in [`VesselForces`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaterInertia {
-    /// Minus the Coriolis terms of the added mass in the hull's force: about midship, in the vessel's axes. The
-    /// integrators apply these terms themselves.
+    /// Minus the Coriolis terms of the added mass in the hull's force, about midship, in the vessel's axes. The
+    /// integrators apply these Coriolis terms themselves.
     pub coriolis: Force,
     /// Velocity of the current at the vessel (m/s).
     pub current_mps: Vec2,
-    /// Wrench by the acceleration of the water, about the vessel's centre of gravity, earth-fixed.
+    /// Wrench (force and moment) from the acceleration of the water, about the vessel's centre of gravity, earth-fixed.
     pub acceleration: Wrench,
 }
 
 impl VesselForces {
-    /// Disturbance that the pilots compensate: hull, wind and waves.
+    /// The disturbance that the pilots balance: the forces of hull, wind and waves.
     pub fn disturbance(&self) -> Force {
         self.hull + self.wind + self.waves
     }
 
-    /// The sum without excitation and radiation, which `world/seaway.rs` adds.
+    /// The sum of all forces except excitation and radiation, which `world/seaway.rs` adds.
     pub fn sum(&self) -> Force {
         self.hull
             + self.propeller
@@ -214,7 +217,7 @@ impl VesselForces {
 }
 
 impl VesselState {
-    /// Becomes a copy of another state. Does not allocate if both are states of the same vessel.
+    /// Becomes a copy of another state. The copy does not allocate if both are states of the same vessel.
     pub fn copy_from(&mut self, other: &VesselState) {
         let (mut orders, mut thrusters, mut azimuths, mut seaway) = (
             std::mem::take(&mut self.orders),
@@ -232,7 +235,7 @@ impl VesselState {
         *self = VesselState { orders, thrusters, azimuths, seaway, ..*other };
     }
 
-    /// The state at the start of a run.
+    /// The state of the vessel at the start of a run.
     pub fn new(setup: &VesselSetup) -> VesselState {
         VesselState {
             orders: VesselOrders {
@@ -261,7 +264,7 @@ impl VesselState {
         }
     }
 
-    /// Heave, roll and pitch some time after this state (s), by their present rates.
+    /// Heave, roll and pitch at a time after this state (s), from the present rates.
     pub fn motion_after(&self, seconds: f64) -> HullMotion {
         let Attitude { heave, roll, pitch } = self.attitude;
         let FirstOrderMotion { motion, rate } = self.wave_motion;
@@ -273,8 +276,8 @@ impl VesselState {
         }
     }
 
-    /// Moves rudder, shaft and thrusters towards their orders, except those that have failed. Returns true if an order was
-    /// limited.
+    /// Moves rudder, shaft and thrusters towards their orders; devices that have failed do not move. Returns true if
+    /// the vessel limited an order.
     pub fn act(&mut self, step_s: f64) -> bool {
         let faults = self.faults;
         let order_rad = self.orders.rudder_rad;
@@ -321,13 +324,14 @@ impl VesselSetup {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
     }
 
-    /// The names of the vessel's thrusters, then of her azimuth units. [`crate::world::Tripped`] numbers units in this order.
+    /// The names of the vessel's thrusters, and then of the vessel's azimuth units. [`crate::world::Tripped`] numbers
+    /// units in this order.
     pub fn unit_names(&self) -> impl Iterator<Item = &str> + Clone {
         let thrusters = self.thrusters.iter().map(|thruster| thruster.name.as_str());
         thrusters.chain(self.azimuths.iter().map(|azimuth| azimuth.name.as_str()))
     }
 
-    /// True if azimuth units alone propel and steer the vessel: she has no propeller and no rudder.
+    /// True if only azimuth units propel and steer the vessel: the vessel has no propeller and no rudder.
     #[must_use]
     pub fn steers_with_azimuths(&self) -> bool {
         self.ship.propulsion.is_none() && !self.azimuths.is_empty()
@@ -529,7 +533,8 @@ impl VesselSetup {
     }
 
     /// True if the vessel is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again.
-    /// Otherwise a ship whose squat takes her to the bottom would change between afloat and aground in every step.
+    /// Otherwise, a ship whose squat brings the keel to the bottom would change between afloat and aground in every
+    /// step.
     pub fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
@@ -570,7 +575,7 @@ impl VesselSetup {
         }
     }
 
-    /// First-order motion at the end of a step.
+    /// First-order motion of the vessel at the end of a step.
     pub fn wave_motion(
         &self,
         state: &BodyState,
@@ -589,7 +594,7 @@ impl VesselSetup {
         first_order_motion(sea, response, &place, t_s)
     }
 
-    /// The gusts of the wind over the vessel; `None` if there are no gusts, or if no wind acts on her.
+    /// The gusts of the wind at the vessel; `None` if there are no gusts, or if no wind acts on the vessel.
     pub fn gusts(&self, environment: &Environment) -> Option<ShipGusts> {
         let gusts = environment.wind.as_ref()?.gusts()?;
         self.windage.as_ref().map(|windage| ShipGusts::new(gusts, windage))
@@ -617,17 +622,19 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Forces by the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
-    /// ([`crate::turning`]) they give the equations of motion of the MMG method.
+    /// The forces from the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
+    /// ([`crate::turning`]), these forces give the equations of motion of the MMG method.
     ///
-    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's
-    /// moment (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves,
-    /// about the centre of gravity, so these terms are subtracted here. Together these terms do no work.
+    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and, as part
+    /// of N_v, Munk's moment (m_x − m_y) u v. The integrators apply the Coriolis terms of ship and added mass
+    /// themselves, about the centre of gravity, so this function subtracts the terms of the hull's force. The Coriolis
+    /// terms together do no work.
     ///
-    /// Accelerating water accelerates the vessel: M (v̇ − DU/Dt) = W. The pressure gradient acts on the displaced
-    /// water, and the added mass acts with the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a
-    /// body that is small compared with the scale of the current). So M·DU/Dt is added, with the `mass` that the engine
-    /// moves. This force is zero in a steady uniform current.
+    /// Accelerating water accelerates the vessel: M (v̇ − DU/Dt) = W. The pressure gradient gives the force that would
+    /// accelerate the displaced water with the rest of the water, and the added mass resists the acceleration relative
+    /// to the water (Auton, Hunt & Prud'homme 1988, recalled, for a body that is small compared with the scale of the
+    /// current). So the function adds M·DU/Dt, with the `mass` that the engine moves. This force is zero in a steady
+    /// uniform current.
     pub fn water_inertia(
         &self,
         (state, velocity): (&BodyState, &Velocity),
@@ -660,7 +667,8 @@ impl VesselSetup {
         }
     }
 
-    /// The sum as an earth-fixed wrench about the centre of gravity, without Coriolis terms.
+    /// The sum of all forces as an earth-fixed wrench (force and moment) about the centre of gravity, without the
+    /// Coriolis terms of the integrators.
     pub fn wrench(
         &self,
         forces: &VesselForces,
@@ -676,8 +684,8 @@ impl VesselSetup {
         }
     }
 
-    /// The load on heave, roll and pitch. Forces of hull and appendages act at half the draught, the wind at the height
-    /// of the centroid of the vessel's lateral area.
+    /// The load on heave, roll and pitch. Forces of hull and appendages act at half the draught. The wind acts at the
+    /// height of the centroid of the vessel's lateral area.
     pub fn attitude_load(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
         let mut load = AttitudeLoad::default();
         for (part, above_gravity_m) in self.forces_by_height(forces, float) {
@@ -687,8 +695,8 @@ impl VesselSetup {
     }
 
     /// The vessel's own forces, each with its height above the centre of gravity (m). Forces of hull and appendages act
-    /// at half the draught, the force of the bottom at the keel, and the wind at the height of the centroid of the
-    /// lateral area.
+    /// at half the draught, and the force of the bottom acts at the keel. The wind acts at the height of the centroid
+    /// of the lateral area.
     pub fn forces_by_height(
         &self,
         forces: &VesselForces,

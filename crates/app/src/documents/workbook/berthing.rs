@@ -6,7 +6,7 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, sheet_of};
 
-/// The energy by formula beside that of the run.
+/// Writes the sheet that shows the berthing energy by formula beside the energy of the run.
 pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let Some(Ok(of)) = outcome.berthing else { return Ok(()) };
     let heads = [
@@ -38,7 +38,7 @@ pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(
         displacements.into_iter().map(|(name, mass_kg)| run(name, "t", mass_kg / 1e3)).collect();
     let speed = Some(of.formula_speed_mps());
     rows.extend([
-        row("Speed square to the face V", "m/s", speed, Some(of.speed_mps), NONE),
+        row("Speed V at right angles to the face", "m/s", speed, Some(of.speed_mps), NONE),
         run("Berthing angle, bow towards the berth positive", "deg", of.angle_rad.to_degrees()),
         run("Contact forward of the centre of gravity", "m", of.along_m),
         row(
@@ -77,10 +77,10 @@ pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(
         rows.push(run("Number of that hit", "", f64::from(later.number)));
     }
     let AddedSway { deep, shallow } = of.added_sway;
-    rows.push(run("Added mass in sway over displacement, in deep water", "–", deep));
+    rows.push(run("Added mass in sway divided by displacement, in deep water", "–", deep));
     if let Some(ShallowFactor { factor, depth_over_draught }) = shallow {
         rows.push(run("Factor on the added mass in shallow water", "–", factor));
-        rows.push(run("Depth of the water over the draught", "–", depth_over_draught));
+        rows.push(run("Water depth divided by the draught", "–", depth_over_draught));
     }
     rows.push(vec![of.mass_of_run().into()]);
     rows.push(vec![
@@ -89,7 +89,8 @@ pub(super) fn berthing(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(
     sheet_of(sheet, "Berthing", &heads, rows, 1)
 }
 
-/// M in words and kg; of two ships also the displacements of which it is the reduced mass.
+/// The mass M of the energy formula in words and kg; for a contact of two ships also the two displacements, of which M
+/// is the reduced mass.
 fn displacements(outcome: &Outcome<'_>, of: &BerthingOutcome) -> Vec<(&'static str, f64)> {
     let Some(other) = of.other else {
         return vec![("Displacement M", of.displacement_kg)];
@@ -100,7 +101,7 @@ fn displacements(outcome: &Outcome<'_>, of: &BerthingOutcome) -> Vec<(&'static s
     own.into_iter()
         .chain([
             ("Displacement of the other ship", other.displacement_kg),
-            ("Reduced mass M of the two", of.displacement_kg),
+            ("Reduced mass M of the two ships", of.displacement_kg),
         ])
         .collect()
 }

@@ -8,10 +8,10 @@ use fenderline_campaign::Cell;
 
 use crate::campaign::CaseTable;
 
-/// The workbook's bytes: one sheet, a row a case, units in the second row.
+/// The bytes of the workbook: one sheet with a row for each case, and the units in the second row.
 ///
 /// # Errors
-/// [`XlsxError`] where there are more rows than a sheet of Excel has.
+/// [`XlsxError`] if there are more rows than a sheet of Excel has.
 pub(crate) fn cases_workbook(title: &str, cases: &CaseTable) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // Without a clock: the same campaign writes the same bytes.

@@ -5,10 +5,10 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
 
-/// Columns of the catalogue before the name of the fender, which belongs to the depth.
+/// Number of catalogue columns before the column with the fender's name; the name belongs to the peak depth.
 const UP_TO_DEPTH: usize = 4;
 
-/// One row a pair that touched.
+/// Writes one row for each pair of bodies that touched.
 pub(super) fn contacts(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads: Vec<Head<'_>> = heads_of(&PAIRS).collect();
     heads.insert(UP_TO_DEPTH, Head("of the fender", "", 20.0));

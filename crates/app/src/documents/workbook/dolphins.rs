@@ -5,7 +5,7 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
 
-/// One row a flexible dolphin.
+/// Writes one row for each flexible dolphin.
 pub(super) fn dolphins(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads = vec![Head("Dolphin", "", 22.0)];
     heads.extend(heads_of(&DOLPHINS));

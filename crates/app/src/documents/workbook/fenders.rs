@@ -41,7 +41,7 @@ fn fender(outcome: &Outcome<'_>, index: usize) -> Vec<Cell> {
     cells
 }
 
-/// One row a cone of each touched fender with a panel on several.
+/// Writes one row for each cone of the touched fenders whose panel stands on several cones.
 pub(super) fn panels(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let heads = [
         Head("Fender", "", 22.0),
@@ -86,7 +86,7 @@ pub(super) fn panels(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(),
     sheet_of(sheet, "Panels", &heads, rows, 1)
 }
 
-/// One row a chain of each touched fender.
+/// Writes one row for each chain of the touched fenders.
 pub(super) fn chains(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads = vec![Head("Fender", "", 22.0), Head("Chain", "", 8.0)];
     heads.extend(heads_of(&CHAINS));

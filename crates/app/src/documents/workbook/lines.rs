@@ -5,7 +5,7 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
 
-/// One row a mooring line.
+/// Writes one row for each mooring line.
 pub(super) fn lines(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads = vec![Head("Line", "", 22.0)];
     heads.extend(heads_of(&LINES));

@@ -1,4 +1,4 @@
-//! The results of a run as an Excel workbook: numbers as numbers, units in the heads.
+//! The results of a run as an Excel workbook: cells hold numbers, not texts, and the heads have the units.
 
 mod berthing;
 mod cases;
@@ -16,10 +16,10 @@ pub(crate) use self::cases::cases_workbook;
 use fenderline_results::{KeptTable, Outcome};
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, XlsxError};
 
-/// The workbook's bytes. `series` become a sheet each, after the others.
+/// The workbook's bytes. Each time series of `series` becomes a sheet after the other sheets.
 ///
 /// # Errors
-/// [`XlsxError`] where a sheet is too large for Excel.
+/// [`XlsxError`] if a sheet is too large for Excel.
 pub(super) fn workbook(outcome: &Outcome<'_>, series: &[KeptTable]) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // Without a clock: the same run writes the same bytes.

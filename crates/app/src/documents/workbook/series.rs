@@ -6,7 +6,7 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, sheet_of};
 
-/// A result table with the columns, units and values of its file.
+/// Writes a sheet with the columns, units and values of a result table.
 pub(super) fn time_series(sheet: &mut Worksheet, kept: &KeptTable) -> Result<(), XlsxError> {
     let width = |name: &str| bounded(name.chars().count() as f64 + 2.0, 9.0, 30.0);
     let heads: Vec<Head<'_>> = kept

@@ -1,4 +1,4 @@
-//! The sheets of the whole run: governing numbers and findings.
+//! The sheets of the workbook about the whole run: governing numbers and findings.
 
 use fenderline_report::run_page::{detail_label, governing};
 use fenderline_results::{Outcome, integrator_text, method_text};
@@ -49,7 +49,7 @@ pub(super) fn summary(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<()
     Ok(())
 }
 
-/// Names and values of the lines above the governing numbers.
+/// Names and values of the lines that the sheet shows above the governing numbers.
 fn facts(outcome: &Outcome<'_>) -> Vec<(String, Cell)> {
     let setup = outcome.setup;
     let mut facts: Vec<(String, Cell)> = outcome

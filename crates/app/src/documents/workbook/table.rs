@@ -1,4 +1,4 @@
-//! Heads, cells and formats of a sheet.
+//! Writes heads, cells and formats of a sheet.
 
 use fenderline_contact::number::greater;
 use fenderline_results::{Amount, Catalogue};
@@ -7,9 +7,9 @@ use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Worksheet, XlsxE
 /// A cell.
 pub(super) enum Cell {
     Text(String),
-    /// A number in the unit of its column.
+    /// A number in the unit that its column has.
     Number(f64),
-    /// A number in a unit of its own.
+    /// A number with its own unit, other than that of its column.
     Of(f64, &'static str),
     Flag(bool),
     Empty,
@@ -42,7 +42,7 @@ impl From<Option<f64>> for Cell {
     }
 }
 
-/// The heads of a catalogue's columns.
+/// The heads of those columns of a catalogue that a sheet shows.
 pub(super) fn heads_of<S, T>(
     catalogue: &Catalogue<S, T>,
 ) -> impl Iterator<Item = Head<'static>> + use<S, T> {
@@ -50,8 +50,8 @@ pub(super) fn heads_of<S, T>(
     columns.filter_map(|of| Some(Head(of.head, of.scale.page_unit(), of.sheet_width?)))
 }
 
-/// The cells of a catalogue's columns. `summary`: `None` for a part that has no summary, such as a fender that was not
-/// touched.
+/// The cells of one part in the columns of a catalogue. `summary` is `None` for a part without results, such as a
+/// fender that was not touched.
 pub(super) fn cells_of<S, T>(
     catalogue: &Catalogue<S, T>,
     setup: &S,
@@ -66,18 +66,19 @@ pub(super) fn cells_of<S, T>(
     })
 }
 
-/// Rows of a head: names and units.
+/// Number of head lines of a sheet: names and units.
 const HEAD_ROWS: u32 = 2;
-/// Most characters of a line on a paper.
+/// Largest number of characters across a printed page.
 const PAGE_WIDTH: f64 = 190.0;
-/// Width of a bold letter over that of a digit.
+/// Width of a bold letter divided by the width of a digit.
 const BOLD: f64 = 1.2;
-/// Height of a line (points).
+/// Height of a line of text in a cell (points).
 const LINE: f64 = 15.0;
-/// ISO A4 in the numbering of Excel.
+/// Excel's number for the paper size ISO A4.
 const A4: u8 = 9;
 
-/// A sheet that is one table: its heads stay in view and on each printed page, as do its first columns.
+/// Writes a sheet that is one table. The heads and the first columns stay in view and are repeated on each printed
+/// page.
 pub(super) fn sheet_of(
     sheet: &mut Worksheet,
     name: &str,
@@ -102,7 +103,8 @@ pub(super) fn sheet_of(
     Ok(())
 }
 
-/// Landscape, on so many papers side by side, with name and page number at their feet.
+/// Has the sheet printed on A4 landscape, `papers` pages side by side, with name and page number at the foot of each
+/// page.
 pub(super) fn print_on_a4(sheet: &mut Worksheet, name: &str, papers: u16) {
     sheet.set_paper_size(A4);
     sheet.set_landscape();
@@ -110,7 +112,8 @@ pub(super) fn print_on_a4(sheet: &mut Worksheet, name: &str, papers: u16) {
     sheet.set_footer(format!("&L{name}&RPage &P of &N"));
 }
 
-/// Head and rows of a table, from row `top` on; returns the row after the last. The row below the heads has the units.
+/// Writes heads and rows of a table from row `top` on, and returns the row after the last. The row below the heads has
+/// the units.
 pub(super) fn table(
     sheet: &mut Worksheet,
     top: u32,
@@ -145,7 +148,7 @@ pub(super) fn table(
     Ok(row)
 }
 
-/// Lines of a bold head that wraps between words in a column of this width (characters).
+/// Number of lines of a bold head that wraps between words in a column of the given width (characters).
 fn lines_of(head: &str, width: f64) -> f64 {
     let (mut lines, mut used) = (1.0, 0.0);
     for word in head.split(' ') {
@@ -158,7 +161,7 @@ fn lines_of(head: &str, width: f64) -> f64 {
     lines
 }
 
-/// Writes a cell. `format` is that of a number in the unit of its column.
+/// Writes a cell. `format` is the number format for the unit of the cell's column.
 pub(super) fn put(
     sheet: &mut Worksheet,
     (row, column): (u32, u16),
@@ -181,7 +184,7 @@ pub(super) fn put(
     Ok(())
 }
 
-/// A text that wraps in its column.
+/// The format of a text that wraps in its column.
 fn wrapped() -> Format {
     at_top().set_text_wrap().set_align(FormatAlign::Left).set_indent(1)
 }
@@ -190,7 +193,7 @@ fn at_top() -> Format {
     Format::new().set_align(FormatAlign::Top)
 }
 
-/// How numbers of a unit are shown; the cells hold all digits.
+/// The number format of a unit; the cells themselves hold all digits.
 pub(super) fn format_of(unit: &str) -> Format {
     let digits = match unit {
         "mm" | "kN·s" | "N" | "J" | "N·m" | "N·s" | "N/m²" => "#,##0",

@@ -5,7 +5,7 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
 
-/// One row a vessel: her particulars, and her largest motions.
+/// Writes one row for each vessel: her particulars, and her largest motions.
 pub(super) fn vessels(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads = vec![
         Head("Vessel", "", 22.0),
@@ -31,7 +31,7 @@ pub(super) fn vessels(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<()
     sheet_of(sheet, "Vessels", &heads, rows, 1)
 }
 
-/// One row a tug that is a force at a ship's side.
+/// Writes one row for each tug that is simulated as a force at a ship's side.
 pub(super) fn tugs(sheet: &mut Worksheet, outcome: &Outcome<'_>) -> Result<(), XlsxError> {
     let mut heads = vec![Head("Tug", "", 22.0), Head("Serves", "", 22.0)];
     heads.extend(heads_of(&TUGS));

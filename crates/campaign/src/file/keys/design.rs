@@ -1,4 +1,4 @@
-//! Keys of correlations, outputs, limits, stop rule and design.
+//! Keys of a campaign file for correlations, outputs, limits, the stop rule and design values.
 
 use super::super::kinds::{MOST_RUNS, Statistic};
 use fenderline_keys::choices::{Choice, Choices};

@@ -1,4 +1,4 @@
-//! Keys of the hours that a berth loses to the weather.
+//! Keys of a campaign file for a downtime analysis, which counts the hours that a berth loses to the weather.
 
 use fenderline_keys::held::{Number, Text};
 use fenderline_keys::spec::Absent::{Is, Refused};
@@ -6,14 +6,14 @@ use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::table_keys;
 use fenderline_keys::units::measures as unit;
 
-/// Most states, and most hours of the sample: far more than a year of hours.
+/// Largest number of states, and of hours of the sample: far more than the hours of a year.
 const MOST: f64 = 1e6;
 
 pub(super) static DOWNTIME: TableSpec = TableSpec {
     what: "a downtime",
     doc: "Hours that a berth loses to the weather: the hours of a series of waves, wind and \
         current are grouped into states, each state is a run of the scenario, and an hour is lost \
-        if its state exceeds a limit. The limits are the limits of the scenario, [limit.NAME]. A \
+        if its state exceeds a limit. The limits are those of the scenario, [limit.NAME]. A \
         fender over its rating, a line over its working load, and any failure count too.",
     keys: DowntimeKey::ALL,
     rules: None,
@@ -46,8 +46,8 @@ table_keys! {
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: MOST }),
             Is("60"),
             "Number of single hours of a series, drawn at random by `seed`, that are also run with \
-             their own weather. They show the error of the states. A scatter diagram has no such \
-             hours.",
+             their own weather. These single hours show the error of the states. A scatter diagram \
+             has no single hours.",
             &["200"],
         ),
     }

@@ -20,7 +20,7 @@ use fenderline_keys::units::measures as unit;
 use fenderline_keys::{any_keys, table_keys};
 use serde_json::{Value as Json, json};
 
-/// Largest number of time steps that a file can allow for one run.
+/// Largest number of time steps that a campaign file can allow for one run.
 const MOST_STEPS: f64 = 1e15;
 
 pub(crate) static PLANS: Choices<PlanKind> = Choices(&[

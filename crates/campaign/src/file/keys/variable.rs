@@ -1,4 +1,4 @@
-//! Keys of a variable and its choices.
+//! Keys of a campaign file for a variable and its choices.
 
 use super::super::kinds::FamilyKind;
 use super::super::law::LawFamily;
@@ -258,7 +258,7 @@ table_keys! {
     }
 }
 
-/// Choices set keys of their own.
+/// A choice of a variable sets keys of its own.
 fn variable_rules() -> serde_json::Value {
     serde_json::json!({
         "oneOf": [

@@ -8,7 +8,8 @@ use core::fmt;
 
 /// Euler's constant, the mean of the standard Gumbel distribution.
 const EULER: f64 = 0.577_215_664_901_532_9;
-/// Least probability between the bounds of a truncated law. Below it too few digits are left to draw from.
+/// Smallest probability that a truncated law may have between its bounds. If the law had a smaller probability between
+/// its bounds, too few digits would be left to draw from.
 const LEAST_MASS: f64 = 1e-9;
 
 /// A family of laws.
@@ -18,7 +19,7 @@ pub enum LawFamily {
     Normal,
     /// The logarithm is normal.
     Lognormal,
-    /// Weibull of two parameters, from 0.
+    /// Weibull law of two parameters, for values from 0.
     Weibull,
     /// Gumbel of maxima.
     Gumbel,
@@ -67,9 +68,9 @@ enum Shape {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
     shape: Shape,
-    /// The bounds of a truncated law; infinite without.
+    /// The bounds of a truncated law; infinite if the law is not truncated.
     bounds: [f64; 2],
-    /// Probabilities of the whole law below the bounds.
+    /// Probabilities that the law without truncation has below its lower and its upper bound.
     mass: [f64; 2],
 }
 
@@ -78,19 +79,19 @@ impl Law {
         Law { shape, bounds: [f64::NEG_INFINITY, f64::INFINITY], mass: [0.0, 1.0] }
     }
 
-    /// Normal, by mean and standard deviation.
+    /// Makes a normal law from mean and standard deviation.
     ///
     /// # Errors
-    /// A standard deviation that is not positive.
+    /// Fails if the standard deviation is not positive.
     pub fn normal(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("standard_deviation", deviation)?;
         Ok(Law::whole(Shape::Normal { mean, deviation }))
     }
 
-    /// Lognormal, by mean and standard deviation of the variable itself.
+    /// Makes a lognormal law from mean and standard deviation of the variable itself.
     ///
     /// # Errors
-    /// A number that is not positive.
+    /// Fails if a number is not positive.
     pub fn lognormal(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("mean", mean)?;
         positive("standard_deviation", deviation)?;
@@ -98,30 +99,30 @@ impl Law {
         Law::lognormal_by_logarithm(libm::log(mean) - 0.5 * variance, libm::sqrt(variance))
     }
 
-    /// Lognormal, by mean and standard deviation of the natural logarithm.
+    /// Makes a lognormal law from mean and standard deviation of the variable's natural logarithm.
     ///
     /// # Errors
-    /// A standard deviation that is not positive.
+    /// Fails if the standard deviation is not positive.
     pub fn lognormal_by_logarithm(log_mean: f64, log_deviation: f64) -> Result<Law, String> {
         positive("log_standard_deviation", log_deviation)?;
         Ok(Law::whole(Shape::Lognormal { log_mean, log_deviation }))
     }
 
-    /// Weibull, by scale and shape: F = 1 − exp(−(x/scale)^shape).
+    /// Makes a Weibull law from scale and shape: F = 1 − exp(−(x/scale)^shape).
     ///
     /// # Errors
-    /// A number that is not positive.
+    /// Fails if a number is not positive.
     pub fn weibull(scale: f64, shape: f64) -> Result<Law, String> {
         positive("scale", scale)?;
         positive("shape", shape)?;
         Ok(Law::whole(Shape::Weibull { scale, shape }))
     }
 
-    /// Weibull, by mean and standard deviation.
+    /// Makes a Weibull law from mean and standard deviation.
     ///
     /// # Errors
-    /// A number that is not positive, or a standard deviation over mean that no shape between 0.1 and 100
-    /// has.
+    /// Fails if a number is not positive, or if no shape between 0.1 and 100 has this ratio of standard deviation to
+    /// mean.
     pub fn weibull_by_moments(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("mean", mean)?;
         positive("standard_deviation", deviation)?;
@@ -131,19 +132,19 @@ impl Law {
         Law::weibull(mean / weibull::mean(shape), shape)
     }
 
-    /// Gumbel of maxima, by location (mode) and scale: F = exp(−exp(−(x − location)/scale)).
+    /// Makes a Gumbel law of maxima from location (mode) and scale: F = exp(−exp(−(x − location)/scale)).
     ///
     /// # Errors
-    /// A scale that is not positive.
+    /// Fails if the scale is not positive.
     pub fn gumbel(location: f64, scale: f64) -> Result<Law, String> {
         positive("scale", scale)?;
         Ok(Law::whole(Shape::Gumbel { location, scale }))
     }
 
-    /// Gumbel of maxima, by mean and standard deviation.
+    /// Makes a Gumbel law of maxima from mean and standard deviation.
     ///
     /// # Errors
-    /// A standard deviation that is not positive.
+    /// Fails if the standard deviation is not positive.
     pub fn gumbel_by_moments(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("standard_deviation", deviation)?;
         let scale = deviation * libm::sqrt(6.0) / PI;
@@ -153,26 +154,26 @@ impl Law {
     /// Uniform between two values.
     ///
     /// # Errors
-    /// Bounds that are equal or crossed.
+    /// Fails if the bounds are equal or crossed.
     pub fn uniform(lower: f64, upper: f64) -> Result<Law, String> {
         rising("lower", lower, "upper", upper)?;
         Ok(Law::whole(Shape::Uniform { lower, upper }))
     }
 
-    /// Uniform, by mean and standard deviation.
+    /// Makes a uniform law from mean and standard deviation.
     ///
     /// # Errors
-    /// A standard deviation that is not positive.
+    /// Fails if the standard deviation is not positive.
     pub fn uniform_by_moments(mean: f64, deviation: f64) -> Result<Law, String> {
         positive("standard_deviation", deviation)?;
         let half = libm::sqrt(3.0) * deviation;
         Law::uniform(mean - half, mean + half)
     }
 
-    /// Triangular, by its ends and its mode.
+    /// Makes a triangular law from its two ends and its mode.
     ///
     /// # Errors
-    /// Ends that are equal or crossed, or a mode that is not between them.
+    /// Fails if the ends are equal or crossed, or if the mode is not between the ends.
     pub fn triangular(lower: f64, mode: f64, upper: f64) -> Result<Law, String> {
         rising("lower", lower, "upper", upper)?;
         if !(lower <= mode && mode <= upper) {
@@ -183,11 +184,11 @@ impl Law {
         Ok(Law::whole(Shape::Triangular { lower, mode, upper }))
     }
 
-    /// A law of a family of two parameters, by the values at two probabilities.
+    /// Makes a law of a family with two parameters from the values at two probabilities.
     ///
     /// # Errors
-    /// Probabilities that are not between 0 and 1 or do not rise with the values, values that the family does not have, or a
-    /// triangular law.
+    /// Fails if the probabilities are not between 0 and 1 or do not rise with the values, if the family does not have
+    /// the values, or if the family is triangular.
     pub fn by_quantiles(family: LawFamily, [one, other]: [(f64, f64); 2]) -> Result<Law, String> {
         for (p, _) in [one, other] {
             if !(0.0 < p && p < 1.0) {
@@ -224,10 +225,11 @@ impl Law {
         }
     }
 
-    /// The law cut at bounds below and above.
+    /// Truncates the law at a lower and an upper bound.
     ///
     /// # Errors
-    /// Bounds that are equal or crossed, or between which the law has less than 1e-9 of its probability.
+    /// Fails if the bounds are equal or crossed, or if the law has less than 1e-9 of its probability between the
+    /// bounds.
     pub fn within(self, lowest: Option<f64>, highest: Option<f64>) -> Result<Law, String> {
         let bounds = [lowest.unwrap_or(f64::NEG_INFINITY), highest.unwrap_or(f64::INFINITY)];
         rising("at_least", bounds[0], "at_most", bounds[1])?;
@@ -241,7 +243,7 @@ impl Law {
         Ok(Law { bounds, mass, ..self })
     }
 
-    /// The value that is not exceeded with probability `p`, between 0 and 1, both excluded.
+    /// The value that the variable does not exceed with probability `p`, which is between 0 and 1, both excluded.
     #[must_use]
     pub fn quantile(&self, p: f64) -> f64 {
         let [low, high] = self.mass;
@@ -250,7 +252,7 @@ impl Law {
         fenderline_contact::number::bounded(value, self.bounds[0], self.bounds[1])
     }
 
-    /// The probability of at most `x`.
+    /// The probability that the variable is at most `x`.
     #[must_use]
     pub fn cdf(&self, x: f64) -> f64 {
         let [low, high] = self.mass;
@@ -313,7 +315,7 @@ impl Shape {
 }
 
 impl fmt::Display for Law {
-    /// The family with its parameters, rounded to four digits, and its bounds.
+    /// Writes the law in words: its family, its parameters rounded to four digits, and its bounds.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.shape {
             Shape::Normal { mean, deviation } => {

@@ -1,18 +1,20 @@
-//! The standard normal distribution by `libm`, so that draws have the same bits on every platform. Tests compare with a library.
+//! The standard normal distribution, computed by `libm`, so that draws have the same bits on every platform. Tests
+//! compare it with the values of a library.
 
 /// The distribution function Φ(x).
 pub(super) fn cdf(x: f64) -> f64 {
     0.5 * libm::erfc(-x * core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// The quantile of a probability between 0 and 1, both excluded: a starting value by a rational approximation with an error below
-/// 4.5e-4 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.23), made exact by Halley's iteration on Φ.
-/// For the upper half, the lower half is mirrored, so the tail keeps its digits.
+/// The standard normal quantile of a probability between 0 and 1, both excluded: a starting value by a rational
+/// approximation with an error below 4.5e-4 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.23), made
+/// exact by Halley's iteration on Φ. For probabilities above 1/2 the lower half of the distribution is mirrored, so
+/// that the tail keeps its digits.
 pub(super) fn quantile(p: f64) -> f64 {
     if p > 0.5 { -lower(1.0 - p) } else { lower(p) }
 }
 
-/// The quantile of a probability of at most 1/2.
+/// The standard normal quantile of a probability of at most 1/2.
 fn lower(p: f64) -> f64 {
     let t = libm::sqrt(-2.0 * libm::log(p));
     let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);

@@ -1,6 +1,6 @@
 //! The Weibull distribution by its moments.
 
-/// Range in which the shape is searched.
+/// Range in which the shape of a Weibull law is searched.
 const SHAPES: [f64; 2] = [0.1, 100.0];
 
 /// The mean of a Weibull law of scale 1.
@@ -14,7 +14,8 @@ fn variation(shape: f64) -> f64 {
     libm::sqrt(libm::tgamma(1.0 + 2.0 / shape) / (mean * mean) - 1.0)
 }
 
-/// The shape with this standard deviation over mean, by bisection: the ratio falls as the shape rises.
+/// The shape of the Weibull law that has the given ratio of standard deviation to mean, found by bisection: the ratio
+/// falls as the shape rises.
 pub(super) fn shape_of(wanted: f64) -> Option<f64> {
     let [mut low, mut high] = SHAPES;
     if !(variation(high) <= wanted && wanted <= variation(low)) {

@@ -15,28 +15,29 @@ pub enum Distribution {
         /// Standard deviation.
         deviation: f64,
     },
-    /// Mean and standard deviation of the logarithm.
+    /// Lognormal distribution, by mean and standard deviation of the logarithm.
     LogNormal {
         /// Mean of ln x.
         mu: f64,
         /// Standard deviation of ln x.
         sigma: f64,
     },
-    /// Weibull's with two parameters: exp(−(x/scale)^shape) is above x.
+    /// Weibull distribution with two parameters: the probability to exceed x is exp(−(x/scale)^shape).
     Weibull {
         /// Shape.
         shape: f64,
         /// Scale.
         scale: f64,
     },
-    /// Gumbel's of maxima: exp(−exp(−(x − location)/scale)) is below x.
+    /// Gumbel distribution of maxima: the probability to be below x is exp(−exp(−(x − location)/scale)).
     Gumbel {
         /// Location.
         location: f64,
         /// Scale.
         scale: f64,
     },
-    /// Generalised extreme values: exp(−(1 + ξ(x − location)/scale)^(−1/ξ)) is below x.
+    /// Generalised extreme value distribution: the probability to be below x is exp(−(1 + ξ(x −
+    /// location)/scale)^(−1/ξ)).
     Gev {
         /// Location.
         location: f64,
@@ -45,11 +46,12 @@ pub enum Distribution {
         /// Shape ξ.
         shape: f64,
     },
-    /// Generalised Pareto over a threshold: share × (1 + ξ(x − threshold)/scale)^(−1/ξ) is above x.
+    /// Generalised Pareto distribution over a threshold: the probability to exceed x is share × (1 + ξ(x −
+    /// threshold)/scale)^(−1/ξ).
     Pareto {
         /// Threshold.
         threshold: f64,
-        /// Probability to be above the threshold.
+        /// Probability that a value lies above the threshold.
         share: f64,
         /// Scale.
         scale: f64,
@@ -58,12 +60,12 @@ pub enum Distribution {
     },
 }
 
-/// For shapes ξ nearer to 0 the limit is used: Gumbel, exponential.
+/// For shapes ξ nearer to 0 than this number, the limiting law for ξ = 0 is used (Gumbel, exponential).
 const NO_SHAPE: f64 = 1e-7;
 
 impl Distribution {
-    /// Probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], where the law has no
-    /// values, the probability to exceed the threshold.
+    /// Probability to exceed `x`. The probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], where
+    /// the law has no values, it is the probability to exceed the threshold.
     #[must_use]
     pub fn above(&self, x: f64) -> f64 {
         match *self {
@@ -143,7 +145,7 @@ impl Distribution {
         })
     }
 
-    /// Threshold, and the probability to be above the threshold.
+    /// The threshold of the distribution, and the probability to exceed the threshold.
     #[must_use]
     pub fn threshold(&self) -> Option<(f64, f64)> {
         match *self {
@@ -152,7 +154,7 @@ impl Distribution {
         }
     }
 
-    /// Shape ξ of the tail, if it is a parameter.
+    /// Shape ξ of the tail, if the distribution has this parameter.
     pub(super) fn tail_shape(&self) -> Option<f64> {
         match *self {
             Distribution::Gev { shape, .. } | Distribution::Pareto { shape, .. } => Some(shape),
@@ -161,7 +163,8 @@ impl Distribution {
     }
 }
 
-/// (1 + ξz)^(−1/ξ), exp(−z) for ξ = 0; 0 beyond the upper end, infinite below the lower end.
+/// The function (1 + ξz)^(−1/ξ), which is exp(−z) for ξ = 0; it is 0 beyond the upper end of the distribution, and
+/// infinite below the lower end.
 fn tail(z: f64, shape: f64) -> f64 {
     if shape.abs() < NO_SHAPE {
         return libm::exp(-z);
@@ -173,7 +176,7 @@ fn tail(z: f64, shape: f64) -> f64 {
     libm::exp(-libm::log1p(inner) / shape)
 }
 
-/// The z of which `tail` is t.
+/// The inverse of `tail`: the z for which `tail` gives t.
 fn of_tail(t: f64, shape: f64) -> f64 {
     let log = -libm::log(t);
     if shape.abs() < NO_SHAPE { log } else { libm::expm1(shape * log) / shape }

@@ -5,7 +5,7 @@ use core::fmt;
 /// The reason why a fit failed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitFault {
-    /// There are fewer values than are needed (above the threshold, if there is a threshold).
+    /// The sample has fewer values than the fit needs (above the threshold, if there is a threshold).
     TooFew {
         /// How many there are.
         count: usize,
@@ -16,7 +16,7 @@ pub enum FitFault {
     NotPositive {
         /// The smallest value.
         least: f64,
-        /// How many are not positive.
+        /// Number of values that are not positive.
         count: usize,
     },
     /// All values are equal.
@@ -25,7 +25,7 @@ pub enum FitFault {
     NoThreshold,
     /// The values have weights.
     Weighted,
-    /// The likelihood did not settle.
+    /// The likelihood did not reach a maximum within the largest number of steps.
     NotConverged {
         /// Steps that were made.
         steps: usize,

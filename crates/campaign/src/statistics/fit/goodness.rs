@@ -1,11 +1,11 @@
-//! How far a sample lies from a distribution.
+//! Measures how far a sample lies from a distribution.
 
 use fenderline_contact::number::greater;
 
 use super::Distribution;
 
-/// Kolmogorov and Smirnov's distance and Anderson and Darling's A² of sorted values, all above the threshold of the
-/// distribution, if it has a threshold.
+/// The distance of Kolmogorov and Smirnov and the A² of Anderson and Darling between sorted values and a distribution;
+/// if the distribution has a threshold, all values lie above it.
 pub(super) fn distances(values: &[f64], distribution: &Distribution) -> (f64, f64) {
     let n = values.len() as f64;
     let (mut largest, mut sum) = (0.0, 0.0);
@@ -19,7 +19,7 @@ pub(super) fn distances(values: &[f64], distribution: &Distribution) -> (f64, f6
     (largest, -n - sum / n)
 }
 
-/// The logarithm of a probability that may have underflowed.
+/// The logarithm of a probability that may have underflowed to 0.
 fn log(p: f64) -> f64 {
     libm::log(greater(p, f64::MIN_POSITIVE))
 }

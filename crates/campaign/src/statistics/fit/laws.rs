@@ -1,4 +1,4 @@
-//! The laws that are fitted: names, what they admit, likelihood, free parameters.
+//! The laws that can be fitted: their names, the values that they admit, their likelihoods and their free parameters.
 
 use core::f64::consts::TAU;
 use core::str::FromStr;
@@ -24,7 +24,7 @@ pub enum Law {
     Pareto,
 }
 
-/// Fewest values for two and for three parameters.
+/// Smallest number of values for fitting a law with two and with three parameters.
 const FEWEST: [usize; 2] = [10, 20];
 
 impl Law {
@@ -32,7 +32,7 @@ impl Law {
     pub const ALL: [Law; 6] =
         [Law::Normal, Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev, Law::Pareto];
 
-    /// The name on the command line.
+    /// The name of the law on the command line.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -58,7 +58,7 @@ impl Law {
         }
     }
 
-    /// Whether the values can be fitted.
+    /// Checks that the law can be fitted to the values.
     pub(super) fn admit(self, values: &[f64]) -> Result<(), FitFault> {
         let needed = FEWEST[usize::from(matches!(self, Law::Gev | Law::Pareto))];
         if values.len() < needed {
@@ -72,8 +72,8 @@ impl Law {
         if least == largest { Err(FitFault::Constant) } else { Ok(()) }
     }
 
-    /// Logarithm of the likelihood of values above the threshold; −∞ where a value is not possible. Free parameters: scales as
-    /// their logarithms.
+    /// Logarithm of the likelihood of values above the threshold; −∞ if the law does not allow a value. Free parameters
+    /// are those of the law, with scales as their logarithms.
     pub(super) fn log_likelihood(self, free: &[f64], values: &[f64]) -> f64 {
         let n = values.len() as f64;
         match self {
@@ -100,7 +100,7 @@ impl Law {
         }
     }
 
-    /// The distribution of free parameters.
+    /// The distribution that has the given free parameters.
     pub(super) fn distribution(self, free: &[f64], place: Option<(f64, f64)>) -> Distribution {
         let scale = |index: usize| libm::exp(free[index]);
         match self {
@@ -110,13 +110,13 @@ impl Law {
             Law::Gumbel => Distribution::Gumbel { location: free[0], scale: scale(1) },
             Law::Gev => Distribution::Gev { location: free[0], scale: scale(1), shape: free[2] },
             Law::Pareto => {
-                let (threshold, share) = place.expect("a fit over a threshold has one");
+                let (threshold, share) = place.expect("a fit over a threshold has a threshold");
                 Distribution::Pareto { threshold, share, scale: scale(0), shape: free[1] }
             }
         }
     }
 
-    /// The parameters with their standard errors.
+    /// The parameters of the law with their standard errors.
     pub(super) fn parameters(
         self,
         free: &[f64],
@@ -137,7 +137,7 @@ impl Law {
             Law::Gumbel => vec![plain("location", 0), scale("scale", 1)],
             Law::Gev => vec![plain("location", 0), scale("scale", 1), plain("shape", 2)],
             Law::Pareto => {
-                let (value, _) = place.expect("a fit over a threshold has one");
+                let (value, _) = place.expect("a fit over a threshold has a threshold");
                 let threshold = Parameter { name: "threshold", value, error: 0.0 };
                 vec![threshold, scale("scale", 0), plain("shape", 1)]
             }
@@ -179,7 +179,7 @@ fn extreme(location: f64, log_scale: f64, shape: f64, values: &[f64]) -> f64 {
     sum
 }
 
-/// Of the generalised Pareto distribution over 0.
+/// Logarithm of the likelihood of the generalised Pareto distribution over 0.
 fn pareto(log_scale: f64, shape: f64, values: &[f64]) -> f64 {
     let scale = libm::exp(-log_scale);
     let mut sum = -(values.len() as f64) * log_scale;
@@ -192,7 +192,7 @@ fn pareto(log_scale: f64, shape: f64, values: &[f64]) -> f64 {
     sum
 }
 
-/// −ln(1 + ξz)/ξ, −z for ξ = 0; `None` outside the range.
+/// The function −ln(1 + ξz)/ξ, which is −z for ξ = 0; `None` outside the range of the law.
 fn log_tail(z: f64, shape: f64) -> Option<f64> {
     let inner = shape * z;
     if inner.abs() < 1e-8 {

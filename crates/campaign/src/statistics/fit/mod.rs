@@ -1,9 +1,9 @@
-//! Fits of distributions by maximum likelihood, side by side with their goodness.
+//! Fits distributions to a sample by maximum likelihood, and measures how good the fits are.
 //!
-//! All laws are fitted by one method: Newton's, from a start by moments or probability-weighted moments. The standard errors are
-//! those of the observed information, the bands of a quantile those of the delta method, on its logarithm where the quantile is
-//! positive (Coles, An Introduction to Statistical Modeling of Extreme Values, 2001, 2.6 and 3.3). A fit that fails is an error
-//! with its reason.
+//! All laws are fitted by Newton's method, from a start by moments or probability-weighted moments. The standard errors
+//! come from the observed information. The bands of a quantile come from the delta method, on the quantile's logarithm
+//! if the quantile is positive (Coles, An Introduction to Statistical Modeling of Extreme Values, 2001, 2.6 and 3.3). A
+//! fit that fails is an error with its reason.
 
 mod distribution;
 mod error;
@@ -52,21 +52,21 @@ pub struct Fit {
     pub kolmogorov: f64,
     /// Anderson and Darling's A², which weights the tails.
     pub anderson_darling: f64,
-    /// Newton steps with all values until the likelihood could rise by no more than 10⁻⁹ √n.
+    /// Number of Newton steps with all values, until the likelihood could rise by no more than 10⁻⁹ √n.
     pub steps: usize,
-    /// Covariance of the free parameters, as the optimiser has them.
+    /// Covariance of the free parameters, in the form that the optimiser uses.
     covariance: Vec<Vec<f64>>,
     /// The free parameters.
     free: Vec<f64>,
-    /// Variance of the share above the threshold; 0 without one.
+    /// Variance of the share of values above the threshold; 0 if there is no threshold.
     share_variance: f64,
 }
 
 /// Fits a law to a sample; `threshold` is the threshold of [`Law::Pareto`], which takes the values above the threshold.
 ///
 /// # Errors
-/// Weights, too few values, values that the law does not have, a threshold that is missing, or a likelihood without a regular
-/// maximum.
+/// Fails if the sample has weights or too few values, if the law does not have the values, if the threshold is missing,
+/// or if the likelihood has no regular maximum.
 pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, FitError> {
     let fail = |fault: FitFault| FitError { law, fault };
     if sample.is_weighted() {
@@ -117,11 +117,12 @@ pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, Fit
     })
 }
 
-/// Number of values at even places of a long sample, with which its fit begins.
+/// Number of values, evenly picked from a long sample, with which its fit begins.
 const FEW: usize = 10_000;
 
-/// The maximum for a long sample, from the fit of few of its sorted values: most Newton steps are then made with few values. `None` for
-/// a sample that is not long, or where that fit leads nowhere, as where it has no largest value beyond the sample's.
+/// Finds the maximum for a long sample, starting from the fit of few of its sorted values: most Newton steps are then
+/// made with few values. `None` for a sample that is not long, or if the fit of few values is no good start, as when
+/// its law cannot reach the sample's largest value.
 fn maximum_from_few(
     law: Law,
     values: &[f64],
@@ -144,9 +145,9 @@ const KOLMOGOROV_1_PER_CENT: f64 = 1.628;
 
 impl Fit {
     /// Whether the data contradict the law: Kolmogorov's test at 1 %, with the limit of a law that is known beforehand.
-    /// The limit of a fitted law is lower, so that a law that is rejected here is rejected by stricter tests too, and
-    /// one that is not may still be wrong (Stephens, EDF statistics for goodness of fit, J. Am. Stat. Assoc. 69, 1974;
-    /// the limit recalled, not read there).
+    /// The true limit for a fitted law is lower. A law that is rejected here would therefore be rejected by stricter
+    /// tests too, and a law that is not rejected here may still be wrong (Stephens, EDF statistics for goodness of fit,
+    /// J. Am. Stat. Assoc. 69, 1974; the limit recalled, not read there).
     #[must_use]
     pub fn is_rejected(&self) -> bool {
         self.kolmogorov * libm::sqrt(self.count as f64) > KOLMOGOROV_1_PER_CENT

@@ -1,4 +1,5 @@
-//! The maximum of a smooth function by Newton's method with differences, and the covariance that its curvature gives.
+//! Finds the maximum of a smooth function by Newton's method with numerical differences, and the covariance that the
+//! curvature gives.
 
 use super::error::FitFault;
 
@@ -6,18 +7,19 @@ use super::error::FitFault;
 pub(super) struct Maximum {
     pub(super) at: Vec<f64>,
     pub(super) value: f64,
-    /// The inverse of the observed information.
+    /// Covariance of the parameters: the inverse of the observed information.
     pub(super) covariance: Vec<Vec<f64>>,
     pub(super) steps: usize,
 }
 
 const MOST_STEPS: usize = 200;
-/// A rise of the likelihood's logarithm that is not worth another step.
+/// Rise of the likelihood's logarithm below which no further step is made.
 const SETTLED: f64 = 1e-9;
-/// Differences are taken over this share of a change that matters, over the root of the number of values: far below a standard
-/// error, where they have no bias, and far above the rounding of the sum over 10⁶ values.
+/// Step of the numerical differences, as a share of a change that matters divided by the root of the number of values.
+/// The step is far below a standard error, so that there is no bias, and far above the rounding of a sum over 10⁶
+/// values.
 const DIFFERENCE: f64 = 0.005;
-/// The damping at which no step rises any more.
+/// Damping of the Newton step above which no step raises the function any more.
 const MOST_DAMPING: f64 = 1e12;
 
 /// Maximises a function of `n` values, which is −∞ outside its range; `scale` is the size of changes of its parameters.
@@ -73,13 +75,13 @@ pub(super) fn maximise(
     Err(FitFault::NotConverged { steps: MOST_STEPS })
 }
 
-/// The place after a step of the inverse curvature times the slope.
+/// The parameters after a Newton step: the inverse curvature times the slope.
 fn stepped(at: &[f64], inverse: &[Vec<f64>], slope: &[f64]) -> Vec<f64> {
     let change = |row: &[f64]| row.iter().zip(slope).map(|(a, b)| a * b).sum::<f64>();
     at.iter().zip(inverse).map(|(at, row)| at + change(row)).collect()
 }
 
-/// Slope, and the negative of the curvature, by central differences; `None` at the border of the range.
+/// Slope and negative curvature of the function by central differences; `None` at the border of its range.
 fn derivatives(
     at: &[f64],
     value: f64,
@@ -110,7 +112,7 @@ fn derivatives(
     Some((slope, curve))
 }
 
-/// The inverse of a positive definite matrix, by Cholesky's factors; `None` for any other.
+/// The inverse of a positive definite matrix, by Cholesky's factors; `None` for any other matrix.
 fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let size = matrix.len();
     let mut factor = vec![vec![0.0; size]; size];

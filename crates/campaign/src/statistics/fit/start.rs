@@ -1,10 +1,10 @@
-//! Where the search for a maximum begins.
+//! Chooses the parameters at which the search for the likelihood's maximum begins.
 
 use core::f64::consts::LN_2;
 
 use super::{FitFault, Law};
 
-/// Free parameters to begin with, and the size of a change of each that matters.
+/// Free parameters at which the search begins, and for each parameter the size of a change that matters.
 pub(super) struct Start {
     pub(super) free: Vec<f64>,
     pub(super) scale: Vec<f64>,
@@ -13,7 +13,7 @@ pub(super) struct Start {
 /// Euler's constant.
 const EULER: f64 = 0.577_215_664_901_532_9;
 
-/// The start for a law, of sorted values above the threshold.
+/// The start of the search for a law, from sorted values above the threshold.
 pub(super) fn of(law: Law, values: &[f64]) -> Result<Start, FitFault> {
     let start = |free: Vec<f64>, scale: Vec<f64>| Start { free, scale };
     Ok(match law {
@@ -45,7 +45,7 @@ pub(super) fn of(law: Law, values: &[f64]) -> Result<Start, FitFault> {
     })
 }
 
-/// Mean and standard deviation with n, which maximises the likelihood of a normal variable.
+/// Mean and standard deviation (with divisor n), which maximise the likelihood of a normal variable.
 fn moments(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = values.clone().count() as f64;
     let mean = values.clone().sum::<f64>() / n;
@@ -78,7 +78,7 @@ fn gev(values: &[f64]) -> Start {
     feasible_gev(location, scale, -k, values)
 }
 
-/// Widens a start until all values are possible.
+/// Widens the law of a start until all values are possible.
 fn feasible_gev(location: f64, scale: f64, shape: f64, values: &[f64]) -> Start {
     let mut shape = shape;
     let possible = |shape: f64| {

@@ -5,7 +5,7 @@ use fenderline_contact::Vec2;
 use super::box2::Box2;
 use super::map::{ARROW, Arrow, Map, arrow_text};
 
-/// The ring at an arrow's beginning, its shaft and its text.
+/// The rectangles that an arrow covers: the ring at its beginning, its shaft and its text.
 pub(super) fn boxes(arrow: &Arrow, map: &Map) -> Vec<Box2> {
     let (x, y) = map.px(arrow.from_m);
     let mut all = vec![Box2::around(&[(x, y)], 8.0)];

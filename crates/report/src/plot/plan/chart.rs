@@ -1,4 +1,4 @@
-//! The chart behind a plan view.
+//! Draws the nautical chart behind a plan view.
 
 use core::fmt::Write as _;
 
@@ -10,10 +10,10 @@ use maud::{Markup, html};
 
 use super::map::{Frame, Label, Map, Place};
 
-/// Half the size of a buoy (px).
+/// Half the size of a drawn buoy (px).
 const MARK: f64 = 5.0;
 
-/// Features that a view of `frame` may show, with some room around it: the view can be wider than its frame.
+/// Chart features that a plan view of `frame` may show, with some room around the frame, because the view can be wider.
 pub fn charted_in(features: &[ChartFeature], frame: Frame) -> Vec<ChartFeature> {
     let [tall, wide] = [frame.size().x, frame.size().y];
     let room = fenderline_contact::vec2(tall + wide, tall + wide);
@@ -29,7 +29,7 @@ pub fn charted_in(features: &[ChartFeature], frame: Frame) -> Vec<ChartFeature> 
     features.iter().filter(is_near).cloned().collect()
 }
 
-/// The names and depths in the frame, for the list of texts that look for a place.
+/// The chart's names and depths in the frame, for the list of texts that need a place in the view.
 pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     let is_in = |at: &Vec2| {
         (frame.low.x..=frame.high.x).contains(&at.x) && (frame.low.y..=frame.high.y).contains(&at.y)
@@ -83,7 +83,7 @@ pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
     }
 }
 
-/// The chart, in the order of its kinds.
+/// Draws the chart's features, kind by kind in a fixed order.
 pub(super) fn charted(features: &[ChartFeature], map: &Map) -> Markup {
     let of = |kind| features.iter().filter(move |feature| feature.kind == kind);
     html! {
@@ -134,7 +134,7 @@ fn drawn(feature: &ChartFeature, path: &str, is_area: bool) -> Markup {
     }
 }
 
-/// Shallow water is darker, as on a paper chart.
+/// Fill colour of a charted depth: shallow water is darker, as on a paper chart.
 fn depth_fill(depth_m: f64) -> &'static str {
     match depth_m {
         depth if depth < 0.0 => "#cfd8a8",

@@ -1,4 +1,4 @@
-//! What a plan view shows.
+//! The contents of a plan view.
 
 use fenderline_contact::Vec2;
 
@@ -11,36 +11,36 @@ use super::{arrows, furniture};
 /// A plan view to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Printed above the view.
+    /// Title, printed above the plan view.
     pub title: String,
     /// The part of the plane that the view shows.
     pub frame: Frame,
-    /// Outlines, drawn first to last.
+    /// Outlines of bodies, drawn from the first to the last.
     pub outlines: Vec<Outlined>,
     /// Fenders, drawn over the outlines.
     pub fenders: Vec<FenderBox>,
-    /// Lines, tugs, wind and current.
+    /// Mooring lines, tugs, wind and current.
     pub harbour: Harbour,
     /// Paths of bodies.
     pub tracks: Vec<Track>,
-    /// Forces, and points where they act.
+    /// Arrows of forces, and the points where the forces act.
     pub arrows: Vec<Arrow>,
-    /// Names.
+    /// Names to write into the view.
     pub labels: Vec<Label>,
-    /// The note below the view; empty for none.
+    /// Note below the plan view; empty for none.
     pub note: String,
 }
 
-/// The time at which an outline is shown, which sets the style of drawing.
+/// The moment of the run at which an outline is shown, which sets the style of drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Does not move.
+    /// The outline of a body that does not move.
     Fixed,
-    /// At the start of the run.
+    /// The outline at the start of the run.
     Start,
-    /// At the peak force.
+    /// The outline at the moment of the largest force.
     Peak,
-    /// At the end of the run.
+    /// The outline at the end of the run.
     End,
 }
 
@@ -49,9 +49,9 @@ pub enum Stage {
 pub struct Outlined {
     /// Corners of the outline (m).
     pub vertices_m: Vec<Vec2>,
-    /// When in the run.
+    /// The moment of the run.
     pub stage: Stage,
-    /// Number of the colour; fixed bodies are grey.
+    /// Number of the outline's colour; fixed bodies are grey.
     pub style: usize,
 }
 
@@ -62,12 +62,12 @@ pub struct Track {
     pub points_m: Vec<Vec2>,
     /// Number of the body's colour.
     pub style: usize,
-    /// True for an outline that is drawn thin and faint, because many lie over each other.
+    /// True for a track that is drawn thin and faint, because many tracks lie over each other.
     pub is_one_of_many: bool,
 }
 
 impl Plan {
-    /// What no text may cover.
+    /// The rectangles of the plan view that no text may cover.
     pub(super) fn obstacles(&self, map: &Map) -> Vec<Box2> {
         let mut all = furniture::boxes(map);
         all.extend(harbour::boxes(&self.harbour, map));
@@ -76,7 +76,7 @@ impl Plan {
         all
     }
 
-    /// The texts that have to find a place: those of the tugs, then the names.
+    /// The texts that need a place in the plan view: first those of the tugs, then the names.
     pub(super) fn texts(&self) -> impl Iterator<Item = &str> {
         let tugs = self.harbour.tugs.iter().map(|tug| tug.label.as_str());
         tugs.chain(self.labels.iter().map(|label| label.text.as_str()))

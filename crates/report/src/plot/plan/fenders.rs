@@ -13,9 +13,9 @@ use super::map::Map;
 pub struct FenderBox {
     /// Middle of the line where the fender is mounted (m).
     pub mount_m: Vec2,
-    /// Vector from the mounting to the middle of the face, less the deflection (m).
+    /// Vector from the mounting to the middle of the deflected fender's face (m).
     pub out_m: Vec2,
-    /// Vector from the middle to one end of the face (m).
+    /// Vector from the middle of the fender's face to one end of the face (m).
     pub half_width_m: Vec2,
     /// How the fender was used in the run.
     pub used: Use,
@@ -28,16 +28,16 @@ pub enum Use {
     Untouched,
     /// Touched; no rating given.
     NotRated,
-    /// Used up to this share of the rating.
+    /// Used up to this share of the fender's rating.
     Share(f64),
     /// Failed.
     Failed,
 }
 
-/// Least drawn size (px): a fender is small beside a ship.
+/// Smallest drawn size of a fender (px), because a fender is small beside a ship.
 const LEAST: (f64, f64) = (5.0, 7.0);
 
-/// Fill, and whether it is crossed out.
+/// Fill colour of a fender, and whether the fender is crossed out.
 fn look(of: Use) -> (&'static str, bool) {
     match of {
         Use::Untouched => ("#ffffff", false),
@@ -51,7 +51,7 @@ fn look(of: Use) -> (&'static str, bool) {
 }
 
 impl Use {
-    /// Its colour.
+    /// Colour of the fender.
     #[must_use]
     pub fn fill(self) -> &'static str {
         look(self).0
@@ -59,7 +59,7 @@ impl Use {
 }
 
 impl FenderBox {
-    /// Its corners as they are drawn (px): two where it is mounted, then two of its face.
+    /// Corners of the fender as drawn (px): two at the mounting, then two at the face.
     pub(super) fn corners(&self, map: &Map) -> [(f64, f64); 4] {
         let (x, y) = map.px(self.mount_m);
         let direction = |v: Vec2, least: f64| {
@@ -92,7 +92,7 @@ pub(super) fn fender(fender: &FenderBox, map: &Map) -> Markup {
     }
 }
 
-/// The key to the colours.
+/// The legend for the colours of fenders.
 pub fn fenders_legend() -> Markup {
     let entries = [
         (Use::Untouched, "not touched"),

@@ -1,4 +1,4 @@
-//! What every plan view has: grid, north arrow, scale bar.
+//! Draws what every plan view has: grid, north arrow, scale bar.
 
 use core::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use super::map::{BOTTOM, Map, TOP, WIDTH};
 use crate::plot::axis::nice_step;
 use crate::plot::number::{fixed, order_of};
 
-/// Grid lines and ticks in metres, and the titles of both axes.
+/// Draws grid lines and ticks in metres, and the titles of both axes.
 pub(super) fn grid(map: &Map) -> Markup {
     let (right, base) = (map.left + map.width, TOP + map.height);
     let px = |east: f64| map.left + map.east.share(east) * map.width;
@@ -45,7 +45,7 @@ pub(super) fn grid(map: &Map) -> Markup {
     }
 }
 
-/// What names must not cover: the north arrow and the scale bar.
+/// The rectangles of the north arrow and the scale bar, which names must not cover.
 pub(super) fn boxes(map: &Map) -> Vec<Box2> {
     let x = map.width - 22.0;
     let (length_m, length) = scale(map);
@@ -59,7 +59,7 @@ pub(super) fn boxes(map: &Map) -> Vec<Box2> {
     ]
 }
 
-/// North is up.
+/// Draws the north arrow; north is up in a plan view.
 pub(super) fn north_arrow(map: &Map) -> Markup {
     let x = map.width - 22.0;
     html! {
@@ -74,7 +74,7 @@ pub(super) fn north_arrow(map: &Map) -> Markup {
 /// Left end of the scale bar (px).
 const SCALE_LEFT: f64 = 14.0;
 
-/// Length of the scale bar (m, px).
+/// Length of the scale bar, in metres and in pixels.
 fn scale(map: &Map) -> (f64, f64) {
     let length_m = nice_step(map.width / map.px_per_m, 6);
     (length_m, length_m * map.px_per_m)
@@ -84,7 +84,7 @@ fn scale_label(length_m: f64) -> String {
     format!("{} m", fixed(length_m, decimals_of(length_m)))
 }
 
-/// A bar of a round length.
+/// Draws the scale bar, which has a round length.
 pub(super) fn scale_bar(map: &Map) -> Markup {
     let (length_m, length) = scale(map);
     let (x, y) = (SCALE_LEFT, map.height - 14.0);
@@ -98,7 +98,7 @@ pub(super) fn scale_bar(map: &Map) -> Markup {
     }
 }
 
-/// Decimals that show a length of one digit.
+/// Number of decimals that shows a length with one significant digit.
 fn decimals_of(length_m: f64) -> usize {
     usize::try_from(-order_of(length_m * 1.000_001)).unwrap_or(0)
 }

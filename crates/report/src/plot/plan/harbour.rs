@@ -1,4 +1,4 @@
-//! Lines, tugs, wind and current in a plan view.
+//! Mooring lines, tugs, wind and current in a plan view.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
@@ -9,22 +9,22 @@ use super::box2::{Box2, HALF_LINE};
 use super::map::Map;
 use super::passing::{self, PassingDrawn};
 
-/// Everything besides hulls and fenders; nothing by default.
+/// What a plan view shows besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Harbour {
-    /// The chart, below everything else.
+    /// Features of the nautical chart, drawn below everything else.
     pub chart: Vec<ChartFeature>,
     /// Mooring lines.
     pub lines: Vec<LineDrawn>,
-    /// Chains of anchors on the bottom, from hawse pipe to anchor (m).
+    /// Chains of anchors on the bottom, each from hawse pipe to anchor (m).
     pub anchors: Vec<[Vec2; 2]>,
     /// Tugs that are forces.
     pub tugs: Vec<TugDrawn>,
-    /// Banks, from end to end (m).
+    /// The two ends of each bank (m).
     pub banks: Vec<[Vec2; 2]>,
     /// Passing ships.
     pub passing: Vec<PassingDrawn>,
-    /// Wind, current and waves, in a corner.
+    /// Wind, current and waves, shown in a corner.
     pub weather: Vec<Weather>,
 }
 
@@ -33,7 +33,7 @@ pub struct Harbour {
 pub struct LineDrawn {
     /// Ends of the mooring line (m).
     pub ends_m: [Vec2; 2],
-    /// Peak tension over break load.
+    /// Peak tension of the line divided by its break load.
     pub share: f64,
     /// Whether the mooring line parted.
     pub has_parted: bool,
@@ -44,20 +44,20 @@ pub struct LineDrawn {
 pub struct TugDrawn {
     /// Point where the tug's force acts (m).
     pub at_m: Vec2,
-    /// Direction of the tug's force on the ship, of length 1; zero: the tug is standing by.
+    /// Direction of the tug's force on the ship, of length 1; zero if the tug is standing by.
     pub direction: Vec2,
     /// Whether the tug pulls on a line; otherwise she pushes with her bow.
     pub on_line: bool,
-    /// Name and force.
+    /// Text at the tug: her name and force.
     pub label: String,
 }
 
-/// Wind, current or waves: an arrow in the corner, and words.
+/// Wind, current or waves, shown by an arrow and a text in the corner of a plan view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weather {
-    /// The direction in which wind or current flows, of length 1.
+    /// Direction towards which wind, current or waves go, of length 1.
     pub towards: Vec2,
-    /// What the wind or current is, how strong, and its direction.
+    /// Text that says what the arrow is (wind, current or waves), how strong, and from where.
     pub text: String,
     /// Colour of the arrow.
     pub colour: &'static str,
@@ -66,12 +66,12 @@ pub struct Weather {
 /// Length and beam of a drawn tug (m): those of a usual harbour tug, because the run has only the force of the
 /// tug.
 const TUG: (f64, f64) = (28.0, 11.0);
-/// Least length that is drawn (px).
+/// Smallest drawn length of a tug (px).
 const LEAST_TUG: f64 = 16.0;
-/// One row of the corner (px).
+/// Height of one row of the corner with the weather (px).
 const ROW: f64 = 24.0;
 
-/// Colour, width and dash of a line.
+/// Colour, width and dash of a mooring line.
 fn look(share: f64, has_parted: bool) -> (&'static str, &'static str, &'static str) {
     match share {
         _ if has_parted => ("#c00020", "2.4", "3 4"),
@@ -91,7 +91,7 @@ pub(super) fn line(line: &LineDrawn, map: &Map) -> Markup {
     }
 }
 
-/// An anchor on the bottom, with its chain.
+/// Draws an anchor on the bottom, with its chain.
 pub(super) fn anchor(chain_m: [Vec2; 2], map: &Map) -> Markup {
     let [(x0, y0), (x1, y1)] = chain_m.map(|end| map.px(end));
     html! {
@@ -104,7 +104,7 @@ pub(super) fn anchor(chain_m: [Vec2; 2], map: &Map) -> Markup {
     }
 }
 
-/// A bank: a broad dashed line.
+/// Draws a bank as a broad dashed line.
 pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
     let [(x0, y0), (x1, y1)] = ends_m.map(|end| map.px(end));
     html! {
@@ -113,16 +113,17 @@ pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
     }
 }
 
-/// Where a tug is drawn (px).
+/// The place where a tug is drawn (px).
 struct TugPlace {
-    /// Her hull, from the bow.
+    /// Corners of the tug's hull, beginning at her bow.
     hull: [(f64, f64); 5],
-    /// Her line from the ship; `None` if she pushes.
+    /// Ends of the tug's line from the ship; `None` if she pushes.
     line: Option<[(f64, f64); 2]>,
-    /// Beside the middle of her hull on the preferred side: where her text begins, or ends if it is to the left.
+    /// Point beside the middle of the tug's hull on the preferred side, where her text begins, or ends if it stands to
+    /// the left.
     text: (f64, f64),
     is_left: bool,
-    /// Distance from the middle of the hull to the text (px).
+    /// Distance from the middle of the tug's hull to her text (px).
     aside: f64,
 }
 
@@ -159,7 +160,8 @@ fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
     TugPlace { hull, line, text: (text_x + aside, text_y), is_left, aside }
 }
 
-/// Places for the middle of a tug's text (px), the best first: beside her hull, shifted along it, then on her other side.
+/// Places for the middle of a tug's text (px), the best first: beside her hull, shifted along it, then on her other
+/// side.
 pub(super) fn tug_texts(tug: &TugDrawn, map: &Map) -> Vec<(f64, f64)> {
     let place = tug_place(tug, map);
     let near = Box2::of_text_from(&tug.label, place.text, place.is_left).x;
@@ -170,7 +172,7 @@ pub(super) fn tug_texts(tug: &TugDrawn, map: &Map) -> Vec<(f64, f64)> {
     [near, other].into_iter().flat_map(beside).collect()
 }
 
-/// A tug without her text.
+/// Draws a tug without her text.
 pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
     let TugPlace { hull, line, .. } = tug_place(tug, map);
     let hull: Vec<String> = hull.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
@@ -184,7 +186,7 @@ pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
     }
 }
 
-/// What texts must not cover: tugs with their lines, and the corner with the weather.
+/// The rectangles that texts must not cover: tugs with their lines, and the corner with the weather.
 pub(super) fn boxes(harbour: &Harbour, map: &Map) -> Vec<Box2> {
     let tugs = harbour.tugs.iter().flat_map(|tug| {
         let place = tug_place(tug, map);
@@ -204,7 +206,7 @@ fn corner_size(weather: &[Weather]) -> (f64, f64) {
     (width, 6.0 + ROW * rows)
 }
 
-/// The corner with its arrows, in the upper left.
+/// Draws the upper left corner of a plan view, with the arrows of wind, current and waves.
 pub(super) fn corner(weather: &[Weather]) -> Markup {
     let (width, height) = corner_size(weather);
     html! {
@@ -225,7 +227,7 @@ pub(super) fn corner(weather: &[Weather]) -> Markup {
     }
 }
 
-/// The key to lines, tugs, banks and passing ships.
+/// The legend for mooring lines, tugs, banks and passing ships.
 pub fn harbour_legend([has_lines, has_tugs, has_banks, has_passing]: [bool; 4]) -> Markup {
     let entries = [
         (0.1, false, "peak to 25 % of break load"),
@@ -262,7 +264,7 @@ pub fn harbour_legend([has_lines, has_tugs, has_banks, has_passing]: [bool; 4]) 
                         path d="M1,6H29" fill="none" stroke="#8a6d3b" stroke-width="5"
                             stroke-dasharray="2 4" {}
                     }
-                    "bank (its pull is unvalidated)"
+                    "bank (the pull of a bank is unvalidated)"
                 }
             }
             @if has_passing { (passing::legend()) }

@@ -1,4 +1,4 @@
-//! Where the texts stand in a plan view: none covers another text, a fender, an arrow or a tug.
+//! Finds places for the texts of a plan view, so that no text covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
 
@@ -7,16 +7,16 @@ use super::contents::Plan;
 use super::harbour::tug_texts;
 use super::map::{Map, Place};
 
-/// Distances from the thing that a name belongs to, and between two tries (px).
+/// Distance of a name from the thing that it belongs to, and distance between two tried places (px).
 const GAP: f64 = 5.0;
 const SHIFT: f64 = 9.0;
-/// Places along a body, as shares of half its length from the middle.
+/// Tried places for a name along a body, as shares of half the body's length from its middle.
 const ALONG: [f64; 9] = [0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8];
-/// Places beside those, as shares of half the text.
+/// Tried shifts of a name to the side, as shares of half the text's width.
 const ASIDE: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
 
-/// The middle of each text (px), of the tugs first and then of the labels, on nothing that is `taken`. The first choose first;
-/// `None`: there is no free place.
+/// The middle of each text (px): first the texts of the tugs, then the labels. No text covers anything that is `taken`,
+/// and earlier texts choose their place first; `None` if a text has no free place.
 pub(super) fn text_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     let mut taken = plan.obstacles(map);
     let mut free = |text: &str, places: Vec<(f64, f64)>, is_good: &dyn Fn(&Box2) -> bool| {
@@ -44,7 +44,7 @@ pub(super) fn text_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     all
 }
 
-/// The small thing that a name stands beside (px). No other such thing may be nearer to the name.
+/// The small thing beside which a name stands (px). No other small thing may be nearer to the name.
 fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
     match place {
         Place::Beside { point_m, .. } => Some(map.px(*point_m)),
@@ -52,7 +52,7 @@ fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
     }
 }
 
-/// Places for the middle of a text (px), the best first.
+/// Possible places for the middle of a text (px), the best first.
 fn candidates(text: &str, place: &Place, map: &Map) -> Vec<(f64, f64)> {
     let half_width = Box2::of_text(text, 0.0, 0.0).half_width;
     match place {
@@ -82,7 +82,8 @@ fn above_and_below((x, y): (f64, f64)) -> [(f64, f64); 3] {
     [(x, y), (x, y - 2.0 * SHIFT), (x, y + 2.0 * SHIFT)]
 }
 
-/// Beside a point: on one side, shifted along it; on the other side only if this one is outside the view.
+/// Places for a text beside a point: on the preferred side, also shifted along it; on the other side only if the
+/// preferred side is outside the view.
 fn beside((x, y): (f64, f64), side: Vec2, half_width: f64, map: &Map) -> Vec<(f64, f64)> {
     // Right and down.
     let (dx, dy) = (side.y, -side.x);
@@ -101,7 +102,7 @@ fn beside((x, y): (f64, f64), side: Vec2, half_width: f64, map: &Map) -> Vec<(f6
     }
 }
 
-/// Around a body that is too small for the text: outwards first, away from the middle of the view.
+/// Places for a text around a body that is too small to hold it; first those away from the middle of the view.
 fn around((x, y): (f64, f64), reach: f64, half_width: f64, map: &Map) -> Vec<(f64, f64)> {
     let outwards = if x < map.width / 2.0 { -1.0 } else { 1.0 };
     let (near, off) = (outwards * (reach + half_width + 2.0), reach + 12.0);
@@ -176,8 +177,8 @@ mod tests {
         placed.chain(plan.obstacles(map)).collect()
     }
 
-    /// A ship of 300 m at a quay with 40 fenders and 24 bollards, three pairs of tugs that work side by side, wind and current: the
-    /// texts that are drawn, read from the picture itself, cover neither each other nor a fender or a tug.
+    /// A ship of 300 m at a quay with 40 fenders and 24 bollards, three pairs of tugs that work side by side, wind and
+    /// current: the texts that are drawn, read from the picture itself, cover neither each other nor a fender or a tug.
     #[test]
     fn no_text_covers_another_where_fenders_bollards_and_tugs_are_many() {
         let along = |k: u32, of: u32| 300.0 * (f64::from(k) + 0.5) / f64::from(of) - 150.0;

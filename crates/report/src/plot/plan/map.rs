@@ -1,4 +1,4 @@
-//! The extent of a plan view, and its map to the page.
+//! The extent of a plan view, and the mapping from metres to the page.
 
 use core::fmt::Write as _;
 
@@ -10,55 +10,56 @@ use crate::plot::axis::{Axis, Fitted, nice_step};
 /// An arrow from a point, with a text at its head.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// Where the arrow starts; a dot is drawn there (m).
+    /// Point where the arrow starts and a dot is drawn (m).
     pub from_m: Vec2,
-    /// Direction of the arrow, of length 1; zero: the dot alone.
+    /// Direction of the arrow, of length 1; zero for a dot without an arrow.
     pub direction: Vec2,
-    /// Printed at the head.
+    /// Text at the head of the arrow.
     pub label: String,
 }
 
-/// A name in the view.
+/// A name in a plan view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// The text.
     pub text: String,
-    /// Possible places of the name.
+    /// Possible places of the name in the view.
     pub place: Place,
 }
 
-/// The possible places of a name. It takes the first place that is free; without one it is left out.
+/// The possible places of a name in a plan view. The name takes the first place that is free; a name without a free
+/// place is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
-    /// At one of these points (m).
+    /// The name stands at one of these points (m).
     At(Vec<Vec2>),
-    /// Beside a small thing.
+    /// The name stands beside a small thing, such as a fender.
     Beside {
-        /// The thing (m).
+        /// Position of the thing (m).
         point_m: Vec2,
-        /// The preferred side, of length 1.
+        /// Direction from the thing to the preferred side of the name, of length 1.
         side: Vec2,
     },
-    /// On a body, or beside one that is too small for the text.
+    /// The name stands on a body, or beside a body that is too small for the text.
     On {
-        /// The middle of the body (m).
+        /// Middle of the body (m).
         middle_m: Vec2,
-        /// From there to one end of its long axis (m).
+        /// Vector from the middle of the body to one end of its long axis (m).
         half_length_m: Vec2,
     },
 }
 
-/// A rectangle of the plane (m).
+/// A rectangle of the horizontal plane that a view shows (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// South-west corner (m).
+    /// South-west corner of the frame (m).
     pub low: Vec2,
-    /// North-east corner (m).
+    /// North-east corner of the frame (m).
     pub high: Vec2,
 }
 
 impl Frame {
-    /// The smallest frame round `points`; `None` without points.
+    /// The smallest frame around `points`; `None` if there are no points.
     pub fn around(points: impl IntoIterator<Item = Vec2>) -> Option<Frame> {
         points.into_iter().filter(|p| p.is_finite()).fold(None, |frame, p| {
             let point = Frame { low: p, high: p };
@@ -71,13 +72,13 @@ impl Frame {
         Frame { low: one, high: one }.with(Frame { low: other, high: other })
     }
 
-    /// A frame about `centre`. Two views of its proportions fit on a page of A4.
+    /// A frame about `centre`. Two views with the proportions of this frame fit on a page of A4.
     pub fn about(centre: Vec2, half_height_m: f64) -> Frame {
         let half = vec2(half_height_m, half_height_m * 1.65);
         Frame { low: centre - half, high: centre + half }
     }
 
-    /// The smallest frame round both.
+    /// The smallest frame around this frame and another frame.
     pub fn with(self, other: Frame) -> Frame {
         Frame {
             low: vec2(lesser(self.low.x, other.low.x), lesser(self.low.y, other.low.y)),
@@ -85,7 +86,7 @@ impl Frame {
         }
     }
 
-    /// North and east extent (m).
+    /// Extent of the frame to the north and to the east (m).
     pub fn size(self) -> Vec2 {
         self.high - self.low
     }
@@ -96,21 +97,22 @@ impl Frame {
 }
 
 pub(super) const WIDTH: f64 = 720.0;
-/// Room for the northern axis' title, its labels apart, and round the rest (px).
+/// Margins of the drawing (px): on the left for the title of the northern axis (its labels need extra room), and on the
+/// other sides.
 pub(super) const LEFT: f64 = 32.0;
 pub(super) const RIGHT: f64 = 12.0;
 pub(super) const TOP: f64 = 8.0;
 pub(super) const BOTTOM: f64 = 40.0;
 pub(super) const DIGIT: f64 = 6.4;
-/// Least and greatest height of the drawn area (px).
+/// Smallest and largest height of the drawn area (px).
 pub(super) const HEIGHTS: (f64, f64) = (230.0, 540.0);
-/// Margin round the frame, as a share of its size.
+/// Margin around the frame, as a share of the frame's size.
 pub(super) const MARGIN: f64 = 0.06;
-/// Vertices closer than this to the one before are not drawn (px).
+/// A vertex closer than this to the previous vertex is not drawn (px).
 pub(super) const FINEST: f64 = 0.15;
 pub(super) const ARROW: f64 = 64.0;
 
-/// The map from the plane to the drawn area, whose own origin is its upper left corner.
+/// The mapping from the horizontal plane to the drawn area, whose origin is its upper left corner.
 pub(super) struct Map {
     pub(super) centre: Vec2,
     pub(super) px_per_m: f64,
@@ -151,7 +153,7 @@ impl Map {
         Map { centre, px_per_m, width, height, left, north, east }
     }
 
-    /// Right and down from the drawn area's upper left corner (px).
+    /// Maps a point to the drawing: distances to the right and down from the upper left corner of the drawn area (px).
     pub(super) fn px(&self, point_m: Vec2) -> (f64, f64) {
         let from_centre = point_m - self.centre;
         (
@@ -177,7 +179,7 @@ impl Map {
     }
 }
 
-/// Where the text of an arrow starts; to the left of the arrow, where it ends (px).
+/// Point where the text of an arrow starts, or ends if it stands to the left of the arrow (px).
 pub(super) fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
     let (x, y) = map.px(arrow.from_m);
     if arrow.direction == Vec2::ZERO {

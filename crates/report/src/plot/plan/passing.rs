@@ -5,12 +5,12 @@ use maud::{Markup, html};
 
 use super::map::Map;
 
-/// A ship that passes: where she is nearest to a vessel, and her track.
+/// A passing ship in a plan view: her outline where she is nearest to a vessel, and her track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassingDrawn {
-    /// Her outline there, earth-fixed (m).
+    /// Outline of the passing ship where she is nearest, earth-fixed (m).
     pub outline_m: Vec<Vec2>,
-    /// Track of the ship (m).
+    /// Track of the passing ship (m).
     pub track_m: Vec<Vec2>,
 }
 
@@ -27,7 +27,7 @@ pub(super) fn passing(ship: &PassingDrawn, map: &Map) -> Markup {
     }
 }
 
-/// The key to passing ships.
+/// The legend for passing ships.
 pub(super) fn legend() -> Markup {
     let (fill, stroke) = COLOURS;
     html! {

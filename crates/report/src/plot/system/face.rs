@@ -1,4 +1,5 @@
-//! Plan and elevation of a face with its fenders, as seen from the water: along the face from left to right.
+//! A drawing of a face (such as a quay's front) with its fenders, in plan and elevation, as seen from the water, from
+//! left to right.
 
 use core::fmt::Write as _;
 
@@ -17,49 +18,51 @@ pub struct Face {
     pub title: String,
     /// From left to right.
     pub fenders: Vec<FaceFender>,
-    /// Outlines of the bodies that carry them: along the face, and outwards from the line of mountings (m).
+    /// Outlines of the bodies that carry the fenders: coordinates along the face, and outwards from the line of
+    /// mountings (m).
     pub bodies_m: Vec<Vec<[f64; 2]>>,
     /// The hulls before it.
     pub hulls: Vec<Hull>,
     /// Levels of the elevation.
     pub levels: Vec<Level>,
-    /// What heights are measured from, such as `datum`.
+    /// Name of the level from which heights are measured, such as `datum`.
     pub heights_above: &'static str,
 }
 
 /// A fender on a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceFender {
-    /// Number of the fender in drawing and table, from 1.
+    /// Number of the fender in the drawing and the table, counted from 1.
     pub number: usize,
     /// Middle of the fender along the face (m).
     pub along_m: f64,
-    /// Height of the middle of its face (m).
+    /// Height of the middle of the fender's face (m).
     pub height_m: f64,
-    /// Width and height of its face (m).
+    /// Width and height of the fender's face (m).
     pub face_m: [f64; 2],
-    /// Places of the cones behind its panel, to the right of its middle (m); empty for a fender without a panel on several.
+    /// Places of the cones behind the fender's panel, to the right of the panel's middle (m); empty for a fender
+    /// without a panel on several cones.
     pub cones_m: Vec<f64>,
-    /// From its mounting to its face (m).
+    /// Distance from the fender's mounting to its face (m).
     pub projection_m: f64,
-    /// From the line of the drawing's mountings to its own (m).
+    /// Distance outwards from the drawing's line of mountings to the mounting of this fender (m).
     pub mounted_m: f64,
     /// How the fender was used in the run.
     pub used: Use,
 }
 
-/// A hull before the face.
+/// A ship's hull before the face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hull {
     /// Its name.
     pub name: String,
-    /// Its outline: along the face, and outwards (m).
+    /// Outline of the hull: coordinates along the face, and outwards (m).
     pub outline_m: Vec<[f64; 2]>,
-    /// Height of its keel (m), if its draught is known.
+    /// Height of the hull's keel (m), if its draught is known.
     pub keel_m: Option<f64>,
 }
 
-/// What a level is, which sets how it is drawn.
+/// The kind of a level, which sets how the level is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LevelKind {
     /// A water level.
@@ -68,7 +71,7 @@ pub enum LevelKind {
     Bed,
 }
 
-/// A level of the elevation.
+/// A level that the elevation shows, such as the water level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// Its height (m).
@@ -82,17 +85,17 @@ pub struct Level {
 const WIDTH: f64 = 720.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = 10.0;
-/// Heights of plan and elevation, and the room between them (px).
+/// Heights of the plan (smallest and largest) and of the elevation, and the room between them (px).
 const PLAN: [f64; 2] = [70.0, 170.0];
 const ELEVATION: f64 = 150.0;
 const BETWEEN: f64 = 26.0;
 const TOP: f64 = 18.0;
 const BOTTOM: f64 = 40.0;
-/// Least drawn size of a fender (px).
+/// Smallest drawn size of a fender (px).
 const LEAST: f64 = 4.0;
-/// Radius of the number of a fender (px).
+/// Radius of the circle with a fender's number (px).
 const RADIUS: f64 = 7.5;
-/// Depth of the quay, and of the water before it, in the plan, over the depth of the fenders.
+/// How far the plan reaches behind the fenders' mountings, and out into the water beyond the fenders' faces (m).
 const BEHIND_M: f64 = 6.0;
 const BEFORE_M: f64 = 26.0;
 
@@ -103,7 +106,7 @@ pub(super) const WATER: &str = "#1f78b4";
 pub(super) const BED: &str = "#7F5F3F";
 
 impl Face {
-    /// The drawing as a `figure`.
+    /// Draws the face as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let along_m = self.along();
         let x = Scale::new(along_m, LEFT, WIDTH - RIGHT);
@@ -136,7 +139,8 @@ impl Face {
         }
     }
 
-    /// What the drawing shows along the face (m): all fenders, and of body and hulls as much as makes them no small.
+    /// The range along the face that the drawing shows (m): all fenders, and only so much of body and hulls that the
+    /// fenders do not become too small.
     fn along(&self) -> [f64; 2] {
         let first = self.fenders.iter().map(|f| f.along_m - 0.5 * f.face_m[0]);
         let last = self.fenders.iter().map(|f| f.along_m + 0.5 * f.face_m[0]);
@@ -153,14 +157,14 @@ impl Face {
         ]
     }
 
-    /// What the plan shows outwards (m).
+    /// The range outwards that the plan shows (m).
     fn depths(&self) -> [f64; 2] {
         let out = self.fenders.iter().map(|f| f.mounted_m + f.projection_m).fold(0.0, greater);
         let back = self.fenders.iter().map(|f| f.mounted_m).fold(0.0, lesser);
         [back - BEHIND_M, out + BEFORE_M]
     }
 
-    /// What the elevation shows of heights (m).
+    /// The range of heights that the elevation shows (m).
     fn heights(&self) -> [f64; 2] {
         let half = |f: &FaceFender| 0.5 * f.face_m[1];
         let mut low = self.fenders.iter().map(|f| f.height_m - half(f)).fold(f64::INFINITY, lesser);
@@ -229,7 +233,7 @@ impl Face {
         }
     }
 
-    /// A fender from the front.
+    /// Draws a fender as seen from the front.
     fn front(&self, fender: &FaceFender, x: &Scale, z: &Scale) -> Markup {
         let [width, height] =
             [x.length(fender.face_m[0]), z.length(fender.face_m[1])].map(|l| greater(l, LEAST));
@@ -244,7 +248,7 @@ impl Face {
         }
     }
 
-    /// Numbers above the fenders, as many as there is room for, and their spacings.
+    /// Draws the numbers above the fenders, as many as there is room for, and the spacings of the fenders.
     fn numbers(&self, x: &Scale, z: &Scale) -> Markup {
         let [low_m, high_m] = self.heights();
         let mut last = f64::NEG_INFINITY;
@@ -293,23 +297,23 @@ impl Face {
     }
 
     fn note(&self) -> String {
-        let mut text = String::from("The same colours as in the plan views. ");
+        let mut text = String::from("The fenders have the same colours as in the plan views. ");
         if self.hulls.is_empty() {
             text.push_str("No hull lay at this face.");
         } else {
-            text.push_str("Hulls as at the largest force. ");
+            text.push_str("Hulls are shown at the moment of the largest force. ");
             if self.hulls.iter().any(|hull| hull.keel_m.is_none()) {
                 text.push_str("A hull without known draught is left out of the elevation. ");
             }
             text.push_str(
-                "The upper edge of quay and hull is not in the scenario and is drawn open.",
+                "The upper edges of quay and hull are not in the scenario and are drawn open.",
             );
         }
         text
     }
 }
 
-/// A part of the drawing that clips what is outside of it, with its frame.
+/// Draws a part of the drawing with its frame, and clips what lies outside the frame.
 fn part(left: f64, top: f64, height: f64, inner: &Markup) -> Markup {
     let width = WIDTH - left - RIGHT;
     html! {
@@ -335,7 +339,7 @@ pub(super) fn px(value: f64) -> String {
     format!("{value:.1}")
 }
 
-/// A height with its sign.
+/// The text of a height with its sign.
 pub(super) fn signed(height_m: f64) -> String {
     if height_m > 0.0 { format!("+{}", fixed(height_m, 2)) } else { fixed(height_m, 2) }
 }
@@ -355,7 +359,7 @@ fn extent(outline_m: &[[f64; 2]]) -> [f64; 2] {
     [along.clone().fold(f64::INFINITY, lesser), along.fold(f64::NEG_INFINITY, greater)]
 }
 
-/// The middle of what is seen of an outline (px).
+/// The middle of the visible part of an outline (px).
 fn middle(outline_m: &[[f64; 2]], x: &Scale) -> f64 {
     let [from, to] = extent(outline_m).map(|m| bounded(x.px(m), LEFT, WIDTH - RIGHT));
     bounded(0.5 * (from + to), LEFT + 40.0, WIDTH - RIGHT - 40.0)

@@ -1,4 +1,5 @@
-//! Drawings of a fender system: plan and elevation of a face with its fenders, and a section through one of them.
+//! Drawings of a fender system: plan and elevation of a face with its fenders, and a section through one of the
+//! fenders.
 
 mod face;
 mod panel;

@@ -1,4 +1,4 @@
-//! A panel on several cones from above, at one scale both ways.
+//! A drawing of a fender panel on several cones, seen from above, at the same scale in both directions.
 
 use core::fmt::Write as _;
 
@@ -10,24 +10,25 @@ use super::scale::Scale;
 use super::section::{LINE, PANEL, TEXTS, WIDTH, beside};
 use crate::plot::Use;
 
-/// A panel on several cones, seen from above: the structure above it, the water below.
+/// A panel on several cones to be drawn as seen from above: the structure is at the top of the drawing, the water at
+/// the bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelPlan {
     /// Printed above the drawing.
     pub title: String,
     /// Width of the panel (m).
     pub width_m: f64,
-    /// From its mounting to its face, uncompressed (m).
+    /// Distance from the mounting to the face of the uncompressed panel (m).
     pub projection_m: f64,
-    /// Deflection of its middle, as drawn (m).
+    /// Deflection of the panel's middle, as drawn (m).
     pub deflection_m: f64,
-    /// Its turn, as drawn (rad), positive where the right end is deflected more.
+    /// Turn of the panel, as drawn (rad); positive if the right end is deflected more.
     pub tilt_rad: f64,
-    /// The cones from left to right.
+    /// The cones behind the panel, from left to right.
     pub cones: Vec<ConeDrawn>,
     /// Places of the tension chains along the panel (m).
     pub chains_m: Vec<f64>,
-    /// Lines of text beside it.
+    /// Lines of text beside the drawing.
     pub texts: Vec<String>,
 }
 
@@ -40,16 +41,16 @@ pub struct ConeDrawn {
     pub used: Use,
 }
 
-/// Greatest height of the drawing (px).
+/// Largest height of the drawing (px).
 const HEIGHT: f64 = 170.0;
-/// Depth of the structure, and of the water before the panel, over the projection.
+/// How much structure behind the panel and how much water before it is drawn, as shares of the panel's projection.
 const BEHIND: f64 = 0.35;
 const BEFORE: f64 = 0.25;
-/// Room beside the panel over its width.
+/// Room beside the panel as a share of its width.
 const BESIDE: f64 = 0.08;
 
 impl PanelPlan {
-    /// The drawing as a `figure`.
+    /// Draws the panel as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let half_m = (0.5 + BESIDE) * self.width_m;
         let out_m = [-BEHIND * self.projection_m, (1.0 + BEFORE) * self.projection_m];
@@ -93,7 +94,7 @@ impl PanelPlan {
         }
     }
 
-    /// How far out the back of the panel is at a place (m).
+    /// Distance of the panel's back from the mounting, at a place along the panel (m).
     fn back_m(&self, at_m: f64, deflection_m: f64, tilt_rad: f64) -> f64 {
         (1.0 - PANEL) * self.projection_m - deflection_m - at_m * tilt_rad
     }
@@ -114,7 +115,7 @@ impl PanelPlan {
         path
     }
 
-    /// A cone from the structure to the panel, wider at its foot. Its widths are not in the scenario.
+    /// Draws a cone from the structure to the panel, wider at its foot. The scenario does not have the widths of cones.
     fn cone(&self, x: &Scale, y: &Scale, at_m: f64) -> String {
         let spacings = self.cones.windows(2).map(|pair| pair[1].at_m - pair[0].at_m);
         let room_m = spacings.fold(0.8 * self.projection_m, lesser);

@@ -1,4 +1,4 @@
-//! A section through a fender, square to its face, at one scale both ways.
+//! A drawing of a section through a fender, at right angles to its face, at the same scale in both directions.
 
 use core::fmt::Write as _;
 
@@ -10,16 +10,16 @@ use super::scale::Scale;
 use crate::plot::Use;
 use crate::plot::number::plain;
 
-/// A section through a fender.
+/// A section through a fender to be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Printed above the drawing.
     pub title: String,
-    /// Height of the middle of its face (m).
+    /// Height of the middle of the fender's face (m).
     pub height_m: f64,
-    /// Width and height of its face (m).
+    /// Width and height of the fender's face (m).
     pub face_m: [f64; 2],
-    /// From its mounting to its face, uncompressed (m).
+    /// Distance from the mounting to the face of the uncompressed fender (m).
     pub projection_m: f64,
     /// Largest deflection of the fender in the run (m).
     pub deflection_m: f64,
@@ -27,57 +27,58 @@ pub struct Section {
     pub used: Use,
     /// Levels.
     pub levels: Vec<Level>,
-    /// The hull that pressed it.
+    /// The ship's side that pressed the fender, if any did.
     pub hull: Option<Side>,
-    /// What heights are measured from.
+    /// Name of the level from which heights are measured.
     pub heights_above: &'static str,
     /// Chains of the fender, each with its text.
     pub chains: Vec<(Chain, String)>,
-    /// A round body without a panel, as a pneumatic fender has; `false`: a panel before a body.
+    /// Whether the fender is a round body without a panel, as a pneumatic fender; `false` for a panel before a fender
+    /// body.
     pub is_round: bool,
-    /// The fender floats: its height follows the water.
+    /// Whether the fender floats, so that its height follows the water.
     pub is_floating: bool,
 }
 
-/// What a chain holds, which sets where it is drawn.
+/// The kind of a chain, which sets where the chain is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Chain {
-    /// From the structure above to the top of the panel.
+    /// A weight chain, from the structure above to the top of the panel.
     Weight,
-    /// From the structure beside to the middle of the panel.
+    /// A shear chain, from the structure at the side to the middle of the panel.
     Shear,
-    /// From the structure to the edge of the panel.
+    /// A tension chain, from the structure to the edge of the panel.
     Tension,
 }
 
-/// The side of a hull at a fender.
+/// The side of a ship's hull at a fender.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
     /// The hull's name.
     pub name: String,
-    /// Height of its keel (m), if its draught is known.
+    /// Height of the hull's keel (m), if its draught is known.
     pub keel_m: Option<f64>,
-    /// Points of the side from below upwards: outwards from the middle of the fender's face, and height (m); empty for a
-    /// vertical side.
+    /// Points of the hull's side from below upwards: distance outwards from the middle of the fender's face, and height
+    /// (m); empty for a vertical side.
     pub side_m: Vec<[f64; 2]>,
 }
 
 pub(super) const WIDTH: f64 = 720.0;
-/// Greatest height of the drawing (px).
+/// Largest height of the drawing (px).
 const HEIGHT: f64 = 250.0;
-/// Depth of the structure and of the hull that is shown, over the fender's projection.
+/// How much of the structure and of the hull is drawn, as a share of the fender's projection.
 const BEHIND: f64 = 1.2;
-/// Least room that may be shown below and above the face (m).
+/// Room below and above the fender's face that may always be shown (m).
 const BELOW_M: f64 = 4.0;
 const ABOVE_M: f64 = 2.0;
-/// Thickness of the panel over the projection.
+/// Thickness of the panel as a share of the fender's projection.
 pub(super) const PANEL: f64 = 0.14;
-/// Where texts begin, and the height of a line of them (px).
+/// Place where the texts beside the drawing begin, and the height of a line of text (px).
 pub(super) const TEXTS: f64 = 450.0;
 pub(super) const LINE: f64 = 18.0;
 
 impl Section {
-    /// The drawing as a `figure`.
+    /// Draws the section as an HTML `figure`.
     pub fn render(&self) -> Markup {
         let [low_m, high_m] = self.heights();
         let depth_m = greater(self.projection_m, 0.2);
@@ -105,7 +106,8 @@ impl Section {
         }
     }
 
-    /// What the drawing shows (m): the face, and levels and keel as far as they do not make it small.
+    /// The range of heights that the drawing shows (m): the fender's face, and levels and keel as far as the face does
+    /// not become too small.
     fn heights(&self) -> [f64; 2] {
         let half_m = 0.5 * self.face_m[1];
         let (bottom, top) = (self.height_m - half_m, self.height_m + half_m);
@@ -143,7 +145,7 @@ impl Section {
         }
     }
 
-    /// A round body, as it was mounted and pressed as far as it was in the run.
+    /// Draws a round fender body, as it was mounted, and as far pressed as in the run.
     fn round(&self, x: &Scale, z: &Scale) -> Markup {
         let ellipse = |out_m: f64| {
             [
@@ -164,7 +166,7 @@ impl Section {
         }
     }
 
-    /// A panel before a body, with its chains.
+    /// Draws a panel before a fender body, with its chains.
     fn with_panel(&self, x: &Scale, z: &Scale) -> Markup {
         let face_m = self.projection_m - self.deflection_m;
         let panel_m = PANEL * self.projection_m;
@@ -198,7 +200,7 @@ impl Section {
         }
     }
 
-    /// What stands beside the drawing.
+    /// The lines of text that stand beside the drawing.
     fn texts(&self) -> Vec<String> {
         let [width, height] = self.face_m;
         let half = 0.5 * height;
@@ -235,7 +237,7 @@ impl Section {
     }
 }
 
-/// Lines of text beside a drawing.
+/// Draws lines of text beside a drawing.
 pub(super) fn beside(texts: &[String]) -> Markup {
     html! {
         @for (index, text) in texts.iter().enumerate() {
@@ -245,8 +247,8 @@ pub(super) fn beside(texts: &[String]) -> Markup {
 }
 
 impl Side {
-    /// The outline of the hull, whose side meets the fender at `face_m`; `right`, `top` and `bottom`: the ends of the
-    /// drawing (px).
+    /// The SVG path of the hull, whose side meets the fender at `face_m`; `right`, `top` and `bottom` are the edges of
+    /// the drawing (px).
     fn path(&self, x: &Scale, z: &Scale, face_m: f64, [right, top, bottom]: [f64; 3]) -> String {
         let keel = self.keel_m.map_or(bottom, |keel_m| z.px(keel_m));
         let face = x.px(face_m);

@@ -8,12 +8,13 @@ use crate::plot::{FenderBox, Label, Place, Use, shortened};
 use fenderline_results::FenderVerdict;
 use fenderline_results::Outcome;
 
-/// Most fenders with names.
+/// Largest number of fenders with names.
 const NAMED: usize = 12;
 /// Longest name (characters).
 const NAME_LENGTH: usize = 20;
 
-/// All fenders of the bodies that have a state by `state_of`, compressed by `deflections_m` (index and deflection).
+/// Draws all fenders of those bodies for which `state_of` gives a state, compressed by `deflections_m` (index of the
+/// fender and deflection).
 pub(in crate::run_page) fn boxes<'a>(
     outcome: &Outcome<'_>,
     deflections_m: &[(usize, f64)],
@@ -28,7 +29,7 @@ pub(in crate::run_page) fn boxes<'a>(
     boxes.collect()
 }
 
-/// The names of fenders, behind them; none if there are so many that they would cover the view.
+/// The names of fenders, placed behind the fenders; none if so many names would cover the view.
 pub(in crate::run_page) fn names<'a>(
     outcome: &Outcome<'_>,
     state_of: impl Fn(usize) -> Option<&'a BodyState>,

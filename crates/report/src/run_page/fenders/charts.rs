@@ -12,12 +12,13 @@ use crate::run_page::recorder::{FenderTrace, Recorder};
 use fenderline_results::Outcome;
 use fenderline_results::worst_first;
 
-/// Fenders with bars.
+/// Largest number of fenders with bars.
 const BARS: usize = 16;
-/// Most diagrams of reaction against deflection, one per type of fender.
+/// Largest number of diagrams of reaction against deflection, one per type of fender.
 const DIAGRAMS: usize = 4;
 
-/// One group of bars per fender, in the order of the scenario; nothing if none is rated.
+/// The bar chart of the use of ratings: one group of bars per fender, in the order of the scenario; empty if no fender
+/// has a rating.
 pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
     let setups = &outcome.setup.fenders;
     let rated = |f: &&FenderSummary| {
@@ -60,7 +61,7 @@ pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
     .render()
 }
 
-/// Reactions over time of the fenders with the largest ones.
+/// The chart of reactions over time, for the fenders with the largest reactions.
 pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let outcome = charts.outcome;
     let mut traces: Vec<(f64, &FenderTrace)> = recorder
@@ -87,7 +88,7 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
-/// Turns of the panels on several cones over time; nothing if none turned.
+/// The chart of the turns of panels on several cones over time; empty if no panel turned.
 pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let in_degrees = |p: &Point| Point { x: p.x, y: p.y.to_degrees() };
@@ -102,7 +103,7 @@ pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     charts.chart("Turns of the panels", axis, series).render()
 }
 
-/// Tensions of the chains of fenders over time; nothing if none was taut.
+/// The chart of the tensions of fender chains over time; empty if no chain was taut.
 pub(super) fn tensions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let series = recorder.held.chains.iter().map(|trace| {
@@ -121,7 +122,8 @@ pub(super) fn tensions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     charts.chart("Tensions of the chains", axis, series).render()
 }
 
-/// The series with the largest values, as many as can be told apart, in their order; none that is zero throughout.
+/// Selects the series with the largest values, as many as can be told apart, and keeps their order; a series of zeros
+/// is left out.
 fn largest(series: Vec<Series>) -> Vec<Series> {
     let mut all: Vec<(usize, Series)> =
         series.into_iter().filter(|line| line.largest() > 0.0).enumerate().collect();
@@ -131,7 +133,7 @@ fn largest(series: Vec<Series>) -> Vec<Series> {
     all.into_iter().map(|(_, line)| line).collect()
 }
 
-/// For the most used fender of each type, its curve and the path of the run.
+/// For the most used fender of each type, a diagram of its reaction curve and of the path during the run.
 pub(super) fn diagrams(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setups = &outcome.setup.fenders;
     let mut worst: Vec<&FenderSummary> = Vec::new();
@@ -183,18 +185,19 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
     let (unit, series) = scaled(series.into_iter().map(in_mm).collect(), "N");
     let mut note = match fender.unloading {
         Some(_) => {
-            "Means over the time step. The area between loading and unloading is the energy lost in rubber and by damping."
+            "The values are means over the time step. The area between loading and unloading is \
+             the energy lost in rubber and by damping."
         }
         None => {
-            "Means over the time step. The area between loading and unloading is the energy lost to restitution, damping and \
-             the momentum limit."
+            "The values are means over the time step. The area between loading and unloading is \
+             the energy lost to restitution, damping and the momentum limit."
         }
     }
     .to_owned();
     if let (Some(unloading), Some(rated)) = (&fender.unloading, fender.rated) {
         let share = unloading.returned_share(&fender.law, rated.deflection_m);
         note.push_str(&format!(
-            " Its rubber returns {} % of the energy that it absorbs up to its rated deflection.",
+            " The rubber of the fender returns {} % of the energy that it absorbs up to its rated deflection.",
             significant(100.0 * share, 3)
         ));
     }
@@ -227,7 +230,7 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
     .render()
 }
 
-/// The parts of a path whose segments are `wanted`, with breaks between them.
+/// The parts of a path whose segments satisfy `wanted`, with breaks between the parts.
 fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     for two in path.windows(2).filter(|two| wanted(&two[0], &two[1])) {
@@ -240,8 +243,8 @@ fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     points
 }
 
-/// The fender's curve with its factor and its stop, up to the larger of peak and rated deflection. With `unloading`, the
-/// curve of unloading from each point.
+/// The fender's reaction curve with its factor and its stop, up to the larger of peak and rated deflection. With
+/// `unloading` the curve is the unloading curve from each point.
 fn curve(
     fender: &FenderSetup,
     summary: &FenderSummary,

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use crate::run_page::quantities;
 use crate::{Head, table_head};
 
-/// One row a flexible dolphin, in the order of the scenario; nothing without one.
+/// The table with one row for each flexible dolphin, in the order of the scenario; empty if there are none.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     if outcome.dolphins.is_empty() {
         return html! {};
@@ -24,8 +24,9 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         ul class="note" {
             li {
-                "Deflection, load and energy are peaks of the piles at the height of the fender, sub-steps included; "
-                "stiffness and period are of the dolphin without ship and fender."
+                "Deflection, load and energy are peak values of the piles at the height of the \
+                 fender, sub-steps included; stiffness and period are of the dolphin without ship \
+                 and fender."
             }
         }
     }

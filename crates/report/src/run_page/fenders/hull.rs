@@ -1,4 +1,4 @@
-//! Where hulls with outlines by height met the fenders.
+//! The report's table of where hulls with outlines at several heights met the fenders.
 
 use fenderline_results::Outcome;
 use maud::{Markup, html};
@@ -8,7 +8,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// One row a fender that met such a hull; nothing if none did.
+/// The table with one row for each fender that met a hull with outlines at heights; empty if no fender did.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let met = outcome.fenders.iter().filter_map(|summary| Some((summary, summary.hull?)));
     let all: Vec<_> = met.collect();
@@ -39,10 +39,9 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         (more(all.len()))
         p class="note" {
-            "Height: above the keel of a floating body, above datum of a fixed one, at the first \
-             touch. Flare: how far the ship's side leans "
-            "out over the fender, negative if it leans in. Vertical force: positive up, a mean \
-             over a time step."
+            "Height: of the first touch, above the keel of a floating body or above the datum of a \
+             fixed body. Flare: how far the ship's side leans out over the fender, negative if the \
+             side leans in. Vertical force: positive up, a mean over a time step."
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The fenders' section of the report.
+//! The report's section on fenders.
 
 mod boxes;
 mod charts;
@@ -20,7 +20,7 @@ pub(super) use boxes::{boxes, names, used};
 pub(super) use setup::setup_table;
 pub(super) use table::{data, to_check};
 
-/// The result in one or two sentences, for the top of the page; nothing without fenders.
+/// The result for the fenders in one or two sentences, for the top of the page; empty if there are no fenders.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     let setups = &outcome.setup.fenders;
     if setups.is_empty() {
@@ -46,7 +46,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The whole section; nothing without fenders.
+/// Writes the section on fenders; empty if there are no fenders.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     if outcome.setup.fenders.is_empty() {
         return html! {};

@@ -13,7 +13,7 @@ use crate::run_page::tables::{ROWS, TONNE_N, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// The panels of touched fenders, and their cones; nothing if there are none.
+/// The tables of the touched fenders' panels and their cones; empty if there are none.
 pub(super) fn panels(outcome: &Outcome<'_>) -> Markup {
     let with = outcome.fenders.iter().filter_map(|summary| {
         Some((&outcome.setup.fenders[summary.fender], summary, summary.panel.as_ref()?))
@@ -85,18 +85,19 @@ pub(super) fn panels(outcome: &Outcome<'_>) -> Markup {
         ul class="note" {
             li {
                 "The most compressed cone of each panel is marked: this cone governs, and the \
-                 shares of the fender in the tables are those "
-                "of this cone. The rating of a cone is its part of the panel's rating."
+                 shares of the fender in the tables are those of this cone. The rating of a cone \
+                 is its part of the panel's rating."
             }
             li {
-                strong { "Turn" } " about the vertical axis and " strong { "moment" }
-                " of the cones' reactions about the panel's middle: positive if the right end, as \
-                 seen from the water, is pressed "
-                "more."
+                strong { "Turn and moment" }
+                ". The turn of the panel is about the vertical axis, and the moment is that of the \
+                 cones' reactions about the panel's middle. Both are positive if the right end, as \
+                 seen from the water, is pressed more."
             }
             li {
-                strong { "Reaction" } " and " strong { "energy" }
-                " of a cone: by its curve at its largest deflection, with the factor of the run."
+                strong { "Reaction and energy" }
+                ". Reaction and energy of a cone are those of its curve at its largest deflection, \
+                 with the factor of the run."
             }
         }
     }
@@ -127,7 +128,7 @@ fn cone_cells(
     }
 }
 
-/// A value with its share of the rating beside it.
+/// The text of a value with its share of the rating beside it.
 fn with_share(text: String, share: Option<f64>) -> String {
     match share {
         Some(share) => format!("{text} · {} %", fixed(100.0 * share, 0)),
@@ -135,7 +136,7 @@ fn with_share(text: String, share: Option<f64>) -> String {
     }
 }
 
-/// The chains of touched fenders; nothing if there are none.
+/// The table of the touched fenders' chains; empty if there are none.
 pub(super) fn chains(outcome: &Outcome<'_>) -> Markup {
     let all: Vec<_> = outcome
         .fenders
@@ -177,9 +178,9 @@ pub(super) fn chains(outcome: &Outcome<'_>) -> Markup {
         }
         (more(all.len()))
         p class="note" {
-            "A chain is slack until the panel has moved by its slack in the direction that the chain holds. The break load is from "
-            "the scenario, without a safety factor. Place of a tension chain: metres to the right of the panel's middle, as seen from "
-            "the water."
+            "A chain is slack until the panel has moved by its slack in the direction that the \
+             chain holds. The break load is from the scenario, without a safety factor. Place of a \
+             tension chain: metres to the right of the panel's middle, as seen from the water."
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The fenders as the scenario set them.
+//! The report's table of the fenders as the scenario set them.
 
 use fenderline_contact::FenderLaw;
 use fenderline_sim::{FenderSetup, Setup};
@@ -10,7 +10,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// One row per fender: position, size and rating.
+/// The table with one row per fender: position, size and rating.
 pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
     let material = |fender: &FenderSetup| setup.materials[fender.material].name.as_str();
     let one_material = setup.fenders.iter().all(|f| f.material == setup.fenders[0].material);
@@ -39,8 +39,9 @@ pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
         (more(setup.fenders.len()))
         p class="note" {
             @if one_material && !setup.fenders.is_empty() { "Material of all: " (material(&setup.fenders[0])) ". " }
-            "Position and facing are in the axes of the body that carries the fender; heights are above datum on a fixed "
-            "body, above the water otherwise. Ratings are without factors; the rated energy is the integral of the reaction."
+            "Position and facing are in the axes of the body that carries the fender; heights are \
+             above datum on a fixed body, and above the water on a floating body. Ratings are \
+             without factors; the rated energy is the integral of the reaction."
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The table of fenders, and where their data come from.
+//! The report's table of fenders, and the sources of their data.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,10 +12,10 @@ use crate::table::breakable;
 use crate::{Head, table_head};
 use fenderline_results::{FENDERS, FenderVerdict, Outcome, worst_first};
 
-/// Fenders shown; of more, the most used.
+/// Largest number of shown fenders; if there are more, the most used are shown.
 const ROWS: usize = 40;
 
-/// One row a fender in the order of the scenario, the worst one marked.
+/// The table with one row for each fender in the order of the scenario; the most used fender is marked.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let setups = &outcome.setup.fenders;
     let order = worst_first(setups, outcome.fenders);
@@ -41,43 +41,48 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         ul class="note" {
             @if setups.len() > 1 && worst.is_some() { li { "The most used fender is marked." } }
-            li { strong { "Verdict" } ": below the name, the quantity that governs, and its share \
-                of the rated value." }
+            li { strong { "Verdict" } ". Below the verdict stands the quantity that governs, \
+                with its share of the rated value." }
             @if setups.len() > shown.len() {
                 li {
-                    "The table has the " (shown.len()) " most used of " (setups.len())
-                    " fenders; all that were touched are in summary.json."
+                    (format!(
+                        "The table has the {} most used of {} fenders; all fenders that were \
+                         touched are in summary.json.",
+                        shown.len(),
+                        setups.len(),
+                    ))
                 }
             }
             li {
                 "Values are peaks, sub-steps included. The share below each value is the share of \
-                 the rated deflection, of "
-                "the rated reaction or energy times its factor, or of the permissible hull pressure. The share of the rating in the "
-                "catalogue, without the factors of this run, stands in brackets if it differs."
+                 the rated deflection, of the rated reaction or energy times its factor, or of the \
+                 permissible hull pressure. The share of the rating in the catalogue, without the \
+                 factors of this run, stands in brackets if it differs."
             }
             li {
                 strong { "Deflection" }
-                ": the mean over the width for a fender with a curve, the deepest point for a \
-                 fender by area"
+                ". The deflection is the mean over the width for a fender with a curve, that of \
+                 the deepest point for a fender by area"
                 @if setups.iter().any(|fender| fender.panel.is_some()) {
                     ", and the deflection of the most compressed cone for a panel on several \
-                     cones. The shares of rated deflection, "
-                    "energy and reaction are also those of this cone"
+                     cones. The shares of rated deflection, energy and reaction are then those of \
+                     this cone too"
                 }
                 "."
             }
             (hull_pressure_note(setups))
-            li { strong { "Approach" } ": speed, and angle between face and hull, at the first touch." }
+            li { strong { "Approach" } ". The approach is the speed, and the angle between face and hull, at the first touch." }
             li {
                 strong { "Factor" }
-                ": the product of the factors of temperature, tolerance, speed and angle, on the reaction and, "
-                "below, on the energy. In some families the angle has another factor on the energy."
+                ". The factor is the product of the factors of temperature, tolerance, speed and angle, on the \
+                 reaction and, in the line below, on the energy. In some families the angle has \
+                 another factor on the energy."
             }
         }
     }
 }
 
-/// How the hull pressures were computed, for each way that is among the fenders.
+/// The note that says how the hull pressures were computed, for each method that applies to one of the fenders.
 fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
     let any = |wanted: fn(&HullPressure) -> bool| setups.iter().any(|f| wanted(&f.hull_pressure));
     let limit_of = |fender: &FenderSetup| fender.hull_pressure_limit_npm2;
@@ -92,21 +97,23 @@ fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
         @if any(|way| matches!(way, HullPressure::OverFace)) {
             li {
                 strong { "Hull pressure" }
-                " of a fender with a panel: its reaction over the area of the face."
+                ". For a fender with a panel, the pressure is the reaction of the fender divided by \
+                 the area of its face."
             }
         }
         @if any(|way| matches!(way, HullPressure::Inner { .. })) {
             li {
                 strong { "Hull pressure" }
-                " of a pneumatic fender: its internal pressure, interpolated linearly from the initial pressure at "
-                "no deflection to the published pressure at the rated deflection. The true curve is convex: the "
-                "line is conservative up to the rated deflection, and not beyond."
+                ". For a pneumatic fender, the pressure is the internal pressure, interpolated \
+                 linearly from the initial pressure at no deflection to the published pressure at \
+                 the rated deflection. The true curve is convex: the line is conservative up to \
+                 the rated deflection, and not beyond."
             }
         }
         @if any(|way| matches!(way, HullPressure::Unknown)) {
             li {
                 strong { "Hull pressure" }
-                " –: the fender has no panel, and its data give no hull pressure."
+                ". The sign – stands for a fender without a panel whose data give no hull pressure."
             }
         }
     }
@@ -157,7 +164,7 @@ fn cells(
     }
 }
 
-/// The factor on the rated energy; the factor on the reaction for a fender without a rating.
+/// The factor on the rated energy; for a fender without a rating, the factor on the reaction.
 fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
     let two = summary.capacity_j.zip(fender.rated);
     two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
@@ -174,7 +181,7 @@ fn heads() -> Vec<Head<'static>> {
     heads
 }
 
-/// Type and size, or the size of the face if no type is given.
+/// Type and size of a fender, or the size of its face if no type is given.
 pub(in crate::run_page) fn kind_of(fender: &FenderSetup) -> String {
     match &fender.source {
         Some(source) => source.designation.clone(),
@@ -187,7 +194,8 @@ pub(in crate::run_page) fn kind_of(fender: &FenderSetup) -> String {
     }
 }
 
-/// The sources of the fenders' data, each once. What was not read in a source is marked. Nothing without fenders.
+/// The sources of the fenders' data, each source once. Data that were not read in a source are marked. Nothing without
+/// fenders.
 pub(in crate::run_page) fn data(setup: &Setup) -> Markup {
     if setup.fenders.is_empty() {
         html! {}
@@ -196,7 +204,7 @@ pub(in crate::run_page) fn data(setup: &Setup) -> Markup {
     }
 }
 
-/// What has to be checked of the fenders' data, each once.
+/// The fender data that have to be checked, each once.
 pub(in crate::run_page) fn to_check(setup: &Setup) -> Vec<String> {
     let sources = setup.fenders.iter().filter_map(|fender| fender.source.as_ref());
     let doubtful = sources.filter(|source| {
@@ -208,7 +216,7 @@ pub(in crate::run_page) fn to_check(setup: &Setup) -> Vec<String> {
     texts.into_iter().collect()
 }
 
-/// The sources of the data, each once. What was not read in a source is marked.
+/// The list of sources of the given fenders' data, each source once. Data that were not read in a source are marked.
 fn sources(setups: &[FenderSetup]) -> Markup {
     let mut designations: BTreeMap<(&str, String), &FenderSource> = BTreeMap::new();
     for fender in setups {
@@ -235,7 +243,7 @@ fn sources(setups: &[FenderSetup]) -> Markup {
     }
 }
 
-/// The returned energy; empty for a fender without an unloading law.
+/// The sentence on the energy that the fender returns; empty for a fender without an unloading law.
 fn returned(fender: &FenderSetup) -> String {
     match &fender.unloading {
         None => String::new(),
@@ -246,8 +254,8 @@ fn returned(fender: &FenderSetup) -> String {
     }
 }
 
-/// How certain the data are. Curve and rating may differ, as in `curve recalled, rating given`. What was not read in a
-/// source is marked.
+/// Says how certain a fender's data are. Curve and rating may differ, as in `curve recalled, rating given`. Data that
+/// were not read in a source are marked.
 fn standing(standing: &str) -> Markup {
     let holds = |word: &str| standing.contains(word);
     html! {

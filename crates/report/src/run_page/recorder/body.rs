@@ -1,16 +1,16 @@
-//! What the report follows of a floating body.
+//! Records the time series of a floating body for the report.
 
 use fenderline_contact::{BodyState, Vec2};
 use fenderline_sim::StepRecord;
 
 use crate::plot::Decimator;
 
-/// Points kept of a track.
+/// Largest number of points that are kept of a track.
 const TRACK_POINTS: usize = 400;
 
 /// Time series of one floating body.
 pub(in crate::run_page) struct BodyTrace {
-    /// Index into the set-up's bodies.
+    /// Index of the body among the set-up's bodies.
     pub(in crate::run_page) body: usize,
     /// Speed over ground (m/s).
     pub(in crate::run_page) speed_mps: Decimator,
@@ -19,7 +19,7 @@ pub(in crate::run_page) struct BodyTrace {
 }
 
 impl BodyTrace {
-    /// Of body number `body`, still empty.
+    /// Makes an empty record of body number `body`.
     pub(super) fn new(body: usize) -> BodyTrace {
         BodyTrace { body, speed_mps: Decimator::new(), track: Vec::new(), track_stride: 1 }
     }

@@ -1,4 +1,4 @@
-//! How far a vessel's ends are from a row of fenders, and how fast they close.
+//! Records how far a vessel's ends are from a row of fenders, and how fast they approach it.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
@@ -6,22 +6,22 @@ use fenderline_sim::Setup;
 
 use crate::plot::Decimator;
 
-/// Cosine of the largest angle between fenders that are one row: 1 degree.
+/// Cosine of the largest angle between the directions of fenders that count as one row: 1 degree.
 const ONE_ROW: f64 = 0.9998;
 
 /// A straight row of fenders on one body: the line through its foremost faces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Berth {
-    /// The body that carries it.
+    /// Index of the body that carries the row of fenders.
     pub(super) body: usize,
-    /// Outwards, in the body's frame.
+    /// Direction outwards from the fenders, in the body's frame.
     outward: Vec2,
-    /// How far out the foremost face is, along that direction (m).
+    /// Distance of the foremost fender face along the outward direction (m).
     out_m: f64,
 }
 
 impl Berth {
-    /// Of a set-up whose fenders are all on one body and face the same way.
+    /// Finds the row of fenders of a set-up whose fenders are all on one body and face the same way.
     pub(super) fn of(setup: &Setup) -> Option<Berth> {
         let first = setup.fenders.first()?;
         let outward_of = |facing_rad| Rotation::from_angle(facing_rad).apply(vec2(1.0, 0.0));
@@ -38,14 +38,14 @@ impl Berth {
     }
 }
 
-/// Distance and closing speed of the fore and the after third of a hull.
+/// Distance and closing speed of the fore and the after third of a hull, over time.
 pub(in crate::run_page) struct DockingTrace {
     berth: Berth,
-    /// Vertices of the fore and of the after third, in the hull's frame (m).
+    /// Vertices of the fore third and of the after third of the hull, in its frame (m).
     ends_m: [Vec<Vec2>; 2],
-    /// From the faces' line to the nearest point of each third, positive outside (m).
+    /// Distance from the line of the fender faces to the nearest point of each third of the hull, positive outside (m).
     pub(in crate::run_page) distance_m: [Decimator; 2],
-    /// Speed of that point towards the berth (m/s).
+    /// Speed of each third's nearest point towards the berth (m/s).
     pub(in crate::run_page) closing_mps: [Decimator; 2],
 }
 

@@ -1,26 +1,26 @@
-//! The energy ledger over time.
+//! Records the energy ledger over time.
 
 use fenderline_sim::Energy;
 
 use crate::plot::Decimator;
 
-/// Each part of the ledger (J).
+/// Each part of the energy ledger over time (J).
 #[derive(Clone, Debug, Default)]
 pub(in crate::run_page) struct EnergyTrace {
     pub(in crate::run_page) kinetic_j: Decimator,
     pub(in crate::run_page) load_work_j: Decimator,
-    /// In springs and stops, and in shear springs.
+    /// Energy stored in springs and stops, and in shear springs.
     pub(in crate::run_page) stored_j: Decimator,
     pub(in crate::run_page) hysteresis_j: Decimator,
     pub(in crate::run_page) damping_j: Decimator,
     pub(in crate::run_page) restitution_j: Decimator,
     pub(in crate::run_page) friction_j: Decimator,
-    /// What the contacts' books and the motion leave unexplained.
+    /// Energy that the contacts' ledger and the motion leave unexplained.
     pub(in crate::run_page) residual_j: Decimator,
-    /// Of normal and of tangential forces on the bodies.
+    /// Work of normal and of tangential forces on the bodies.
     pub(in crate::run_page) normal_work_j: Decimator,
     pub(in crate::run_page) tangential_work_j: Decimator,
-    /// What the motion alone leaves unexplained.
+    /// Energy that the motion alone leaves unexplained.
     pub(in crate::run_page) motion_residual_j: Decimator,
 }
 
@@ -40,9 +40,10 @@ impl EnergyTrace {
     }
 }
 
-/// What is lost without a cause (J); negative: what was made up.
+/// Energy that is lost without a known cause (J); negative if energy was gained.
 ///
-/// kinetic at the start + work of the loads = kinetic + stored + damping + restitution + friction + this.
+/// The balance is: kinetic at the start + work of the loads = kinetic + stored + damping + restitution + friction +
+/// unexplained.
 fn unexplained_j(energy: &Energy) -> f64 {
     energy.contact_residual_j - energy.residual_j
 }

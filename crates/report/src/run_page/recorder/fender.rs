@@ -1,4 +1,4 @@
-//! What the report follows of a fender.
+//! Records the time series of a fender for the report.
 
 use super::{PartsTrace, Path};
 use crate::plot::Decimator;
@@ -6,20 +6,20 @@ use fenderline_results::TouchedFender;
 
 /// Time series of one touched fender, and its path in the diagram of reaction against deflection.
 pub(in crate::run_page) struct FenderTrace {
-    /// Index into the set-up's fenders.
+    /// Index of the fender among the set-up's fenders.
     pub(in crate::run_page) fender: usize,
     /// Mean reaction of each step (N).
     pub(in crate::run_page) reaction_n: Decimator,
-    /// What the fender is made of.
+    /// Components of the fender's force over time.
     pub(in crate::run_page) parts: PartsTrace,
-    /// Deflection (m) and reaction (N).
+    /// Path of the run in the diagram of reaction (N) against deflection (m).
     pub(in crate::run_page) path: Path,
-    /// The step before: its deflection waits for the one at its end.
+    /// The fender in the time step before: its deflection at the start waits for the deflection at the end.
     last: TouchedFender,
 }
 
 impl FenderTrace {
-    /// Of fender number `fender`, first touched in the step that begins at `t_s`.
+    /// Starts the record of fender number `fender`, which is first touched in the step that begins at `t_s`.
     pub(super) fn begin(fender: usize, t_s: f64, step_s: f64) -> FenderTrace {
         let mut trace = FenderTrace {
             fender,
@@ -37,7 +37,7 @@ impl FenderTrace {
         trace
     }
 
-    /// Adds one step; `None`: not touched.
+    /// Adds one time step; `now` is `None` if the fender is not touched.
     pub(super) fn push(&mut self, t_s: f64, now: Option<&TouchedFender>) {
         let now = now.copied().unwrap_or_default();
         self.push_forces(t_s, &now);

@@ -1,4 +1,4 @@
-//! Records the data of the report during the run. The memory does not grow with the length of the run.
+//! Records the data for the report during the run. The memory of the recorder does not grow with the length of the run.
 
 mod body;
 mod docking;
@@ -32,63 +32,64 @@ pub(super) use wind::both;
 use world::tug_marks;
 pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
-/// The largest number of pairs, fenders and bodies whose course is recorded for charts. The tables of the report contain all of them.
+/// The largest number of pairs, fenders and bodies whose course is recorded for charts. The tables of the report
+/// contain all pairs, fenders and bodies.
 pub(super) const FOLLOWED: usize = 128;
 
-/// The whole scene in the step of the largest force.
+/// The whole scene in the time step of the largest force.
 #[derive(Clone, Debug)]
 pub(super) struct ScenePeak {
-    /// Start of that step (s).
+    /// Start of the time step with the largest force (s).
     pub(super) t_s: f64,
-    /// Sum of N over the patches of the pair (N).
+    /// Sum of the normal forces N over the contact patches of the pair (N).
     normal_n: f64,
-    /// The patch with the largest N.
+    /// The contact patch with the largest normal force N.
     pub(super) contact: Contact,
-    /// All bodies.
+    /// States of all bodies.
     pub(super) states: Vec<BodyState>,
     /// Deflections of all fenders.
     pub(super) deflections_m: Deflections,
-    /// All tugs.
+    /// Positions and forces of all tugs.
     pub(super) tugs: Vec<TugMark>,
 }
 
-/// The data that the report draws.
+/// Records the data that the report draws.
 pub struct Recorder {
     pub(super) pairs: Vec<PairTrace>,
-    /// More pairs touched than can be followed.
+    /// Whether more pairs touched than can be recorded.
     pub(super) pairs_not_followed: bool,
     pub(super) bodies: Vec<BodyTrace>,
-    /// In the order of first touch.
+    /// Records of the touched fenders, in the order of their first touch.
     pub(super) fenders: Vec<FenderTrace>,
-    /// Panels on several cones, and chains.
+    /// Records of panels on several cones, and of chains.
     pub(super) held: Held,
     pub(super) energy: EnergyTrace,
     pub(super) world: WorldTrace,
-    /// The mean wind over the run; `None`: it was not followed, and the report has the wind of the set-up.
+    /// The mean wind over the run; `None` if it was not recorded, so that the report shows the wind of the set-up.
     pub wind: Option<WindTrace>,
-    /// All tugs in the last step.
+    /// Positions and forces of all tugs in the last time step.
     pub(super) last_tugs: Vec<TugMark>,
     setup: Setup,
-    /// The ledger before the first step.
+    /// The energy ledger before the first time step.
     pub(super) start_energy: Energy,
-    /// The most that springs, stops and shear springs stored at the end of a step (J), and when (s).
+    /// The largest energy that springs, stops and shear springs stored at the end of a step (J), and its time (s).
     pub(super) most_stored: (f64, f64),
     pub(super) start: Vec<BodyState>,
-    /// The step of the largest force of all pairs, followed or not.
+    /// The time step with the largest force of all pairs, whether they are recorded or not.
     pub(super) peak: Option<ScenePeak>,
-    /// The pairs in contact in this step; kept for its allocation.
+    /// The pairs in contact in the present step; the map is kept, so that no new memory is needed.
     touching: BTreeMap<[usize; 2], Touch>,
-    /// The fenders touched in this step.
+    /// The fenders touched in the present step.
     touched: BTreeMap<usize, TouchedFender>,
     deflections_m: Deflections,
-    /// The pairs of `pairs`.
+    /// The pairs that are recorded in `pairs`.
     followed: BTreeSet<[usize; 2]>,
     has_loads: bool,
     step_s: f64,
 }
 
 impl Recorder {
-    /// An empty record of a run of `setup` that begins with the ledger `start`.
+    /// Makes an empty record of a run of `setup` that begins with the energy ledger `start`.
     pub fn new(setup: &Setup, start: Energy) -> Recorder {
         let floating = setup.bodies.iter().enumerate().filter(|(_, body)| body.mass.is_some());
         let mut energy = EnergyTrace::default();
@@ -117,7 +118,7 @@ impl Recorder {
         }
     }
 
-    /// Whether the run has external loads, and so a curve of their work.
+    /// Whether the run has external loads, so that the report draws a curve of their work.
     pub(super) fn has_loads(&self) -> bool {
         self.has_loads
     }

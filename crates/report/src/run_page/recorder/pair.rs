@@ -1,4 +1,4 @@
-//! The record of a pair of bodies.
+//! Records the contact of a pair of bodies for the report.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, ForceParts};
@@ -11,22 +11,22 @@ use fenderline_results::add_parts;
 /// Deflection of each touched fender at one moment (m), by its index in the set-up.
 pub(in crate::run_page) type Deflections = Vec<(usize, f64)>;
 
-/// Time series of one pair.
+/// Time series of one pair of bodies.
 pub(in crate::run_page) struct PairTrace {
-    /// Indices into the set-up's bodies.
+    /// Indices of the two bodies among the set-up's bodies.
     pub(in crate::run_page) bodies: [usize; 2],
-    /// Sum of N over the patches (N).
+    /// Sum of the normal forces N over the pair's contact patches (N).
     pub(in crate::run_page) normal_n: Decimator,
-    /// Sum of T over the patches (N).
+    /// Sum of the tangential forces T over the pair's contact patches (N).
     pub(in crate::run_page) tangential_n: Decimator,
-    /// Largest depth of a patch (m).
+    /// Largest depth of a contact patch (m).
     pub(in crate::run_page) depth_m: Decimator,
-    /// V_n of the patch with the largest N, positive approaching (m/s); after the contact, along
-    /// its last normal at its last point.
+    /// Normal speed V_n at the patch with the largest normal force, positive when approaching (m/s); after the contact
+    /// it is taken along the last normal at the last contact point.
     pub(in crate::run_page) v_normal_mps: Decimator,
-    /// Components of the outlines' N; those of fenders are recorded by fender.
+    /// Components of the normal force between outlines; the components of fender forces are recorded by fender.
     pub(in crate::run_page) parts: PartsTrace,
-    /// The step with the largest sum of N.
+    /// The time step with the largest sum of normal forces.
     pub(in crate::run_page) peak: Peak,
     last: Contact,
 }
@@ -34,19 +34,19 @@ pub(in crate::run_page) struct PairTrace {
 /// The moment of a pair's largest force.
 #[derive(Clone, Debug)]
 pub(in crate::run_page) struct Peak {
-    /// Start of that step (s).
+    /// Start of the time step with the pair's largest force (s).
     pub(in crate::run_page) t_s: f64,
-    /// Sum of N over the patches (N).
+    /// Sum of the normal forces N over the pair's contact patches (N).
     pub(in crate::run_page) normal_n: f64,
-    /// The patch with the largest N.
+    /// The contact patch with the largest normal force N.
     pub(in crate::run_page) contact: Contact,
-    /// The two bodies.
+    /// States of the two bodies.
     pub(in crate::run_page) states: [BodyState; 2],
     /// Deflections of all fenders.
     pub(in crate::run_page) deflections_m: Deflections,
 }
 
-/// The contact of a pair in one step: sums over its patches.
+/// The contact of a pair in one time step: sums over its contact patches.
 #[derive(Clone, Copy)]
 pub(super) struct Touch {
     pub(super) normal_n: f64,
@@ -81,7 +81,7 @@ impl Touch {
     }
 }
 
-/// The components of a force of outlines; zero for a fender.
+/// The components of a normal force between outlines; zero for a fender's force.
 fn of_outlines(contact: &Contact) -> ForceParts {
     if contact.fender.is_none() { contact.parts } else { ForceParts::default() }
 }

@@ -1,4 +1,4 @@
-//! What the report follows of panels on several cones and of chains.
+//! Records panels on several cones and chains for the report.
 
 use fenderline_sim::{Setup, StepRecord};
 
@@ -7,23 +7,23 @@ use crate::plot::Decimator;
 
 /// The turn of a panel over time.
 pub(in crate::run_page) struct PanelTrace {
-    /// Index into the set-up's fenders.
+    /// Index of the fender among the set-up's fenders.
     pub(in crate::run_page) fender: usize,
-    /// Turn at the start of each step (rad), 0 where no hull presses it.
+    /// Turn of the panel at the start of each time step (rad); 0 while no hull presses the panel.
     pub(in crate::run_page) tilt_rad: Decimator,
 }
 
 /// The tension of a chain over time.
 pub(in crate::run_page) struct ChainTrace {
-    /// Index into the set-up's fenders.
+    /// Index of the fender among the set-up's fenders.
     pub(in crate::run_page) fender: usize,
-    /// Index among the fender's chains.
+    /// Index of the chain among the fender's chains.
     pub(in crate::run_page) chain: usize,
-    /// Largest tension within each step (N).
+    /// Largest tension of the chain within each time step (N).
     pub(in crate::run_page) tension_n: Decimator,
 }
 
-/// Those of a set-up that are followed.
+/// The panels and chains of a set-up that are recorded.
 #[derive(Default)]
 pub(in crate::run_page) struct Held {
     pub(in crate::run_page) panels: Vec<PanelTrace>,

@@ -1,10 +1,10 @@
-//! What a normal force is made of, over time.
+//! Records the components of a normal force over time.
 
 use fenderline_contact::ForceParts;
 
 use crate::plot::Decimator;
 
-/// N, and of it spring, stop, damper and what the limiter took off (N).
+/// The normal force N and its components over time: spring, stop, damper, and the part that the limiter took off (N).
 #[derive(Clone, Debug, Default)]
 pub(in crate::run_page) struct PartsTrace {
     pub(in crate::run_page) total_n: Decimator,
@@ -15,7 +15,7 @@ pub(in crate::run_page) struct PartsTrace {
 }
 
 impl PartsTrace {
-    /// Nothing pressed from the start until `t_s`.
+    /// Notes that nothing pressed from the start until `t_s`.
     pub(super) fn rest_until(&mut self, t_s: f64) {
         for part in [
             &mut self.total_n,

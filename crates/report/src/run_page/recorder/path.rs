@@ -4,14 +4,14 @@ use fenderline_contact::number::greater;
 
 use crate::plot::Point;
 
-/// Points kept of a path.
+/// Largest number of points that are kept of a path.
 const POINTS: usize = 2000;
-/// Points closer than this share of the path's extent to the last one are left out; doubled each time
-/// that the store is full.
+/// A point closer to the last kept point than this share of the path's extent is left out; the share is doubled each
+/// time that the memory is full.
 const FINEST: f64 = 1e-3;
 
-/// A path. A point is kept when it is a share of the path's extent away from the last one, so that a body at rest takes no
-/// memory and a loop keeps its shape.
+/// A path with a bounded number of points. A point is kept if its distance from the last kept point is at least a share
+/// of the path's extent, so that a body at rest takes no memory and a loop keeps its shape.
 #[derive(Clone, Debug, Default)]
 pub(in crate::run_page) struct Path {
     points: Vec<Point>,
@@ -22,7 +22,7 @@ pub(in crate::run_page) struct Path {
 }
 
 impl Path {
-    /// Goes on to a point of finite coordinates.
+    /// Continues the path to a point with finite coordinates.
     pub(super) fn push(&mut self, x: f64, y: f64) {
         let point = Point { x, y };
         self.extent = (greater(self.extent.0, x.abs()), greater(self.extent.1, y.abs()));
@@ -41,7 +41,7 @@ impl Path {
         (a.x - b.x).abs() > finest * self.extent.0 || (a.y - b.y).abs() > finest * self.extent.1
     }
 
-    /// Doubles the distance of points, and drops those that are now too close.
+    /// Doubles the smallest distance between points, and drops the points that are now too close.
     fn coarsen(&mut self) {
         self.doublings += 1;
         let mut kept: Vec<Point> = Vec::with_capacity(POINTS);
@@ -53,7 +53,7 @@ impl Path {
         self.points = kept;
     }
 
-    /// The points kept, and the last one.
+    /// The kept points of the path, and its last point.
     pub(in crate::run_page) fn points(&self) -> Vec<Point> {
         let mut points = self.points.clone();
         points.extend(self.last.filter(|last| points.last() != Some(last)));

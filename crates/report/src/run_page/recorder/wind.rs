@@ -8,15 +8,15 @@ use crate::plot::{fixed, plain};
 use crate::run_page::session::clock;
 use crate::run_page::vessels::compass;
 
-/// Up to this number of changes, the report gives each with its time; for more changes it gives the
-/// range.
+/// Up to this number of changes of the wind, the report gives each change with its time; for more changes it gives the
+/// range of the wind.
 const TOLD: usize = 3;
-/// A shorter change is reported as a sudden change (s).
+/// A change of the wind that takes less than this time is reported as sudden (s).
 const AT_ONCE_S: f64 = 1.5;
-/// Winds that differ by less count as the same wind (m/s, rad).
+/// Two winds that differ by less than this count as the same wind (m/s, rad).
 const SAME: f64 = 1e-9;
 
-/// Speed without gusts (m/s), and direction from which it comes, clockwise from north (rad).
+/// The mean wind: speed without gusts (m/s), and direction from which the wind comes, clockwise from north (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Mean {
     speed_mps: f64,
@@ -39,14 +39,14 @@ pub struct WindTrace {
     now_s: f64,
     least_mps: f64,
     most_mps: f64,
-    /// The first changes. A change that goes on over several steps is one.
+    /// The first changes of the wind. A change that goes on over several steps counts as one change.
     changes: Vec<Change>,
-    /// There were more changes, or the wind is a table.
+    /// Whether there were more changes, or the wind is given by a table.
     is_varied: bool,
 }
 
 impl WindTrace {
-    /// The wind at the present time of a simulation, before its first step that counts.
+    /// Starts the record with the wind at the present time of a simulation, before its first recorded step.
     #[must_use]
     pub fn of(simulation: &Simulation) -> WindTrace {
         let (now, is_varied) = now(simulation);
@@ -61,7 +61,7 @@ impl WindTrace {
         }
     }
 
-    /// Notes the wind after a step.
+    /// Records the wind after a time step.
     pub fn note(&mut self, simulation: &Simulation) {
         let (wind, is_table) = now(simulation);
         self.add(wind, simulation.time_s(), is_table);
@@ -96,7 +96,7 @@ impl WindTrace {
         if self.start.speed_mps > 0.0 { self.start.from_rad } else { self.now.from_rad }
     }
 
-    /// Speeds and, in short, directions: for a label.
+    /// The range of speeds and, briefly, of directions of the wind, for a label.
     pub(in crate::run_page) fn range(&self) -> String {
         let [least, most] = [self.least_mps, self.most_mps];
         let speeds = if most - least < SAME {
@@ -119,7 +119,8 @@ impl WindTrace {
         }
     }
 
-    /// The wind at the start and each change with its time; the range if there were many.
+    /// Words for the wind at the start and each change with its time; if there were many changes, for the range of the
+    /// wind.
     pub(in crate::run_page) fn by_time(&self) -> String {
         if self.is_varied {
             return self.range();
@@ -148,7 +149,7 @@ fn now(simulation: &Simulation) -> (Mean, bool) {
     (Mean { speed_mps, from_rad }, wind.is_some_and(|wind| wind.is_series()))
 }
 
-/// A speed in m/s and knots.
+/// The text of a wind speed in m/s and knots.
 pub(in crate::run_page) fn both(speed_mps: f64) -> String {
     format!("{} m/s ({} kn)", plain(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 1))
 }

@@ -1,4 +1,4 @@
-//! What the report follows of vessels, tugs and lines.
+//! Records the time series of vessels, tugs and mooring lines for the report.
 
 use fenderline_contact::{BodyState, Pose, Rotation, Vec2};
 use fenderline_sim::tug::TugOrder;
@@ -7,68 +7,69 @@ use fenderline_sim::{Setup, StepRecord, VesselState};
 use super::docking::{Berth, DockingTrace};
 use crate::plot::Decimator;
 
-/// Largest number of vessels, of tugs and of lines with time series; the tables of the report contain all.
+/// Largest number of vessels, of tugs and of lines whose time series are recorded; the tables of the report contain all
+/// of them.
 const FOLLOWED: usize = 16;
 
-/// Time series of the world's parts, in the order of the set-up.
+/// Time series of the world's parts (vessels, tugs, lines, anchors), in the order of the set-up.
 pub(in crate::run_page) struct WorldTrace {
     pub(in crate::run_page) vessels: Vec<VesselTrace>,
     pub(in crate::run_page) tugs: Vec<TugTrace>,
-    /// Tension of each line (N); 0 while it is not fast.
+    /// Tension of each mooring line (N); 0 while the line is not made fast.
     pub(in crate::run_page) lines: Vec<Decimator>,
     pub(in crate::run_page) anchors: Vec<AnchorTrace>,
     step_s: f64,
 }
 
-/// Time series of one vessel, in her own units of SI.
+/// Time series of one vessel, in SI units.
 pub(in crate::run_page) struct VesselTrace {
     body: usize,
-    /// Speed over ground ahead and to starboard (m/s).
+    /// Speed of the vessel over ground, ahead and to starboard (m/s).
     pub(in crate::run_page) along_mps: Decimator,
     pub(in crate::run_page) across_mps: Decimator,
     pub(in crate::run_page) heading_rad: Decimator,
-    /// Place of the centre of gravity, ahead and to starboard of its place at the start, by the heading at the start
+    /// Position of the centre of gravity relative to the start: ahead and to starboard, by the heading at the start
     /// (m).
     pub(in crate::run_page) place_m: [Decimator; 2],
     first: Option<Pose>,
     pub(in crate::run_page) turn_radps: Decimator,
-    /// Order and actual value of rudder and revolutions.
+    /// Ordered and actual value of rudder angle and propeller revolutions.
     pub(in crate::run_page) rudder_rad: [Decimator; 2],
     pub(in crate::run_page) shaft_rps: [Decimator; 2],
-    /// The same of each thruster, −1 to 1.
+    /// Ordered and actual power of each thruster, from −1 to 1.
     pub(in crate::run_page) thrusters: Vec<[Decimator; 2]>,
     pub(in crate::run_page) azimuths: Vec<AzimuthTrace>,
-    /// Roll and pitch with waves (rad), heave (m).
+    /// Roll and pitch of the vessel with waves (rad), and heave (m).
     pub(in crate::run_page) roll_rad: Decimator,
     pub(in crate::run_page) pitch_rad: Decimator,
     pub(in crate::run_page) heave_m: Decimator,
     /// Squat (m).
     pub(in crate::run_page) squat_m: Decimator,
-    /// Under-keel clearance (m); nothing in deep water.
+    /// Under-keel clearance (m); empty in deep water.
     pub(in crate::run_page) under_keel_m: Decimator,
-    /// Surge, sway and yaw of passing ships (N, N, N·m); nothing without them.
+    /// Surge force, sway force and yaw moment by passing ships (N, N, N·m); empty if no ships pass.
     pub(in crate::run_page) passing: [Decimator; 3],
-    /// Distance of the vessel's ends to a row of fenders, if there is one.
+    /// Distances of the vessel's ends from a row of fenders, if there is such a row.
     pub(in crate::run_page) docking: Option<DockingTrace>,
 }
 
-/// Order and actual value of one azimuth unit.
+/// Ordered and actual values of one azimuth unit.
 #[derive(Default)]
 pub(in crate::run_page) struct AzimuthTrace {
-    /// Over the thrust at rest and full power.
+    /// Thrust of the unit divided by its thrust at rest and full power.
     pub(in crate::run_page) power: [Decimator; 2],
-    /// From the bow, positive to starboard, −π to π.
+    /// Direction of the unit's thrust from the bow (rad), positive to starboard, from −π to π.
     pub(in crate::run_page) direction_rad: [Decimator; 2],
 }
 
-/// Order and force of one tug (N).
+/// Ordered and actual force of one tug (N).
 #[derive(Default)]
 pub(in crate::run_page) struct TugTrace {
     pub(in crate::run_page) ordered_n: Decimator,
     pub(in crate::run_page) force_n: Decimator,
 }
 
-/// Tension of a chain, and holding force of anchor and chain (N).
+/// Tension of an anchor chain, and holding force of anchor and chain (N).
 #[derive(Default)]
 pub(in crate::run_page) struct AnchorTrace {
     pub(in crate::run_page) tension_n: Decimator,
@@ -78,7 +79,7 @@ pub(in crate::run_page) struct AnchorTrace {
 /// A tug at one time, for a plan view.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::run_page) struct TugMark {
-    /// Index into the set-up's tugs.
+    /// Index of the tug among the set-up's tugs.
     pub(in crate::run_page) tug: usize,
     /// Point where the tug's force acts (m).
     pub(in crate::run_page) at_m: Vec2,
@@ -87,7 +88,7 @@ pub(in crate::run_page) struct TugMark {
     pub(in crate::run_page) on_line: bool,
 }
 
-/// The tugs in a step, on ships in these states.
+/// The positions and forces of the tugs in a time step, with the ships in the given states.
 pub(in crate::run_page) fn tug_marks(
     setup: &Setup,
     step: &StepRecord<'_>,

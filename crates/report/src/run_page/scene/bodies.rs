@@ -1,11 +1,11 @@
-//! Bodies in a plan view: their outlines, colours, names and the frame round them.
+//! Bodies in a plan view: their outlines, colours and names, and the frame around them.
 
 use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::{BodySetup, Setup};
 
 use crate::plot::{Frame, Label, Outlined, Place, Stage, shortened};
 
-/// Longest name in a view (characters).
+/// Longest name in a plan view (characters).
 pub(super) const NAME_LENGTH: usize = 26;
 
 pub(super) fn outlined(
@@ -19,7 +19,7 @@ pub(super) fn outlined(
     Outlined { vertices_m, stage, style }
 }
 
-/// Colour numbers: floating bodies take them in the order of the scenario.
+/// Number of the colour of each body: floating bodies take the colours in the order of the scenario.
 pub(super) fn styles(setup: &Setup) -> Vec<usize> {
     let mut next = 0;
     let styles = setup.bodies.iter().map(|body| {
@@ -37,7 +37,7 @@ pub(super) fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
     }
 }
 
-/// The name of a body, on it.
+/// The label with a body's name, which stands on the body.
 pub(super) fn body_label(body: &BodySetup, state: &BodyState) -> Label {
     let (low, high) = body.outline.bounds();
     let half = (high - low) * 0.5;

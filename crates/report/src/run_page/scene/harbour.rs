@@ -17,13 +17,14 @@ use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
 use crate::run_page::vessels::compass;
 use fenderline_results::Outcome;
 
-/// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run without contact.
+/// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run
+/// without contact.
 pub(super) fn lines_at_peak(outcome: &Outcome<'_>, recorder: &Recorder) -> Vec<LineDrawn> {
     let states = recorder.peak.as_ref().map_or(outcome.states, |peak| peak.states.as_slice());
     lines(outcome, states)
 }
 
-/// The lines that were made fast, with bodies in these states.
+/// The mooring lines that were made fast, drawn with the bodies in the given states.
 fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
     let lines = outcome.setup.world.lines.iter().zip(&outcome.world.lines);
     let drawn = lines.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
@@ -52,7 +53,7 @@ pub(super) fn anchors<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = ([Ve
     })
 }
 
-/// Names of these anchors, beside them.
+/// Names of the anchors that are on the bottom at the end of the run, which stand beside them.
 pub(super) fn anchor_names(outcome: &Outcome<'_>) -> impl Iterator<Item = Label> {
     anchors(outcome).map(|([hawse_m, place_m], name)| {
         let east = if place_m.y < hawse_m.y { -1.0 } else { 1.0 };
@@ -63,7 +64,7 @@ pub(super) fn anchor_names(outcome: &Outcome<'_>) -> impl Iterator<Item = Label>
     })
 }
 
-/// Tugs as a view draws them.
+/// The tugs as a plan view draws them.
 fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
     let drawn = marks.iter().map(|mark| {
         let name = shortened(&setup.world.tugs[mark.tug].tug.name, NAME_LENGTH);
@@ -84,7 +85,7 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
     drawn.collect()
 }
 
-/// Tugs at the peak force, or at the end of a run without contact, and the weather.
+/// The tugs at the moment of the peak force (or at the end of a run without contact), and the weather.
 pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -> Harbour {
     let setup = outcome.setup;
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
@@ -116,7 +117,7 @@ pub(super) fn passing(outcome: &Outcome<'_>) -> Vec<PassingDrawn> {
     drawn.collect()
 }
 
-/// Names of passing ships, on them where they were nearest.
+/// Names of passing ships, which stand on the ships where they were nearest.
 pub(super) fn passing_names(outcome: &Outcome<'_>) -> Vec<Label> {
     let ships = outcome.setup.world.flow.passing.iter().zip(&outcome.world.passing);
     let named = ships.map(|(ship, totals)| {
@@ -137,8 +138,8 @@ fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
     environment.banks.iter().map(Bank::ends_m).collect()
 }
 
-/// The wind of the run, waves at the start, and the fastest current. As at sea, wind and waves have the direction that they come from, a current that
-/// to which it flows.
+/// The wind of the run, waves at the start, and the fastest current. As is usual at sea, the direction of wind and
+/// waves is that from which they come, and the direction of a current is that to which it flows.
 fn weather(
     environment: &Environment,
     recorder: &Recorder,
@@ -207,7 +208,7 @@ fn weather(
     wind.into_iter().chain(current).chain(waves).chain(long_waves).collect()
 }
 
-/// Wind, current and waves in words, each with its direction; a wind that changed with the times of its changes.
+/// Words for wind, current and waves, each with its direction; if the wind changed, with the times of its changes.
 pub(in crate::run_page) fn weather_texts(
     environment: &Environment,
     recorder: &Recorder,
@@ -220,7 +221,7 @@ fn direction(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The ships with lines at the end of the run; nothing if no line was made fast.
+/// The plan view of the moored ships at the end of the run; empty if no line was made fast.
 pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let states = outcome.states;

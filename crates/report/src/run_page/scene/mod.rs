@@ -22,23 +22,24 @@ use fenderline_results::Outcome;
 
 pub(super) use harbour::{moored, weather_texts};
 
-/// Bodies drawn at most.
+/// Largest number of drawn bodies.
 const DRAWN: usize = 300;
-/// Names written at most: more would cover the view.
+/// Largest number of names in a view; more names would cover the view.
 const NAMED: usize = 16;
-/// The title page shows the berth if the whole scene is larger by this factor; and the room around it, over its size.
+/// If the whole scene is larger than the berth by this factor, the title page shows only the berth, with some room
+/// around it (as a share of its size).
 const FAR: f64 = 1.8;
 const BERTH_ROOM: f64 = 0.12;
-/// Fixed bodies are shown whole if that widens the view by no more than this factor.
+/// Fixed bodies are shown whole if this widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
 
-/// The picture of the title page: the berth if the ships come from far away, otherwise the whole scene. Nothing if there are no
-/// bodies.
+/// The plan view of the title page: the berth if the ships come from far away, otherwise the whole scene. Empty if
+/// there are no bodies.
 pub(super) fn first(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     scene(outcome, recorder, berth_frame(outcome, recorder))
 }
 
-/// The whole scene, if that is not on the title page.
+/// The plan view of the whole scene, if it is not on the title page.
 pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     if berth_frame(outcome, recorder).is_none() {
         return html! {};
@@ -46,7 +47,8 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     scene(outcome, recorder, None)
 }
 
-/// Around floating bodies and fenders at the largest force; `None` if the whole scene is not much larger.
+/// The frame of the berth: around floating bodies and fenders at the moment of the largest force; `None` if the whole
+/// scene is not much larger.
 fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
     let peak = recorder.peak.as_ref()?;
     let setup = outcome.setup;
@@ -72,7 +74,8 @@ fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
         .then_some(Frame { low: near.low - room, high: near.high + room })
 }
 
-/// Start, peak force, end, tracks; all of it, or what lies in `berth`.
+/// The plan view with the bodies at the start, at the peak force and at the end, and their tracks; of the whole scene,
+/// or of the frame `berth`.
 fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Markup {
     let setup = outcome.setup;
     let styles = styles(setup);
@@ -156,7 +159,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     .render()
 }
 
-/// The bodies to draw: those of the largest forces first, then in the order of the scenario.
+/// The bodies to draw: first those with the largest forces, then the others in the order of the scenario.
 fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
     let peak = recorder.peak.iter().map(|peak| &peak.contact);
     let peak = peak.flat_map(|contact| [contact.body_1.0 as usize, contact.body_2.0 as usize]);
@@ -169,7 +172,7 @@ fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
         .collect()
 }
 
-/// The states in which a body is drawn. Its name stands at the first.
+/// The states in which a body is drawn. The name of the body stands at the first state.
 fn stages<'a>(
     body: usize,
     outcome: &Outcome<'a>,
@@ -184,7 +187,8 @@ fn stages<'a>(
     peak.into_iter().chain(start).chain([(end, Stage::End)]).collect()
 }
 
-/// Round the floating bodies. Fixed bodies are included unless they are so large that the others would vanish.
+/// The frame of the whole scene, around the floating bodies. Fixed bodies are included unless they are so large that
+/// the floating bodies could hardly be seen.
 fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     let (Some(floating), Some(fixed)) = (floating, fixed) else { return floating.or(fixed) };
     let extent = |frame: Frame| greater(frame.size().x, frame.size().y);
@@ -197,7 +201,8 @@ fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     Some(Frame { low: floating.low - room, high: floating.high + room })
 }
 
-/// Points on a body for its name, off a contact at `centre`: along `off_m`, then to both sides of it.
+/// Points on a body where its name may stand, away from a contact at `centre`: along the vector `off_m`, then to both
+/// sides of this vector.
 fn points_on(body: &BodySetup, state: &BodyState, centre: Vec2, off_m: Vec2) -> Vec<Vec2> {
     let across_m = off_m.quarter_turn();
     let off = [0.8, 0.6, 0.4, 0.25];
@@ -211,7 +216,7 @@ fn points_on(body: &BodySetup, state: &BodyState, centre: Vec2, off_m: Vec2) -> 
     points.filter(is_on_body).collect()
 }
 
-/// Whether a point lies in a convex ring.
+/// Whether a point lies in a convex polygon.
 fn is_in_convex(ring: &[Vec2], point: Vec2) -> bool {
     let sides = ring.iter().zip(ring.iter().cycle().skip(1));
     let mut turns = sides.map(|(a, b)| (*b - *a).cross(point - *a));
@@ -219,7 +224,7 @@ fn is_in_convex(ring: &[Vec2], point: Vec2) -> bool {
     turns.all(|turn| turn * first >= 0.0)
 }
 
-/// The contact of one pair in the step of its largest force.
+/// The close-up view of the contact of one pair in the step of its largest force.
 pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let setup = outcome.setup;
     let styles = styles(setup);
@@ -276,8 +281,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} is the value at the start \
-             of the step. The tables have the peaks within steps.",
+            "N is the force on {}{}: a mean over the time step. The {} shown is its value at the \
+             start of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.
             by.filter(|name| *name != bodies[1].name)

@@ -1,4 +1,4 @@
-//! Anchors: their table and the tensions of their chains.
+//! The report's table of anchors, with the tensions of their chains.
 
 use fenderline_results::{AnchorTotals, AnchorVerdict, Outcome};
 use fenderline_sim::AnchorSetup;
@@ -42,8 +42,10 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.anchors.len()))
         p class="note" {
-            "Tension of the chain at the hawse pipe. Holding power: the holding factor times the anchor's weight, which is less if the "
-            "chain lifts the shank, plus friction of the chain on the bottom. " strong { "No anchor was compared with a test." }
+            "The tension is that of the chain at the hawse pipe. Holding power: the holding factor \
+             times the anchor's weight, which is less if the chain lifts the shank, plus friction \
+             of the chain on the bottom. "
+            strong { "No anchor was compared with a test." }
         }
     }
 }
@@ -71,7 +73,7 @@ fn cells(anchor: &AnchorSetup, totals: &AnchorTotals) -> Markup {
     }
 }
 
-/// The style class of a verdict.
+/// The CSS class that colours the verdict on an anchor.
 fn class(verdict: AnchorVerdict) -> &'static str {
     match verdict {
         AnchorVerdict::Held => "ok",

@@ -10,15 +10,16 @@ use crate::run_page::charts::{Charts, scaled};
 use crate::run_page::recorder::Recorder;
 use crate::run_page::recorder::{DockingTrace, VesselTrace};
 
-/// Vessels with charts of their own.
+/// Largest number of vessels that have charts of their own.
 const VESSELS: usize = 3;
-/// Smaller motions are not drawn (m, rad).
+/// Motions smaller than this are not drawn (m, rad).
 const STILL: f64 = 1e-9;
-/// Lines in a chart: more cannot be told apart.
+/// Largest number of mooring lines in a chart; more cannot be told apart.
 const LINES: usize = 4;
-/// A load is drawn in the chart of the lines where their largest tension is at least this share of it.
+/// The break load or working load is drawn in a chart of mooring lines only if their largest tension is at least this
+/// share of the load.
 const NEAR_LIMIT: f64 = 0.4;
-/// Smaller squat is not drawn (m).
+/// Squat smaller than this is not drawn (m).
 const SEEN_M: f64 = 0.01;
 
 /// The charts of each vessel.
@@ -31,8 +32,11 @@ pub(super) fn vessels(page: &Charts<'_>, recorder: &Recorder) -> Markup {
         }
         @if setup.world.vessels.len() > VESSELS {
             p class="note" {
-                "Charts of the first " (VESSELS) " of " (setup.world.vessels.len())
-                " vessels; all are in the table of vessels."
+                (format!(
+                    "Charts of the first {VESSELS} of {} vessels; all vessels are in the table of \
+                     vessels.",
+                    setup.world.vessels.len(),
+                ))
             }
         }
     }
@@ -42,7 +46,7 @@ fn line(name: &str, of: &Decimator, factor: f64) -> Series {
     Series::line(name, of.points()).scaled(factor)
 }
 
-/// Order and actual value.
+/// The two series of the ordered and the actual value.
 fn both([order, actual]: &[Decimator; 2], factor: f64) -> Vec<Series> {
     vec![line("ordered", order, factor).styled(1), line("actual", actual, factor).styled(0)]
 }
@@ -101,7 +105,7 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
     }
 }
 
-/// The motions of each vessel in six degrees of freedom.
+/// The charts of the motions of each vessel in six degrees of freedom.
 pub(super) fn motions(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
@@ -121,7 +125,7 @@ pub(super) fn motions(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Heave, roll and pitch of a vessel, where they move.
+/// The charts of heave, roll and pitch of a vessel, if she has these motions.
 fn attitude(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
     let degrees = 1.0_f64.to_degrees();
     let moves = |of: &Decimator| Series::line("", of.points()).largest() > STILL;
@@ -140,7 +144,7 @@ fn attitude(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
     }
 }
 
-/// Forces of the flow of passing ships and of other vessels on each vessel.
+/// The charts of the forces on each vessel by the flow around passing ships and other vessels.
 pub(super) fn passing(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
@@ -162,7 +166,7 @@ pub(super) fn passing(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Distance and speed, as on a docking aid.
+/// The charts of distance and speed towards the fenders, as a docking aid shows them.
 fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     let two = |of: &[Decimator; 2], factor: f64| {
         vec![line("bow", &of[0], factor), line("stern", &of[1], factor)]
@@ -183,7 +187,7 @@ fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     }
 }
 
-/// Forces and orders of all tugs.
+/// The chart of the forces and orders of all tugs.
 pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let traces = setup.world.tugs.iter().zip(&recorder.world.tugs).take(STYLES / 2);
@@ -198,7 +202,8 @@ pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     page.chart("Forces of the tugs", Axis::new("force", &unit).including(0.0), series).render()
 }
 
-/// Tensions of the lines that are followed, a few in each chart, with break load and working load where they are the same for all.
+/// The charts of the tensions of the recorded mooring lines, a few in each chart, with break load and working load if
+/// these are the same for all lines of the chart.
 pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let all: Vec<usize> = (0..recorder.world.lines.len()).collect();
     let charts: Vec<&[usize]> = all.chunks(LINES).collect();
@@ -213,13 +218,17 @@ pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
         }
         @if page.outcome.setup.world.lines.len() > all.len() {
             p class="note" {
-                "The first " (all.len()) " lines, of " (page.outcome.setup.world.lines.len()) "; all are in the table."
+                (format!(
+                    "The first {} lines of {}; all lines are in the table.",
+                    all.len(),
+                    page.outcome.setup.world.lines.len(),
+                ))
             }
         }
     }
 }
 
-/// The chart of some lines.
+/// The chart of the tensions of some mooring lines.
 fn some_lines(page: &Charts<'_>, recorder: &Recorder, title: &str, lines: &[usize]) -> Markup {
     let setup = page.outcome.setup;
     let totals = &page.outcome.world.lines;
@@ -253,7 +262,7 @@ fn some_lines(page: &Charts<'_>, recorder: &Recorder, title: &str, lines: &[usiz
     chart.render()
 }
 
-/// Tensions of the chains, and what anchors and chains hold.
+/// The chart of the tensions of anchor chains, and of the holding forces of anchors and chains.
 pub(super) fn anchors(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let traces = setup.world.anchors.iter().zip(&recorder.world.anchors).take(STYLES / 2);

@@ -1,4 +1,4 @@
-//! Vessels, tugs, lines and providers at the top of the page.
+//! The sentences about vessels, tugs, mooring lines and force providers at the top of the report.
 
 use fenderline_contact::number::greater;
 
@@ -12,7 +12,7 @@ use fenderline_results::{LineVerdict, Who};
 /// Most events listed.
 const EVENTS: usize = 12;
 
-/// The lines in a sentence; nothing if there are none.
+/// The result for the mooring lines in a sentence; empty if there are none.
 pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     let world = outcome.world;
     let share = world.lines.iter().filter_map(|line| line.share_of_break_load());
@@ -23,13 +23,16 @@ pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
             p {
                 (counted(world.lines.len() as u64, "line", "lines"))
                 @if parted > 0 { ", " strong { (parted) " PARTED" } }
-                "; the most used reached " (fixed(100.0 * share, 0)) " % of its break load."
+                (format!(
+                    "; the most used line reached {} % of its break load.",
+                    fixed(100.0 * share, 0),
+                ))
             }
         }
     }
 }
 
-/// The style class of a verdict.
+/// The CSS class that colours the verdict on a mooring line.
 pub(super) fn class(verdict: LineVerdict) -> &'static str {
     match verdict {
         LineVerdict::Ok => "ok",
@@ -39,7 +42,7 @@ pub(super) fn class(verdict: LineVerdict) -> &'static str {
     }
 }
 
-/// Events of vessels, tugs, lines and providers, in the order of time.
+/// The list of events of vessels, tugs, mooring lines and force providers, in the order of time.
 pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
     let events = &outcome.world.events;
     let all: u64 = events.counts().iter().map(|(_, count)| count).sum();
@@ -56,7 +59,7 @@ pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
                     }
                 }
                 @if all > EVENTS as u64 {
-                    li { "and " (all - EVENTS as u64) " more; the first are in summary.json" }
+                    li { "and " (all - EVENTS as u64) " more events; the first events are in summary.json" }
                 }
                 @for (key, count) in providers.counts() {
                     li { "Providers: " (key.trim_start_matches("provider_")) ", " (times(*count)) }

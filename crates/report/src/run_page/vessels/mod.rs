@@ -1,4 +1,4 @@
-//! The sections of vessels, tugs, lines and anchors, if the scenario has any.
+//! The report's sections on vessels, tugs, mooring lines and anchors, if the scenario has any.
 
 mod anchors;
 mod charts;
@@ -21,10 +21,10 @@ pub(super) use headline::{headline, remarks};
 pub(super) use orders::compass;
 pub use orders::{addressee, order_text};
 
-/// Names of vessels in a sentence, at most.
+/// Largest number of vessel names in a sentence.
 const NAMED: usize = 8;
 
-/// Data of the vessels that must be checked: estimated and recalled data.
+/// The data of the vessels that must be checked because they are estimated or recalled.
 pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
     let vessels = outcome.setup.world.vessels.iter();
     let mut all = Vec::new();
@@ -39,7 +39,7 @@ pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
     all
 }
 
-/// Which vessels move in six degrees of freedom, and how vessels without hydrodynamic data move.
+/// Sentences on which vessels move in six degrees of freedom, and on how vessels without hydrodynamic data move.
 pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     let names = |has_data: bool| -> Vec<&str> {
         let vessels = setup.world.vessels.iter();
@@ -51,7 +51,9 @@ pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     if !with.is_empty() {
         let _ = write!(
             text,
-            "With hydrodynamic data ({}): motion in six degrees of freedom by Cummins' equation; heave, roll and pitch move fairleads and              contact points, and lines and fenders act back on them. ",
+            "With hydrodynamic data ({}): motion in six degrees of freedom by Cummins' equation; \
+             heave, roll and pitch move fairleads and contact points, and lines and fenders act \
+             back on them. ",
             with.join(", ")
         );
     }
@@ -67,7 +69,8 @@ pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     text
 }
 
-/// Motions about their means, and the limits of the scenario, if it asks for statistics.
+/// The section on the vessels' motions about their means and on the limits of the scenario, if the scenario asks for
+/// statistics.
 pub(super) fn motions(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let page = Charts::new(outcome);
     html! {

@@ -1,4 +1,4 @@
-//! Statistics of motions, the limits of a scenario, and cycles of lines.
+//! The report's statistics of motions, the limits of a scenario, and the load cycles of mooring lines.
 
 use fenderline_results::Outcome;
 use fenderline_sim::seakeeping::Seakeeping;
@@ -22,42 +22,54 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
                 (data(&setup.bodies[vessel.body].name, ship))
             } @else {
                 p {
-                    span class="verdict over_rated" { "NO HYDRODYNAMIC DATA" } " "
-                    "Heave, roll and pitch of " (setup.bodies[vessel.body].name) " are oscillators \
-                        that do not act on the motion in the plane. "
+                    span class="verdict over_rated" { "NO HYDRODYNAMIC DATA" }
+                    (format!(
+                        " Heave, roll and pitch of {} are oscillators that do not act on the motion \
+                         in the plane. ",
+                        setup.bodies[vessel.body].name,
+                    ))
                     "In surge, sway and yaw, waves push only by their mean drift: these motions \
                      are not the motions of a moored ship in waves."
                 }
             }
         }
         p class="note" {
-            "About the mean, from " (plain(statistics.from_s(), 6)) " s; surge and sway of the centre of gravity along and across the mean "
-            "heading. A peak is the largest distance from the mean between two crossings of it, a range the distance from a crest to the "
-            "trough after it; significant is the mean of the highest third."
+            (format!(
+                "The motions are about the mean, from {} s on; surge and sway are those of the \
+                 centre of gravity, along and across the mean heading. ",
+                plain(statistics.from_s(), 6),
+            ))
+            "A peak is the \
+                largest distance from the mean between two crossings of the mean, a range the \
+                distance from a crest to the next trough; significant is the mean of the highest \
+                third."
         }
     }
 }
 
-/// Contents of a vessel's hydrodynamic data, and what they lack.
+/// The note on what a vessel's hydrodynamic data contain and lack.
 fn data(name: &str, ship: &Seakeeping) -> Markup {
     html! {
         p class="note" {
-            (name) " moves in six degrees of freedom by her hydrodynamic data ("
-            (ship.data.radiation().count()) " frequencies, "
-            @match ship.data.depth_m() {
-                Some(depth_m) => { (plain(depth_m, 4)) " m of water" }
-                None => "deep water",
-            }
-            "). "
+            (format!(
+                "{name} moves in six degrees of freedom by her hydrodynamic data ({} frequencies, {}). ",
+                ship.data.radiation().count(),
+                match ship.data.depth_m() {
+                    Some(depth_m) => format!("{} m of water", plain(depth_m, 4)),
+                    None => "deep water".to_owned(),
+                },
+            ))
             @if ship.data.has_drift() {
                 "Slow drift is computed from the mean drift of the data by Newman's approximation. \
                  "
             } @else {
-                "The data have no mean drift: it is estimated. "
+                "The data have no mean drift, which is therefore estimated. "
             }
-            "The data include waves that a quay reflects only if the quay was part of the panel \
-             run. Viscous damping of roll is "
-            (plain(100.0 * ship.roll_damping, 3)) " % of the critical one."
+            (format!(
+                "The data include waves that a quay reflects only if the quay was part of the \
+                 panel run. Viscous damping of roll is {} % of the critical damping.",
+                plain(100.0 * ship.roll_damping, 3),
+            ))
         }
     }
 }
@@ -131,7 +143,7 @@ fn limits(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// Cycles of the lines by the range of their tension, if the scenario asks for statistics.
+/// The table of the mooring lines' load cycles by the range of their tension, if the scenario asks for statistics.
 pub(super) fn cycles(outcome: &Outcome<'_>) -> Markup {
     let Some(statistics) = outcome.statistics else { return html! {} };
     let lines = outcome.setup.world.lines.iter().zip(&statistics.lines).take(ROWS);
@@ -166,9 +178,12 @@ pub(super) fn cycles(outcome: &Outcome<'_>) -> Markup {
                 }
             }
             p class="note" {
-                "Cycles by the range of the tension over the break load, by rainflow counting, from " (plain(statistics.from_s(), 6))
-                " s on; cycles that are open at the end count as half cycles. The report does not \
-                 contain a fatigue law of ropes."
+                (format!(
+                    "Cycles by the range of the tension as a share of the break load, by rainflow \
+                     counting, from {} s on; cycles that are open at the end count as half cycles. ",
+                    plain(statistics.from_s(), 6),
+                ))
+                "The report does not contain a fatigue law of ropes."
             }
         }
     }

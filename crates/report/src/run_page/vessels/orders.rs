@@ -1,4 +1,4 @@
-//! The orders of a run, in time.
+//! The report's table of the orders of a run, in the order of time.
 
 use fenderline_sim::anchor::SHACKLE_M;
 use fenderline_sim::order::{Argument, ArgumentKind, Named, Target, Unit, Value};
@@ -10,7 +10,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// One row per order, in the order of time.
+/// The table with one row per order, in the order of time.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let setup = outcome.setup;
     let mut orders: Vec<&Order> = setup.world.orders.iter().collect();
@@ -50,7 +50,7 @@ pub fn addressee(order: &Action, setup: &Setup) -> String {
     }
 }
 
-/// The order's word and its arguments, by the table of orders.
+/// The words of an order and its arguments, by the table of orders.
 #[must_use]
 pub fn order_text(order: &Action, setup: &Setup) -> String {
     let spec = order.name().spec();
@@ -104,7 +104,7 @@ fn sided(value: f64, unit: &str) -> String {
     format!("{}{unit} {side}", plain(value.abs(), 3))
 }
 
-/// Three digits, as a compass course is said.
+/// The text of a direction with three digits, as mariners say a compass course.
 pub(in crate::run_page) fn compass(angle_rad: f64) -> String {
     let degrees = libm::round(angle_rad.to_degrees()).rem_euclid(360.0);
     format!("{degrees:03}°")

@@ -1,4 +1,4 @@
-//! The section of passing ships.
+//! The report's section on passing ships.
 
 use fenderline_results::Outcome;
 use fenderline_sim::constants::KNOT_MPS;
@@ -9,7 +9,7 @@ use crate::plot::{fixed, plain, significant};
 use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 
-/// The passing ships, their distances and speeds, and the forces on the vessels.
+/// The tables of the passing ships, of their distances and speeds, and of the forces on the vessels.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     let flow = &setup.world.flow;
@@ -71,14 +71,16 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             }
         }
         p class="note" {
-            "Forces by the flow of slender ships (Wang 1975), about midship: surge positive forward, sway and yaw to starboard. "
-            "When a ship passes abreast, the sway force is towards the passing ship. The flow has \
-             no waves and no lift."
+            "Forces by the flow of slender ships (Wang 1975), about midship: surge positive \
+             forward, sway and yaw to starboard. When a ship passes abreast, the sway force is \
+             towards the passing ship. The flow has no waves and no lift."
             @if flow.passing.iter().any(|ship| ship.depth == DepthFactors::Kriebel) {
-                " Factors for the depth (Kriebel 2005) are " strong { "recalled" } " and compared with one worked case."
+                " " strong { "Recalled" }
+                ": the factors for the depth (Kriebel 2005) are recalled, and were compared with \
+                 one worked case."
             }
             @if flow.passing.iter().any(|ship| ship.berth == Berth::Quay) {
-                " Factors for a quay are an " strong { "estimate" } "."
+                " " strong { "Estimate" } ": the factors for a quay are an estimate."
             }
         }
     }

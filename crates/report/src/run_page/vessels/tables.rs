@@ -1,4 +1,4 @@
-//! Tables of vessels, tugs and lines.
+//! The report's tables of vessels, tugs and mooring lines.
 
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::BankMethod;
@@ -16,7 +16,7 @@ use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
 use fenderline_results::{LineTotals, TugTotals, VesselTotals};
 
-/// Particulars of the vessels, and their largest motions.
+/// The tables of the vessels' particulars, and of their largest motions.
 pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     html! {
@@ -81,7 +81,7 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
     }
 }
 
-/// The sources of a vessel's data. Estimates are marked.
+/// The list of sources of a vessel's data. Estimates are marked.
 fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     let name = outcome.setup.bodies[vessel.body].name.as_str();
     let environment = &outcome.setup.world.environment;
@@ -96,9 +96,11 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
         }
         @if has_estimates {
             p {
-                span class="verdict over_rated" { "ESTIMATED" } " "
-                "Missing data of " (name) " are estimated by formulas that are not validated for this "
-                "ship. Do not use them as manoeuvring data of this ship."
+                span class="verdict over_rated" { "ESTIMATED" }
+                (format!(
+                    " Missing data of {name} are estimated by formulas that are not validated for \
+                     this ship. Do not use the estimates as manoeuvring data of this ship."
+                ))
             }
             (estimates(origin))
             @let accuracy = accuracy(origin, outcome.estimate_errors);
@@ -114,10 +116,14 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
         @if let Some(table) = &vessel.current_table {
             @let [alone_mps, gone_mps] = table.speeds_mps();
             p class="note" {
-                (name) ": hull force in a current by the scenario's table: " (table.source()) ". It acts alone up to "
-                (fixed(alone_mps / KNOT_MPS, 1)) " kn through the water, and hands over to the manoeuvring model until "
-                (fixed(gone_mps / KNOT_MPS, 1)) " kn. The effect of the rate of turn comes from \
-                    the model."
+                (format!(
+                    "{name}: hull force in a current by the scenario's table: {}. The table acts \
+                     alone up to {} kn through the water, and hands over to the manoeuvring model \
+                     until {} kn. The effect of the rate of turn comes from the model.",
+                    table.source(),
+                    fixed(alone_mps / KNOT_MPS, 1),
+                    fixed(gone_mps / KNOT_MPS, 1),
+                ))
             }
         }
         @if environment.sea.is_some() {
@@ -126,7 +132,10 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
                     (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull."
                 }
                 Some(MotionResponse::Table(_)) => p class="note" {
-                    (name) ": motion in waves is by the scenario's table of response amplitude operators."
+                    (format!(
+                        "{name}: motion in waves is by the scenario's table of response amplitude \
+                         operators."
+                    ))
                 }
                 None => {}
             }
@@ -134,7 +143,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     }
 }
 
-/// Squat and under-keel clearance, if the water has a depth.
+/// The table of squat and under-keel clearance, if the scenario gives a water depth.
 fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> Markup {
     html! {
         @if let Some(least) = totals.under_keel_m {
@@ -160,30 +169,31 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
     }
 }
 
-/// How well the methods of the banks are known.
+/// The note on how well the methods for bank suction are known.
 fn banks(environment: &Environment) -> Markup {
     let has = |method| environment.banks.iter().any(|bank| bank.method() == method);
     html! {
         @if has(BankMethod::Norrbin) {
             p {
-                span class="verdict over_rated" { "UNVALIDATED" } " "
-                "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: we could read no source "
-                "of them, and found no data to validate them."
+                span class="verdict over_rated" { "UNVALIDATED" } " \
+                The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which \
+                are recalled: we could read no source of these formulas, and found no data to \
+                validate them."
             }
         }
         @if has(BankMethod::Image) {
             p {
-                span class="verdict over_rated" { "UNVALIDATED" } " "
-                "The suction of banks on vessels is computed from the vessel's image behind the \
-                 bank, for slender ships in potential flow "
-                "without waves and lift. It was compared with panels in the same flow, which give up to 2.7 times as much, and not with "
-                "measurements. The moment that turns the bow away is left out."
+                span class="verdict over_rated" { "UNVALIDATED" } " The suction of banks on \
+                    vessels is computed from the vessel's image behind the bank, for slender ships \
+                    in potential flow without waves and lift. This method was compared with panels \
+                    in the same flow, which give up to 2.7 times as much, and not with \
+                    measurements. The moment that turns the bow away is left out."
             }
         }
     }
 }
 
-/// Every estimated quantity with its formula and the standing of the formula.
+/// The table of every estimated quantity, with its formula and how certain that formula is.
 fn estimates(origin: &Origin) -> Markup {
     html! {
         div class="wide" {
@@ -214,7 +224,7 @@ fn estimates(origin: &Origin) -> Markup {
     }
 }
 
-/// A text in which a `m_x` is a symbol with its subscript; longer names with a `_` stay.
+/// Marks up a text: `m_x` becomes a symbol with a subscript, longer names with a `_` stay as they are.
 fn symbols(text: &str) -> Markup {
     let is_symbol = |before: &str| {
         // A prime stands for a number without dimension.
@@ -244,7 +254,7 @@ fn standing(source: &Source) -> Markup {
     }
 }
 
-/// What was asked of the tugs.
+/// The table of the tugs: orders and forces.
 pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     let body = |vessel: usize| setup.bodies[setup.world.vessels[vessel].body].name.as_str();
@@ -273,9 +283,9 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.tugs.len()))
         p class="note" {
-            "Tugs are forces at the ship's side, not hulls. The force of a tug at speed is "
-            strong { "derived" } " from bollard pull and drag; we found no published envelope. "
-            "Force limited: time in which speed and angle allowed less than the ordered force."
+            "Tugs are forces at the ship's side, not hulls. " strong { "Derived" } ": the force of \
+                a tug at speed is derived from bollard pull and drag; we found no published \
+                envelope. Force limited: time in which speed and angle allowed less than the ordered force."
         }
     }
 }
@@ -321,9 +331,9 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.lines.len()))
         p class="note" {
-            "Tension at the ship's end; break load is the lesser of rope and tail. Working load: \
-             55 % of "
-            "the rope's break load for wire, 50 % for others (MEG4, from public summaries), unless the scenario gives it."
+            "The tension is that at the ship's end; the break load is the lesser of those of rope \
+             and tail. Working load: 55 % of the rope's break load for wire, 50 % for others \
+             (MEG4, from public summaries), unless the scenario gives it."
         }
     }
 }

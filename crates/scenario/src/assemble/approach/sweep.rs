@@ -1,4 +1,4 @@
-//! A hull that moves straight: what the hull meets, and after which distance.
+//! Finds what a hull meets that moves in a straight line, and after which distance.
 
 use fenderline_contact::{Pose, Vec2};
 
@@ -13,13 +13,13 @@ impl Face {
         (self.ends_m[0] + self.ends_m[1]) * 0.5
     }
 
-    /// The room between mounting and face.
+    /// The corners of the rectangle between the mounting of the fender and its face.
     pub(super) fn box_m(&self) -> [Vec2; 4] {
         [self.ends_m[0], self.ends_m[1], self.mounting_m[0], self.mounting_m[1]]
     }
 }
 
-/// The vertices of an outline, in the horizontal plane.
+/// The vertices of an outline in the earth's horizontal plane, for a body at the place `pose`.
 pub(super) fn moved(outline: &[Vec2], pose: Pose) -> Vec<Vec2> {
     outline.iter().map(|point| pose.apply(*point)).collect()
 }
@@ -29,7 +29,7 @@ fn edges(points: &[Vec2], is_closed: bool) -> impl Iterator<Item = [Vec2; 2]> {
     (0..count).map(move |index| [points[index], points[(index + 1) % points.len()]])
 }
 
-/// Whether two polygons do not overlap: no edges cross, and none lies inside the other.
+/// Whether two polygons do not overlap: their edges do not cross, and neither polygon lies inside the other.
 pub(super) fn are_apart(one: &[Vec2], other: &[Vec2]) -> bool {
     let crossing = edges(one, true).any(|a| edges(other, true).any(|b| cross(a, b)));
     !crossing && !holds(one, other[0]) && !holds(other, one[0])
@@ -49,7 +49,8 @@ fn holds(polygon: &[Vec2], point: Vec2) -> bool {
     edges(polygon, true).filter(crosses).count() % 2 == 1
 }
 
-/// How far a hull moves in a direction (a unit vector) until it meets a line of points (m); `None`: never.
+/// How far a hull moves in the direction `way`, a unit vector, until the hull meets a line of points (m); `None` if the
+/// hull never meets the line.
 pub(super) fn travel_m(hull: &[Vec2], line: &[Vec2], is_closed: bool, way: Vec2) -> Option<f64> {
     let of_hull = hull.iter().flat_map(|vertex| {
         edges(line, is_closed).filter_map(move |edge| ray_m(*vertex, way, edge))
@@ -60,7 +61,7 @@ pub(super) fn travel_m(hull: &[Vec2], line: &[Vec2], is_closed: bool, way: Vec2)
     of_hull.chain(of_line).min_by(f64::total_cmp)
 }
 
-/// How far along a ray an edge is met.
+/// Distance along a ray at which the ray meets an edge; `None` if the ray misses the edge.
 fn ray_m(from: Vec2, way: Vec2, [a, b]: [Vec2; 2]) -> Option<f64> {
     let along = b - a;
     let slope = way.cross(along);

@@ -1,4 +1,5 @@
-//! The angles of a table: which side they cover, whether they cover it completely, gaps, and repeated rows.
+//! Checks the angles of a table of coefficients: which side of the ship the angles cover, and whether there are gaps or
+//! repeated rows.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::environment::Sides;
@@ -7,36 +8,39 @@ use super::row::Row;
 use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 
-/// Angles nearer than this count as equal (deg), and an end nearer than this to 0 or 180 counts as 0 or 180.
+/// Angles nearer to each other than this difference count as equal (deg); an end nearer than this to 0 or 180 degrees
+/// counts as 0 or 180.
 const SAME_DEG: f64 = 0.01;
-/// The widest gap that is interpolated (deg).
+/// The widest gap between angles over which the table is interpolated (deg).
 const WIDEST_DEG: f64 = 60.0;
-/// A step counts as a gap if it is this many times as wide as the median step.
+/// A step between two angles counts as a gap if it is this many times as wide as the median step.
 const GAP: f64 = 1.6;
 
 /// The rows of a table at one depth and one draught.
 #[derive(Clone, Debug)]
 pub(super) struct Angles {
     pub(super) sides: Sides,
-    /// Angles (deg), rising.
+    /// Angles of the table (deg), in rising order.
     pub(super) degrees: Vec<f64>,
-    /// The row of each angle; if the table has one side, with the mirrored rows of the other side.
+    /// The row of each angle. If the table covers one side of the ship, its rows are those of that side, turned to
+    /// port.
     pub(super) rows: Vec<Row>,
-    /// Rows before a gap, and the notice about the gap.
+    /// The rows before a gap between angles, each with the warning about the gap.
     pub(super) gaps: Vec<(usize, String)>,
 }
 
 impl Angles {
-    /// The values of each angle.
+    /// The values X, Y and N for each angle.
     pub(super) fn values(&self) -> Vec<[f64; 3]> {
         self.rows.iter().map(|row| row.value).collect()
     }
 }
 
-/// Puts rows in order. Rows of only one side are mirrored to port.
+/// Puts the rows of a table in the order of their angles. Rows for starboard alone are mirrored to port.
 ///
 /// # Errors
-/// Two rows with different values at one angle, angles that do not cover a side or the whole turn, a gap that is too wide.
+/// Fails if two rows at one angle have different values, if the angles do not cover a side or the whole turn, or if a
+/// gap between angles is too wide.
 pub(super) fn angles(
     csv: &Csv<'_>,
     column: usize,
@@ -103,7 +107,8 @@ fn second(
         later,
         column,
         format!(
-            "a second row for one angle{at}: {} is the angle {} of {}, with other values",
+            "the file has a second row for one angle{at}: {} is the angle {} of {}, with other \
+             values",
             given(later),
             given(first),
             csv.place_of(Some((first, column)))
@@ -111,7 +116,7 @@ fn second(
     )
 }
 
-/// Checks that the angles cover their side or the whole turn, and finds gaps.
+/// Checks that the angles cover one side of the ship or the whole turn, and finds gaps between the angles.
 fn covered(
     csv: &Csv<'_>,
     column: usize,
@@ -129,9 +134,10 @@ fn covered(
             lesser(first, last),
             greater(first, last)
         );
-        return Err(csv
-            .cell_error(end.row, column, message)
-            .with_help("a table of one side has angles from straight ahead to straight astern, and some between"));
+        return Err(csv.cell_error(end.row, column, message).with_help(
+            "a table for one side of the ship needs angles from straight ahead to \
+                        straight astern, and some in between",
+        ));
     }
     let mut steps: Vec<(f64, usize)> =
         (1..count).map(|k| (degrees[k] - degrees[k - 1], k - 1)).collect();
@@ -149,19 +155,20 @@ fn covered(
         let [from, to] = [one, two].map(|row| csv.plain(row.row, column));
         if width > WIDEST_DEG + SAME_DEG {
             let message = format!(
-                "the angles do not cover the turn{at}: there is no row between {from} and {to}, {width} degrees apart"
+                "the angles do not cover the whole turn{at}: there is no row between {from} and \
+                 {to}, which are {width} degrees apart"
             );
             let error = csv.cell_error(one.row, column, message);
-            return Err(
-                error.with_help(format!("gaps of at most {WIDEST_DEG} degrees are interpolated"))
-            );
+            return Err(error.with_help(format!(
+                "the program interpolates over gaps of at most {WIDEST_DEG} degrees"
+            )));
         }
         if width > GAP * middle {
             gaps.push((
                 one.row,
                 format!(
-                    "a gap of {width} degrees{at}: between the rows of {from} and {to} the forces \
-                     are interpolated"
+                    "the angles have a gap of {width} degrees{at}: between the rows of {from} and \
+                     {to} the forces are interpolated"
                 ),
             ));
         }

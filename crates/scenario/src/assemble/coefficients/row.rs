@@ -1,13 +1,13 @@
-//! A row of a table of coefficients.
+//! A row of a table of wind or current coefficients.
 
-/// The flow of a table.
+/// Whether a table of coefficients is for wind or for current.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flow {
     Wind,
     Current,
 }
 
-/// A row in this program's axes: angle γ (deg) and [X, Y, N] over dynamic pressure (m², m², m³).
+/// A row of a table in the program's own axes: angle γ (deg) and [X, Y, N] divided by dynamic pressure (m², m², m³).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     pub(crate) row: usize,

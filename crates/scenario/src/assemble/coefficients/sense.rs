@@ -1,4 +1,5 @@
-//! Whether the signs of a table make sense: a flow pushes along with it.
+//! Checks whether the signs in a table of coefficients make sense: wind or current must push the ship in the direction
+//! in which it flows.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::environment::Sides;
@@ -9,17 +10,19 @@ use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::keys::coefficients::Convention;
 
-/// Largest permitted side force or moment in a flow from straight ahead or astern, over the maximum of the table.
+/// Largest permitted side force or moment for angles straight ahead or astern, as a share of the largest value of the
+/// table.
 const AT_THE_ENDS: f64 = 0.05;
-/// A larger difference between the two sides gets a notice; over the maximum.
+/// A larger difference between the two sides of the ship gets a warning; a share of the largest value of the table.
 const ASYMMETRY: f64 = 0.3;
-/// A larger moment of unusual sign gets a notice; over the maximum.
+/// A larger moment of unusual sign gets a warning; a share of the largest moment of the table.
 const AGAINST: f64 = 0.1;
 
-/// Checks the signs of the rows at one depth and draught. Returns the notices, each with its row.
+/// Checks the signs of the rows at one depth and draught. Returns the warnings, each with the row to which it points.
 ///
 /// # Errors
-/// A force against the flow at 0, 90, 180 or −90 degrees; a mirrored table with a side force or moment straight ahead or astern.
+/// Fails if a force at 0, 90, 180 or −90 degrees points against the flow, or if a mirrored table has a side force or
+/// moment for angles straight ahead or astern.
 pub(super) fn check(
     csv: &Csv<'_>,
     column: usize,
@@ -51,7 +54,8 @@ pub(super) fn check(
             _ => ("side force", "`angle_side` and `sway_positive`"),
         };
         let message = format!(
-            "the {force} at {}{at} points against the flow, which comes from {from} by the convention given",
+            "the {force} at {}{at} points against the flow, which by the given convention comes \
+             from {from}",
             given(row)
         );
         let error = csv.cell_error(row.row, column, message);
@@ -66,21 +70,23 @@ pub(super) fn check(
                 let share = row.value[k].abs() / greater(most(k), f64::MIN_POSITIVE);
                 if share > AT_THE_ENDS {
                     let message = format!(
-                        "a table of one side has no {name} at {}{at}, but this one has {:.0} % of its largest",
+                        "a table for one side of the ship must have no {name} at {}{at}, but this \
+                         table has {:.0} % of its largest value there",
                         given(row),
                         100.0 * share
                     );
                     let error = csv.cell_error(row.row, column, message);
                     return Err(error.with_help(
-                        "give the angles of both sides, or look for another zero of the angles",
+                        "give the angles of both sides of the ship, or check from which direction \
+                         the angles are counted",
                     ));
                 }
                 if row.value[k] != 0.0 {
                     odd.push((
                         row.row,
                         format!(
-                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, \
-                             because the other side is the mirror image",
+                            "the {name} at {}{at} is {:.2} % of its largest value; the program \
+                             takes it as zero, because the other side is the mirror image",
                             given(row),
                             100.0 * share
                         ),
@@ -95,7 +101,7 @@ pub(super) fn check(
     Ok(odd)
 }
 
-/// The two rows of a table of both sides that differ most.
+/// The warning about the two rows that differ most between the sides, for a table that covers both sides of the ship.
 fn asymmetry(
     angles: &Angles,
     most: impl Fn(usize) -> f64,
@@ -130,7 +136,7 @@ fn asymmetry(
     ))
 }
 
-/// Notes a moment of unusual sign: a current on the bow turns a hull broadside to the current.
+/// The warning about a moment of unusual sign: a current on the bow usually turns a hull broadside to the current.
 fn moment(
     angles: &Angles,
     (flow, convention): (Flow, &Convention),

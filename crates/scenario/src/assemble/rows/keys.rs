@@ -1,4 +1,4 @@
-//! Which keys of a row go together.
+//! Checks which keys of a row of fenders may be given together.
 
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
@@ -27,30 +27,26 @@ const NEEDS: [(RowKey, &[RowKey]); 2] = [
     (FenderRowKey::WALL.any(), any_keys![FenderRowKey: SPACING, NUMBER]),
 ];
 
-/// Refuses keys that place a row in two ways, or not enough of them.
+/// Refuses a row whose keys place the row in two ways, or do not suffice to place the row.
 pub(crate) fn check_placing(
     sources: &Sources<'_>,
     row: Of<'_, FenderRowKey>,
 ) -> Result<(), ScenarioError> {
     let refuse = |item: Entry<'_, _>, message: String, help: &str| {
-        let path = row.path_to(item);
-        let error = sources.error(&item.key_span, &path, format!("`{path}` {message}"));
+        let error = sources.error(&item.key_span, &row.path_to(item), message);
         Err(error.with_help(help))
     };
     for (one, others) in NOT_TOGETHER {
         let other = others.iter().find_map(|other| row.item(*other));
         if let (Some(_), Some(item)) = (row.item(one), other) {
-            return refuse(
-                item,
-                format!("does not go together with `{one}`"),
-                "keep one of the two",
-            );
+            let message = format!("`{}` does not go together with `{one}`", row.path_to(item));
+            return refuse(item, message, "keep only one of the two keys");
         }
     }
     for &[name, with] in ONLY_WITH {
         if let (Some(item), None) = (row.item(name), row.item(with)) {
-            let help = format!("remove it or give `{with}`");
-            return refuse(item, format!("is for rows with `{with}`"), &help);
+            let message = format!("`{}` is for rows with `{with}`", row.path_to(item));
+            return refuse(item, message, &format!("remove `{name}` or give `{with}`"));
         }
     }
     for (name, needs) in NEEDS {
@@ -58,7 +54,7 @@ pub(crate) fn check_placing(
         if let (Some(_), Some(missing)) = (row.item(name), missing) {
             let path = row.path_of(*missing);
             let error = sources.error(&row.span, &path, format!("`{path}` is missing"));
-            return Err(error.with_help(format!("a row with `{name}` needs it")));
+            return Err(error.with_help(format!("a row with `{name}` needs `{missing}`")));
         }
     }
     Ok(())

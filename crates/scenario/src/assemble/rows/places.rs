@@ -9,16 +9,16 @@ use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::{Number, Points, Vector};
 use fenderline_keys::keys::fender_row::{FenderRowKey, MOST_IN_ROW};
 
-/// The places of a row.
+/// The places of the fenders of a row on a straight line.
 pub(super) struct Line {
     pub(super) first_m: Vec2,
-    /// Unit vector from the first to the last.
+    /// Unit vector from the first fender to the last.
     along: Vec2,
     pub(super) spacing_m: f64,
     pub(super) number: usize,
     /// The edge of the outline along which the row runs.
     pub(super) edge: Option<Edge>,
-    /// The row of fenders stands in the middle of its wall, not from a first fender on.
+    /// True if the row stands in the middle of its wall, and does not begin at a given first fender.
     is_in_the_middle: bool,
 }
 
@@ -31,7 +31,7 @@ impl Line {
         (0..self.number).map(|index| self.place_m(index))
     }
 
-    /// What would fit on an edge, for the help of an error.
+    /// Says which number of fenders or which spacing would fit on an edge, for the help of an error.
     pub(super) fn what_fits(&self, edge: &Edge) -> String {
         let spacing_m = rounded(self.spacing_m);
         let room_m = if self.is_in_the_middle {
@@ -43,26 +43,27 @@ impl Line {
             if is_along { edge.length_m - reach_m } else { reach_m }
         };
         if !self.is_in_the_middle && !edge.holds(self.first_m) {
-            return "the first fender is not on this edge itself".to_owned();
+            return "the first fender of the row is not on this edge itself".to_owned();
         }
         let number = 1 + libm::floor(room_m / self.spacing_m + 1e-9) as usize;
         let gaps = (self.number - 1) as f64;
         let least_m = libm::floor(room_m / gaps * 1000.0) / 1000.0;
         format!(
-            "on {} m there is room for {number} at a spacing of {spacing_m} m, or for {} at a spacing of {least_m} m",
+            "on {} m there is room for {number} at a spacing of {spacing_m} m, or for {} at a \
+             spacing of {least_m} m",
             rounded(room_m),
             self.number
         )
     }
 }
 
-/// Whether an edge runs along a direction, either way.
+/// Whether an edge runs along a direction or opposite to it.
 fn is_along(edge: &Edge, direction: Vec2) -> bool {
     edge.along.cross(direction).abs() < 1e-6
 }
 
-/// The given direction or its opposite: of the two, the direction that runs forward; if both run
-/// straight across, the direction to starboard.
+/// Returns the given direction or its opposite, whichever runs forward; if the direction runs straight across the body,
+/// whichever runs to starboard.
 fn forward(direction: Vec2) -> Vec2 {
     let is_across = direction.x.abs() < 1e-9;
     let is_back = if is_across { direction.y < 0.0 } else { direction.x < 0.0 };
@@ -70,14 +71,15 @@ fn forward(direction: Vec2) -> Vec2 {
 }
 
 impl Assembly<'_, '_> {
-    /// The row from `first` on.
+    /// The places of a row that begins at `first`.
     pub(super) fn line_from_first(
         &self,
         row: Of<'_, FenderRowKey>,
         outline: &Outline,
     ) -> Checked<Line> {
         let Some(first) = row.item(FenderRowKey::FIRST) else {
-            let help = "give the place of the first fender, or a `wall` or `dolphins`";
+            let help =
+                "give the place of the first fender in `first`, or give a `wall` or `dolphins`";
             return Err(self.missing(row, FenderRowKey::FIRST, help));
         };
         let first_m = *first.vector();
@@ -121,7 +123,7 @@ impl Assembly<'_, '_> {
         let length_m = whole_m.length();
         let path = row.path_of(FenderRowKey::LAST);
         if length_m <= 0.0 {
-            let message = format!("`{path}` is where the first fender is");
+            let message = format!("`{path}` is at the place of the first fender");
             return Err(self.sources.error(&last.span, &path, message));
         }
         let (spacing_m, number) = match row.item(FenderRowKey::NUMBER) {
@@ -129,7 +131,8 @@ impl Assembly<'_, '_> {
                 let number = self.whole_number(row, item)?;
                 if number < 2 {
                     let path = row.path_of(FenderRowKey::NUMBER);
-                    let message = format!("`{path}` must be at least 2 between `first` and `last`");
+                    let message =
+                        format!("`{path}` must be at least 2 for a row from `first` to `last`");
                     return Err(self.sources.error(&item.span, &path, message));
                 }
                 (length_m / (number - 1) as f64, number)
@@ -144,8 +147,10 @@ impl Assembly<'_, '_> {
                         rounded(length_m),
                         rounded(spacing_m)
                     );
-                    let help =
-                        format!("the nearest is {} m; or give `number`", rounded(gaps * spacing_m));
+                    let help = format!(
+                        "a length of {} m would be nearest; or give `number`",
+                        rounded(gaps * spacing_m)
+                    );
                     return Err(self.sources.error(&last.span, &path, message).with_help(help));
                 }
                 (spacing_m, gaps as usize + 1)
@@ -156,7 +161,7 @@ impl Assembly<'_, '_> {
         Ok(Line { first_m, along, spacing_m, number, edge, is_in_the_middle: false })
     }
 
-    /// The direction of a row without `last`, and the edge along which it runs.
+    /// The direction of a row without `last`, and the edge along which the row runs.
     fn direction(
         &self,
         row: Of<'_, FenderRowKey>,
@@ -183,7 +188,8 @@ impl Assembly<'_, '_> {
         let path = row.path_of(FenderRowKey::FIRST);
         let message = match edges.len() {
             0 => format!(
-                "`{path}`: {} is not on the outline of the body, so the direction of the row is not known",
+                "`{path}`: {} is not on the outline of the body, so the direction of the row is \
+                 not known",
                 shown(*first.vector())
             ),
             _ => format!(
@@ -192,10 +198,10 @@ impl Assembly<'_, '_> {
             ),
         };
         let error = self.sources.error(&first.span, &path, message);
-        Err(error.with_help("give `last`, or `facing`, or a place on an edge"))
+        Err(error.with_help("give `last` or `facing`, or a place of `first` on an edge"))
     }
 
-    /// The row along a wall.
+    /// The places of a row along a wall.
     pub(super) fn line_along_wall(
         &self,
         row: Of<'_, FenderRowKey>,
@@ -213,7 +219,9 @@ impl Assembly<'_, '_> {
                 shown(to_m)
             );
             let error = self.sources.error(&wall.span, &path, message);
-            return Err(error.with_help("give two corners of the body, in the axes of the body"));
+            return Err(
+                error.with_help("give two corners of the body's outline, in the axes of the body")
+            );
         };
         let along = (to_m - from_m) * (1.0 / length_m);
         let spacing_m = *row.given(FenderRowKey::SPACING).number();

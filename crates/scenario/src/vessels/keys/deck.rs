@@ -7,7 +7,7 @@ use fenderline_keys::spec::Absent::Refused;
 use fenderline_keys::spec::{Kind, TableSpec, key};
 use fenderline_keys::table_keys;
 
-/// The origin of the points of an outline.
+/// The origin from which the vertices of an outline are measured.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum OutlineOrigin {
     Midship,
@@ -29,15 +29,15 @@ table_keys! {
             "origin",
             Kind::Choice(&ORIGINS),
             Refused,
-            "The origin of the points.",
+            "The origin from which the vertices of the outline are measured.",
             &["\"midship\""],
         ),
         POINTS: Points = key(
             "points",
             Kind::Outline(PLACE),
             Refused,
-            "Vertices, forward and to starboard, in either direction round the hull. The outline \
-             need not be convex.",
+            "Vertices of the outline, forward and to starboard of the origin, in either direction \
+             round the hull. The outline need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
     }
@@ -47,7 +47,7 @@ static ORIGINS: Choices<OutlineOrigin> = Choices(&[
     Choice {
         word: "midship",
         value: OutlineOrigin::Midship,
-        doc: "half the length between perpendiculars, on the centre line",
+        doc: "midship: the point halfway between the perpendiculars, on the centre line",
     },
     Choice {
         word: "after perpendicular",
@@ -63,7 +63,7 @@ static ORIGINS: Choices<OutlineOrigin> = Choices(&[
 
 pub(super) static DECK_POINT: TableSpec = TableSpec {
     what: "a point on deck",
-    doc: "A place where a line meets the vessel.",
+    doc: "A place on deck where a mooring line meets the vessel: a chock or bitts.",
     keys: FileDeckPointKey::ALL,
     rules: None,
 };
@@ -75,14 +75,14 @@ table_keys! {
             "at",
             Kind::Point(PLACE),
             Refused,
-            "Forward and starboard of midship.",
+            "Place of the chock or bitts, forward and to starboard of midship.",
             &["[140, 5]"],
         ),
         HEIGHT: Number = key(
             "height",
             Kind::Quantity(PLACE),
             Refused,
-            "Height above the still water at the vessel's draught.",
+            "Height of the chock or bitts above the still water, at the vessel's draught.",
             &["\"12 m\""],
         ),
     }
@@ -90,7 +90,8 @@ table_keys! {
 
 pub(super) static BELTING: TableSpec = TableSpec {
     what: "a belting",
-    doc: "A straight strip along the side or the bow, facing away from midship.",
+    doc: "A belting: a straight strip along the vessel's side or bow, which faces away from \
+          midship.",
     keys: FileBeltingKey::ALL,
     rules: None,
 };
@@ -102,14 +103,14 @@ table_keys! {
             "from",
             Kind::Point(PLACE),
             Refused,
-            "One end: forward and starboard of midship.",
+            "One end of the strip, forward and to starboard of midship.",
             &["[16, -4]"],
         ),
         TO: Vector = key(
             "to",
             Kind::Point(PLACE),
             Refused,
-            "The other end: forward and starboard of midship.",
+            "The other end of the strip, forward and to starboard of midship.",
             &["[16, 4]"],
         ),
         HEIGHT: Number = key(

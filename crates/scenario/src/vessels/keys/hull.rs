@@ -11,7 +11,8 @@ use fenderline_keys::units::measures as unit;
 
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass of a file",
-    doc: "Added mass about midship: as coefficients over ½ρL²d and ½ρL⁴d, or over the density of the water.",
+    doc: "Added mass relative to midship, given either as coefficients, which are divided by ½ρL²d \
+          and ½ρL⁴d, or divided by the density of the water.",
     keys: FileAddedMassKey::ALL,
     rules: Some(|| {
         json!({ "oneOf": [
@@ -37,42 +38,43 @@ table_keys! {
             "surge",
             Kind::Quantity(POSITIVE),
             Unless("`surge_volume` is given"),
-            "m'x, over ½ρL²d.",
+            "Added mass coefficient m'x in surge: added mass divided by ½ρL²d.",
             &["0.022"],
         ),
         SWAY: Number = key(
             "sway",
             Kind::Quantity(POSITIVE),
             Unless("`sway_volume` is given"),
-            "m'y, over ½ρL²d.",
+            "Added mass coefficient m'y in sway: added mass divided by ½ρL²d.",
             &["0.223"],
         ),
         YAW: Number = key(
             "yaw",
             Kind::Quantity(POSITIVE),
             Unless("another key gives it"),
-            "J'z, over ½ρL⁴d.",
+            "Added inertia coefficient J'z in yaw: added moment of inertia divided by ½ρL⁴d.",
             &["0.011"],
         ),
         YAW_WITH_SHIP: Number = key(
             "yaw_with_ship",
             Kind::Quantity(POSITIVE),
             Unless("another key gives it"),
-            "I'z + J'z, over ½ρL⁴d: the ship's own inertia is subtracted.",
+            "Sum I'z + J'z of the ship's own and the added moment of inertia in yaw, divided by \
+             ½ρL⁴d; the program subtracts the ship's own inertia.",
             &["0.0286"],
         ),
         SURGE_VOLUME: Number = key(
             "surge_volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-9, high: 1e8 }),
             Unless("`surge` is given"),
-            "m_x/ρ.",
+            "Added mass in surge divided by the density of the water, m_x/ρ.",
             &["\"1790.85 m^3\""],
         ),
         SWAY_VOLUME: Number = key(
             "sway_volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-9, high: 1e8 }),
             Unless("`sway` is given"),
-            "m_y/ρ.",
+            "Added mass in sway divided by the density of the water, m_y/ρ.",
             &["\"44324 m^3\""],
         ),
         YAW_VOLUME: Number = key(
@@ -83,7 +85,7 @@ table_keys! {
                 high: 1e15,
             }),
             Unless("another key gives it"),
-            "J_z/ρ.",
+            "Added moment of inertia in yaw divided by the density of the water, J_z/ρ.",
             &["\"140067300 m^5\""],
         ),
     }
@@ -91,7 +93,7 @@ table_keys! {
 
 pub(super) static SWAY_POLYNOMIAL: TableSpec = TableSpec {
     what: "a hull polynomial over v'",
-    doc: "The form of Yasukawa & Yoshimura (2015).",
+    doc: "A polynomial for the hull forces in the form of Yasukawa & Yoshimura (2015).",
     keys: FileSwayPolynomialKey::ALL,
     rules: None,
 };
@@ -121,7 +123,7 @@ table_keys! {
 
 pub(super) static DRIFT_POLYNOMIAL: TableSpec = TableSpec {
     what: "a hull polynomial over β",
-    doc: "The form of Yoshimura & Masumoto (2012).",
+    doc: "A polynomial for the hull forces in the form of Yoshimura & Masumoto (2012).",
     keys: FileDriftPolynomialKey::ALL,
     rules: None,
 };
@@ -151,7 +153,8 @@ table_keys! {
 
 pub(super) static LOW_SPEED: TableSpec = TableSpec {
     what: "a hull at low speed",
-    doc: "The form of Yoshimura, Nakao & Ishibashi (2009), over ½ρLdU².",
+    doc: "Hull forces at low speed in the form of Yoshimura, Nakao & Ishibashi (2009), divided by \
+          ½ρLdU².",
     keys: FileLowSpeedKey::ALL,
     rules: None,
 };
@@ -166,14 +169,14 @@ table_keys! {
         Y_R: Number = coefficient("y_r", "Y'r."),
         N_V: Number = coefficient("n_v", "N'v."),
         N_R: Number = coefficient("n_r", "N'r."),
-        DRAG: Number = coefficient("drag", "C_D of the cross flow."),
+        DRAG: Number = coefficient("drag", "Drag coefficient C_D of the cross flow."),
         YAW_GAIN_FORCE: Number = coefficient(
             "yaw_gain_force",
-            "CrY: factor on the yaw rate in the cross-flow force.",
+            "Factor CrY on the yaw rate in the cross-flow force.",
         ),
         YAW_GAIN_MOMENT: Number = coefficient(
             "yaw_gain_moment",
-            "CrN: factor on the yaw rate in the cross-flow moment.",
+            "Factor CrN on the yaw rate in the cross-flow moment.",
         ),
     }
 }

@@ -9,7 +9,7 @@ use fenderline_sim::hydro::vessels::Standing;
 
 pub(super) static SOURCE: TableSpec = TableSpec {
     what: "a source",
-    doc: "Source of some of a vessel's numbers.",
+    doc: "A source of some of a vessel's numbers.",
     keys: FileSourceKey::ALL,
     rules: None,
 };
@@ -21,8 +21,9 @@ table_keys! {
             "of",
             Kind::Texts,
             Refused,
-            "Keys of the vessel, such as `beam`, `propeller` or `propeller.wake`. The name of a \
-             table covers all keys of the table that no other source names.",
+            "Keys of the vessel whose numbers come from this source, such as `beam`, `propeller` \
+             or `propeller.wake`. The name of a table covers all keys of the table that no other \
+             source names.",
             &["[\"length_bp\", \"beam\", \"rudder\"]"],
         ),
         SOURCE: Text = key(
@@ -36,7 +37,7 @@ table_keys! {
             "standing",
             Kind::Choice(&STANDINGS),
             Refused,
-            "How well the source is known.",
+            "How well the source of the numbers is known.",
             &["\"found\""],
         ),
     }

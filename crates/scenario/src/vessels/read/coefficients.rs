@@ -1,4 +1,4 @@
-//! Coefficients of hull, propeller and rudder, as published or taken from another vessel.
+//! Reads the coefficients of hull, propeller and rudder, which are given as published or taken from another vessel.
 
 use fenderline_sim::hydro::{
     AddedMass, CrossFlow, DriftPolynomial, LowSpeedHull, Particulars, Polynomial,
@@ -89,19 +89,25 @@ impl Reading<'_, '_> {
         {
             return Err(self
                 .together(table, item, FileAddedMassKey::SURGE)
-                .with_help("keep one form of the two"));
+                .with_help("keep only one of the two forms of added mass"));
         }
         if volumes.iter().any(Option::is_some) {
             let mut values = [0.0; 3];
             for (value, (item, name)) in values.iter_mut().zip(volumes.into_iter().zip(VOLUMES)) {
-                let missing = || self.missing(table, name, "give all three, or none");
+                let missing = || {
+                    self.missing(
+                        table,
+                        name,
+                        "give `surge_volume`, `sway_volume` and `yaw_volume`, or none of the three",
+                    )
+                };
                 *value = *item.ok_or_else(missing)?.number();
             }
             return Ok(AddedMassForm::Volumes(values, [ship.length_m, ship.draught_m]));
         }
         let [surge, sway, yaw, with_ship] = coefficients;
         let need = |item: Option<Entry<'_, Number>>, name: Key<FileAddedMassKey, Number>| {
-            let missing = || self.missing(table, name, "give surge, sway and yaw");
+            let missing = || self.missing(table, name, "give `surge`, `sway` and `yaw`");
             item.map(|item| *item.number()).ok_or_else(missing)
         };
         let yaw = match (yaw, with_ship) {
@@ -113,7 +119,8 @@ impl Reading<'_, '_> {
                 let left = item.number() - own;
                 if left <= 0.0 {
                     let message = format!(
-                        "it is less than the inertia of the ship without added mass, which is {}",
+                        "the sum is less than the inertia of the ship without added mass, which is \
+                         {}",
                         digits(own)
                     );
                     return Err(self.at(table, item, &message));
@@ -131,7 +138,8 @@ impl Reading<'_, '_> {
 }
 
 impl AddedMassForm {
-    /// Added mass of a ship. Coefficients are the same for every size; volumes grow with L²d and L⁴d.
+    /// The added mass of a ship, computed from the published form. The coefficients of added mass are the same for
+    /// every size of ship; added mass divided by density grows with L²d and L⁴d.
     pub(super) fn of(self, ship: &Particulars) -> AddedMass {
         match self {
             AddedMassForm::Coefficients([surge, sway, yaw]) => {

@@ -1,4 +1,4 @@
-//! Propeller, rudder, thrusters and azimuth units, and the speed of approach.
+//! Reads propeller, rudder, thrusters and azimuth units, and the speed at which standard manoeuvres begin.
 
 use std::f64::consts::TAU;
 
@@ -26,13 +26,13 @@ type Read<T> = Result<T, ScenarioError>;
 /// Acceleration of gravity (m/s²) in the Froude numbers of vessel files, rounded as in published trials.
 const FROUDE_GRAVITY_MPS2: f64 = 9.81;
 
-/// Rate of a steering gear unless the file gives a rate (rad/s): 2.32 °/s, which is IMO's 65° in 28 s.
+/// Rate of a steering gear if the file gives none (rad/s): 2.32 °/s, which is IMO's 65° in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
 
-/// Largest rudder angle unless the file gives an angle (rad): 35°.
+/// Largest rudder angle if the file gives none (rad): 35°.
 const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
 
-/// Time from full ahead to full astern unless the file gives a time (s).
+/// Time from full ahead to full astern if the file gives none (s).
 const USUAL_REVERSAL_S: f64 = 40.0;
 
 impl Reading<'_, '_> {
@@ -52,7 +52,7 @@ impl Reading<'_, '_> {
                         (None, None) => return Ok(None),
                     };
                     let path = table.path_to(alone);
-                    let message = format!("`{path}` needs `{other}` beside it");
+                    let message = format!("`{path}` needs `{other}` in the same table");
                     return Err(self.sources.error(&alone.key_span, &path, message));
                 }
             };
@@ -180,8 +180,10 @@ impl Reading<'_, '_> {
             let along = table.given(ThrusterKey::ALONG);
             let along_m = *along.number();
             if along_m.abs() > 0.6 * ship.length_m {
-                let message =
-                    format!("{along_m} m from midship is outside a ship of {} m", ship.length_m);
+                let message = format!(
+                    "a place {along_m} m from midship is outside a ship of {} m",
+                    ship.length_m
+                );
                 return Err(self.at(table, along, &message));
             }
             Ok(ThrusterSetup {
@@ -209,7 +211,7 @@ impl Reading<'_, '_> {
                 let place = table.given(key);
                 let place_m = *place.number();
                 if place_m.abs() > most_m {
-                    let message = format!("{place_m} m is outside the hull");
+                    let message = format!("a place at {place_m} m is outside the hull");
                     return Err(self.at(table, place, &message));
                 }
             }

@@ -1,4 +1,4 @@
-//! Main particulars of a vessel: size, displacement, centre of gravity and gyradius.
+//! Reads the main particulars of a vessel: size, displacement, centre of gravity and gyradius.
 
 use fenderline_sim::constants::SEA_WATER_KGPM3;
 use fenderline_sim::hydro::vessels::Figure;
@@ -28,11 +28,13 @@ impl Reading<'_, '_> {
             GivenBy::ALL.iter().filter_map(|kind| Some((kind, table.item_if_any(kind.key())?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((first, _)), Some((_, second))) = (first, second) {
-            return Err(self.together(table, second, first.key()).with_help("keep one of the two"));
+            return Err(self
+                .together(table, second, first.key())
+                .with_help("keep only one of the two keys"));
         }
         let Some((kind, item)) = first else {
-            let help =
-                "give one of `volume`, `displacement`, `block_coefficient` and `mass_coefficient`";
+            let help = "give one of the keys `volume`, `displacement`, `block_coefficient` and \
+                        `mass_coefficient`";
             return Err(self.missing(table, FileVesselKey::BLOCK_COEFFICIENT, help));
         };
         let value = *item.number();
@@ -63,7 +65,7 @@ impl Reading<'_, '_> {
         ship.check().map_err(|error| self.impossible(&error))
     }
 
-    /// An error about particulars, at the key that causes it.
+    /// Makes an error about impossible particulars that points to the key that causes the error.
     pub(super) fn impossible(&self, error: &HydroError) -> ScenarioError {
         const VOLUMES: &[AnyKey<FileVesselKey>] = &{
             let [a, b, c, d] = GivenBy::ALL;
@@ -102,7 +104,7 @@ impl Reading<'_, '_> {
     }
 }
 
-/// How a table gives the displaced volume.
+/// The key with which a table gives the displaced volume of a vessel.
 #[derive(Clone, Copy)]
 enum GivenBy {
     Volume,

@@ -1,4 +1,4 @@
-//! A table that is read, and the errors about it.
+//! The table of a vessel that is being read, and errors about this table.
 
 use std::fmt::Display;
 
@@ -9,7 +9,7 @@ use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::typed_key::Key;
 
-/// A table of a vessel.
+/// The table of a vessel that is being read.
 pub(super) struct Reading<'r, 's> {
     pub(super) sources: &'r Sources<'s>,
     pub(super) table: Of<'r, FileVesselKey>,

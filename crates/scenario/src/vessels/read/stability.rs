@@ -1,4 +1,4 @@
-//! Data for heave, roll and pitch.
+//! Reads the data of a vessel for heave, roll and pitch.
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
 use fenderline_sim::constants::SEA_WATER_KGPM3;
@@ -45,10 +45,10 @@ impl Reading<'_, '_> {
     }
 }
 
-/// Heave, roll and pitch in water of a density (kg/m³).
+/// The oscillators of heave, roll and pitch of a vessel in water of the density `water_kgpm3` (kg/m³).
 ///
 /// # Errors
-/// A ship that is not stable upright.
+/// Fails if the ship is not stable upright.
 pub(crate) fn hydrostatics(
     stability: &Stability,
     ship: &Particulars,
@@ -65,7 +65,7 @@ pub(crate) fn hydrostatics(
     })
 }
 
-/// The estimates of heave, roll and pitch in sea water, if the vessel has stability data.
+/// The estimates of heave, roll and pitch in sea water; `None` if the vessel has no stability data.
 pub(super) fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
     let of_sea = |stability| hydrostatics(stability, ship, SEA_WATER_KGPM3).ok();
     stability.and_then(of_sea).map(|of| oscillator_estimates(&of))

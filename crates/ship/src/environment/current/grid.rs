@@ -6,29 +6,31 @@ use super::check_velocity;
 use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, is_off, place};
 
-/// Velocities at the nodes of a grid, at one or more times. Interpolation is bilinear in space and linear in time.
-/// Outside the grid and its times, the value at the edge is used.
+/// Velocities of the current at the nodes of a grid, at one or more times. The velocity between the nodes is
+/// interpolated, bilinearly in space and linearly in time. Outside the grid and its times, the velocity at the edge of
+/// the grid is used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentGrid {
     times_s: Vec<f64>,
     north_m: Vec<f64>,
     east_m: Vec<f64>,
-    /// Velocities at the nodes: the index of east varies fastest, then north, then time.
+    /// Velocities at the nodes of the grid: the index of east varies fastest, then north, then time.
     velocities_mps: Vec<Vec2>,
 }
 
 impl CurrentGrid {
-    /// The velocity with the largest magnitude (m/s).
+    /// The velocity on the grid with the largest magnitude (m/s).
     pub(super) fn fastest(&self) -> Vec2 {
         let all = self.velocities_mps.iter().copied();
         all.fold(Vec2::ZERO, |most, one| if one.length() > most.length() { one } else { most })
     }
 
-    /// A grid from three axes and the velocities. The index of east varies fastest, then north, then time.
+    /// Makes a grid from its three axes and the velocities at the nodes. In the list of velocities the index of east
+    /// varies fastest, then north, then time.
     ///
     /// # Errors
-    /// An axis that is empty or does not increase, a number of velocities other than the product of the lengths of the
-    /// three axes, or a current above 15 m/s.
+    /// Fails if an axis is empty or does not increase, if the number of velocities is not the product of the lengths of
+    /// the three axes, or if a current is above 15 m/s.
     pub fn new(
         times_s: Vec<f64>,
         north_m: Vec<f64>,
@@ -47,7 +49,7 @@ impl CurrentGrid {
         Ok(CurrentGrid { times_s, north_m, east_m, velocities_mps })
     }
 
-    /// Velocity at a position and a time (m/s).
+    /// Velocity of the current at a position and a time (m/s).
     #[must_use]
     pub fn at(&self, position_m: Vec2, t_s: f64) -> Vec2 {
         let time = place(self.times_s.len(), |i| self.times_s[i], t_s);
@@ -62,7 +64,7 @@ impl CurrentGrid {
     }
 
     /// Whether a position or a time (s) is off the grid, so that [`CurrentGrid::at`] returns the velocity at the edge.
-    /// A grid with a single time, northing or easting counts as constant along that axis.
+    /// If the grid has a single time, northing or easting, the velocity counts as constant along that axis.
     #[must_use]
     pub fn is_held(&self, position_m: Vec2, t_s: f64) -> bool {
         is_off(self.times_s.len(), |i| self.times_s[i], t_s)

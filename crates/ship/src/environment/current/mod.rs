@@ -1,7 +1,7 @@
-//! Current: uniform, by depth, or on a grid in space and time.
+//! Current of the water: uniform, varying with depth, or on a grid in space and time.
 //!
-//! Velocities are those of the water, north and east (m/s). The forces on a ship depend on her velocity relative to
-//! [`Current::velocity`].
+//! Velocities of the current are the velocities of the water, north and east (m/s). The forces on a ship depend on her
+//! velocity relative to [`Current::velocity`].
 
 mod grid;
 mod profile;
@@ -16,20 +16,21 @@ pub use profile::CurrentProfile;
 /// A current.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Current {
-    /// Uniform and steady, with this velocity (m/s).
+    /// The current is uniform and steady, with the given velocity (m/s).
     Uniform(Vec2),
-    /// Uniform in the horizontal, varying with depth.
+    /// The current is uniform in the horizontal and varies with depth.
     Layered(CurrentProfile),
-    /// Varying with position and time, uniform over depth.
+    /// The current varies with position and time, and is uniform over depth.
     Grid(CurrentGrid),
 }
 
 impl Current {
-    /// The fastest current that is accepted, to the north and to the east (m/s). The strongest tidal stream is about 11 m/s
-    /// (Saltstraumen; recalled).
+    /// The fastest current that is accepted, to the north and to the east (m/s). The strongest tidal stream has about
+    /// 11 m/s (Saltstraumen; from memory).
     pub const FASTEST_MPS: f64 = 15.0;
 
-    /// The fastest velocity of this current at the surface, over all places and times, north and east (m/s).
+    /// The largest components of this current's velocity at the surface, over all places and times, north and east
+    /// (m/s).
     #[must_use]
     pub fn fastest(&self) -> Vec2 {
         match self {
@@ -47,8 +48,8 @@ impl Current {
         Ok(Current::Uniform(velocity_mps))
     }
 
-    /// Velocity of the current on a hull of a given draught, at a position and a time (m/s). A current that varies with
-    /// depth is averaged over the draught.
+    /// Velocity of the current on a hull of a given draught, at a position and a time (m/s). If the current varies with
+    /// depth, its velocity on the hull is the mean over the draught.
     #[must_use]
     pub fn velocity(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         match self {

@@ -7,18 +7,18 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Velocity by depth: linear between points, constant above the first point and below the last.
+/// Velocity of the current by depth: linear between points, constant above the first point and below the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentProfile {
-    /// Depth below the surface (m) and velocity (m/s), by increasing depth.
+    /// Points of the profile, by increasing depth: depth below the surface (m) and velocity of the current (m/s).
     points: Vec<(f64, Vec2)>,
 }
 
 impl CurrentProfile {
-    /// A profile from points: depth (m), velocity north and east (m/s).
+    /// Makes a profile of the current from points: depth (m), velocity north and east (m/s).
     ///
     /// # Errors
-    /// No point, a negative depth, depths that do not increase, or a current above 15 m/s.
+    /// Fails if there is no point, a negative depth, depths that do not increase, or a current above 15 m/s.
     pub fn new(points: Vec<(f64, Vec2)>) -> Result<CurrentProfile, EnvironmentError> {
         check_axis("depths of the current [m]", points.iter().map(|p| p.0), 1)?;
         for (depth_m, velocity_mps) in &points {
@@ -28,7 +28,7 @@ impl CurrentProfile {
         Ok(CurrentProfile { points })
     }
 
-    /// Velocity at a depth (m/s).
+    /// Velocity of the current at a depth (m/s).
     #[must_use]
     pub fn at(&self, depth_m: f64) -> Vec2 {
         let at = place(self.points.len(), |i| self.points[i].0, depth_m);
@@ -36,8 +36,8 @@ impl CurrentProfile {
         low + (high - low) * at.share
     }
 
-    /// Mean velocity from the surface to a draught (m/s), the exact integral of the profile. For a draught of zero this
-    /// is the velocity at the surface.
+    /// Mean velocity of the current from the surface to a draught (m/s), the exact integral of the profile. For a
+    /// draught of zero the mean velocity is the velocity at the surface.
     #[must_use]
     pub fn mean_over(&self, draught_m: f64) -> Vec2 {
         if draught_m.is_nan() || draught_m <= 0.0 {

@@ -1,34 +1,36 @@
-//! A closed-form estimate of a ship's motion in waves, with the ship as a box.
+//! A closed-form estimate of a ship's motion in waves that treats the ship as a box.
 
 use super::complex::Complex;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::range::{OutOfRange, within};
 
-/// Main particulars of a ship for an *estimate* of heave, pitch and roll in waves. Surge, sway and yaw are zero.
+/// Main particulars of a ship for an *estimate* of heave, pitch and roll in waves. The estimate for a box-shaped ship
+/// gives zero surge, sway and yaw.
 ///
-/// Heave and pitch: Jensen, Mansour & Olsen, "Estimation of ship motions using closed-form expressions", Ocean Eng. 31
-/// (2004), for a box with the ship's displacement and the waterline's length. Source: found (a public package of the
-/// authors' university); the paper was not read.
+/// The formulas for heave and pitch are of Jensen, Mansour & Olsen, "Estimation of ship motions using closed-form
+/// expressions", Ocean Engineering 31 (2004), for a box with the ship's displacement and the waterline's length. The
+/// formulas were found in a public package of the authors' university; the paper itself was not read.
 ///
-/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. Roll has one degree of
-/// freedom, with the given period and damping. The wave slope drives it, averaged over length and beam of the box; the
-/// factor e^(−kT/2) averages it over the draught. In long waves the ship follows the slope.
+/// The formula for roll is derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. The box's
+/// roll has one degree of freedom, with the given period and damping. Roll is driven by the wave slope, averaged over
+/// length and beam of the box; the factor e^(−kT/2) averages the slope over the draught. In long waves the roll of the
+/// ship follows the wave slope.
 ///
 /// The phases of Jensen's amplitudes are those of his equations of motion: the excitation is in phase with the crest
-/// (heave) and with the slope (pitch) amidships. The formulas are for deep water.
+/// (heave) and with the slope (pitch) amidships. Jensen's formulas and the roll of this box are for deep water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShip {
-    /// Length on the waterline (m).
+    /// Length of the ship on the waterline (m).
     pub length_m: f64,
     /// Beam (m).
     pub beam_m: f64,
     /// Draught (m).
     pub draught_m: f64,
-    /// Block coefficient: beam of the box over beam of the ship.
+    /// Block coefficient, which is the beam of the box divided by the beam of the ship.
     pub block_coefficient: f64,
-    /// Natural period of roll (s).
+    /// Natural period of the ship's roll (s).
     pub roll_period_s: f64,
-    /// Damping ratio of roll; use 0.15 if it is not known.
+    /// Damping ratio of the ship's roll; use 0.15 if it is not known.
     pub roll_damping: f64,
 }
 
@@ -36,7 +38,7 @@ impl BoxShip {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first number out of range.
+    /// Fails at the first particular that is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -50,8 +52,8 @@ impl BoxShip {
         Ok(())
     }
 
-    /// Response amplitude operators for a wave of frequency ω > 0 (rad/s) and direction μ from the bow (rad), at a forward
-    /// speed (m/s).
+    /// Response amplitude operators of the box for a wave of frequency ω > 0 (rad/s) and direction μ from the bow
+    /// (rad), at a forward speed (m/s).
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64, speed_mps: f64) -> [Complex; 6] {
         let (cos, sin) = (libm::cos(direction_rad), libm::sin(direction_rad));
@@ -62,8 +64,9 @@ impl BoxShip {
         [zero, zero, heave_up * -1.0, self.roll(k, cos, sin, encounter_radps), pitch, zero]
     }
 
-    /// Jensen's F and G divided by the factor of the equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The
-    /// damping term has the sign of ω_e. This term is negative if the ship overtakes a following sea.
+    /// Jensen's F and G (the excitation of heave and pitch) divided by the factor of the equation of motion, (1 −
+    /// 2kTα²) + i A²/(kBα²) with α = ω_e/ω. The damping term of the equation of motion has the sign of the frequency of
+    /// encounter ω_e. The damping term is negative if the ship overtakes a following sea.
     fn heave_and_pitch(&self, k: f64, cos: f64, alpha: f64) -> (Complex, Complex) {
         let (l, t) = (self.length_m, self.draught_m);
         let b = self.beam_m * self.block_coefficient;
@@ -99,7 +102,7 @@ fn sinc(x: f64) -> f64 {
     if x.abs() < 1e-4 { 1.0 - x * x / 6.0 } else { libm::sin(x) / x }
 }
 
-/// 3(sin x − x cos x)/x³, 1 at 0.
+/// Computes 3(sin x − x cos x)/x³, which is 1 at x = 0.
 fn bessel_like(x: f64) -> f64 {
     if x.abs() < 1e-2 {
         return 1.0 - x * x / 10.0;

@@ -5,20 +5,20 @@ use core::ops::{Add, Mul};
 /// A complex number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Complex {
-    /// Real part: in phase with the wave's crest.
+    /// Real part: the part of a motion in phase with the wave's crest.
     pub re: f64,
-    /// Imaginary part: a quarter of a period ahead of the crest.
+    /// Imaginary part: the part of a motion that leads the wave's crest by a quarter of a period.
     pub im: f64,
 }
 
 impl Complex {
-    /// The number with this real and imaginary part.
+    /// The complex number with the given real and imaginary part.
     #[must_use]
     pub const fn new(re: f64, im: f64) -> Complex {
         Complex { re, im }
     }
 
-    /// The number with this modulus and phase (rad).
+    /// The complex number with the given modulus and phase (rad).
     #[must_use]
     pub fn polar(modulus: f64, phase_rad: f64) -> Complex {
         Complex::new(modulus * libm::cos(phase_rad), modulus * libm::sin(phase_rad))

@@ -4,8 +4,8 @@ use fenderline_contact::number::greater;
 
 use crate::constants::STANDARD_GRAVITY_MPS2;
 
-/// Wave number k (rad/m) of a wave of ω > 0 (rad/s) in water of a depth > 0 (m): ω² = g k tanh(kh) (linear theory).
-/// Newton's method finds k from above the root, where the method converges monotonically.
+/// Wave number k (rad/m) of a wave of frequency ω > 0 (rad/s) in water of a depth h > 0 (m), from ω² = g k tanh(kh)
+/// (linear theory). Newton's method finds k from above the root, where the method converges monotonically.
 #[must_use]
 pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {
     let deep = frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2;

@@ -9,11 +9,11 @@ use crate::range::{OutOfRange, within};
 /// DNV-RP-C205, read in the MSS toolbox's waveSpectrum.m, and integrated in validation/independent/ship_formulas.py).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jonswap {
-    /// Hs, significant wave height (m).
+    /// Significant wave height Hs of the sea (m).
     pub height_m: f64,
     /// Tp, peak period (s).
     pub peak_period_s: f64,
-    /// γ, peak enhancement; 1 gives the Pierson–Moskowitz spectrum, 3.3 is the mean of JONSWAP.
+    /// Peak enhancement γ: 1 gives the Pierson–Moskowitz spectrum, 3.3 is the mean of JONSWAP.
     pub peak_enhancement: f64,
 }
 
@@ -21,7 +21,7 @@ impl Jonswap {
     /// Checks every number.
     ///
     /// # Errors
-    /// A number out of range.
+    /// Fails if a number of the spectrum is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("significant wave height [m]", self.height_m, 0.0, 30.0)?;
         within("peak period [s]", self.peak_period_s, 0.5, 40.0)?;
@@ -35,7 +35,7 @@ impl Jonswap {
         TAU / self.peak_period_s
     }
 
-    /// S(ω) (m²·s/rad) for ω > 0 (rad/s).
+    /// Spectral density S(ω) (m²·s/rad) for a frequency ω > 0 (rad/s).
     #[must_use]
     pub fn density(&self, frequency_radps: f64) -> f64 {
         let ratio = self.peak_radps() / frequency_radps;

@@ -10,18 +10,18 @@ use super::sea::Sea;
 /// The response of a ship to waves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionResponse {
-    /// A table of response amplitude operators, computed or measured elsewhere.
+    /// The response is a table of response amplitude operators, computed or measured elsewhere.
     Table(RaoTable),
-    /// The built-in estimate. Reports say that the response is an estimate.
+    /// The built-in estimate. The response is estimated from the ship's particulars, and reports say so.
     Estimate(BoxShip),
 }
 
 /// Position, velocity and heading of a ship in waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipInWaves {
-    /// Midship, north and east (m).
+    /// Position of the ship's midship point, north and east (m).
     pub position_m: Vec2,
-    /// Velocity, north and east (m/s).
+    /// Velocity of the ship, north and east (m/s).
     pub velocity_mps: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
@@ -33,7 +33,7 @@ pub struct ShipInWaves {
 pub struct FirstOrderMotion {
     /// The motion.
     pub motion: [f64; 6],
-    /// The rate of the motion; the ship's speed is included in the frequency of encounter.
+    /// The rate of the motion in waves; the ship's speed is included through the frequency of encounter.
     pub rate: [f64; 6],
 }
 
@@ -46,8 +46,8 @@ impl MotionResponse {
     }
 }
 
-/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. The ship's position is in the
-/// phase, so the frequency of encounter is included.
+/// The motion of a ship in a sea at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship point x. The ship's
+/// position is in the phase of each harmonic, so the frequency of encounter is included.
 #[must_use]
 pub fn first_order_motion(
     sea: &Sea,

@@ -10,25 +10,25 @@ use crate::range::within;
 /// Response amplitude operators of a symmetric ship: the complex amplitude of each motion in a wave of 1 m amplitude, by
 /// frequency and direction.
 ///
-/// The complex numbers are interpolated linearly. Outside the range of frequencies the entry at the end is used. So a
-/// table should extend from frequencies at which the ship follows the wave to frequencies at which she does not
-/// respond.
+/// The complex numbers of the table are interpolated linearly. Outside the table's range of frequencies, the entry at
+/// the end of the range is used. A table should extend from frequencies at which the ship follows the wave to
+/// frequencies at which she does not respond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RaoTable {
     frequencies_radps: Vec<f64>,
     directions_rad: Vec<f64>,
-    /// The operators; the index of direction varies fastest.
+    /// The response amplitude operators of the table; the index of direction varies fastest.
     operators: Vec<[Complex; 6]>,
 }
 
 impl RaoTable {
-    /// A table from wave frequencies (rad/s, not frequencies of encounter), directions μ from 0 to π (rad), and
-    /// operators: surge, sway, heave down (m/m), roll, pitch bow up, yaw (rad/m). The index of direction varies
-    /// fastest.
+    /// Makes a table from wave frequencies (rad/s, not frequencies of encounter), directions μ from 0 to π (rad), and
+    /// operators: surge, sway, heave down (m/m), roll, pitch bow up, yaw (rad/m). In the list of operators the index of
+    /// direction varies fastest.
     ///
     /// # Errors
-    /// Axes that do not increase, directions that do not cover 0 to π, a wrong number of operators, or an operator out of
-    /// range.
+    /// Fails for axes that do not increase, directions that do not cover 0 to π, a wrong number of operators, or an
+    /// operator out of range.
     pub fn new(
         frequencies_radps: Vec<f64>,
         directions_rad: Vec<f64>,
@@ -54,15 +54,15 @@ impl RaoTable {
         Ok(RaoTable { frequencies_radps, directions_rad, operators })
     }
 
-    /// The first and the last frequency (rad/s). Beyond these frequencies [`RaoTable::at`] uses the operators at the
-    /// end.
+    /// The first and the last frequency of the table (rad/s). Beyond its first and last frequency, [`RaoTable::at`]
+    /// uses the operators at the end of the table.
     #[must_use]
     pub fn range_radps(&self) -> [f64; 2] {
         [self.frequencies_radps[0], self.frequencies_radps[self.frequencies_radps.len() - 1]]
     }
 
-    /// The operators for a wave frequency and a direction μ relative to the bow. The operators for waves from starboard
-    /// are those for waves from port, mirrored: sway, roll and yaw change their sign.
+    /// The response amplitude operators for a wave frequency and a direction μ relative to the bow. The operators for
+    /// waves from starboard are those for waves from port, mirrored, so that sway, roll and yaw change their sign.
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64) -> [Complex; 6] {
         let wrapped_rad = libm::remainder(direction_rad, TAU);

@@ -1,4 +1,4 @@
-//! A sea: harmonics in one direction, or in several directions about a mean direction.
+//! A sea as a sum of harmonics in one direction, or in several directions about a mean direction.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -11,40 +11,41 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Realisation, integral};
 use crate::range::within;
 
-/// Frequency band of a JONSWAP sea in multiples of ω_p. 0.3 % of the energy lies outside; the harmonics are scaled up
-/// to make up for it.
+/// Frequency band of a JONSWAP sea, in multiples of the peak frequency ω_p. 0.3 % of the spectrum's energy lies outside
+/// the band; the harmonics are scaled up to make up for it.
 const BAND: [f64; 2] = [0.5, 4.0];
 
 /// Number of directions of a short-crested sea.
 pub const DIRECTIONS: usize = 15;
-/// Step in direction from one harmonic to the next. No two of fifteen consecutive harmonics have the same direction.
+/// Step in the list of directions from one harmonic to the next. With this step, no two of fifteen consecutive
+/// harmonics have the same direction.
 const STRIDE: usize = 4;
 
 /// One regular wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegularWave {
-    /// Wave height, from trough to crest (m).
+    /// Height of the regular wave, from trough to crest (m).
     pub height_m: f64,
     /// Period (s).
     pub period_s: f64,
-    /// Phase ε at the origin at t = 0 (rad); 0 is a crest.
+    /// Phase ε of the regular wave at the origin at t = 0 (rad); 0 is a crest.
     pub phase_rad: f64,
 }
 
-/// The height at which a regular wave breaks (m): 0.142 L tanh(kd) in water of depth d. This is a seventh of the length
-/// in deep water and nine tenths of the depth in shallow water (Miche 1944, recalled).
+/// The height at which a regular wave breaks (m): 0.142 L tanh(kd) in water of depth d. The breaking height is a
+/// seventh of the wave's length in deep water and nine tenths of the depth in shallow water (Miche 1944, from memory).
 #[must_use]
 pub fn breaking_height_m(period_s: f64, depth_m: f64) -> f64 {
     let number = wave_number(TAU / period_s, depth_m);
     0.142 * TAU / number * libm::tanh(number * depth_m)
 }
 
-/// A sum of harmonics in one direction, or in several directions about a mean direction. The elevation is a pure
-/// function of position and time.
+/// A sea: a sum of harmonics in one direction, or in several directions about a mean direction. The elevation of the
+/// sea is a pure function of position and time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sea {
     towards_rad: f64,
-    /// The directions of the harmonics.
+    /// The directions towards which the harmonics travel.
     pub(super) directions_rad: Vec<f64>,
     pub(super) components: Vec<Component>,
 }
@@ -55,24 +56,24 @@ pub(crate) struct Component {
     pub(crate) frequency_radps: f64,
     pub(crate) amplitude_m: f64,
     pub(crate) phase_rad: f64,
-    /// Wave number vector k, north and east (rad/m).
+    /// Wave number vector k of the harmonic, north and east (rad/m).
     pub(crate) number_radpm: Vec2,
     /// Index of the harmonic's direction in [`Sea::directions_rad`].
     pub(crate) direction: usize,
 }
 
 impl Component {
-    /// The phase angle ωt − k·x + ε.
+    /// The phase angle ωt − k·x + ε of the harmonic.
     pub(super) fn angle_rad(&self, position_m: Vec2, t_s: f64) -> f64 {
         self.frequency_radps * t_s - self.number_radpm.dot(position_m) + self.phase_rad
     }
 }
 
 impl Sea {
-    /// A regular wave towards a direction, clockwise from north, in water of a given depth (m).
+    /// Makes a regular wave towards a direction, clockwise from north, in water of a given depth (m).
     ///
     /// # Errors
-    /// A number out of range, or a height at which waves of this length break ([`breaking_height_m`]).
+    /// Fails for a number out of range, or a height at which waves of this length break ([`breaking_height_m`]).
     pub fn regular(
         wave: RegularWave,
         towards_rad: f64,
@@ -100,12 +101,14 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components: vec![component] })
     }
 
-    /// A long-crested JONSWAP sea towards a direction, in water of a given depth (m). The depth changes the wave
-    /// lengths, not the spectrum. The harmonics are scaled so that 4√m₀ equals Hs. Without scaling, m₀ would be 0.2 %
-    /// too large at γ = 3.3, because the factor A of the spectrum is an approximation.
+    /// Makes a long-crested JONSWAP sea towards a direction, in water of a given depth (m). The depth changes the
+    /// lengths of the waves, not the spectrum. The harmonics are scaled so that 4√m₀ equals the significant height Hs,
+    /// where m₀ is the variance of the elevation. Without scaling of the harmonics, the variance m₀ would be 0.2 % too
+    /// large at γ = 3.3, because the factor A of the spectrum is an approximation.
     ///
-    /// # Errors A number out of range, or a significant height at which a regular wave with the peak period would break
-    /// ([`breaking_height_m`]): no sea is so high.
+    /// # Errors
+    /// Fails for a number out of range, or for a significant height at which a regular wave with the peak period would
+    /// break ([`breaking_height_m`]), because no sea is so high.
     pub fn jonswap(
         spectrum: &Jonswap,
         towards_rad: f64,
@@ -133,15 +136,16 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components })
     }
 
-    /// Makes a long-crested sea short-crested. The energy is spread over directions as cosⁿ of the angle from the mean
-    /// direction, up to 90° to each side. Each harmonic has one of [`DIRECTIONS`] directions; all directions have equal
-    /// shares of the energy. Neighbouring harmonics have different directions.
+    /// Makes a long-crested sea short-crested. The energy of the sea is spread over directions as cosⁿ of the angle
+    /// from the mean direction, up to 90° to each side. In a short-crested sea each harmonic has one of [`DIRECTIONS`]
+    /// directions; all directions have equal shares of the energy. Harmonics that are neighbours in frequency have
+    /// different directions.
     ///
-    /// n = 2 is used by IMO (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and commonly for
-    /// wind seas. Swell has a narrower spread, with a larger n.
+    /// The exponent n = 2 is used by IMO (MEPC.1/Circ.796, 2.3: the circular was found, its formula is from memory) and
+    /// commonly for wind seas. Swell has a narrower spread of directions, with a larger exponent n.
     ///
     /// # Errors
-    /// An exponent outside 1 to 100.
+    /// Fails for an exponent outside 1 to 100.
     pub fn short_crested(mut self, exponent: f64) -> Result<Sea, EnvironmentError> {
         within("exponent of the spreading of waves", exponent, 1.0, 100.0)?;
         let off_rad = equal_shares(exponent);
@@ -154,8 +158,8 @@ impl Sea {
         Ok(self)
     }
 
-    /// Direction towards which the waves travel, clockwise from north (rad). For a short-crested sea it is the mean
-    /// direction.
+    /// Direction towards which the waves travel, clockwise from north (rad). For a short-crested sea this direction is
+    /// the mean direction.
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
@@ -166,7 +170,7 @@ impl Sea {
         &self.components
     }
 
-    /// The directions of the harmonics (rad).
+    /// The directions towards which the harmonics travel (rad).
     pub(crate) fn directions_rad(&self) -> &[f64] {
         &self.directions_rad
     }
@@ -177,7 +181,7 @@ impl Sea {
         self.directions_rad.len() > 1
     }
 
-    /// Elevation of the surface at a position and a time (m).
+    /// Elevation of the sea's surface at a position and a time (m).
     #[must_use]
     pub fn elevation_m(&self, position_m: Vec2, t_s: f64) -> f64 {
         let heights =
@@ -185,13 +189,13 @@ impl Sea {
         heights.sum()
     }
 
-    /// Variance of the elevation, m₀ = Σ½a² (m²).
+    /// Variance of the sea's elevation, m₀ = Σ½a² (m²).
     #[must_use]
     pub fn variance_m2(&self) -> f64 {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
     }
 
-    /// The share of the energy at frequencies outside a range (rad/s); 0 without waves.
+    /// The share of the sea's energy at frequencies outside a range (rad/s); 0 without waves.
     #[must_use]
     pub fn share_outside(&self, [low_radps, high_radps]: [f64; 2]) -> f64 {
         let outside = |c: &&Component| !(low_radps..=high_radps).contains(&c.frequency_radps);
@@ -200,7 +204,7 @@ impl Sea {
         if outside_m2 > 0.0 { outside_m2 / self.variance_m2() } else { 0.0 }
     }
 
-    /// Mean period T₀₁ = 2π m₀/m₁ (s).
+    /// Mean period of the sea, T₀₁ = 2π m₀/m₁ (s).
     #[must_use]
     pub fn mean_period_s(&self) -> f64 {
         let m1: f64 = self
@@ -211,14 +215,14 @@ impl Sea {
         core::f64::consts::TAU * self.variance_m2() / m1
     }
 
-    /// The longest period of a harmonic (s); 0 without waves.
+    /// The longest period among the sea's harmonics (s); 0 without waves.
     #[must_use]
     pub fn longest_period_s(&self) -> f64 {
         let there = self.components.iter().filter(|c| c.amplitude_m > 0.0);
         there.fold(0.0, |longest_s, c| greater(longest_s, TAU / c.frequency_radps))
     }
 
-    /// Significant wave height 4√m₀ (m).
+    /// Significant wave height of the sea, 4√m₀ (m).
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {
         4.0 * self.variance_m2().sqrt()
@@ -231,7 +235,8 @@ fn check_place(towards_rad: f64, depth_m: f64) -> Result<(), EnvironmentError> {
     Ok(())
 }
 
-/// Angles from the mean direction (rad): the medians of [`DIRECTIONS`] sectors with equal energy under cosⁿ.
+/// Angles of the harmonics' directions from the mean direction (rad): the medians of [`DIRECTIONS`] sectors with equal
+/// energy under cosⁿ.
 fn equal_shares(exponent: f64) -> Vec<f64> {
     let energy = |to_rad: f64| {
         integral(|angle_rad| libm::pow(libm::cos(angle_rad), exponent), 0.0, to_rad, SUB_INTERVALS)
@@ -258,9 +263,10 @@ fn equal_shares(exponent: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Sub-intervals of Simpson's rule over cosⁿ. For n = 100 the width of the peak is a fifteenth of the range.
+/// Number of sub-intervals with which Simpson's rule integrates cosⁿ. At the largest exponent, n = 100, the width of
+/// the peak of cosⁿ is a fifteenth of the range of angles.
 const SUB_INTERVALS: usize = 200;
-/// Number of bisections of a right angle, down to rounding error.
+/// Number of bisections that bring a right angle down to rounding error.
 const BISECTIONS: usize = 52;
 
 fn number_towards(number: f64, towards_rad: f64) -> Vec2 {

@@ -1,7 +1,7 @@
-//! What the wind meets of a ship.
+//! The part of a ship above the water, on which the wind acts.
 
-/// Length, beam and areas of a ship above the water, from which the methods find her wind coefficients. Each is as in
-/// [`ShipWindage`](super::ShipWindage).
+/// Length, beam and areas of a ship above the water, from which the wind methods find her wind coefficients. Length,
+/// beam and areas are defined as in [`ShipWindage`](super::ShipWindage).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct AboveWater {
     /// Length overall (m).
@@ -12,8 +12,8 @@ pub(super) struct AboveWater {
     pub(super) frontal_m2: f64,
     /// Lateral projected area (m²).
     pub(super) lateral_m2: f64,
-    /// Centroid of the lateral area forward of midship (m).
+    /// Distance of the lateral area's centroid forward of midship (m).
     pub(super) centroid_forward_m: f64,
-    /// Centroid of the lateral area above the waterline (m).
+    /// Height of the lateral area's centroid above the waterline (m).
     pub(super) centroid_height_m: f64,
 }

@@ -1,36 +1,37 @@
 //! Gusts averaged over the front of a ship: the aerodynamic admittance.
 
-/// C of Davenport's coherence between two points of the wind, exp(−C f Δ/U), for distances Δ across the wind,
-/// horizontal or vertical. 9.2 is twice the 4.6 of ASCE 7-22, section 26.11, and of EN 1991-1-4, annex B, as printed in
-/// public programs.
+/// Decay factor C of Davenport's coherence between two points of the wind, exp(−C f Δ/U), for distances Δ across the
+/// wind, horizontal or vertical. The decay factor of 9.2 is twice the 4.6 of ASCE 7-22, section 26.11, and of EN
+/// 1991-1-4, annex B, as printed in public programs.
 const DECAY: f64 = 9.2;
 
 /// The front that a ship turns to the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindFront {
-    /// Width across the wind (m).
+    /// Width of the ship's front across the wind (m).
     pub width_m: f64,
     /// Height (m).
     pub height_m: f64,
 }
 
 impl WindFront {
-    /// A point, on which every gust acts in full.
+    /// A front as small as a point, on which every gust acts in full.
     pub const POINT: WindFront = WindFront { width_m: 0.0, height_m: 0.0 };
 
-    /// The share of a gust's amplitude that remains in the mean over the front, for a frequency (Hz) and a mean wind
-    /// (m/s). This share is the root of the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
+    /// The share of a gust's amplitude that remains in the mean over the ship's front, for a frequency (Hz) and a mean
+    /// wind (m/s). The share that remains is the root of the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
     ///
-    /// R(a) = 2 (a − 1 + e⁻ᵃ)/a² is the closed integral of the coherence over all pairs of points of a line:
-    /// (1/b²) ∬ exp(−C f |y₁ − y₂|/U) dy₁ dy₂ with a = C f b/U. The same function is R_h and R_b of EN 1991-1-4 (B.7, B.8) and R_ℓ of
-    /// ASCE 7-22 (26.11-15), with η = a/2.
+    /// R(a) = 2 (a − 1 + e⁻ᵃ)/a² is the closed integral of the coherence over all pairs of points of a line: (1/b²) ∬
+    /// exp(−C f |y₁ − y₂|/U) dy₁ dy₂ with a = C f b/U. The function R is the same as R_h and R_b of EN 1991-1-4 (B.7,
+    /// B.8) and R_ℓ of ASCE 7-22 (26.11-15), with η = a/2.
     #[must_use]
     pub fn share(&self, frequency_hz: f64, mean_mps: f64) -> f64 {
         let [width_s, height_s] = self.scales_s(mean_mps);
         (correlated(frequency_hz * width_s) * correlated(frequency_hz * height_s)).sqrt()
     }
 
-    /// C b/U and C h/U (s). Multiplied by a frequency, they are the arguments of R.
+    /// The times C b/U and C h/U for width b and height h of the front (s). Multiplied by a frequency, these two times
+    /// are the arguments of the function R.
     pub(super) fn scales_s(&self, mean_mps: f64) -> [f64; 2] {
         [self.width_m, self.height_m].map(|length_m| DECAY * length_m / mean_mps)
     }

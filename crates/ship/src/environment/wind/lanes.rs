@@ -1,10 +1,11 @@
-//! Gusts, four harmonics at a time. The compiler makes vector instructions of these loops: the functions have no calls.
-//! The only branch in these functions is the choice between two formulas for a group. Each ship needs a sum of 200
-//! harmonics in each step. With one call of libm's functions per harmonic, this sum took half of the time of a whole
-//! berthing.
+//! Computes the sum of the gusts' harmonics, four harmonics at a time. The compiler makes vector instructions of the
+//! loops over harmonics, because the loops call no functions of libm. The only branch in the functions for four
+//! harmonics is the choice between two formulas. For the gusts on each ship, a sum of 200 harmonics is needed in each
+//! step. With one call of libm's functions per harmonic, the sum of the gusts took half of the time of a whole
+//! simulated berthing.
 //!
-//! The bits are the same on every machine: the functions use only additions, multiplications, divisions and square
-//! roots, in a fixed order.
+//! The sums have the same bits on every machine, because the functions use only additions, multiplications, divisions
+//! and square roots, in a fixed order.
 
 use core::array::from_fn;
 
@@ -25,7 +26,7 @@ pub(super) struct Group {
 }
 
 impl Group {
-    /// Groups of harmonics; the last is filled up with harmonics of amplitude 0.
+    /// Makes groups of four harmonics; the last group is filled up with harmonics of amplitude 0.
     pub(super) fn all(harmonics: &[Harmonic]) -> Vec<Group> {
         let group = |four: &[Harmonic]| {
             let last = four[four.len() - 1];
@@ -51,21 +52,22 @@ impl Group {
         from_fn(|k| self.amplitude[k] * cosines[k])
     }
 
-    /// The shares √(R(s₁ f) R(s₂ f)) with the function R of [`correlated`].
+    /// The shares √(R(s₁ f) R(s₂ f)) of the harmonics that remain in the mean over a ship's front, with the function R
+    /// of [`correlated`].
     fn shares(&self, scales_s: [f64; 2]) -> Lanes {
         let [one, two] =
             scales_s.map(|scale_s| correlated(from_fn(|k| scale_s * self.frequency_hz[k])));
         from_fn(|k| (one[k] * two[k]).sqrt())
     }
 
-    /// The amplitudes times the shares.
+    /// The harmonics' amplitudes times the shares that remain in the mean over a ship's front.
     pub(super) fn reduced(&self, scales_s: [f64; 2]) -> Lanes {
         let shares = self.shares(scales_s);
         from_fn(|k| shares[k] * self.amplitude[k])
     }
 }
 
-/// Σ a cos(2π f t + ε).
+/// Computes Σ a cos(2π f t + ε) over all harmonics.
 pub(super) fn sum(groups: &[Group], t_s: f64) -> f64 {
     let add = |sums: Lanes, group: &Group| {
         let now = group.at(t_s);
@@ -74,7 +76,7 @@ pub(super) fn sum(groups: &[Group], t_s: f64) -> f64 {
     total(groups.iter().fold([0.0; LANES], add))
 }
 
-/// Σ √(R(s₁ f) R(s₂ f)) a cos(2π f t + ε) with the function R of [`correlated`].
+/// Computes Σ √(R(s₁ f) R(s₂ f)) a cos(2π f t + ε) over all harmonics, with the function R of [`correlated`].
 pub(super) fn sum_over(groups: &[Group], scales_s: [f64; 2], t_s: f64) -> f64 {
     let add = |sums: Lanes, group: &Group| {
         let (now, shares) = (group.at(t_s), group.shares(scales_s));
@@ -83,7 +85,8 @@ pub(super) fn sum_over(groups: &[Group], scales_s: [f64; 2], t_s: f64) -> f64 {
     total(groups.iter().fold([0.0; LANES], add))
 }
 
-/// Σ (Σ w b) cos(2π f t + ε): the amplitude of each harmonic is a weighted sum over `tables` of amplitudes b.
+/// Computes Σ (Σ w b) cos(2π f t + ε) over all harmonics: the amplitude of each harmonic is a weighted sum over
+/// `tables` of amplitudes b.
 pub(super) fn sum_between<const N: usize>(
     groups: &[Group],
     tables: [&[Lanes]; N],
@@ -108,7 +111,7 @@ fn total([a, b, c, d]: Lanes) -> f64 {
     (a + c) + (b + d)
 }
 
-/// R(a) = 2 (a − 1 + e⁻ᵃ)/a² for numbers that are not negative and come in rising order.
+/// Computes R(a) = 2 (a − 1 + e⁻ᵃ)/a² for four numbers that are not negative and come in rising order.
 fn correlated(a: Lanes) -> Lanes {
     if a[LANES - 1] < FEW {
         return by_series(a);
@@ -120,10 +123,11 @@ fn correlated(a: Lanes) -> Lanes {
     from_fn(|k| if a[k] < FEW { series[k] } else { closed[k] })
 }
 
-/// Below this value R(a) is computed by its series, because the closed form loses digits.
+/// Below this value of a, R(a) is computed by its series, because the closed form loses digits.
 const FEW: f64 = 0.5;
 
-/// Coefficients 2(−1)ⁿ/(n+2)! of the series, the last first. The first term left out is below 2e-16 at [`FEW`].
+/// Coefficients 2(−1)ⁿ/(n+2)! of the series of R(a), the last first. The first term of R(a)'s series that is left out
+/// is below 2e-16 at [`FEW`].
 const SERIES: [f64; 13] = [
     2.0 / 87178291200.0,
     -2.0 / 6227020800.0,
@@ -151,10 +155,12 @@ fn by_exponential(a: Lanes) -> Lanes {
     from_fn(|k| 2.0 * (a[k] - 1.0 + exponentials[k]) / (a[k] * a[k]))
 }
 
-/// Adding this number to a number of up to 2⁵⁰ leaves the nearest whole number in the last bits of the sum.
+/// A number for rounding: added to a number of up to 2⁵⁰, it leaves the nearest whole number in the last bits of the
+/// sum.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// Coefficients 1/n! of the exponential, the last first. The first term left out is below 1e-17 at ½ ln 2.
+/// Coefficients 1/n! of the exponential's series, the last first. The first term of the exponential's series that is
+/// left out is below 1e-17 at ½ ln 2.
 const EXPONENTIAL: [f64; 14] = [
     1.0 / 6227020800.0,
     1.0 / 479001600.0,
@@ -172,7 +178,8 @@ const EXPONENTIAL: [f64; 14] = [
     1.0,
 ];
 
-/// e⁻ᵃ for numbers that are not negative. Beyond 700 the value for 700 is used, which is nothing beside 1.
+/// Computes e⁻ᵃ for four numbers that are not negative. For arguments beyond 700 the exponential at 700 is used, which
+/// is negligible beside 1.
 #[inline(always)]
 fn exp_of_minus(a: Lanes) -> Lanes {
     // ln 2 in two parts, the first with few bits, as in libm's exp.
@@ -191,7 +198,8 @@ fn exp_of_minus(a: Lanes) -> Lanes {
     })
 }
 
-/// Coefficients (−1)ⁿ/(2n+1)! of the sine, the last first. The first term left out is below 2e-18 at π/2.
+/// Coefficients (−1)ⁿ/(2n+1)! of the sine's series, the last first. The first term of the sine's series that is left
+/// out is below 2e-18 at π/2.
 const SINE: [f64; 11] = [
     1.0 / 51090942171709440000.0,
     -1.0 / 121645100408832000.0,
@@ -206,7 +214,7 @@ const SINE: [f64; 11] = [
     1.0,
 ];
 
-/// cos 2πx = 1 − 2 sin² πx, with x within half a turn.
+/// Computes cos 2πx = 1 − 2 sin² πx, after x is reduced to within half a turn.
 #[inline(always)]
 fn cos_of_turns(turns: Lanes) -> Lanes {
     let half: Lanes = from_fn(|k| {

@@ -1,8 +1,8 @@
-//! Wind: mean wind, profile, gusts, and the force on a ship.
+//! The wind: its mean, its profile over height, its gusts, and its force on a ship.
 //!
 //! [`Wind::velocity`] gives the velocity of the air at a height and a time, [`RelativeWind::of`] the wind relative to a
-//! ship, and [`ShipWindage::force`] the force. To add a wind method, see `wind/method/mod.rs`; to add a gust spectrum,
-//! `spectrum.rs`.
+//! ship, and [`ShipWindage::force`] the force. For how to add a wind method, see `wind/method/mod.rs`; for a gust
+//! spectrum, see `spectrum.rs`.
 //!
 //! The wind angle γ is the direction from which the wind comes, measured from the bow, positive over the *port* side:
 //! for γ > 0 the force is to starboard, Y > 0 (the convention of Fossen's toolbox, found).

@@ -33,8 +33,9 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, None)))
     }
 
-    /// A wind with gusts. Gusts change the speed but not the direction. The force on a ship follows from the mean of
-    /// the gusts over her front ([`Wind::velocity_over`]), unless the gusts are [`Gusts::uniform`].
+    /// A wind with gusts. In a wind with gusts, the gusts change the speed but not the direction. The force of gusts on
+    /// a ship follows from their mean over her front ([`Wind::velocity_over`]), unless the gusts are
+    /// [`Gusts::uniform`].
     ///
     /// # Errors
     /// See [`MeanWind::check`].
@@ -43,9 +44,9 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, Some(gusts))))
     }
 
-    /// This wind with another mean speed 10 m above the water (m/s), and another direction from which it comes (rad).
-    /// The profile stays. The gusts stay too, scaled to the new mean as their spectrum says. A time series becomes a
-    /// steady wind.
+    /// This wind, but with another mean speed 10 m above the water (m/s), and another direction from which it comes
+    /// (rad). The profile stays. The gusts of the wind stay, scaled to the new mean speed as their spectrum says. A
+    /// wind that is a time series becomes a steady wind.
     ///
     /// # Errors
     /// See [`MeanWind::check`].
@@ -63,8 +64,8 @@ impl Wind {
         }
     }
 
-    /// Whether a time (s) is before the first or after the last point of a time series, where the wind of that point is
-    /// used.
+    /// Whether a time (s) is before the first or after the last point of a time series of wind; the wind of that point
+    /// is then used.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match &self.0 {
@@ -73,14 +74,14 @@ impl Wind {
         }
     }
 
-    /// A wind from a time series, the same at every height.
+    /// Makes a wind from a time series, the same at every height.
     #[must_use]
     pub fn series(series: WindSeries) -> Wind {
         Wind(Kind::Series(series))
     }
 
-    /// Speed without gusts 10 m above the water (m/s), and direction from which it comes, clockwise from north (rad), at a
-    /// time.
+    /// Wind speed without gusts 10 m above the water (m/s), and direction from which the wind comes, clockwise from
+    /// north (rad), at a time.
     #[must_use]
     pub fn mean_at(&self, t_s: f64) -> (f64, f64) {
         match &self.0 {
@@ -101,14 +102,14 @@ impl Wind {
         self.velocity_over(&WindFront::POINT, height_m, t_s)
     }
 
-    /// Velocity of the air, with the gusts averaged over a front (m/s).
+    /// Velocity of the air, with the gusts averaged over a ship's front (m/s).
     #[must_use]
     pub fn velocity_over(&self, front: &WindFront, height_m: f64, t_s: f64) -> Vec2 {
         let gust = |gusts: &Gusts| gusts.speed_over_mps(front, t_s);
         self.velocity_in(self.gusts().map_or(0.0, gust), height_m, t_s)
     }
 
-    /// The gusts; `None` for a wind without gusts.
+    /// The gusts of the wind; `None` for a wind without gusts.
     #[must_use]
     pub fn gusts(&self) -> Option<&Gusts> {
         match &self.0 {
@@ -117,7 +118,8 @@ impl Wind {
         }
     }
 
-    /// Velocity of the air in a gust of this speed (m/s). A time series has no gusts.
+    /// Velocity of the air in a gust that changes the wind speed by the given amount (m/s). A wind that is a time
+    /// series has no gusts of its own.
     pub fn velocity_in(&self, gust_mps: f64, height_m: f64, t_s: f64) -> Vec2 {
         match &self.0 {
             Kind::Mean(mean, _) => towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps),

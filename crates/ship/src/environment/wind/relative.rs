@@ -2,7 +2,7 @@
 
 use fenderline_contact::{Rotation, Vec2};
 
-/// Wind relative to a ship.
+/// Speed and angle of the wind relative to a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeWind {
     /// Speed (m/s).
@@ -13,8 +13,8 @@ pub struct RelativeWind {
 }
 
 impl RelativeWind {
-    /// The relative wind, from the velocities of air and ship over the ground, north and east (m/s), and the ship's
-    /// heading (rad).
+    /// Computes the relative wind from the velocities of air and ship over the ground, north and east (m/s), and the
+    /// ship's heading (rad).
     #[must_use]
     pub fn of(wind_mps: Vec2, ship_mps: Vec2, heading_rad: f64) -> RelativeWind {
         let air = Rotation::from_angle(heading_rad).apply_inverse(wind_mps - ship_mps);

@@ -7,19 +7,21 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, is_off, place};
 use crate::range::within;
 
-/// Speed and direction 10 m above the water at given times, linear between them and constant before the first and after
-/// the last. Between two points the direction turns the shorter way.
+/// Wind speed and direction 10 m above the water at given times: linear between them, and constant before the first and
+/// after the last. Between two points of the series the wind direction turns the shorter way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSeries {
-    /// Time (s), speed (m/s), direction from which it comes (rad), unwrapped.
+    /// Points of the series: time (s), wind speed (m/s), direction from which the wind comes (rad), unwrapped.
     points: Vec<[f64; 3]>,
 }
 
 impl WindSeries {
-    /// A time series from points: time (s), speed (m/s), direction from which it comes, clockwise from north (rad).
+    /// Makes a time series of wind from points: time (s), speed (m/s), direction from which the wind comes, clockwise
+    /// from north (rad).
     ///
     /// # Errors
-    /// No point, times that do not increase, or a wind out of the range of [`super::MeanWind::check`].
+    /// Fails if there is no point, if times do not increase, or if a wind is out of the range of
+    /// [`super::MeanWind::check`].
     pub fn new(points: Vec<[f64; 3]>) -> Result<WindSeries, EnvironmentError> {
         check_axis("times of the wind [s]", points.iter().map(|p| p[0]), 1)?;
         let mut points = points;
@@ -35,14 +37,14 @@ impl WindSeries {
         Ok(WindSeries { points })
     }
 
-    /// Whether a time (s) is before the first or after the last point, where the wind of that point is used. A single
-    /// point is a steady wind.
+    /// Whether a time (s) is before the first or after the last point of the series; the wind of that point is then
+    /// used. A series of a single point is a steady wind.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         is_off(self.points.len(), |i| self.points[i][0], t_s)
     }
 
-    /// Speed (m/s) and direction from which it comes (rad) at a time.
+    /// Wind speed (m/s) and direction from which the wind comes (rad) at a time.
     #[must_use]
     pub fn at(&self, t_s: f64) -> (f64, f64) {
         let at = place(self.points.len(), |i| self.points[i][0], t_s);

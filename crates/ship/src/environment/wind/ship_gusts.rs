@@ -1,10 +1,10 @@
 //! Gusts averaged over one ship, for many times.
 //!
 //! The share of each harmonic in the mean over the ship's front ([`WindFront::share`]) depends on the width that she
-//! turns to the wind. The shares are computed once for a series of widths, each wider than the last by the same factor.
-//! For a width between these, Lagrange's polynomial through the six nearest widths gives the share: a step takes a
-//! third of the time of the exact formula. The error of a share is below 3e-11. The tables are constant, so gusts
-//! depend only on width and time, not on earlier calls.
+//! turns to the wind. The shares of the harmonics are computed once for a series of widths, each wider than the last by
+//! the same factor. For a width between two of the series, Lagrange's polynomial through the six nearest widths gives
+//! the share: a step then takes a third of the time of the exact formula. The error of an interpolated share is below
+//! 3e-11. The tables of shares are constant, so gusts depend only on width and time, not on earlier calls.
 
 use std::sync::Arc;
 
@@ -13,9 +13,10 @@ use super::gust::Gusts;
 use super::lanes::{self, Lanes};
 use super::windage::ShipWindage;
 
-/// Number of widths of the tables in each factor of e.
+/// Number of widths in the tables for each factor of e (2.718) between them.
 const WIDTHS: f64 = 24.0;
-/// Number of widths through which a polynomial goes, and how many of them are below the two nearest.
+/// Number of widths through which an interpolating polynomial goes, and how many of these widths are below the two
+/// nearest.
 const POINTS: usize = 6;
 const BELOW: usize = POINTS / 2 - 1;
 
@@ -28,7 +29,8 @@ struct Tables {
     gusts: Gusts,
     /// Natural logarithm of the least width (m) that the ship turns to the wind.
     least: f64,
-    /// Amplitudes over the front of each width, the narrowest first; none if gusts act on the whole ship at once.
+    /// Amplitudes of the harmonics over fronts of each width, the narrowest first; none if gusts act on the whole ship
+    /// at once.
     amplitudes: Vec<Vec<Lanes>>,
 }
 
@@ -55,7 +57,7 @@ impl ShipGusts {
         self.0.gusts == *gusts
     }
 
-    /// Difference of the wind speed from its mean at a time, averaged over a front of the ship (m/s):
+    /// Difference of the wind speed from its mean at a time, averaged over a front of the ship (m/s), as by
     /// [`Gusts::speed_over_mps`].
     #[must_use]
     pub fn speed_over_mps(&self, front: &WindFront, t_s: f64) -> f64 {
@@ -71,8 +73,8 @@ impl ShipGusts {
     }
 }
 
-/// Weights of the points −2, −1, … 3 in Lagrange's polynomial at a place. The place is from 0 to 1, apart from
-/// rounding.
+/// Weights of the points −2, −1, … 3 in Lagrange's polynomial at a place between the points 0 and 1. The place between
+/// the two nearest widths is from 0 to 1, apart from rounding.
 fn weights(place: f64) -> [f64; POINTS] {
     core::array::from_fn(|own| {
         let (mut product, mut scale) = (1.0, 1.0);

@@ -1,45 +1,50 @@
-//! Gust spectra at 10 m height.
+//! Spectra of gusts at a height of 10 m.
 
 use super::mean::REFERENCE_HEIGHT_M;
 use crate::range::{OutOfRange, within};
 
-/// Spectrum of the gusts about a mean wind, one-sided, in ((m/s)²/Hz) over f in (Hz), 10 m above the water. U is the
-/// mean speed at 10 m: the hourly mean, but for Davenport and Harris the mean over 10 minutes (recalled).
+/// Spectrum of the gusts about a mean wind, 10 m above the water: one-sided, in (m/s)²/Hz over the frequency f in Hz.
+/// In the spectra, U is the mean wind speed at 10 m: the hourly mean, but for Davenport and Harris the mean over 10
+/// minutes (from memory).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustSpectrum {
-    /// Davenport 1961: 4κLU χ/(1+χ²)^{4/3}, χ = fL/U, L = 1200 m. The spectrum is made for gusts over land. Its
-    /// variance is 6κU². Source: found (a public library of wind spectra).
+    /// Davenport's spectrum of 1961: 4κLU χ/(1+χ²)^{4/3}, χ = fL/U, L = 1200 m. Davenport's spectrum is made for gusts
+    /// over land. The variance of Davenport's spectrum is 6κU². Davenport's spectrum was found in a public library of
+    /// wind spectra.
     Davenport {
-        /// κ, drag coefficient of the surface, 0.001 to 0.05.
+        /// Drag coefficient κ of the surface, 0.001 to 0.05.
         surface_drag: f64,
     },
-    /// Harris: 4κLU/(2+χ²)^{5/6}, χ = fL/U, L = 1800 m; not for f below 0.01 Hz. Source: found (the same library).
+    /// Harris' spectrum: 4κLU/(2+χ²)^{5/6}, χ = fL/U, L = 1800 m; not for f below 0.01 Hz. Harris' spectrum was found
+    /// in the same public library as Davenport's.
     Harris {
-        /// κ, drag coefficient of the surface, 0.001 to 0.05.
+        /// Drag coefficient κ of the surface, 0.001 to 0.05.
         surface_drag: f64,
     },
-    /// Ochi & Shin 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or 838f*/(1+f*^0.35)^11.5, up to f*
-    /// = 0.003, 0.1 and beyond; u*² = C₁₀U². Source: found (the same library) for the three branches, which are
-    /// continuous. f* = 10 m·f/U is from a second public code; the library omits the 10 m. The limits of the branches
-    /// agree with f* in this form.
+    /// Spectrum of Ochi & Shin, 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or
+    /// 838f*/(1+f*^0.35)^11.5, for f* up to 0.003, up to 0.1 and beyond; u*² = C₁₀U². The three branches of Ochi &
+    /// Shin's spectrum, which are continuous, were found in the same public library as Davenport's. The definition f* =
+    /// 10 m·f/U is from a second public code; the library omits the 10 m. The limits of the three branches agree with
+    /// f* = 10 m·f/U.
     OchiShin {
-        /// C₁₀, 0.0005 to 0.05; [`surface_drag`].
+        /// Drag coefficient C₁₀ of the sea's surface, 0.0005 to 0.05, such as [`surface_drag`] gives.
         surface_drag: f64,
     },
-    /// NPD (ISO 19901-1): 320 (U/10)²/(1+f̃ⁿ)^{5/(3n)}, f̃ = 172 f (U/10)^{−3/4}, n = 0.468, U the hourly
-    /// mean. Source: found (two public codes).
+    /// Spectrum of NPD (ISO 19901-1): 320 (U/10)²/(1+f̃ⁿ)^{5/(3n)}, f̃ = 172 f (U/10)^{−3/4}, n = 0.468, with the
+    /// hourly mean U. The spectrum of NPD was found in two public codes.
     Npd,
-    /// API RP 2A: (σ²/f_p)/(1 + 1.5 f/f_p)^{5/3}, f_p = C·U/10 m, σ = 0.15 U (10/20)^{−0.125}. Source: found for σ and
-    /// f_p. The found code has 1 + 1.5 (f/f_p)^{5/3} in the denominator; its variance is not σ². The form used here is
-    /// recalled, and its variance is σ².
+    /// Spectrum of API RP 2A: (σ²/f_p)/(1 + 1.5 f/f_p)^{5/3}, f_p = C·U/10 m, σ = 0.15 U (10/20)^{−0.125}. The formulas
+    /// for σ and f_p of the API spectrum were found in a public code. The public code has 1 + 1.5 (f/f_p)^{5/3} in the
+    /// denominator of the API spectrum; the variance of that form is not σ². The form of the API spectrum that we use
+    /// is from memory, and its variance is σ².
     Api {
-        /// C, 0.01 to 0.1; 0.025 is customary.
+        /// Factor C of the peak frequency, 0.01 to 0.1; 0.025 is customary.
         peak: f64,
     },
 }
 
-/// C₁₀ over the sea, (0.75 + 0.067 U₁₀)·10⁻³, for 4 to 21 m/s (Garratt, Monthly Weather Review 105, 1977; its abstract
-/// was read).
+/// Drag coefficient C₁₀ of the sea's surface, (0.75 + 0.067 U₁₀)·10⁻³, for wind speeds U₁₀ of 4 to 21 m/s (Garratt,
+/// Monthly Weather Review 105, 1977; its abstract was read).
 #[must_use]
 pub fn surface_drag(speed_mps: f64) -> f64 {
     (0.75 + 0.067 * speed_mps) * 1e-3
@@ -49,7 +54,7 @@ impl GustSpectrum {
     /// Checks the parameter.
     ///
     /// # Errors
-    /// The parameter is out of range.
+    /// Fails if the spectrum's parameter is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         match *self {
             GustSpectrum::Davenport { surface_drag }
@@ -65,7 +70,7 @@ impl GustSpectrum {
         Ok(())
     }
 
-    /// S(f) ((m/s)²/Hz) for f > 0 (Hz) and a mean wind above 0 (m/s).
+    /// Spectral density S(f) of the gusts ((m/s)²/Hz) for a frequency f > 0 (Hz) and a mean wind above 0 (m/s).
     #[must_use]
     pub fn density(&self, f_hz: f64, mean_mps: f64) -> f64 {
         let pow = libm::pow;

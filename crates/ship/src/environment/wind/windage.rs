@@ -18,13 +18,13 @@ pub struct ShipWindage {
     pub length_m: f64,
     /// Beam (m).
     pub beam_m: f64,
-    /// Frontal projected area above the water (m²).
+    /// Frontal projected area of the ship above the water (m²).
     pub frontal_m2: f64,
-    /// Lateral projected area above the water (m²).
+    /// Lateral projected area of the ship above the water (m²).
     pub lateral_m2: f64,
-    /// Centroid of the lateral area forward of midship (m).
+    /// Distance of the lateral area's centroid forward of midship (m).
     pub centroid_forward_m: f64,
-    /// Centroid of the lateral area above the waterline (m).
+    /// Height of the lateral area's centroid above the waterline (m).
     pub centroid_height_m: f64,
     /// Method for the coefficients.
     pub method: WindMethod,
@@ -33,8 +33,8 @@ pub struct ShipWindage {
 impl ShipWindage {
     /// Checks every number.
     ///
-    /// The first number out of range. This number may be a coefficient, if a regression is used far outside the range
-    /// of ships from which it was derived.
+    /// Fails at the first number that is out of range. The number out of range may be a wind coefficient, if a
+    /// regression is used far outside the range of ships from which it was derived.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -64,8 +64,9 @@ impl ShipWindage {
         Ok(())
     }
 
-    /// Coefficients at an angle γ (rad). The coefficients are computed for |γ| from 0 to π and mirrored, so that port
-    /// and starboard agree at every angle, 180° included. A user's table that has both sides is used as it is.
+    /// The ship's wind coefficients at an angle γ (rad). The wind coefficients are computed for |γ| from 0 to π and
+    /// mirrored, so that port and starboard agree at every angle, 180° included. A user's table that has both sides is
+    /// used as it is, without mirroring.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
@@ -80,7 +81,7 @@ impl ShipWindage {
         WindCoefficients { sway: side * from_port.sway, yaw: side * from_port.yaw, ..from_port }
     }
 
-    /// What the methods take of her.
+    /// The data of the ship that the wind methods need.
     fn above_water(&self) -> AboveWater {
         AboveWater {
             length_m: self.length_m,
@@ -92,8 +93,8 @@ impl ShipWindage {
         }
     }
 
-    /// The front that the ship turns to a wind at an angle γ (rad). The width is that of her length and beam across the
-    /// wind, and the height is A_L/L, the mean height of her side.
+    /// The front that the ship turns to a wind at an angle γ (rad). The width of the front is that of the ship's length
+    /// and beam across the wind, and the height is A_L/L, the mean height of her side.
     #[must_use]
     pub fn front(&self, angle_rad: f64) -> WindFront {
         let across_m = self.length_m * libm::sin(angle_rad).abs();
@@ -103,15 +104,15 @@ impl ShipWindage {
         }
     }
 
-    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least if the wind is on
-    /// the bow or the side, and greatest in between.
+    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least with the wind
+    /// ahead or abeam, and greatest in between.
     pub(super) fn widths_m(&self) -> [f64; 2] {
         let (length_m, beam_m) = (self.length_m, self.beam_m);
         [lesser(length_m, beam_m), libm::hypot(length_m, beam_m)]
     }
 
-    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at 15 °C. The
-    /// relative wind is the wind at [`ShipWindage::reference_height_m`].
+    /// Force and moment of the wind about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), which is
+    /// 1.224 at 15 °C. The relative wind for the force is the wind at [`ShipWindage::reference_height_m`].
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
@@ -123,8 +124,8 @@ impl ShipWindage {
         ]
     }
 
-    /// Height above the water of the wind to which the coefficients refer (m). The height is 10 m, to which the methods
-    /// refer (recalled), or the height that the user's table states.
+    /// Height above the water at which the wind speed is to be taken for the coefficients (m). The reference height of
+    /// the wind is 10 m, to which the methods refer (from memory), or the height that the user's table states.
     #[must_use]
     pub fn reference_height_m(&self) -> f64 {
         match &self.method {
@@ -133,9 +134,9 @@ impl ShipWindage {
         }
     }
 
-    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H, the
-    /// height of the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the other
-    /// methods.
+    /// Heeling moment of the wind about the waterline for a side force Y, positive to starboard (N·m): K = κ·s_H·Y,
+    /// with the height s_H of the lateral area's centroid. The factor κ is a parameter of Blendermann's method, and 1
+    /// for the other methods.
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
         self.method.roll_factor() * self.centroid_height_m * sway_n

@@ -1,12 +1,13 @@
-//! Clarke, Gedling & Hine, "The application of manoeuvring criteria in hull design using linear theory", Trans. RINA
-//! 125 (1983): linear derivatives by regression, as printed in the public toolbox MSS (`clarke83.m`).
+//! Estimates by Clarke, Gedling & Hine, "The application of manoeuvring criteria in hull design using linear theory",
+//! Transactions of RINA 125 (1983): linear derivatives of a hull by regression, as printed in the public toolbox MSS
+//! (`clarke83.m`).
 
 use std::f64::consts::PI;
 
 use crate::hydro::mmg::LinearTerms;
 use crate::hydro::particulars::Particulars;
 
-/// Linear terms of the hull, with a given resistance X'₀.
+/// Estimates the linear terms of the hull, with a given resistance X'₀.
 pub(super) fn linear(ship: &Particulars, ahead: f64) -> LinearTerms {
     let (length_m, beam_m, draught_m) = (ship.length_m, ship.beam_m, ship.draught_m);
     let slender = draught_m / length_m;

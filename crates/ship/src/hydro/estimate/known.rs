@@ -6,7 +6,7 @@ use crate::hydro::mmg::Polynomial;
 use crate::hydro::particulars::Particulars;
 use crate::hydro::propeller::Series;
 
-/// Known data of a ship; `None` for data that are to be estimated.
+/// Known data of a ship; data that are to be estimated are `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Known {
     /// Main particulars.
@@ -17,7 +17,7 @@ pub struct Known {
     pub polynomial: Option<Polynomial>,
     /// Hull at low speed.
     pub low_speed: Option<LowSpeedHull>,
-    /// Propeller and rudder; `None` if the ship has none.
+    /// Propeller and rudder of the ship; `None` if she has none.
     pub gear: Option<SternGear>,
 }
 
@@ -28,9 +28,10 @@ pub struct SternGear {
     pub propeller_m: f64,
     /// Movable area of the rudder (m²).
     pub rudder_m2: f64,
-    /// Diameter of the propeller over span of the rudder. A value above 1 counts as 1.
+    /// Diameter of the propeller divided by the span of the rudder. A ratio of propeller diameter to rudder span above
+    /// 1 counts as 1.
     pub propeller_to_span: f64,
-    /// Span² over area of the rudder; needed if [`SternCoefficients::lift_gradient`] is not known.
+    /// Square of the rudder's span divided by its area; needed if [`SternCoefficients::lift_gradient`] is not known.
     pub aspect_ratio: f64,
     /// Measured coefficients.
     pub own: SternCoefficients,
@@ -41,42 +42,42 @@ pub struct SternGear {
 /// [`Rudder`](crate::hydro::rudder::Rudder).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SternCoefficients {
-    /// K_T = k₀ + k₁J + k₂J².
+    /// Coefficients of the thrust polynomial K_T = k₀ + k₁J + k₂J².
     pub thrust_polynomial: Option<[f64; 3]>,
-    /// Propeller series for conditions that the polynomial does not cover.
+    /// Propeller series for conditions that the thrust polynomial does not cover.
     pub series: Option<Series>,
     /// Thrust deduction t_P.
     pub thrust_deduction: Option<f64>,
-    /// Thrust deduction t_P for thrust astern.
+    /// Thrust deduction t_P of the propeller for thrust astern.
     pub thrust_deduction_astern: Option<f64>,
-    /// Wake fraction w₀, straight ahead.
+    /// Wake fraction w₀ of a ship that goes straight ahead.
     pub wake: Option<f64>,
-    /// Change of the wake in a turn: C₁, and C₂ for β_P below and above 0.
+    /// Change of the wake in a turn: the coefficient C₁, and C₂ for an inflow angle β_P below and above 0.
     pub wake_change: Option<(f64, [f64; 2])>,
-    /// Position x'_P of the propeller in β_P.
+    /// Position x'_P of the propeller, used in its inflow angle β_P.
     pub propeller_place: Option<f64>,
     /// Lift gradient f_α of the rudder.
     pub lift_gradient: Option<f64>,
     /// Wake ratio ε.
     pub wake_ratio: Option<f64>,
-    /// Share κ of the race's speed that reaches the rudder.
+    /// Share κ of the propeller race's speed that reaches the rudder.
     pub race_gain: Option<f64>,
-    /// Flow straightening γ_R for β_R below and above 0.
+    /// Flow straightening coefficient γ_R for a rudder inflow angle β_R below and above 0.
     pub straightening: Option<[f64; 2]>,
-    /// Effective position l'_R of the rudder in β_R.
+    /// Effective position l'_R of the rudder, used in its inflow angle β_R.
     pub straightening_place: Option<f64>,
     /// Steering resistance deduction t_R.
     pub resistance_deduction: Option<f64>,
-    /// Lateral force on the hull due to steering over that of the rudder, a_H.
+    /// Ratio a_H of the lateral force on the hull due to steering to that of the rudder.
     pub hull_gain: Option<f64>,
-    /// Position x'_H of this lateral force.
+    /// Position x'_H of the lateral force on the hull due to steering.
     pub hull_place: Option<f64>,
-    /// Position x'_R of the rudder.
+    /// Position x'_R of the rudder, divided by the ship's length.
     pub rudder_place: Option<f64>,
 }
 
 impl SternCoefficients {
-    /// These coefficients, where those of `other` replace the coefficients that are `None`.
+    /// Returns these coefficients, where the coefficients of `other` replace those that are `None`.
     #[must_use]
     pub fn or(self, other: SternCoefficients) -> SternCoefficients {
         SternCoefficients {

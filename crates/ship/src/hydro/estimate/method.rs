@@ -1,4 +1,4 @@
-//! The estimation methods, and the range of particulars in which the methods were validated.
+//! The methods that estimate a ship's coefficients, and the range of particulars in which the methods were validated.
 
 use crate::hydro::particulars::Particulars;
 
@@ -7,19 +7,19 @@ use crate::hydro::particulars::Particulars;
 pub enum EstimateMethod {
     /// The whole set of regressions of Yoshimura & Masumoto (2012) for merchant ships.
     YoshimuraMasumoto,
-    /// Linear derivatives of Clarke, Gedling & Hine (1983) with cross-flow drag. For hulls outside the
-    /// regressions for merchant ships: tugs, barges, workboats.
+    /// The method of linear derivatives by Clarke, Gedling & Hine (1983) with cross-flow drag. The method for hulls
+    /// outside the regressions for merchant ships: tugs, barges, workboats.
     Clarke,
 }
 
-/// Smallest L/B and B/d of a merchant ship. Below L/B 4 or B/d 1 the polynomials would be used far outside the range of
-/// ships from which they were derived, and some terms would change their sign.
+/// Smallest ratios L/B and B/d of a merchant ship. Below L/B 4 or B/d 1 the polynomials would be used far outside the
+/// range of ships from which they were derived, and some terms would change their sign.
 const MERCHANT_SHIP: [(Ratio, f64); 2] =
     [(Ratio::LengthOverBeam, 4.0), (Ratio::BeamOverDraught, 1.0)];
 
-/// The range in which the estimate was validated: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the Mariner and
-/// a tanker of 190 000 dwt (Cb 0.56 to 0.83, L/B 5.5 to 7.1, B/d 2.4 to 3.1), rounded outwards. The range that the
-/// regressions' authors give could not be read.
+/// The range of ratios in which the estimate was validated: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the
+/// Mariner and a tanker of 190 000 dwt (Cb 0.56 to 0.83, L/B 5.5 to 7.1, B/d 2.4 to 3.1), rounded outwards. The range
+/// that the authors of the regressions give could not be read.
 pub const VALIDATED_RATIOS: [(Ratio, [f64; 2]); 3] = [
     (Ratio::BlockCoefficient, [0.55, 0.85]),
     (Ratio::LengthOverBeam, [5.3, 7.3]),
@@ -66,7 +66,7 @@ pub struct RatioOutOfRange {
     pub ratio: Ratio,
     /// Value of the ratio.
     pub value: f64,
-    /// The range, both ends included.
+    /// The validated range of the ratio, both ends included.
     pub range: [f64; 2],
     /// The method used.
     pub method: EstimateMethod,
@@ -82,17 +82,19 @@ impl core::fmt::Display for RatioOutOfRange {
             ratio.name()
         )?;
         f.write_str(match method {
-            EstimateMethod::YoshimuraMasumoto => "they are used nevertheless, and their error is not known",
+            EstimateMethod::YoshimuraMasumoto => {
+                "the formulas are used nevertheless, and the error of their results is not known"
+            }
             EstimateMethod::Clarke => {
-                "she is not a merchant ship: linear derivatives and cross-flow drag are used instead, and their error \
-                 is not known"
+                "the ship is not a merchant ship: linear derivatives and cross-flow drag are used \
+                 instead, and the error of their results is not known"
             }
         })
     }
 }
 
 impl EstimateMethod {
-    /// The method for a ship of these particulars.
+    /// Chooses the estimation method for a ship of the given particulars.
     #[must_use]
     pub fn of(ship: &Particulars) -> EstimateMethod {
         let is_merchant_ship = MERCHANT_SHIP.iter().all(|(ratio, least)| ratio.of(ship) >= *least);

@@ -1,20 +1,21 @@
 //! Estimates of the coefficients of a manoeuvring model from main particulars, for ships without model tests or with
-//! incomplete tests. Every estimate is reported with its formula. Particulars outside the range in which the formulas
-//! were validated are reported too.
+//! incomplete tests. Every estimated coefficient is reported with its formula. Particulars outside the range in which
+//! the formulas were validated are reported too.
 //!
 //! | quantity | method | standing |
 //! |---|---|---|
 //! | added mass | Zhou's regression | found in public programs |
-//! | hull under way, rudder and hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
+//! | hull under way, rudder and hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, with the signs that fit KCS and KVLCC2 |
 //! | hull of any other vessel | [`EstimateMethod`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
 //! | cross-flow drag | Hoerner's midship section | found in a public toolbox |
-//! | resistance ahead | C_T = 0.004 on Mumford's wetted surface | *recalled* |
+//! | resistance ahead | total resistance coefficient C_T = 0.004 on the wetted surface by Mumford | *recalled* |
 //! | resistance astern | UFC 4-159-03 (`resistance.rs`) | found in a stored copy of the manual |
-//! | wake, thrust deduction | w = 0.5 Cb − 0.05 (Taylor), t = 0.6 w | found in public programs |
+//! | wake, thrust deduction | wake fraction w = 0.5 Cb − 0.05 (Taylor), thrust deduction t = 0.6 w | found in public programs |
 //! | propeller | Wageningen B4-70 | as [`super::Propeller`] |
-//! | rudder | f_α = 6.13Λ/(2.25 + Λ) | found in public programs |
+//! | rudder | lift gradient f_α = 6.13Λ/(2.25 + Λ) for the aspect ratio Λ | found in public programs |
 //!
-//! `fenderline validate` compares both methods with six ships, measure by measure (`validation/estimated_ships.toml`).
+//! `fenderline validate` compares both estimation methods with six ships, measure by measure
+//! (`validation/estimated_ships.toml`).
 
 mod clarke;
 mod known;
@@ -43,21 +44,21 @@ pub struct Estimated {
     pub model: Mmg,
     /// The estimated quantities, and the formula for each.
     pub sources: Vec<Source>,
-    /// The formulas for hull, propeller or rudder; `None` if all of them are known.
+    /// The method whose formulas were used for hull, propeller or rudder; `None` if all of them are known.
     pub method: Option<EstimateMethod>,
-    /// Ratios outside the range in which the formulas were validated.
+    /// Ratios of the ship that are outside the range in which the formulas were validated.
     pub outside: Vec<RatioOutOfRange>,
 }
 
-/// The manoeuvring model of a ship from known data, by the method that suits her particulars.
+/// Makes the manoeuvring model of a ship from known data, by the method that suits her particulars.
 ///
 /// # Errors
-/// A number out of range, or particulars outside the regression of added mass.
+/// Fails for a number out of range, or for particulars outside the regression of added mass.
 pub fn estimated(known: &Known) -> Result<Estimated, HydroError> {
     estimated_by(EstimateMethod::of(&known.particulars), known)
 }
 
-/// The manoeuvring model of a ship from known data, by a given method.
+/// Makes the manoeuvring model of a ship from known data, by a given method.
 ///
 /// # Errors
 /// See [`estimated`].
@@ -112,7 +113,7 @@ fn hull(
         all.push(estimate(
             "hull at low speed",
             linear_figures(&hull.low_speed),
-            "linear terms of her polynomial",
+            "linear terms of the ship's polynomial",
             Standing::Derived,
         ));
     }
@@ -126,14 +127,15 @@ fn hull(
         all.push(estimate(
             "cross-flow drag",
             vec![Figure::of("C_D", hull.low_speed.cross_flow.drag_coefficient, "")],
-            "Hoerner's drag of the midship section as in Fossen's MSS toolbox; the yaw rate counts as it is",
+            "Hoerner's drag of the midship section as in Fossen's MSS toolbox; the yaw rate is \
+             used without a factor",
             Standing::Found,
         ));
     }
     hull
 }
 
-/// The hull of a ship with known particulars only.
+/// The hull of a ship of which only the particulars are known.
 fn estimated_hull(
     method: EstimateMethod,
     ship: &Particulars,
@@ -147,7 +149,8 @@ fn estimated_hull(
             all.push(estimate(
                 "hull under way",
                 polynomial_figures(&polynomial),
-                "Yoshimura & Masumoto (2012), as in public programs, its signs by the sets of KCS and KVLCC2",
+                "Yoshimura & Masumoto (2012), as in public programs, with the signs that fit the \
+                 sets of KCS and KVLCC2",
                 Standing::Found,
             ));
             Hull::from_polynomial(polynomial, ship, added)
@@ -183,7 +186,7 @@ fn linear_figures(hull: &LowSpeedHull) -> Vec<Figure> {
     ]
 }
 
-/// The terms of an estimated polynomial, except the resistance.
+/// Lists the terms of an estimated polynomial, except the resistance.
 fn polynomial_figures(polynomial: &Polynomial) -> Vec<Figure> {
     const NAMES: [&str; 16] = [
         "X'ββ",

@@ -1,8 +1,8 @@
-//! The report of an estimate.
+//! How an estimate is reported: quantities, formula and source.
 
 use crate::hydro::source::{Figure, Source, Standing};
 
-/// The report of an estimate.
+/// Makes the report of an estimate.
 pub(super) fn estimate(
     group: &str,
     figures: Vec<Figure>,

@@ -6,13 +6,13 @@ use fenderline_contact::number::bounded;
 use crate::hydro::friction::{SEA_M2PS, ittc_1957};
 use crate::hydro::particulars::Particulars;
 
-/// Total resistance coefficient on the wetted surface, under way.
+/// Total resistance coefficient on the wetted surface, of a ship under way.
 const TOTAL_RESISTANCE: f64 = 0.004;
-/// Form drag of the midship section along the hull, UFC 4-159-03 (2005), eq. 16.
+/// Coefficient of the midship section's form drag along the hull, UFC 4-159-03 (2005), eq. 16.
 const FORM_DRAG: f64 = 0.1;
 /// Froude number V/√(gL) at which the friction of a drifting ship is computed.
 const ADRIFT_FROUDE: f64 = 0.03;
-/// Range of [`ittc_1957`]. Vessels shorter than a quarter of a metre are below this range.
+/// Range of [`ittc_1957`]. Vessels shorter than a quarter of a metre have Reynolds numbers below this range.
 const REYNOLDS: [f64; 2] = [1e4, 1e11];
 
 /// Resistance X'₀ of a ship under way ahead.
@@ -20,23 +20,25 @@ pub(super) fn ahead(ship: &Particulars) -> f64 {
     -TOTAL_RESISTANCE * wetted_over_side(ship)
 }
 
-/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20. The
-/// coefficient is 0.1 on the midship section, plus the friction of ITTC 1957 on Mumford's wetted surface. The manual's
-/// third component, the drag of a locked propeller, is part of the propeller model.
+/// Resistance X'₀ of a ship astern, adrift or in a current, by UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16
+/// to 20. The resistance coefficient astern is 0.1 on the midship section, plus the friction of ITTC 1957 on Mumford's
+/// wetted surface. The third component of the manual UFC 4-159-03, the drag of a locked propeller, is part of the
+/// propeller model.
 ///
-/// The manual gives this for any ship-shaped vessel, with bow or stern into the current. The manual computes friction
-/// at the actual speed. Here one Froude number is used, so that the coefficient is constant. At half that speed
-/// friction is 10 % higher.
+/// The manual UFC 4-159-03 gives this resistance for any ship-shaped vessel, with bow or stern into the current. The
+/// manual UFC 4-159-03 computes friction at the actual speed. We compute friction at one Froude number, so that the
+/// coefficient is constant. At half the speed of this Froude number, friction is 10 % higher.
 pub(super) fn astern(ship: &Particulars) -> f64 {
     let speed_mps = ADRIFT_FROUDE * (STANDARD_GRAVITY_MPS2 * ship.length_m).sqrt();
     let [least, most] = REYNOLDS;
     let reynolds = bounded(speed_mps * ship.length_m / SEA_M2PS, least, most);
-    let friction = ittc_1957(reynolds)
-        .unwrap_or_else(|error| unreachable!("the Reynolds number is limited: {error}"));
+    let friction = ittc_1957(reynolds).unwrap_or_else(|error| {
+        unreachable!("the Reynolds number is limited to the range of the friction line: {error}")
+    });
     -FORM_DRAG * ship.beam_m / ship.length_m - friction * wetted_over_side(ship)
 }
 
-/// Mumford's wetted surface 1.7 L d + ∇/d over L d.
+/// Wetted surface by Mumford, 1.7 L d + ∇/d, divided by L d.
 fn wetted_over_side(ship: &Particulars) -> f64 {
     let side_m2 = ship.length_m * ship.draught_m;
     (1.7 * side_m2 + ship.volume_m3 / ship.draught_m) / side_m2

@@ -1,4 +1,5 @@
-//! Propeller and rudder behind the hull: known coefficients, and formulas of the method for unknown ones.
+//! Estimates of propeller and rudder behind the hull: known coefficients are used, and a method's formulas for the
+//! unknown ones.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -13,14 +14,14 @@ use crate::hydro::propeller::{Propeller, Series};
 use crate::hydro::rudder::Rudder;
 use crate::hydro::source::{Figure, Source, Standing};
 
-/// Thrust deduction astern. With this deduction, the series of pitch 0.8, which gives −0.255 at bollard, gives the
-/// −0.175 ρn²D⁴ that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
+/// Thrust deduction astern. With this thrust deduction, the propeller series of pitch ratio 0.8, which gives −0.255 at
+/// bollard, gives the −0.175 ρn²D⁴ that Miyauchi et al. (2022) have for Esso Osaka (pitch ratio 0.715).
 const DEDUCTION_ASTERN: f64 = 0.314;
 
-/// x'_P if it is not known.
+/// Position x'_P of the propeller if it is not known.
 const PROPELLER_PLACE: f64 = -0.48;
 
-/// The method's estimate of the wake in a turn.
+/// The estimation method's values for the wake in a turn.
 struct WakeChange {
     rate: f64,
     limit: f64,
@@ -28,17 +29,18 @@ struct WakeChange {
 }
 
 impl WakeChange {
-    /// With the rudder hard over, the propeller leaves the wake: C₂ = 1/(1 − w₀) removes all of the wake. Two ships
-    /// have a known change: KVLCC2 loses 65 % of the wake (mean of both sides, C₁ 2.0), and Esso Osaka 111 % (C₁ 1.4).
-    /// A ship with a known wake but no known change has a set of coefficients that was derived without such a change.
+    /// With the rudder hard over, the propeller leaves the wake: C₂ = 1/(1 − w₀) removes all of the wake. The change of
+    /// the wake in a turn is known for two ships: KVLCC2 loses 65 % of the wake (mean of both sides, C₁ 2.0), and Esso
+    /// Osaka 111 % (C₁ 1.4). A ship whose wake is known, but not its change in a turn, has a set of coefficients that
+    /// was derived without such a change.
     fn by(method: EstimateMethod, own_wake: Option<f64>, wake: f64) -> WakeChange {
         match method {
             EstimateMethod::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
                 rate: 2.0,
                 limit: 1.0 / (1.0 - wake),
                 source: (
-                    "all of it is left, as by w = w₀ exp(−4 β_P²) in a public program (nikpau/mmgdynamics), with \
-                     KVLCC2's C₁",
+                    "in a turn the propeller leaves all of the wake, as by w = w₀ exp(−4 β_P²) in \
+                     a public program (nikpau/mmgdynamics), with KVLCC2's C₁",
                     Standing::Derived,
                 ),
             },
@@ -51,7 +53,7 @@ impl WakeChange {
     }
 }
 
-/// The method's estimate of the interaction of rudder, propeller race and hull.
+/// The estimation method's values for the interaction of rudder, propeller race and hull.
 struct Interaction {
     wake_ratio: f64,
     race_gain: f64,
@@ -87,13 +89,13 @@ impl Interaction {
                 resistance_deduction: 0.3,
                 hull_gain: 0.3,
                 hull_place: -0.45,
-                source: ("as usual of full ships", Standing::Recalled),
+                source: ("as usual for full ships", Standing::Recalled),
             },
         }
     }
 }
 
-/// True if every coefficient that depends on the method is known.
+/// True if every coefficient that depends on the estimation method is known.
 pub(super) fn is_known(own: &SternCoefficients) -> bool {
     let numbers = [
         own.wake_ratio,
@@ -112,7 +114,7 @@ struct Missing<'a> {
 }
 
 impl Missing<'_> {
-    /// The known number; or else the number by the formula, which is then reported.
+    /// Returns the known number of a coefficient; if there is none, the number by the formula, which is then reported.
     fn number(
         &mut self,
         known: Option<f64>,
@@ -128,10 +130,10 @@ impl Missing<'_> {
     }
 }
 
-/// Propeller and rudder. Reports of estimates are appended to `all`.
+/// Propeller and rudder. The reports of estimated numbers are appended to `all`.
 ///
 /// # Errors
-/// Propeller diameter or rudder area out of range for the size of the ship.
+/// Fails if the propeller's diameter or the rudder's area is out of range for the size of the ship.
 pub(super) fn propulsion(
     method: EstimateMethod,
     ship: &Particulars,
@@ -172,7 +174,10 @@ pub(super) fn propulsion(
         None => (0.6 * wake, ("as ahead", Standing::Assumed)),
         Some(_) => (
             DEDUCTION_ASTERN,
-            ("Esso Osaka's force astern at bollard over the series' thrust", Standing::Derived),
+            (
+                "Esso Osaka's force astern at bollard, divided by the thrust of the series",
+                Standing::Derived,
+            ),
         ),
     };
     let thrust_deduction = missing.number(
@@ -252,7 +257,7 @@ pub(super) fn propulsion(
             own.propeller_place,
             ("place of the propeller", "x'_P"),
             PROPELLER_PLACE,
-            ("as usual of full ships", Standing::Recalled),
+            ("as usual for full ships", Standing::Recalled),
         )
     };
     Ok(Propulsion {

@@ -1,17 +1,19 @@
 //! Yoshimura & Masumoto, "Hydrodynamic database and manoeuvring prediction method with medium high-speed merchant ships
 //! and fishing vessels", MARSIM 2012: regressions for merchant ships by k = 2d/L, Cb B/L, Cb and L/B.
 //!
-//! The paper could not be read. The formulas are in several public programs, among them nikpau/mmgdynamics (up to
-//! release 1.0), which differ in some signs. Here the regressions are written with the drift angle β = −v', and with
-//! the signs that agree with the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
+//! The paper of Yoshimura & Masumoto could not be read. The formulas of Yoshimura & Masumoto are in several public
+//! programs, among them nikpau/mmgdynamics (up to release 1.0), which differ in some signs. In this file the
+//! regressions are written with the drift angle β = −v', and with the signs that agree with the published coefficients
+//! of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
 //!
-//! | term | here | in those programs, over β | KCS | KVLCC2 |
+//! | term | here | in the public programs, over the drift angle β | KCS | KVLCC2 |
 //! |---|---|---|---|---|
 //! | Y'βββ | 0.185 L/B + 0.48 | 0.185 L/B − 0.48 | half of hers | a third of hers |
-//! | N'βrr | 0.075 (1 − Cb) L/B − 0.098 | 0.075 (1 − Cb) L/B + 0.098 | five times hers | the other sign |
-//! | X'βr − m'y | −1.91 Cb B/L + 0.08 | 1.91 Cb B/L − 0.08 − 2m'y | twice hers | as hers |
+//! | N'βrr | 0.075 (1 − Cb) L/B − 0.098 in this file | 0.075 (1 − Cb) L/B + 0.098 in the programs | five times hers | the other sign |
+//! | X'βr − m'y | −1.91 Cb B/L + 0.08 in this file | 1.91 Cb B/L − 0.08 − 2m'y in the programs | twice hers | as hers |
 //!
-//! In the form over β, Y'r and X'βr include −m'x and −m'y. The regressions add these terms, so they cancel.
+//! In the form over β, the coefficients Y'r and X'βr include −m'x and −m'y. The regressions add the terms m'x and m'y,
+//! so that they cancel.
 
 use std::f64::consts::PI;
 
@@ -19,7 +21,7 @@ use crate::hydro::added_mass::AddedMass;
 use crate::hydro::mmg::DriftPolynomial;
 use crate::hydro::particulars::Particulars;
 
-/// The hull under way, with a given resistance X'₀.
+/// The polynomial of the hull under way, with a given resistance X'₀.
 pub(super) fn polynomial(
     ship: &Particulars,
     added: &AddedMass,
@@ -52,22 +54,22 @@ pub(super) fn polynomial(
     }
 }
 
-/// ε, wake at the rudder over wake at the propeller.
+/// Ratio ε of the wake at the rudder to the wake at the propeller.
 pub(super) fn wake_ratio(wake: f64) -> f64 {
     2.26 - 1.82 * (1.0 - wake)
 }
 
-/// κ, share of the race's speed that reaches the rudder.
+/// Share κ of the propeller race's speed that reaches the rudder.
 pub(super) fn race_gain(wake_ratio: f64) -> f64 {
     0.55 / wake_ratio
 }
 
-/// γ_R, equal for both sides.
+/// Flow straightening coefficient γ_R, equal for both sides.
 pub(super) fn straightening(ship: &Particulars) -> f64 {
     2.06 * fullness(ship) + 0.14
 }
 
-/// Lateral force on the hull due to steering over that of the rudder, a_H.
+/// Ratio a_H of the lateral force on the hull due to steering to that of the rudder.
 pub(super) fn hull_gain(ship: &Particulars) -> f64 {
     3.6 * fullness(ship)
 }
@@ -76,7 +78,7 @@ pub(super) fn hull_gain(ship: &Particulars) -> f64 {
 pub(super) const STRAIGHTENING_PLACE: f64 = -0.9;
 /// Steering resistance deduction t_R.
 pub(super) const RESISTANCE_DEDUCTION: f64 = 0.39;
-/// Position x'_H of the lateral force on the hull.
+/// Position x'_H of the lateral force on the hull due to steering.
 pub(super) const HULL_PLACE: f64 = -0.4;
 
 /// The ratio Cb B/L.

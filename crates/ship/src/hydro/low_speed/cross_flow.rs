@@ -2,8 +2,8 @@
 
 use crate::hydro::quantities::{Force, Velocity, Water};
 
-/// Drag coefficient of a section over B/2T, Hoerner's curve as digitised in Fossen's MSS toolbox (the points in its
-/// file Hoerner.m, after Leite et al., Appl. Ocean Res. 20, 1998).
+/// Drag coefficient of a section over the ratio B/2T, by Hoerner's curve as digitised in Fossen's MSS toolbox (the
+/// points in its file Hoerner.m, after Leite et al., Applied Ocean Research 20, 1998).
 const HOERNER: [[f64; 2]; 20] = [
     [0.0109, 1.9661],
     [0.1766, 1.9657],
@@ -44,21 +44,21 @@ pub fn hoerner_drag_coefficient(beam_m: f64, draught_m: f64) -> f64 {
     last[1]
 }
 
-/// Cross-flow drag on a box L × T about midship.
+/// Cross-flow drag on a hull seen as a box of length L and draught T about midship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossFlow {
     /// Drag coefficient C_D.
     pub drag_coefficient: f64,
-    /// Factor C on the yaw rate in the force; 1 for rigid-body flow.
+    /// Factor C on the yaw rate in the cross-flow force; 1 for rigid-body flow.
     pub yaw_gain_force: f64,
-    /// Factor C on the yaw rate in the moment.
+    /// Factor C on the yaw rate in the cross-flow moment.
     pub yaw_gain_moment: f64,
 }
 
 impl CrossFlow {
-    /// Y = −½ρT C_D ∫|v + C r x|(v + C r x)dx, N = −½ρT C_D ∫|v + C r x|(v + C r x)x dx over the length.
+    /// Computes Y = −½ρT C_D ∫|v + C r x|(v + C r x)dx and N = −½ρT C_D ∫|v + C r x|(v + C r x)x dx over the length.
     ///
-    /// The integrals are computed in closed form.
+    /// The integrals of the cross-flow drag are computed in closed form.
     pub fn force(&self, velocity: &Velocity, length_m: f64, draught_m: f64, water: Water) -> Force {
         let v_mps = velocity.sway_mps;
         let tip_mps = velocity.yaw_radps * length_m;
@@ -71,7 +71,7 @@ impl CrossFlow {
     }
 }
 
-/// ∫|a + bξ|(a + bξ)dξ over ξ from −½ to ½.
+/// Computes ∫|a + bξ|(a + bξ)dξ over ξ from −½ to ½.
 fn square_mean(a: f64, b: f64) -> f64 {
     let half = 0.5 * b.abs();
     if a.abs() >= half {
@@ -80,7 +80,7 @@ fn square_mean(a: f64, b: f64) -> f64 {
     half * a + a * a * a / (3.0 * half)
 }
 
-/// ∫|a + bξ|(a + bξ)ξ dξ over ξ from −½ to ½.
+/// Computes ∫|a + bξ|(a + bξ)ξ dξ over ξ from −½ to ½.
 fn square_moment(a: f64, b: f64) -> f64 {
     let half = 0.5 * b.abs();
     if a.abs() >= half {

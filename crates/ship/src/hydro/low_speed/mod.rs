@@ -12,7 +12,7 @@ use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 
 /// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009), as used by Miyauchi et al. (2022),
-/// divided by ½ρLdU². The form was checked against a public implementation of this model.
+/// divided by ½ρLdU². The low-speed form was checked against a public implementation of Miyauchi's model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowSpeedHull {
     /// X'₀F: resistance ahead (negative).
@@ -33,12 +33,12 @@ pub struct LowSpeedHull {
     pub cross_flow: CrossFlow,
 }
 
-/// Default ratio of resistance astern to resistance ahead: the ratio of Esso Osaka, 0.0319/0.0214.
+/// Default ratio of the resistance astern to the resistance ahead, taken from Esso Osaka: 0.0319/0.0214.
 const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
 
 impl LowSpeedHull {
-    /// An estimate from known linear terms: Hoerner's drag of the midship section, yaw gains of 1, and Esso Osaka's ratio of
-    /// resistance astern to ahead.
+    /// Estimates the low-speed form from known linear terms: Hoerner's drag of the midship section, yaw gains of 1, and
+    /// Esso Osaka's ratio of resistance astern to ahead.
     #[must_use]
     pub fn from_linear(linear: &LinearTerms, ship: &Particulars) -> LowSpeedHull {
         LowSpeedHull {
@@ -57,8 +57,9 @@ impl LowSpeedHull {
         }
     }
 
-    /// Force at midship, without the Coriolis terms of the added mass: X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r
-    /// L}, Y = ½ρLd{Yv v|u| + Yr r L u} and N = ½ρL²d{Nv v u + Nr r L|u|}, Y and N with the cross-flow drag.
+    /// Force of the hull at midship, without the Coriolis terms of the added mass:
+    /// X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r L}, Y = ½ρLd{Yv v|u| + Yr r L u} and
+    /// N = ½ρL²d{Nv v u + Nr r L|u|}, where the cross-flow drag is added to Y and N.
     pub fn force(&self, velocity: &Velocity, length_m: f64, draught_m: f64, water: Water) -> Force {
         let (u, v) = (velocity.surge_mps, velocity.sway_mps);
         let tip_mps = velocity.yaw_radps * length_m;

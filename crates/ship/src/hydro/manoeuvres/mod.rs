@@ -1,7 +1,8 @@
 //! Standard manoeuvres on [`Model3`], with the measures of ITTC and IMO resolution MSC.137(76).
 //!
-//! All manoeuvres start on a straight course north, at a speed, with the revolutions that maintain this speed. Time and
-//! position are measured from the order. Revolutions are constant unless the manoeuvre orders otherwise.
+//! All standard manoeuvres start on a straight course north, at a speed, with the revolutions that maintain this speed.
+//! Time and position of a manoeuvre are measured from the order. The propeller's revolutions are constant unless the
+//! manoeuvre orders otherwise.
 
 mod steady;
 mod stop;
@@ -19,20 +20,20 @@ use super::actuator::RateLimited;
 use super::model3::{Model3, Motion};
 use super::quantities::{Controls, Force, Velocity};
 
-/// A manoeuvre that could not be completed.
+/// Error of a manoeuvre that could not be completed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ManoeuvreError {
     /// The ship has no propeller.
     NoPropeller,
-    /// No revolutions within the propeller's range maintain the speed.
+    /// No revolutions within the propeller's range maintain the ordered speed.
     NoBalance {
         /// The speed (m/s).
         speed_mps: f64,
     },
-    /// The end of the manoeuvre was not reached in time.
+    /// The end of the manoeuvre was not reached within the time limit.
     NotReached {
-        /// The end that was not reached.
+        /// Name of the end that the manoeuvre did not reach.
         what: &'static str,
         /// Time limit (s).
         after_s: f64,
@@ -44,7 +45,7 @@ impl fmt::Display for ManoeuvreError {
         match self {
             ManoeuvreError::NoPropeller => write!(f, "the ship has no propeller"),
             ManoeuvreError::NoBalance { speed_mps } => {
-                write!(f, "no revolutions maintain a speed of {speed_mps} m/s")
+                write!(f, "no revolutions of the propeller maintain a speed of {speed_mps} m/s")
             }
             ManoeuvreError::NotReached { what, after_s } => {
                 write!(f, "{what} was not reached within {after_s} s")
@@ -62,14 +63,14 @@ pub struct Approach {
     pub speed_mps: f64,
     /// Revolutions (1/s).
     pub shaft_rps: f64,
-    /// Rudder amidships, with its rate and stop.
+    /// The rudder, which is amidships at the start, with its rate and stop.
     pub steering: RateLimited,
     /// Time step (s).
     pub step_s: f64,
 }
 
 impl Approach {
-    /// An approach at a speed, with the revolutions that maintain this speed.
+    /// Makes an approach at a speed, with the revolutions that maintain this speed.
     ///
     /// # Errors
     /// See [`self_propulsion_rps`].
@@ -84,18 +85,18 @@ impl Approach {
     }
 }
 
-/// The state of a manoeuvre after a step. Tracks are drawn from these states.
+/// The state of a ship in a manoeuvre after a step. Tracks of a manoeuvre are drawn from its states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
-    /// Time since the order (s).
+    /// Time since the order of the manoeuvre (s).
     pub time_s: f64,
-    /// Position, heading and velocity; north is the approach course.
+    /// Position, heading and velocity of the ship; north is the approach course.
     pub motion: Motion,
-    /// Rudder angle and shaft revolutions.
+    /// Rudder angle and shaft revolutions of the ship.
     pub controls: Controls,
 }
 
-/// A ship during a manoeuvre.
+/// State and controls of a ship during a manoeuvre.
 struct Trial<'a> {
     model: &'a Model3,
     observe: &'a mut dyn FnMut(&Moment),
@@ -134,7 +135,8 @@ impl<'a> Trial<'a> {
         (self.observe)(&Moment { time_s: self.time_s, motion: self.motion, controls });
     }
 
-    /// One step under an order of rudder (rad) and revolutions (1/s). The controls are taken at the middle of the step.
+    /// Takes one step of the ship under an order of rudder (rad) and revolutions (1/s). For a step, rudder and
+    /// revolutions are taken at the middle of the step.
     fn advance(&mut self, rudder_rad: f64, shaft_rps: f64) {
         let half_s = 0.5 * self.step_s;
         self.steering.step(rudder_rad, half_s);

@@ -1,17 +1,17 @@
-//! Steady states: self-propulsion, bollard pull, crabbing.
+//! Steady states of a ship: self-propulsion, bollard pull, crabbing.
 
 use super::ManoeuvreError;
 use crate::hydro::model3::{Model3, Motion};
 use crate::hydro::quantities::{Controls, Force, Velocity};
 
-/// Number of bisections: enough for all bits of a double.
+/// Number of bisections for the revolutions: enough for all bits of a double.
 const HALVINGS: usize = 60;
 
-/// Revolutions (1/s) at which thrust and resistance balance on a straight course.
+/// Revolutions (1/s) at which thrust and resistance balance on a straight course at a speed.
 ///
 /// # Errors
-/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NoBalance`] if no revolutions between 0 and
-/// 20 V/D balance.
+/// Fails with [`ManoeuvreError::NoPropeller`], or with [`ManoeuvreError::NoBalance`] if thrust and resistance balance
+/// at no revolutions between 0 and 20 V/D.
 pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, ManoeuvreError> {
     let propulsion = model.ship().propulsion.as_ref().ok_or(ManoeuvreError::NoPropeller)?;
     let velocity = Velocity { surge_mps: speed_mps, ..Velocity::default() };
@@ -31,7 +31,8 @@ pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, Manoeu
     Ok(0.5 * (low + high))
 }
 
-/// Pull (N) on a line to a bollard at these revolutions (1/s): the force ahead at rest, less thrust deduction.
+/// Pull (N) on a line to a bollard at the given revolutions (1/s): the propeller's force ahead at rest, less thrust
+/// deduction.
 ///
 /// # Errors
 /// [`ManoeuvreError::NoPropeller`].
@@ -46,22 +47,22 @@ pub fn bollard_pull_n(model: &Model3, shaft_rps: f64) -> Result<f64, ManoeuvreEr
 /// The motion of a ship under a steady side force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crabbing {
-    /// Speed across, to starboard (m/s).
+    /// Speed of the ship across, to starboard (m/s).
     pub sway_mps: f64,
     /// Resulting speed ahead (m/s).
     pub surge_mps: f64,
-    /// Resulting rate of turn (rad/s).
+    /// Rate of turn that results from the side force (rad/s).
     pub yaw_radps: f64,
-    /// Time to 90 % of the speed across (s).
+    /// Time until the ship has 90 % of the final speed across (s).
     pub rise_s: f64,
 }
 
-/// Pushes a ship at rest with a force at midship for `duration_s`, with the engine stopped. The force stands for
+/// Pushes a ship at rest with a force at midship for `duration_s`, with the engine stopped. The side force stands for
 /// thrusters or tugs that crab the ship.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] if the ship's lateral speed still changes by more than 1 % in the last tenth of the
-/// time.
+/// Fails with [`ManoeuvreError::NotReached`] if the ship's lateral speed still changes by more than 1 % in the last
+/// tenth of the time.
 pub fn crabbing(
     model: &Model3,
     push: Force,

@@ -3,35 +3,37 @@
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
-/// Time limit, in ship lengths over approach speed.
+/// Time limit of a crash stop, in units of the ship's length divided by the approach speed.
 const TIME_LIMIT: f64 = 200.0;
 
 /// The measures of a crash stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrashStop {
-    /// Distance along the track until the ship has no headway (m).
+    /// Distance that the ship sails along her track until she has no headway (m).
     pub track_reach_m: f64,
-    /// Distance along the approach course (m).
+    /// Distance along the approach course that the ship makes good until she has no headway (m).
     pub head_reach_m: f64,
-    /// Distance across the approach course, positive to starboard (m).
+    /// Distance of the ship across the approach course, positive to starboard (m).
     pub lateral_m: f64,
-    /// Change of heading, positive to starboard (rad).
+    /// Change of the ship's heading, positive to starboard (rad).
     pub heading_rad: f64,
     /// Time (s).
     pub time_s: f64,
 }
 
-/// Orders revolutions astern (negative), with the rudder amidships, until the ship has no headway. The shaft's
-/// revolutions change by `shaft_rate_rps2` per second.
+/// Orders revolutions astern (negative), with the rudder amidships, until the ship has no headway. In a crash stop, the
+/// shaft's revolutions change by `shaft_rate_rps2` per second.
 ///
-/// The shaft follows its order at any torque. If a diesel engine cannot turn the propeller astern at speed, the
-/// distance is longer.
+/// The model assumes that the shaft follows its order at any torque. The stopping distance is longer if a diesel engine
+/// cannot turn the propeller astern at speed.
 ///
-/// The model has no paddle-wheel effect of a propeller astern. So change of heading and lateral distance are zero for a
-/// symmetric ship. On real ships both differ from zero.
+/// The model has no paddle-wheel effect of a propeller astern. In the model, a symmetric ship therefore stops without
+/// change of heading and without lateral distance. On real ships change of heading and lateral distance differ from
+/// zero.
 ///
 /// # Errors
-/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NotReached`] for revolutions that do not stop the ship.
+/// Fails with [`ManoeuvreError::NoPropeller`], or with [`ManoeuvreError::NotReached`] for revolutions that do not stop
+/// the ship.
 pub fn crash_stop(
     model: &Model3,
     approach: &Approach,

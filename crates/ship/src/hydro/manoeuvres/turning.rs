@@ -5,11 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::{Model3, Motion};
 
-/// Time limit, in ship lengths over approach speed.
+/// Time limit of a turning circle, in units of the ship's length divided by the approach speed.
 const TIME_LIMIT: f64 = 400.0;
 
-/// The measures of a turning circle, at midship, from the rudder order; lengths are positive towards the side of the
-/// turn.
+/// The measures of a turning circle, for the midship point, from the rudder order; lengths are positive towards the
+/// side of the turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningCircle {
     /// Advance at 90° (m).
@@ -18,31 +18,31 @@ pub struct TurningCircle {
     pub transfer_m: f64,
     /// Time to 90° (s).
     pub quarter_s: f64,
-    /// Tactical diameter: transfer at 180° (m).
+    /// Tactical diameter: transfer at a change of heading of 180° (m).
     pub tactical_diameter_m: f64,
     /// Time to 180° (s).
     pub half_s: f64,
-    /// The steady turn after two full circles.
+    /// The steady turn that the ship makes after two full circles.
     pub steady: SteadyTurn,
 }
 
 /// A steady turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyTurn {
-    /// Speed over approach speed U/U₀.
+    /// Speed U in the turn divided by the approach speed U₀.
     pub speed_ratio: f64,
-    /// r' = rL/U, positive to starboard.
+    /// Dimensionless rate of turn r' = rL/U, positive to starboard.
     pub yaw_rate: f64,
-    /// Drift angle β (rad), positive if the ship slides to port.
+    /// Drift angle β in the turn (rad), positive if the ship slides to port.
     pub drift_rad: f64,
-    /// Diameter of midship's circle (m).
+    /// Diameter of the circle of the midship point (m).
     pub diameter_m: f64,
 }
 
 /// Turns with the rudder at an angle (rad) until the heading has changed by 720°, and returns the measures.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] for a rudder that does not turn the ship.
+/// Fails with [`ManoeuvreError::NotReached`] for a rudder that does not turn the ship.
 pub fn turning_circle(
     model: &Model3,
     approach: &Approach,
@@ -82,7 +82,7 @@ pub fn turning_circle_observed(
     })
 }
 
-/// Position and time at which a heading was passed.
+/// Position and time at which the ship passed a heading.
 struct Passage {
     north_m: f64,
     east_m: f64,
@@ -90,7 +90,8 @@ struct Passage {
 }
 
 impl Trial<'_> {
-    /// Steps until the heading has changed by `angle_rad` to either side. The passage is interpolated within the step.
+    /// Takes steps until the heading has changed by `angle_rad` to either side. The passage of the heading is
+    /// interpolated within the step.
     fn turn_to(
         &mut self,
         angle_rad: f64,

@@ -5,28 +5,28 @@ use fenderline_contact::number::greater;
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
-/// Time limit of each leg, in ship lengths over approach speed.
+/// Time limit of each leg of a zig-zag, in units of the ship's length divided by the approach speed.
 const TIME_LIMIT: f64 = 100.0;
 
-/// The measures of a zig-zag.
+/// The measures of a zig-zag manoeuvre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ZigZag {
-    /// First overshoot: the greatest heading beyond the check angle after the second execute (rad).
+    /// First overshoot: how far the heading goes beyond the check angle after the second execute (rad).
     pub first_overshoot_rad: f64,
-    /// Second overshoot, after the third execute (rad).
+    /// Second overshoot: how far the heading goes beyond the check angle after the third execute (rad).
     pub second_overshoot_rad: f64,
-    /// Time from the first execute to the second (s).
+    /// Time from the first execute (rudder order) to the second (s).
     pub second_execute_s: f64,
-    /// Distance sailed until the second execute (m): the initial turning ability of IMO.
+    /// Distance sailed until the second execute (m), which is IMO's measure of the initial turning ability.
     pub initial_turning_m: f64,
 }
 
-/// Puts the rudder to `rudder_rad`, and over to the other side whenever the heading has changed by `check_rad`. Both
-/// angles are in rad; the sign of the rudder gives the side of the first execute. In the 10/10 manoeuvre both angles
-/// are 10°.
+/// Puts the rudder to `rudder_rad`, and over to the other side whenever the heading has changed by `check_rad`. Rudder
+/// and check angle are in rad; the sign of the rudder gives the side of the first execute. In the 10/10 zig-zag both
+/// angles are 10°.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] for a ship that does not respond to the rudder.
+/// Fails with [`ManoeuvreError::NotReached`] for a ship that does not respond to the rudder.
 pub fn zig_zag(
     model: &Model3,
     approach: &Approach,
@@ -63,7 +63,8 @@ pub fn zig_zag_observed(
 }
 
 impl Trial<'_> {
-    /// Steps until the heading is `check_rad` to a side. Returns the distance sailed (m).
+    /// Takes steps until the ship's heading is `check_rad` to a side. Returns the distance that the ship has sailed
+    /// (m).
     fn heading_to(
         &mut self,
         rudder_rad: f64,
@@ -84,7 +85,7 @@ impl Trial<'_> {
         Ok(sailed_m)
     }
 
-    /// Steps until the ship swings back. Returns the greatest heading to the side (rad).
+    /// Takes steps until the ship swings back. Returns the greatest heading to the side that the ship reaches (rad).
     fn swing(&mut self, rudder_rad: f64, side: f64) -> Result<f64, ManoeuvreError> {
         let limit_s = self.leg_s();
         let mut greatest_rad = side * self.motion.heading_rad;

@@ -4,15 +4,16 @@ use super::{Mmg, Propulsion};
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::low_speed::LowSpeedHull;
 
-/// Limit of a coefficient, far above any published value.
+/// Largest size of a coefficient that is accepted, far above any published value.
 const LARGEST: f64 = 1e3;
 
 impl Mmg {
-    /// Checks the model and returns it.
+    /// Checks a manoeuvring model and returns it.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`], naming the first value out of range: particulars, negative added mass, a negative
-    /// drag, a propeller without diameter, fractions outside 0 to 1, a propeller wider than the rudder's span.
+    /// Fails with [`HydroError::OutOfRange`], which names the first value out of range: particulars, negative added
+    /// mass, a negative drag, a propeller without diameter, fractions outside 0 to 1, a propeller wider than the
+    /// rudder's span.
     pub fn check(self) -> Result<Mmg, HydroError> {
         self.particulars.check()?;
         let added = &self.added_mass;

@@ -1,10 +1,11 @@
-//! The manoeuvring model of a ship with one propeller and one rudder by the MMG standard method
-//! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
-//! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
+//! The manoeuvring model of a ship with one propeller and one rudder by the MMG standard method (Yasukawa & Yoshimura,
+//! "Introduction of MMG standard method for ship maneuvering predictions", Journal of Marine Science and Technology 20,
+//! 2015), extended to low speed, astern and bollard.
 //!
-//! [`Mmg`] is plain data, checked by [`Mmg::check`]. [`Mmg::forces`] is a pure function of the velocity through the
-//! water and the controls. The forces include all hydrodynamic terms except those proportional to accelerations (the
-//! added mass itself). The Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
+//! An [`Mmg`] is plain data, checked by [`Mmg::check`]. [`Mmg::forces`] is a pure function of the velocity through the
+//! water and the controls. The forces of the model include all hydrodynamic terms except those proportional to
+//! accelerations (the added mass itself). The forces of the model include the Coriolis terms of the added mass; the
+//! Munk moment is part of N_v.
 
 mod check;
 mod wake;
@@ -29,14 +30,14 @@ pub struct Mmg {
     pub added_mass: AddedMass,
     /// Hull coefficients.
     pub hull: Hull,
-    /// Propeller and rudder; `None` for a barge or a ship with other propulsion.
+    /// Propeller and rudder of the ship; `None` for a barge or a ship with other propulsion.
     pub propulsion: Option<Propulsion>,
 }
 
-/// One propeller with a rudder behind it, on the centre line.
+/// One propeller with a rudder behind it, on the ship's centre line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Propulsion {
-    /// The propeller in open water.
+    /// The propeller, with its characteristics in open water.
     pub propeller: Propeller,
     /// Thrust deduction t_P for thrust ahead.
     pub thrust_deduction: f64,
@@ -48,19 +49,19 @@ pub struct Propulsion {
     pub rudder: Rudder,
 }
 
-/// The forces on a ship, part by part.
+/// The hydrodynamic forces on a ship, part by part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Hull, with the Coriolis terms of the added mass.
+    /// Force of the hull, with the Coriolis terms of the added mass.
     pub hull: Force,
     /// Propeller, less thrust deduction.
     pub propeller: Force,
-    /// Rudder, with its interaction force on the hull.
+    /// Force of the rudder, with its interaction force on the hull.
     pub rudder: Force,
 }
 
 impl Mmg {
-    /// Surge and sway force (N) and yaw moment (N m) about midship: X, Y, N.
+    /// Sum of the parts: surge force X and sway force Y (N) and yaw moment N (N m) about midship.
     pub fn forces(&self, velocity: &Velocity, controls: &Controls, water: Water) -> Force {
         let Parts { hull, propeller, rudder } = self.parts(velocity, controls, water);
         hull + propeller + rudder
@@ -89,7 +90,7 @@ impl Mmg {
 }
 
 impl Propulsion {
-    /// Inflow and thrust of the propeller.
+    /// Computes inflow and thrust of the propeller, for the rudder behind it.
     fn race(&self, velocity: &Velocity, shaft_rps: f64, length_m: f64, water: Water) -> Race {
         let advance_mps = velocity.surge_mps * self.wake.remaining(velocity, length_m);
         Race {
@@ -99,7 +100,7 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t)T, with the t for the direction of the thrust.
+    /// Surge force of the propeller X_P = (1 − t)T, with the thrust deduction t for the direction of the thrust T.
     fn driving_force(&self, race: &Race) -> Force {
         let deduction =
             if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };

@@ -2,22 +2,23 @@
 
 use crate::hydro::quantities::Velocity;
 
-/// Effective wake by Yasukawa & Yoshimura (2015):
-/// (1 − w)/(1 − w₀) = 1 + (1 − e^{−C₁|β_P|})(C₂ − 1), β_P = β − x'_P r'.
+/// Effective wake fraction w by Yasukawa & Yoshimura (2015): (1 − w)/(1 − w₀) = 1 + (1 − e^{−C₁|β_P|})(C₂ − 1), with
+/// the inflow angle β_P = β − x'_P r'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wake {
-    /// Wake fraction w₀, straight ahead.
+    /// Wake fraction w₀ of a ship that goes straight ahead.
     pub straight: f64,
-    /// Coefficient C₁; 0 if the wake does not change in a turn.
+    /// Coefficient C₁ of the wake's change in a turn; 0 if the wake does not change.
     pub rate: f64,
-    /// Coefficient C₂ for β_P below and above 0.
+    /// Coefficient C₂ of the wake's change in a turn, for an inflow angle β_P below and above 0.
     pub limits: [f64; 2],
-    /// Position x'_P of the propeller, over L.
+    /// Position x'_P of the propeller, divided by the ship's length L.
     pub place: f64,
 }
 
 impl Wake {
-    /// The factor 1 − w in u_P = u(1 − w). When the ship goes astern, the propeller is in open water, without wake.
+    /// The factor 1 − w in the speed of advance u_P = u(1 − w). When the ship goes astern, the propeller is in open
+    /// water, without wake.
     pub fn remaining(&self, velocity: &Velocity, length_m: f64) -> f64 {
         // The computed square of a very small speed is 0.
         let speed_mps = velocity.speed_mps();

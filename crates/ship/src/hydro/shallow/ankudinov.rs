@@ -1,25 +1,26 @@
 //! Ankudinov's factors on added mass and derivatives (1990), as printed in a public implementation of Taimuri et al.
-//! (2020) (nikpau/mmgdynamics). The factors are sums of K₀, K₁ and K₂, which are polynomials in T/(h − T), weighted by
-//! block coefficient and beam.
+//! (2020) (nikpau/mmgdynamics). Ankudinov's factors are sums of K₀, K₁ and K₂, which are polynomials in T/(h − T),
+//! weighted by block coefficient and beam.
 //!
-//! There are two corrections. For ships broader than four draughts, K₂ has T/B here, and B/T in that program: there it
-//! would jump by a factor of 16 at B/T = 4. And the factors are not used beyond [`super::PUBLISHED_RATIO`].
+//! We made two corrections to the public program. For ships broader than four draughts, our K₂ has T/B where the public
+//! program has B/T: the program's factor would jump by a factor of 16 at B/T = 4. Also, our code does not use
+//! Ankudinov's factors beyond [`super::PUBLISHED_RATIO`].
 
 use super::factors::{Corrections, HullFactors, MassFactors};
 use super::limits::PUBLISHED_RATIO;
 use super::stern;
 use crate::hydro::particulars::Particulars;
 
-/// Coefficients of K₀ for the powers 2, 3 and 5 of T/(h − T).
+/// Coefficients of Ankudinov's polynomial K₀ for the powers 2, 3 and 5 of T/(h − T).
 const K0: [f64; 3] = [0.0775, -0.0110, 0.000_068];
-/// Coefficients of K₁ for the powers 1, 2, 3 and 5.
+/// Coefficients of Ankudinov's polynomial K₁ for the powers 1, 2, 3 and 5 of T/(h − T).
 const K1: [f64; 4] = [-0.0643, 0.0724, -0.0113, 0.000_076_7];
-/// K₂ over T/(h − T).
+/// Ankudinov's K₂ divided by T/(h − T).
 const K2: f64 = 0.0342;
-/// K₂ over T/(h − T) and T/B, for ships broader than four draughts.
+/// Ankudinov's K₂ divided by T/(h − T) and by T/B, for ships broader than four draughts.
 const K2_BROAD: f64 = 0.137;
 
-/// The factors by their names in the source.
+/// Ankudinov's factors for a ship, by their names in the source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ankudinov {
     pub(super) g_v: f64,
@@ -31,7 +32,7 @@ pub(super) struct Ankudinov {
 }
 
 impl Ankudinov {
-    /// The factors at this ratio T/h.
+    /// Ankudinov's factors for a ship at the given ratio T/h.
     pub(super) fn of(ship: &Particulars, share: f64) -> Ankudinov {
         let inverse_clearance = share / (1.0 - share);
         let factor = |linear, square| factor(ship, inverse_clearance, linear, square);
@@ -46,10 +47,12 @@ impl Ankudinov {
         }
     }
 
-    /// The whole set. (m_y + X_vr) has the factor of m_y: for the tanker of van Berlekom & Goddard (1972) both have the
-    /// same slope. We chose the same factor for the added mass in surge, and for Y_r, because Y_r u r acts against (m +
-    /// m_x) u r. For comparison: the factors on this tanker's added mass in surge are 3 at h/T 1.5 and 6 at 1.2. The
-    /// formula of Li & Wu gives 2.4 and 5.7 for KVLCC2, but a negative added mass for the paper's container ship.
+    /// The whole set of corrections by Ankudinov. The sum (m_y + X_vr) has the factor of m_y: for the tanker of van
+    /// Berlekom & Goddard (1972) both have the same slope. We chose the factor of m_y also for the added mass m_x in
+    /// surge; m_x must suit Y_r, because Y_r u r acts against (m + m_x) u r. For comparison, Ankudinov's factors on the
+    /// added mass in surge of the tanker of van Berlekom & Goddard are 3 at h/T 1.5 and 6 at 1.2. The formula of Li &
+    /// Wu for the added mass in surge gives factors of 2.4 and 5.7 for KVLCC2, but a negative added mass for the
+    /// paper's container ship.
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {
@@ -76,8 +79,8 @@ impl Ankudinov {
     }
 }
 
-/// K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); beyond the z of [`PUBLISHED_RATIO`] the
-/// function continues along its tangent.
+/// A factor from K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); beyond the z of
+/// [`PUBLISHED_RATIO`] the function continues along its tangent.
 fn factor(ship: &Particulars, z: f64, linear: f64, square: f64) -> f64 {
     let broad = ship.beam_m / ship.draught_m;
     let wide = 1.0 + ship.beam_m / ship.length_m;

@@ -1,10 +1,11 @@
 //! Linear terms by the effective aspect ratio of the hull as a wing: Hirano, Takashina, Moriya & Nakamura (1985), and
 //! Kijima & Nakiri after them.
 //!
-//! k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ}, k = 2T/L, with a different λ for each derivative. One public program (an
-//! early nikpau/mmgdynamics, which calls itself "not working") lacks the k in the first term of the denominator. The
-//! limit of k_e would then be 2k, and not 2, the value for a wing between walls. The k is recalled. With the k, Y_v and
-//! N_v of KVLCC2 agree with the other sets within 10 % at h/T 1.5 and 1.2; without it they are a third of those.
+//! The effective aspect ratio is k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ} with k = 2T/L, and a different λ for each
+//! derivative. One public program (an early nikpau/mmgdynamics, which calls itself "not working") lacks the k in the
+//! first term of the denominator of k_e. Without the k in the denominator, the limit of k_e would be 2k, and not 2, the
+//! value for a wing between walls. The k is recalled. With the k in the denominator, Y_v and N_v of KVLCC2 agree with
+//! the other sets of corrections within 10 % at h/T 1.5 and 1.2; without it they are a third of them.
 
 use fenderline_contact::number::lesser;
 
@@ -13,14 +14,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
-/// λ for Y_v, for Y_r and N_r, and for N_v.
+/// Exponent λ of the effective aspect ratio for Y_v, for Y_r and N_r, and for N_v.
 const EXPONENTS: [f64; 3] = [2.3, 0.7, 1.7];
-/// k_e at which 0.54 k_e − k_e² is greatest. For greater k_e the value at this k_e is used, because damping does not
-/// decrease in shallower water.
+/// Effective aspect ratio k_e at which the damping 0.54 k_e − k_e² is greatest. For a greater k_e the damping at this
+/// k_e is used, because damping does not decrease in shallower water.
 const TURNING_POINT: f64 = 0.27;
 
-/// Factors on Y_v, Y_r, N_v and N_r at T/h: Y_v = −(½π k_e + 1.4 Cb B/L), Y_r = ¼π k_e, N_v = −k_e, N_r = −(0.54 k_e −
-/// k_e²), each divided by its value in deep water.
+/// Factors on Y_v, Y_r, N_v and N_r at the ratio T/h, from Y_v = −(½π k_e + 1.4 Cb B/L), Y_r = ¼π k_e, N_v = −k_e and
+/// N_r = −(0.54 k_e − k_e²), each divided by its value in deep water.
 pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     let ratio = 2.0 * ship.draught_m / ship.length_m;
     let viscous = 1.4 * ship.block_coefficient() * ship.beam_m / ship.length_m;
@@ -32,7 +33,7 @@ pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     [y_v, turning, yaw, damping(effective) / damping(damped)]
 }
 
-/// k_e/k; 1 in deep water.
+/// Ratio k_e/k of the effective aspect ratio to that in deep water, where it is 1.
 fn growth(ratio: f64, share: f64, exponent: f64) -> f64 {
     let angle = FRAC_PI_2 * share;
     // x cot x tends to 1 as x tends to 0.

@@ -1,4 +1,4 @@
-//! Applies corrections for shallow water to a ship.
+//! Applies the corrections for shallow water to a ship's manoeuvring model.
 
 use fenderline_contact::number::greater;
 
@@ -16,18 +16,19 @@ use crate::hydro::rudder::Rudder;
 use crate::hydro::stall::Stall;
 
 impl Mmg {
-    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
-    /// and rudder. Below [`SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
-    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
+    /// Gives the ship's model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added
+    /// mass, hull, propeller and rudder. In water shallower than [`SHALLOWEST_RATIO`] draughts, also aground, the
+    /// corrections are those at that ratio; the cross-flow drag alone goes on to increase until the ship touches the
+    /// bottom. Every force on the ship is therefore a continuous function of depth.
     ///
     /// # Panics
-    /// If the depth is NaN.
+    /// Panics if the depth is NaN.
     #[must_use]
     pub fn at_depth(&self, depth_m: f64) -> Mmg {
         self.at_depth_by(CorrectionSet::default(), depth_m)
     }
 
-    /// The model in water of a given depth, by a given set of corrections.
+    /// Gives the ship's model in water of a given depth, by a given set of corrections.
     ///
     /// # Panics
     /// See [`Mmg::at_depth`].
@@ -38,13 +39,14 @@ impl Mmg {
 }
 
 impl Corrections {
-    /// The ship in water of a depth (m), from the ship in deep water.
+    /// Gives the ship in water of a depth (m), from the ship in deep water.
     ///
     /// If the ship crabs, drifts or lies at her berth, the cross-flow drag increases by
-    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until she touches the bottom. Under way the drag does
-    /// not increase. Everything else is held constant below [`SHALLOWEST_RATIO`] draughts.
-    /// [`crate::hydro::polynomial_weight`] blends the two conditions. A ship without a polynomial uses her low-speed
-    /// form for both.
+    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until the ship touches the bottom. If the ship is
+    /// under way, shallow water does not increase her cross-flow drag. All other corrections are held constant below
+    /// [`SHALLOWEST_RATIO`] draughts of water. [`crate::hydro::polynomial_weight`] blends the forces of a ship under
+    /// way with those of a ship that crabs or drifts. A ship without a polynomial uses her low-speed form both under
+    /// way and at low speed.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
         let MassFactors { surge, sway, yaw } = self.mass;
@@ -70,8 +72,8 @@ impl Corrections {
     }
 }
 
-/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of X_vr
-/// and the Coriolis term; the new Coriolis term is then subtracted.
+/// Derivatives X_vr and Y_r of the hull, without the Coriolis term of the added mass. The factor on X_vr applies to the
+/// sum of X_vr and the Coriolis term; the Coriolis term in shallow water is then subtracted.
 fn without_coriolis(
     surge_vr: f64,
     sway_r: f64,

@@ -1,21 +1,21 @@
-//! What shallow water changes of a ship: factors on her values in deep water.
+//! What shallow water changes of a ship, as factors on her values in deep water.
 
-/// Factors on the derivatives of a hull, each named as in [`crate::hydro::SwayPolynomial`].
+/// Factors of shallow water on the derivatives of a hull, each named as in [`crate::hydro::SwayPolynomial`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(
     missing_docs,
-    reason = "each is named as in the method: its index is its powers of v' and r'"
+    reason = "the index of each coefficient in the method's notation is its powers of v' and r'"
 )]
 pub struct HullFactors {
-    /// Factor on the resistance, ahead and astern.
+    /// Factor of shallow water on the resistance, ahead and astern.
     pub resistance: f64,
     pub x_vv: f64,
-    /// Factor on (m_y + X_vr): X_vr with the Coriolis term of the added mass.
+    /// Factor of shallow water on the sum (m_y + X_vr), which is X_vr with the Coriolis term of the added mass.
     pub x_vr: f64,
     pub x_rr: f64,
     pub x_vvvv: f64,
     pub y_v: f64,
-    /// Factor on Y_r without the −m_x of the added mass.
+    /// Factor of shallow water on the derivative Y_r, without the −m_x of the added mass.
     pub y_r: f64,
     pub y_vvv: f64,
     pub y_vvr: f64,
@@ -29,20 +29,20 @@ pub struct HullFactors {
     pub n_rrr: f64,
 }
 
-/// Factors on propeller and rudder behind the hull.
+/// Factors of shallow water on propeller and rudder behind the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SternFactors {
-    /// Factor on 1 − t, for thrust ahead.
+    /// Factor of shallow water on 1 − t (t: thrust deduction), for thrust ahead.
     pub driving: f64,
-    /// Factor on the wake fraction w.
+    /// Factor of shallow water on the wake fraction w.
     pub wake: f64,
-    /// Factor on 1 − w, applied after [`SternFactors::wake`].
+    /// Factor of shallow water on 1 − w (w: wake fraction), applied after [`SternFactors::wake`].
     pub inflow: f64,
-    /// Factor on γ_R, both sides.
+    /// Factor of shallow water on the flow straightening γ_R at the rudder, for both sides.
     pub straightening: f64,
 }
 
-/// Factors on the added mass.
+/// Factors of shallow water on the added mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassFactors {
     /// In surge.
@@ -53,7 +53,7 @@ pub struct MassFactors {
     pub yaw: f64,
 }
 
-/// All corrections for a depth of water.
+/// All corrections of a ship for a depth of water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections {
     /// Hull.

@@ -1,16 +1,17 @@
-//! How shallow water and how deep hulls the factors are for.
+//! Limits on the depth of water and the draught of hulls for which the factors of shallow water are used.
 
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
 
-/// Depth over draught at which published tests end. Below it the factors are our extrapolation.
+/// Ratio of depth to draught at which published tests end. In shallower water than this ratio, the factors are our
+/// extrapolation.
 pub const PUBLISHED_RATIO: f64 = 1.2;
 
-/// Depth over draught below which every factor is constant.
+/// Ratio of depth to draught below which every factor of shallow water is constant.
 pub const SHALLOWEST_RATIO: f64 = 1.1;
 
-/// Largest T/L for factors of N_r, much greater than those that were tested. Hulls with a greater T/L have the factors of this one,
-/// because the formulas would become negative.
+/// Largest ratio T/L for the factors on N_r, much greater than the ratios that were tested. Hulls with a greater T/L
+/// have the factors of the largest T/L, because the formulas would become negative.
 pub(super) const DEEPEST_HULL: f64 = 0.08;
 
 /// T/h, below 1.

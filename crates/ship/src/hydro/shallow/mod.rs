@@ -1,31 +1,38 @@
-//! Shallow water: corrections of hull, added mass, propeller and rudder; the drag of a ship at her berth; squat.
+//! Effects of shallow water: corrections of hull, added mass, propeller and rudder; the drag of a ship at her berth;
+//! squat.
 //!
-//! A correction is a factor on the ship's value in deep water. The factors of a set belong together: the destabilising
-//! N_v increases as much as the damping. A part of a set alone would describe a different ship.
+//! A correction for shallow water is a factor on the ship's value in deep water. The factors of a set belong together:
+//! the derivative N_v, which makes a ship unstable, increases as much as the damping. A part of a set of factors alone
+//! would describe a different ship.
 //!
 //! | set | linear terms | other terms |
 //! |---|---|---|
-//! | [`CorrectionSet::Combined`], the default | Y_v and N_v by the effective aspect ratio (`aspect_ratio.rs`); Y_r by Ankudinov (`ankudinov.rs`); N_r by the mean of both | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as `stern.rs` |
+//! | [`CorrectionSet::Combined`], the default | derivatives Y_v and N_v by the effective aspect ratio (`aspect_ratio.rs`); Y_r by Ankudinov (`ankudinov.rs`); N_r by the mean of both | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as in `stern.rs` |
 //! | [`CorrectionSet::EffectiveAspectRatio`] | by the effective aspect ratio | as the default |
 //! | [`CorrectionSet::Ankudinov`] | by Ankudinov | as the default |
-//! | [`CorrectionSet::Taimuri`] | by Taimuri et al. (2020) | theirs, wake and all |
+//! | [`CorrectionSet::Taimuri`] | all factors by Taimuri et al. (2020) | theirs, wake and all |
 //!
-//! The default was chosen by comparison with the derivatives of a tanker of 190 000 dwt which was tested in shallow
-//! water (van Berlekom & Goddard, SNAME Trans. 80, 1972, as in the public MSS toolbox), and with turning circles and
-//! zig-zags of tankers and container ships. `fenderline validate`, chapter "Shallow water", has both for all four sets.
+//! The default set was chosen by comparison with the derivatives of a tanker of 190 000 dwt which was tested in shallow
+//! water (van Berlekom & Goddard, Transactions of SNAME 80, 1972, as in the public MSS toolbox), and with turning
+//! circles and zig-zags of tankers and container ships in shallow water. `fenderline validate`, chapter "Shallow
+//! water", has both comparisons for all four sets.
 //!
-//! - Y_v and N_v: the published factors agree within a tenth for such ships.
-//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40, Ankudinov 2.68, and the tanker has 2.02. At h/T 1.5 the two
-//!   methods give 1.21 and 1.51, and the tanker has 1.41. The mean of the two is within 4 % of the tanker's value at
-//!   both depths. Kijima's power (`taimuri.rs`) gives 2.29 for the tanker, but 3.4 to 5.7 for ships with a smaller
-//!   ratio of draught to length. The turning circles of such ships would be three times as wide, so it is not used.
-//! - Y_r: the tanker has 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. Ankudinov is nearer, and is used.
-//! - Taimuri's set has cubics in T/h that leave their range for broad ships.
+//! - For Y_v and N_v, the published factors agree within a tenth for ships like this tanker.
+//! - For N_r at h/T 1.2, the effective aspect ratio gives a factor of 1.40, Ankudinov 2.68, and the tanker has 2.02.
+//!   For N_r at h/T 1.5, the effective aspect ratio and Ankudinov give factors of 1.21 and 1.51, and the tanker has
+//!   1.41. For N_r, the mean of the effective aspect ratio and Ankudinov is within 4 % of the tanker's value at both
+//!   depths. For N_r, Kijima's power (`taimuri.rs`) gives a factor of 2.29 for the tanker, but 3.4 to 5.7 for ships
+//!   with a smaller ratio of draught to length. With Kijima's factor the turning circles of these ships would be three
+//!   times as wide, so it is not used.
+//! - For Y_r, the tanker has a factor of 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. For Y_r,
+//!   Ankudinov's factor is nearer to the tanker's, and is used.
+//! - Taimuri's set of factors has cubics in T/h that leave their range for broad ships.
 //!
-//! Besides this mean, the extrapolation is ours. Ankudinov's factors are used down to [`PUBLISHED_RATIO`] draughts of
-//! water only, because their fifth power triples them between there and [`SHALLOWEST_RATIO`]. Between these two ratios
-//! they continue along their tangent, linear in T/(h − T), the draught over the clearance. The derivatives of the
-//! tanker are linear in this quantity. Below [`SHALLOWEST_RATIO`] all values are constant.
+//! Besides the mean for N_r, the extrapolation to shallower water is our own. Ankudinov's factors are used down to
+//! [`PUBLISHED_RATIO`] draughts of water only, because between there and [`SHALLOWEST_RATIO`] their fifth power would
+//! triple them. Between these two depths Ankudinov's factors continue along their tangent, linear in T/(h − T), the
+//! draught divided by the clearance. The derivatives of the tanker are linear in T/(h − T). In water shallower than
+//! [`SHALLOWEST_RATIO`] draughts all factors are constant.
 
 mod ankudinov;
 mod aspect_ratio;
@@ -56,20 +63,20 @@ pub enum CorrectionSet {
     /// The default.
     #[default]
     Combined,
-    /// Linear terms by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
+    /// Linear terms linear terms by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
     EffectiveAspectRatio,
-    /// Linear terms by Ankudinov (1990).
+    /// The linear terms are those of Ankudinov (1990).
     Ankudinov,
     /// Taimuri et al. (2020).
     Taimuri,
 }
 
 impl Corrections {
-    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. The corrections are constant
-    /// below [`SHALLOWEST_RATIO`] draughts.
+    /// Gives the corrections of a set for a ship in water of a depth (m), which may be infinite. The corrections for
+    /// shallow water are constant below [`SHALLOWEST_RATIO`] draughts.
     ///
     /// # Panics
-    /// If the depth is NaN.
+    /// Panics if the depth is NaN.
     #[must_use]
     pub fn of(set: CorrectionSet, ship: &Particulars, depth_m: f64) -> Corrections {
         assert!(!depth_m.is_nan(), "the depth is not NaN");

@@ -8,7 +8,8 @@ use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
 use fenderline_contact::number::{greater, lesser};
 
-/// Largest squat in open shallow water by Barrass: Cb V²/100 (m), V in knots. For h/T 1.1 to 1.4.
+/// Largest squat of a ship in open shallow water by Barrass: Cb V²/100 (m), V in knots. Barrass' formula is for h/T of
+/// 1.1 to 1.4.
 ///
 /// # Errors
 /// [`HydroError::Aground`].
@@ -23,10 +24,11 @@ pub fn barrass_squat_m(
 }
 
 /// Squat at the bow by ICORELS (1980), with the coefficient 2.4 for open water; some authorities use 2.0 for container
-/// ships and 1.7 for fine ships. The squat is 2.4 ∇/L² Fh²/√(1 − Fh²) (m), with Fh = V/√(gh).
+/// ships and 1.7 for fine ships. The squat by ICORELS is 2.4 ∇/L² Fh²/√(1 − Fh²) (m), with the depth Froude number Fh =
+/// V/√(gh).
 ///
 /// # Errors
-/// [`HydroError::Aground`]; [`HydroError::Supercritical`] from Fh = 1.
+/// Fails with [`HydroError::Aground`], or with [`HydroError::Supercritical`] from Fh = 1 on.
 pub fn icorels_squat_m(
     ship: &Particulars,
     depth_m: f64,

@@ -1,9 +1,10 @@
-//! The corrections of Taimuri et al. (2020), as printed in the public implementation nikpau/mmgdynamics. These
-//! corrections are for comparison with the other sets: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990),
-//! the rest after Ankudinov.
+//! The corrections for shallow water of Taimuri et al. (2020), as printed in the public implementation
+//! nikpau/mmgdynamics. The corrections of Taimuri et al. serve to compare with the other sets: powers of 1 − T/h and
+//! cubics in T/h after Kijima et al. (1990), the rest after Ankudinov.
 //!
-//! The cubics were fitted to tankers: for a container ship of B/T 5 the factor on N_vrr is −21 at h/T 2. The two branches of
-//! γ_R do not meet. So this set is not the default.
+//! The cubics of Taimuri's set were fitted to tankers: for a container ship of B/T 5 the factor on N_vrr is −21 at an
+//! h/T of 2. The two branches of Taimuri's factor on the flow straightening γ_R do not meet. For these reasons
+//! Taimuri's set is not the default.
 
 use fenderline_contact::number::lesser;
 
@@ -12,7 +13,7 @@ use super::factors::{Corrections, HullFactors, MassFactors, SternFactors};
 use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
-/// The whole set at x = T/h.
+/// The whole set of corrections by Taimuri at x = T/h.
 pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
     let Ankudinov { g_v, g_nr, f_nr, f_yv, f_nv, .. } = Ankudinov::of(ship, x);
     let (beam_m, draught_m) = (ship.beam_m, ship.draught_m);
@@ -51,7 +52,7 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
     Corrections { hull, stern: stern(ship, x), mass }
 }
 
-/// Factor on N_r: (1 − x)^(14.28 T/L − 1.5) − x, by Kijima et al. (1990).
+/// Factor of shallow water on N_r: (1 − x)^(14.28 T/L − 1.5) − x with x = T/h, by Kijima et al. (1990).
 fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
     let slender = lesser(ship.draught_m / ship.length_m, DEEPEST_HULL);
     libm::pow(1.0 - x, 14.28 * slender - 1.5) - x
@@ -76,7 +77,7 @@ fn stern(ship: &Particulars, x: f64) -> SternFactors {
     }
 }
 
-/// 1 + a₁x + a₂x² + a₃x³.
+/// Computes the cubic 1 + a₁x + a₂x² + a₃x³.
 fn cubic(x: f64, [a1, a2, a3]: [f64; 3]) -> f64 {
     1.0 + x * (a1 + x * (a2 + x * a3))
 }

@@ -1,4 +1,4 @@
-//! An anchor: distance, depth, direction, and the angle at which the chain lifts the shank.
+//! Sweeps of an anchor's force: distance, depth, direction, and the angle at which the chain lifts the shank.
 
 use fenderline_contact::number::lesser;
 use fenderline_contact::vec2;
@@ -19,7 +19,7 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     vec![by_distance(), by_depth(), by_direction(), uplift()]
 }
 
-/// A stockless anchor of 10 t on a chain of 81 mm.
+/// The anchor of the sweeps: a stockless anchor of 10 t on a chain of 81 mm.
 fn gear() -> AnchorGear {
     let chain = ChainSize { diameter_m: 0.081, grade: ChainGrade::U3, link: ChainLink::Stud };
     AnchorGear {
@@ -35,7 +35,8 @@ fn gear() -> AnchorGear {
     }
 }
 
-/// What anchor and chain do in a first step, at rest on the bottom at the origin. `bites` is false for an anchor that only drags.
+/// The force of anchor and chain in a first step, with the anchor at rest on the bottom at the origin. `bites` is false
+/// for an anchor that only drags.
 fn load(distance_m: f64, bearing_rad: f64, above_bottom_m: f64, bites: bool) -> AnchorLoad {
     let mut state = AnchorState::on_bottom(vec2(0.0, 0.0), CHAIN_M);
     state.faults = AnchorFaults { does_not_bite: !bites, ..AnchorFaults::default() };
@@ -55,8 +56,8 @@ fn horizontal_kn(load: &AnchorLoad) -> f64 {
 fn by_distance() -> Sweep {
     let curve = |name: &str, bites: bool| {
         Curve::of(name, move |m| horizontal_kn(&load(m, 0.0, DEPTH_M + 8.0, bites)))
-            .never_negative("it pulls, and never pushes")
-            .law("never more than anchor and chain hold", move |m| {
+            .never_negative("the anchor pulls the ship, and never pushes her")
+            .law("the pull is never more than anchor and chain hold", move |m| {
                 let load = load(m, 0.0, DEPTH_M + 8.0, bites);
                 1e-3 * load.holding_n - horizontal_kn(&load) + 1e-3
             })
@@ -70,11 +71,13 @@ fn by_distance() -> Sweep {
         axis: Axis::new("distance of the hawse pipe", "m", 100.0, 172.0),
         value: ["horizontal pull", "kN"],
         curves: vec![
-            curve("holding", true).jumping("an anchor that breaks out holds half as much"),
+            curve("holding", true)
+                .jumping("an anchor that breaks out holds half as much as before"),
             curve("dragging", false),
         ],
         lines: Vec::new(),
-        note: "Chain of 81 mm, hawse pipe 8 m above the water. Each place is a first step: the anchor has not yet followed.",
+        note: "The chain is of 81 mm, and the hawse pipe is 8 m above the water. Each place on \
+               the axis is a first step, in which the anchor has not yet dragged after the ship.",
     }
 }
 
@@ -83,18 +86,20 @@ fn by_depth() -> Sweep {
         Curve::of(format!("{distance_m} m off"), move |depth_m| {
             horizontal_kn(&load(distance_m, 0.0, depth_m + 8.0, false))
         })
-        .never_negative("it pulls, and never pushes")
+        .never_negative("the anchor pulls the ship, and never pushes her")
         .noisy(1e-6)
     });
     Sweep {
         key: "anchor_depth",
         subject: SUBJECT,
-        title: "The same anchor, that does not bite: pull by depth".to_owned(),
+        title: "The same stockless anchor with a fault, so that it does not bite: pull by depth"
+            .to_owned(),
         axis: Axis::new("depth", "m", 0.0, 90.0),
         value: ["horizontal pull", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "With more depth the pull rises until the anchor drags, and then falls as less chain lies on the bottom.",
+        note: "With more depth the pull of the anchor rises until the anchor drags, and then \
+               falls as less chain lies on the bottom.",
     }
 }
 
@@ -108,7 +113,9 @@ fn by_direction() -> Sweep {
     Sweep {
         key: "anchor_direction",
         subject: SUBJECT,
-        title: "The same anchor, 150 m off: force on the ship by her bearing from it".to_owned(),
+        title:
+            "The same stockless anchor 150 m off: force on the ship by her bearing from the anchor"
+                .to_owned(),
         axis: Axis::new("bearing of the ship", "°", -180.0, 180.0),
         value: ["force", "kN"],
         curves: vec![
@@ -127,8 +134,8 @@ fn by_direction() -> Sweep {
 fn uplift() -> Sweep {
     let at = |degrees: f64| uplift_share(libm::sin(degrees.to_radians()));
     let share = Curve::of("share", at)
-        .never_negative("it holds, and never pushes")
-        .law("a steeper chain never holds more", move |degrees| {
+        .never_negative("the anchor holds, and never pushes")
+        .law("an anchor on a steeper chain never holds more", move |degrees| {
             at(degrees) - at(lesser(degrees + 0.05, 90.0))
         });
     Sweep {

@@ -1,4 +1,4 @@
-//! Banks, by both methods: distance, depth, angle, speed, and past the end of the wall.
+//! Sweeps of the force of a bank, by both methods: distance, depth, angle, speed, and past the end of the wall.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::constants::KNOT_MPS;
@@ -21,9 +21,9 @@ vessel = "bulker"
 outline = [[-100, -10], [-80, -15], [60, -15], [100, 0], [60, 15], [-80, 15], [-100, 10]]
 "#;
 const METHODS: [(&str, &str); 2] = [("Norrbin", "norrbin"), ("image", "image")];
-const SUCTION: &str = "the wall draws her to itself";
+const SUCTION: &str = "the wall draws the ship towards itself";
 
-/// A ship beside a wall of 600 m to starboard of north.
+/// The scenario of the sweeps: a ship beside a wall of 600 m to starboard, along north.
 #[derive(Clone, Copy)]
 struct Place {
     along_m: f64,
@@ -31,7 +31,7 @@ struct Place {
     heading_deg: f64,
     speed_mps: f64,
     depth_m: f64,
-    /// 1 for a wall to starboard, −1 for its mirror image.
+    /// Side of the wall: 1 for a wall to starboard, −1 for its mirror image.
     side: f64,
 }
 
@@ -59,21 +59,21 @@ pub(super) fn sweeps() -> Vec<Sweep> {
         }),
         pulls(
             "bank_depth",
-            "Side force by depth, from aground to deep",
+            "Side force of a bank by depth, from aground to deep",
             Axis::new("depth over draught", "", 0.8, 6.0),
             |ratio| Place { depth_m: 10.0 * ratio, ..ABREAST },
             true,
         ),
         pulls(
             "bank_angle",
-            "Side force by angle to the wall",
+            "Side force of a bank by the ship's angle to the wall",
             Axis::new("heading off the wall's line", "°", -90.0, 90.0),
             |heading_deg| Place { heading_deg, off_m: 130.0, ..ABREAST },
             false,
         ),
         pulls(
             "bank_end",
-            "Side force past the end of the wall",
+            "Side force of a bank past the end of the wall",
             Axis::new("midship along the wall", "m", 0.0, 500.0),
             |along_m| Place { along_m, ..ABREAST },
             true,
@@ -91,7 +91,8 @@ fn stage(method: &str) -> Stage {
     Stage::of(&format!("[environment]\ndepth = \"15 m\"\nbank = [{bank}]\n{SHIP}"))
 }
 
-/// The force of the wall on the ship at a place. The wall lies along north through the origin; she is to port of it.
+/// The force of the wall on the ship at a place. The wall lies along north through the origin; the ship is to port of
+/// the wall.
 fn at(stage: &Stage, place: &Place) -> VesselForces {
     stage.forces(|setup: &mut Setup| {
         let body = &mut setup.bodies[0];
@@ -126,9 +127,11 @@ fn pulls(
         value: ["side force to the wall", "kN"],
         curves: curves(place, |forces| 1e-3 * forces.banks.sway_n).map(law).collect(),
         lines: Vec::new(),
-        note: "200 × 30 × 10 m at 8 kn, 15 m of water, axis 45 m off a wall of 600 m, along it and abreast of its middle, but for what \
-               varies. By the angle: 130 m off. The image fades out where slender-body theory says nothing: nearer than a quarter of the \
-               beam, and askew by more than 15°.",
+        note: "A ship of 200 × 30 × 10 m goes at 8 kn in 15 m of water, her axis 45 m off a wall \
+               of 600 m, along it and abreast of its middle, but for what varies. In the sweep by \
+               the angle, the ship is 130 m off the wall. The force of the image fades out where \
+               slender-body theory says nothing: nearer to the wall than a quarter of the beam, \
+               and more than 15° askew.",
     }
 }
 
@@ -141,7 +144,8 @@ fn turns(key: &'static str, title: &str, axis: Axis, place: fn(f64) -> Place) ->
         value: ["yaw moment", "MN·m"],
         curves: curves(place, |forces| 1e-6 * forces.banks.yaw_nm).collect(),
         lines: Vec::new(),
-        note: "As above. Negative: the bow is turned away from the wall, which an image of potential flow does not do to a ship along it.",
+        note: "As above. A negative moment turns the bow away from the wall, which an image of \
+               potential flow does not do to a ship along it.",
     }
 }
 
@@ -152,7 +156,7 @@ fn by_speed() -> Sweep {
     Sweep {
         key: "bank_speed",
         subject: SUBJECT,
-        title: "Side force by speed, from astern to ahead".to_owned(),
+        title: "Side force of a bank by speed, from astern to ahead".to_owned(),
         axis: Axis::new("speed", "kn", -8.0, 14.0),
         value: ["side force to the wall", "kN"],
         curves: curves.collect(),
@@ -161,7 +165,7 @@ fn by_speed() -> Sweep {
     }
 }
 
-/// Parabolic sections of 300 m², as the references have them.
+/// The ship's sections: parabolic with 300 m², as the references have them.
 fn pull_of_image() -> Sweep {
     let sections = Sections::parabola(200.0, 300.0).expect("a good ship");
     let pull = move |wall_m: f64, side: f64, depth_m: Option<f64>| {
@@ -180,7 +184,7 @@ fn pull_of_image() -> Sweep {
         Curve::of(name, move |wall_m| near(wall_m, 1.0, depth_m))
             .mirrored(move |wall_m| mirror(wall_m, -1.0, depth_m))
             .never_negative(SUCTION)
-            .falling("a wall further off draws less", 0.1)
+            .falling("a wall that is farther off draws the ship less", 0.1)
     });
     Sweep {
         key: "bank_image",
@@ -190,6 +194,6 @@ fn pull_of_image() -> Sweep {
         value: ["side force / (ρu²S²/L²)", ""],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "S is the area of the midship section.",
+        note: "In the unit of the values, S is the area of the midship section.",
     }
 }

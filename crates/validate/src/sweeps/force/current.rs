@@ -1,4 +1,5 @@
-//! The current: its mean over the draught, between the nodes of a grid, and that only the speed through the water counts.
+//! Sweeps of the current: its mean over the draught, its velocity between the nodes of a grid, and the rule that only
+//! the speed through the water counts.
 
 use fenderline_contact::vec2;
 use fenderline_sim::constants::KNOT_MPS;
@@ -13,14 +14,14 @@ const SUBJECT: &str = "Current";
 const STREAM_MPS: f64 = 2.0 * KNOT_MPS;
 const DEPTH_M: f64 = 30.0;
 
-/// A part of a force.
+/// Name of a part of a force, and how it is taken from the force.
 type Part = fn(&Force) -> f64;
 
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![over_draught(), over_grid(), at_rest_and_adrift()]
 }
 
-/// A profile with the power 1/7 at 31 depths, 1 m/s at the surface.
+/// A profile of the current by the power law with the exponent 1/7 at 31 depths, 1 m/s at the surface.
 fn over_draught() -> Sweep {
     const POINTS: u32 = 30;
     let at = |depth_m: f64| libm::pow(1.0 - depth_m / DEPTH_M, 1.0 / 7.0);
@@ -30,7 +31,7 @@ fn over_draught() -> Sweep {
     });
     let profile = CurrentProfile::new(points.collect()).expect("a good profile");
     let mean = Curve::of("mean over the draught", move |draught_m| profile.mean_over(draught_m).x)
-        .falling("a deeper hull feels less of the surface", 0.05);
+        .falling("a deeper hull feels less of the stream at the surface", 0.05);
     let closed = Line::of("power law, integrated", "mean over the draught", |draught_m| {
         let below = 1.0 - draught_m / DEPTH_M;
         7.0 / 8.0 * (1.0 - libm::pow(below, 8.0 / 7.0)) / (draught_m / DEPTH_M)
@@ -38,17 +39,19 @@ fn over_draught() -> Sweep {
     Sweep {
         key: "current_profile",
         subject: SUBJECT,
-        title: "A stream in 30 m of water by the power of 1/7: its mean over the draught"
+        title: "A stream in 30 m of water by the power law with the exponent 1/7: its mean over \
+                the draught"
             .to_owned(),
         axis: Axis::new("draught", "m", 0.0, 25.0),
         value: ["velocity", "m/s"],
         curves: vec![mean],
         lines: vec![closed],
-        note: "31 depths, 1 m/s at the surface, straight lines between them.",
+        note: "The profile has 31 depths, 1 m/s at the surface, and straight lines between the \
+               depths.",
     }
 }
 
-/// A stream that turns and shears over three nodes each way.
+/// A stream on a grid that turns and shears over three nodes each way.
 fn over_grid() -> Sweep {
     let axis = vec![-100.0, 0.0, 150.0];
     let nodes = axis.iter().flat_map(|&north_m: &f64| {
@@ -65,16 +68,19 @@ fn over_grid() -> Sweep {
     Sweep {
         key: "current_grid",
         subject: SUBJECT,
-        title: "A stream on a grid, along a line across its cells and beyond its edges".to_owned(),
+        title: "Velocity of a stream on a grid, along a line across its cells and beyond its edges"
+            .to_owned(),
         axis: Axis::new("place to the north", "m", -200.0, 250.0),
         value: ["velocity", "m/s"],
         curves: vec![curve("to the north", |v| v.x), curve("to the east", |v| v.y)],
         lines: Vec::new(),
-        note: "Linear between nodes in both directions; beyond the edge the value at the edge.",
+        note: "The stream is linear between nodes in both directions; beyond the edge of the grid \
+               it has the value at the edge.",
     }
 }
 
-/// The tanker at rest in a stream from an angle, and the same tanker adrift in still water: one force.
+/// Checks that the force on the tanker at rest in a stream from an angle is the same as on the tanker adrift in still
+/// water.
 fn at_rest_and_adrift() -> Sweep {
     let stage = Stage::of(&format!("[environment]\ndepth = \"28.8 m\"\n{TANKER}"));
     let parts: [(&str, Part); 3] = [
@@ -90,12 +96,14 @@ fn at_rest_and_adrift() -> Sweep {
     Sweep {
         key: "current_moored",
         subject: SUBJECT,
-        title: "Tanker of 250,000 dwt at rest in a stream of 2 kn, h/T 1.5, in a run".to_owned(),
+        title: "Force on a tanker of 250,000 dwt at rest in a stream of 2 kn, h/T 1.5, in a run"
+            .to_owned(),
         axis: Axis::new("stream from", "° off the bow", -180.0, 180.0),
         value: ["force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Compared with the same ship adrift in still water: only the speed through the water counts.",
+        note: "The force is compared with that on the same ship adrift in still water, because \
+               only the speed through the water counts.",
     }
 }
 

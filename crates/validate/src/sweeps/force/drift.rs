@@ -1,4 +1,4 @@
-//! Mean wave drift: frequencies, headings, speeds.
+//! Sweeps of the mean wave drift: frequencies, headings, speeds.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -43,21 +43,21 @@ pub(super) fn sweeps() -> Vec<Sweep> {
         ),
         by_heading(
             "drift_heading_surge",
-            "Tanker, by heading: longitudinal force",
+            "Mean drift of a tanker by heading: longitudinal force",
             0,
             "longitudinal force / ρga²",
             "m",
         ),
         by_heading(
             "drift_heading_sway",
-            "Tanker, by heading: side force",
+            "Mean drift of a tanker by heading: side force",
             1,
             "side force / ρga²",
             "m",
         ),
         by_heading(
             "drift_heading_yaw",
-            "Tanker, by heading: yaw moment",
+            "Mean drift of a tanker by heading: yaw moment",
             2,
             "yaw moment / ρga²",
             "m²",
@@ -66,7 +66,7 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     ]
 }
 
-/// Wave number in deep water (rad/m).
+/// Wave number of a wave in deep water, by its period (rad/m).
 fn number_radpm(period_s: f64) -> f64 {
     let frequency_radps = TAU / period_s;
     frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2
@@ -83,7 +83,7 @@ fn by_period(
         Curve::of(name, move |period_s| {
             part(hull.coefficients(number_radpm(period_s), direction_rad))
         })
-        .never_negative("it is with the waves")
+        .never_negative("the drift force is with the waves")
     };
     Sweep {
         key,
@@ -95,7 +95,7 @@ fn by_period(
             .map(curve)
             .into(),
         lines: Vec::new(),
-        note: "Regular waves in deep water, ships at rest.",
+        note: "The ships are at rest in regular waves in deep water.",
     }
 }
 
@@ -113,11 +113,14 @@ fn by_heading(
         };
         let curve = Curve::of(format!("{period_s} s"), move |degrees| of(degrees)[part]);
         match part {
-            0 => curve.even().law("the force along the waves is with them", move |degrees| {
-                let [surge, sway, _] = of(degrees);
-                let (sin, cos) = libm::sincos(degrees.to_radians());
-                sway * sin - surge * cos
-            }),
+            0 => curve.even().law(
+                "the drift force along the waves is with the waves",
+                move |degrees| {
+                    let [surge, sway, _] = of(degrees);
+                    let (sin, cos) = libm::sincos(degrees.to_radians());
+                    sway * sin - surge * cos
+                },
+            ),
             _ => curve.odd(),
         }
     });
@@ -129,7 +132,7 @@ fn by_heading(
         value: [value, unit],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Positive: ahead, to starboard, bow to starboard.",
+        note: "Positive values are ahead, to starboard, and bow to starboard.",
     }
 }
 
@@ -141,16 +144,18 @@ fn by_speed() -> Sweep {
             let going = (0.0, vec2(knots * KNOT_MPS, 0.0));
             -1e-3 * mean_drift(&sea, &TANKER, going, SEA_WATER_KGPM3)[0]
         };
-        Curve::of(format!("{period_s} s"), at).never_negative("it is with the waves")
+        Curve::of(format!("{period_s} s"), at).never_negative("the drift force is with the waves")
     });
     Sweep {
         key: "drift_speed",
         subject: SUBJECT,
-        title: "Tanker in waves of 1 m from ahead, by speed, from astern to ahead".to_owned(),
+        title: "Mean drift of a tanker in waves of 1 m from ahead, by speed, from astern to ahead"
+            .to_owned(),
         axis: Axis::new("speed", "kn", -10.0, 16.0),
         value: ["force astern", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Aranha's correction of first order, held beyond a quarter of the waves' speed.",
+        note: "The speed enters by Aranha's correction of first order, which is held constant \
+               beyond a quarter of the waves' speed.",
     }
 }

@@ -1,4 +1,4 @@
-//! The ground: a ship aground by depth, speed and direction.
+//! Sweeps of the force of the ground on a ship aground: depth, speed and direction.
 
 use fenderline_sim::BodyVelocity;
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3, STANDARD_GRAVITY_MPS2};
@@ -24,8 +24,8 @@ block_coefficient = 0.8
 vessel = "bulker"
 outline = [[-100, -10], [-80, -15], [60, -15], [100, 0], [60, 15], [-80, 15], [-100, 10]]
 "#;
-const AGAINST: &str = "the drag is against the motion";
-const COULOMB: &str = "never more than 0.4 of what the bottom carries";
+const AGAINST: &str = "the drag of the bottom is against the ship's motion";
+const COULOMB: &str = "the drag is never more than 0.4 of the weight that the bottom carries";
 
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![by_depth(), by_speed(), by_direction(), by_turning()]
@@ -43,7 +43,7 @@ fn along(surge_mps: f64) -> BodyVelocity {
     BodyVelocity { surge_mps, ..BodyVelocity::default() }
 }
 
-/// What the bottom carries (kN): the waterplane is taken as block coefficient × length × beam.
+/// Weight of the ship that the bottom carries (kN): her waterplane is taken as block coefficient × length × beam.
 fn carried_kn(depth_m: f64) -> f64 {
     let sunk_m = if depth_m < DRAUGHT_M { DRAUGHT_M - depth_m } else { 0.0 };
     1e-3 * SEA_WATER_KGPM3 * STANDARD_GRAVITY_MPS2 * 0.8 * 200.0 * 30.0 * sunk_m
@@ -61,7 +61,7 @@ fn by_depth() -> Sweep {
         })
         .never_negative(AGAINST)
         .at_most(COULOMB, |ratio| 0.4 * carried_kn(ratio * DRAUGHT_M) + 1e-9)
-        .falling("more water never carries less of her", 1e-4)
+        .falling("in deeper water the bottom never carries less of the ship's weight", 1e-4)
     });
     Sweep {
         key: "ground_depth",
@@ -72,7 +72,8 @@ fn by_depth() -> Sweep {
         value: ["drag", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "200 × 30 × 10 m, going ahead. The bottom is hard and level; the drag fades out below 0.01 m/s.",
+        note: "The ship of 200 × 30 × 10 m goes ahead. The bottom is hard and level; the drag \
+               fades out below 0.01 m/s.",
     }
 }
 
@@ -91,7 +92,7 @@ fn by_speed() -> Sweep {
     Sweep {
         key: "ground_speed",
         subject: SUBJECT,
-        title: "The same ship aground by speed, from astern to ahead".to_owned(),
+        title: "The same bulk carrier aground by speed, from astern to ahead".to_owned(),
         axis: Axis::new("speed", "m/s", -0.3, 0.3),
         value: ["longitudinal force", "kN"],
         curves: curves.into(),
@@ -116,7 +117,8 @@ fn by_direction() -> Sweep {
     Sweep {
         key: "ground_direction",
         subject: SUBJECT,
-        title: "The same ship aground, 0.2 m under, by the direction in which she moves at 0.2 kn"
+        title: "The same bulk carrier aground, with 0.2 m too little water, by the direction in \
+                which she moves at 0.2 kn"
             .to_owned(),
         axis: Axis::new("motion off the bow, to starboard", "°", -180.0, 180.0),
         value: ["force", "kN"],
@@ -142,7 +144,7 @@ fn by_turning() -> Sweep {
     Sweep {
         key: "ground_turning",
         subject: SUBJECT,
-        title: "The same ship aground: moment of the bottom by rate of turn".to_owned(),
+        title: "The same bulk carrier aground: moment of the bottom by rate of turn".to_owned(),
         axis: Axis::new("rate of turn", "°/s", -0.2, 0.2),
         value: ["yaw moment", "MN·m"],
         curves: vec![
@@ -150,7 +152,8 @@ fn by_turning() -> Sweep {
                 .odd()
                 .value_law(AGAINST, |degps, value| -value * degps)
                 .at_most(
-                    "never more than 0.4 of what the bottom carries, at a quarter of her length",
+                    "the moment is never more than 0.4 of the weight that the bottom carries, at \
+                     a quarter of her length",
                     |_| 0.4 * 1e-3 * carried_kn(0.98 * DRAUGHT_M) * 50.0,
                 )
                 .growing_at_most(1.0),

@@ -1,4 +1,4 @@
-//! The hull: all drift angles, depths, speeds, yaw rates and forms.
+//! Sweeps of the hull's force: all drift angles, depths, speeds, yaw rates and forms.
 
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::shallow::current_abeam_n;
@@ -9,7 +9,7 @@ use crate::sweeps::stage::{Stage, TANKER};
 use crate::sweeps::sweep::{Axis, Curve, Line, Sweep};
 
 const SUBJECT: &str = "Hull";
-/// Ships with data of their own, and estimated ones.
+/// The ships of the sweeps: ships with data of their own, and estimated ones.
 const SHIPS: [(&str, &str); 6] = [
     ("KVLCC2", "kvlcc2"),
     ("KCS", "kcs"),
@@ -21,12 +21,12 @@ const SHIPS: [(&str, &str); 6] = [
 /// Depth over draught.
 const DEPTHS: [(&str, f64); 3] = [("h/T 1.1", 1.1), ("h/T 1.5", 1.5), ("h/T 3", 3.0)];
 const TANKER_MPS: f64 = 2.0 * KNOT_MPS;
-/// How much harder than abeam a current may push at another angle: OCIMF's curve at h/T 1.1 has its greatest value, 1 % above that abeam,
-/// at 80°. The rest is room for ships who are not alike fore and aft.
+/// How much harder than abeam a current may push a ship at another angle: OCIMF's curve at h/T 1.1 has its greatest
+/// value, 1 % above that abeam, at 80°. The rest of the limit leaves room for ships that are not alike fore and aft.
 const MOST_OF_ABEAM: f64 = 1.25;
-const PUSHES_BACK: &str = "the side force is against the drift";
-const NOT_ABOVE_ABEAM: &str = "no angle pushes more than 1.25 times as hard as abeam";
-const TAKES_ENERGY: &str = "the water takes energy from the motion";
+const PUSHES_BACK: &str = "the side force is against the ship's drift";
+const NOT_ABOVE_ABEAM: &str = "a current pushes at no angle more than 1.25 times as hard as abeam";
+const TAKES_ENERGY: &str = "the water takes energy from the ship's motion";
 
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![
@@ -44,7 +44,7 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     ]
 }
 
-/// Velocity through the water where the current comes from an angle off the bow, to starboard (°).
+/// Velocity of the ship through the water for a current that comes from an angle off the bow, to starboard (°).
 fn from_off_the_bow(speed_mps: f64, degrees: f64) -> Velocity {
     let (sin, cos) = libm::sincos(degrees.to_radians());
     Velocity { surge_mps: speed_mps * cos, sway_mps: speed_mps * sin, yaw_radps: 0.0 }
@@ -75,8 +75,8 @@ fn mirrored(velocity: &Velocity) -> Velocity {
     }
 }
 
-/// A curve over the angle off the bow for a ship, at a speed; `part` takes the value, `sign` is −1 for a value that turns its sign in the
-/// mirror.
+/// Makes a curve over the angle off the bow for a ship, at a speed; `part` takes the value from the force, and `sign`
+/// is −1 for a value that turns its sign in the mirror.
 fn by_angle(
     name: &str,
     ship: Mmg,
@@ -92,7 +92,7 @@ fn by_angle(
         })
 }
 
-/// The side force that a drift angle gives, with its laws.
+/// Makes the curve of the side force by drift angle, with its laws.
 fn sway(name: &str, ship: Mmg, speed_mps: f64, unit_n: f64) -> Curve {
     let abeam = force(&ship, &from_off_the_bow(speed_mps, 90.0)).sway_n.abs() / unit_n;
     by_angle(name, ship, speed_mps, -1.0, move |force| -force.sway_n / unit_n)
@@ -109,16 +109,17 @@ fn sway_of_ships() -> Sweep {
     Sweep {
         key: "hull_sway",
         subject: SUBJECT,
-        title: "Side force by drift angle, deep water".to_owned(),
+        title: "Side force of hulls by drift angle in deep water".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["side force / ½ρLTV²", ""],
         curves: SHIPS.iter().map(curve).collect(),
         lines: vec![low_speed_of_esso_osaka()],
-        note: "A ship at rest in a current, or drifting, without yaw. Positive: pushed away from the current.",
+        note: "The ship is at rest in a current, or drifts, without yaw. A positive side force \
+               pushes the ship away from where the current comes from.",
     }
 }
 
-/// Yoshimura's form for low speed with Miyauchi's coefficients, for the side force at all drift angles.
+/// Reference line for the side force at all drift angles: Yoshimura's form for low speed with Miyauchi's coefficients.
 fn low_speed_of_esso_osaka() -> Line {
     let ship = vessel("esso-osaka").ship;
     let Particulars { length_m, draught_m, .. } = ship.particulars;
@@ -135,7 +136,7 @@ fn surge_of_ships() -> Sweep {
         let ship = vessel(name).ship;
         let unit_n = unit_n(&ship.particulars, 1.0);
         by_angle(title, ship, 1.0, 1.0, move |force| force.surge_n / unit_n).value_law(
-            "from ahead it pushes astern, from astern ahead",
+            "a current from ahead pushes the ship astern, a current from astern pushes her ahead",
             |degrees, value| match degrees {
                 _ if degrees == 0.0 => -value,
                 _ if degrees == 180.0 => value,
@@ -146,7 +147,7 @@ fn surge_of_ships() -> Sweep {
     Sweep {
         key: "hull_surge",
         subject: SUBJECT,
-        title: "Longitudinal force by drift angle, deep water".to_owned(),
+        title: "Longitudinal force of hulls by drift angle in deep water".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["longitudinal force / ½ρLTV²", ""],
         curves: SHIPS.iter().map(curve).collect(),
@@ -164,12 +165,13 @@ fn yaw_of_ships() -> Sweep {
     Sweep {
         key: "hull_yaw",
         subject: SUBJECT,
-        title: "Yaw moment by drift angle, deep water".to_owned(),
+        title: "Yaw moment of hulls by drift angle in deep water".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["yaw moment / ½ρL²TV²", ""],
         curves: SHIPS.iter().map(curve).collect(),
         lines: Vec::new(),
-        note: "About midship. Positive: the bow is turned away from the current.",
+        note: "About midship. A positive moment turns the bow away from where the current comes \
+               from.",
     }
 }
 
@@ -180,7 +182,7 @@ fn sway_of_tanker() -> Sweep {
     Sweep {
         key: "hull_tanker_sway",
         subject: SUBJECT,
-        title: "Loaded tanker of 250,000 dwt in a current of 2 kn: side force".to_owned(),
+        title: "Hull of a loaded tanker of 250,000 dwt in a current of 2 kn: side force".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["side force", "kN"],
         curves: curves.into(),
@@ -189,7 +191,7 @@ fn sway_of_tanker() -> Sweep {
     }
 }
 
-/// UFC 4-159-03: the force abeam times the sine of the angle (kN).
+/// Reference line by UFC 4-159-03: the force abeam times the sine of the angle (kN).
 fn ufc(stage: &Stage, curve: &str, ratio: f64) -> Line {
     let ship = stage.vessel().deep.particulars;
     Line::of("UFC 4-159-03", curve, move |degrees| {
@@ -197,7 +199,8 @@ fn ufc(stage: &Stage, curve: &str, ratio: f64) -> Line {
     })
 }
 
-/// Its force abeam (N). The midship coefficient of a full tanker is assumed to be 0.99.
+/// Force of a current abeam on the tanker by UFC 4-159-03 (N). The midship coefficient of a full tanker is assumed to
+/// be 0.99 in this formula.
 fn ufc_abeam_n(ship: &Particulars, ratio: f64) -> f64 {
     let depth_m = ratio * ship.draught_m;
     current_abeam_n(ship, 0.99, depth_m, TANKER_MPS, Water::SEA).expect("afloat")
@@ -211,12 +214,13 @@ fn surge_of_tanker() -> Sweep {
     Sweep {
         key: "hull_tanker_surge",
         subject: SUBJECT,
-        title: "The same tanker: longitudinal force".to_owned(),
+        title: "The same loaded tanker in a current of 2 kn: longitudinal force".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["longitudinal force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Positive: pushed ahead. The hull alone: a stopped propeller is under Propeller.",
+        note: "Positive: pushed ahead. This is the force of the hull alone; that of a stopped \
+               propeller is under Propeller.",
     }
 }
 
@@ -228,12 +232,13 @@ fn yaw_of_tanker() -> Sweep {
     Sweep {
         key: "hull_tanker_yaw",
         subject: SUBJECT,
-        title: "The same tanker: yaw moment".to_owned(),
+        title: "The same loaded tanker in a current of 2 kn: yaw moment".to_owned(),
         axis: Axis::off_the_bow("current off the bow"),
         value: ["yaw moment", "MN·m"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "About midship. Positive: the bow is turned away from the current.",
+        note: "About midship. A positive moment turns the bow away from where the current comes \
+               from.",
     }
 }
 
@@ -248,19 +253,19 @@ fn by_depth() -> Sweep {
         let velocity = from_off_the_bow(TANKER_MPS, degrees);
         Curve::of(format!("{degrees}° off the bow"), move |ratio| -at(&stage, ratio, &velocity))
             .mirrored(move |ratio| at(&mirror, ratio, &mirrored(&velocity)))
-            .falling("less water never pushes less", 0.01)
+            .falling("a current in less water never pushes less", 0.01)
     };
     Sweep {
         key: "hull_depth",
         subject: SUBJECT,
-        title: "The same tanker: side force by depth, from aground to deep".to_owned(),
+        title: "The same loaded tanker: side force by depth, from aground to deep".to_owned(),
         axis: Axis::new("depth over draught", "", 0.8, 10.0).geometric(),
         value: ["side force", "kN"],
         curves: [20.0, 45.0, 90.0].map(curve).into(),
         lines: vec![Line::of("UFC 4-159-03", "90° off the bow", move |ratio| {
             1e-3 * ufc_abeam_n(&ship, ratio)
         })],
-        note: "Below 1.1 draughts of water the values of 1.1 are held; a run says so.",
+        note: "Below 1.1 draughts of water the values for 1.1 draughts are held; a run says so.",
     }
 }
 
@@ -274,18 +279,19 @@ fn resistance() -> Sweep {
             1e-3 * force(&ship, &velocity).surge_n
         };
         Curve::of(name, at)
-            .value_law("it is against the motion", |knots, value| -value * knots)
+            .value_law("the resistance is against the motion", |knots, value| -value * knots)
             .growing_at_most(2.0)
     });
     Sweep {
         key: "hull_resistance",
         subject: SUBJECT,
-        title: "The same tanker: resistance, from astern to ahead".to_owned(),
+        title: "The same loaded tanker: resistance by speed, from astern to ahead".to_owned(),
         axis: Axis::new("speed", "kn", -8.0, 16.0),
         value: ["longitudinal force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Without waves of her own: the coefficient does not change with the speed.",
+        note: "The resistance is without the ship's own waves: its coefficient does not change \
+               with the speed.",
     }
 }
 
@@ -314,19 +320,19 @@ fn turning() -> Sweep {
     Sweep {
         key: "hull_turning",
         subject: SUBJECT,
-        title: "KVLCC2: yaw moment by rate of turn, deep water".to_owned(),
+        title: "Hull of KVLCC2: yaw moment by rate of turn in deep water".to_owned(),
         axis: Axis::new("rate of turn", "°/s", -0.5, 0.5),
         value: ["yaw moment", "MN·m"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "About midship, with the Coriolis terms of the added mass.",
+        note: "The yaw moment is about midship, with the Coriolis terms of the added mass.",
     }
 }
 
-/// A ship of these proportions, all of her estimated.
+/// Makes a ship of given proportions, all of whose data are estimated.
 ///
 /// # Panics
-/// Particulars that are refused: a bug.
+/// Panics if the particulars are refused, which would be a bug.
 fn estimate(length_m: f64, length_to_beam: f64, block: f64) -> Mmg {
     let beam_m = length_m / length_to_beam;
     let particulars = Particulars::from_block(length_m, beam_m, beam_m / 2.7, block);
@@ -340,7 +346,8 @@ fn estimate(length_m: f64, length_to_beam: f64, block: f64) -> Mmg {
     estimated(&known).expect("within the regressions").model
 }
 
-/// Side force over ½ρLTV² at angles off the bow, for a ship by the place on the axis.
+/// Curves of the side force divided by ½ρLTV² at angles off the bow, for a ship that follows from the place on the
+/// axis.
 fn of_estimates(ship: impl Fn(f64) -> Mmg + Clone + 'static) -> Vec<Curve> {
     let curve = |degrees: f64| {
         let ship = ship.clone();
@@ -358,7 +365,7 @@ fn by_block() -> Sweep {
     Sweep {
         key: "hull_block",
         subject: SUBJECT,
-        title: "Estimated ships by block coefficient, deep water".to_owned(),
+        title: "Side force of estimated ships by block coefficient in deep water".to_owned(),
         axis: Axis::new("block coefficient", "", 0.5, 0.9),
         value: ["side force / ½ρLTV²", ""],
         curves: of_estimates(|block| estimate(200.0, 6.3, block)),
@@ -371,11 +378,12 @@ fn by_size() -> Sweep {
     Sweep {
         key: "hull_size",
         subject: SUBJECT,
-        title: "Estimated ships by length, deep water".to_owned(),
+        title: "Side force of estimated ships by length in deep water".to_owned(),
         axis: Axis::new("length", "m", 20.0, 400.0).geometric(),
         value: ["side force / ½ρLTV²", ""],
         curves: of_estimates(|length_m| estimate(length_m, 6.3, 0.8)),
         lines: Vec::new(),
-        note: "One form, L/B 6.3, B/T 2.7, block 0.8: the coefficient is that of the form.",
+        note: "All ships have one form, with L/B 6.3, B/T 2.7 and a block coefficient of 0.8: the \
+               force coefficient depends on the form only.",
     }
 }

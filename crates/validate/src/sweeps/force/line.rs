@@ -1,4 +1,4 @@
-//! Lines: each rope by stretch, with and without tail, by direction, and a cable that hangs.
+//! Sweeps of mooring lines: each rope by stretch, with and without tail, by direction, and a cable that hangs.
 
 use std::f64::consts::PI;
 
@@ -12,20 +12,20 @@ use crate::sweeps::sweep::{Axis, Curve, Sweep};
 
 const SUBJECT: &str = "Lines";
 const BREAK_N: f64 = 1e6;
-const PULLS: &str = "it pulls, and never pushes";
-const STIFFENS: &str = "more stretch never gives less tension";
+const PULLS: &str = "the line pulls the ship, and never pushes her";
+const STIFFENS: &str = "more stretch never gives the line less tension";
 
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![
         by_strain(
             "line_stiff",
-            "Stiff ropes by strain, slack to beyond the break",
+            "Tension of stiff ropes by strain, from slack to beyond the break",
             Axis::new("strain", "%", -0.5, 4.0),
             [("wire", RopeCurve::wire()), ("HMPE", RopeCurve::hmpe())],
         ),
         by_strain(
             "line_soft",
-            "Soft ropes by strain, slack to beyond the break",
+            "Tension of soft ropes by strain, from slack to beyond the break",
             Axis::new("strain", "%", -2.0, 28.0),
             [("polyester", RopeCurve::polyester()), ("nylon", RopeCurve::nylon())],
         ),
@@ -36,7 +36,7 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     ]
 }
 
-/// Ropes of one kind, from slack to beyond the break.
+/// Makes the sweep for ropes of one kind, from slack to beyond the break.
 fn by_strain(key: &'static str, title: &str, axis: Axis, ropes: [(&str, RopeCurve); 2]) -> Sweep {
     let curves = ropes.map(|(name, rope)| {
         Curve::of(name, move |percent| rope.share(0.01 * percent))
@@ -51,11 +51,12 @@ fn by_strain(key: &'static str, title: &str, axis: Axis, ropes: [(&str, RopeCurv
         value: ["tension / break load", ""],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "A line parts at 1. Bedded-in ropes; one curve for loading and unloading.",
+        note: "A line parts at a tension of 1 times its break load. The ropes are bedded-in, with \
+               one curve for loading and unloading.",
     }
 }
 
-/// A line of 50 m on bitts.
+/// The mooring line of the sweeps: 50 m long, on bitts or a winch.
 fn line(tail: bool, inboard_end: InboardEnd) -> (MooringLine, LineState) {
     let main = Rope { break_load_n: BREAK_N, curve: RopeCurve::hmpe() };
     let nylon = Rope { break_load_n: 1.25 * BREAK_N, curve: RopeCurve::nylon() };
@@ -91,11 +92,12 @@ fn by_span() -> Sweep {
         Curve::of(name, move |span_m| 1e-3 * load(&line, &ends(span_m, 0.0)).tension_n)
             .never_negative(PULLS)
     };
-    let parts = "the line parts above the break load";
+    let parts = "the line parts when its tension is above the break load";
     Sweep {
         key: "line_span",
         subject: SUBJECT,
-        title: "A line of 50 m of HMPE of 1,000 kN by the distance of its ends".to_owned(),
+        title: "Tension of a line of 50 m of HMPE of 1,000 kN by the distance of its ends"
+            .to_owned(),
         axis: Axis::new("horizontal distance", "m", 45.0, 54.0),
         value: ["tension", "kN"],
         curves: vec![
@@ -104,11 +106,12 @@ fn by_span() -> Sweep {
             curve("on a winch", rendering),
         ],
         lines: Vec::new(),
-        note: "The shore end is 3 m lower. A brake renders at 60 % of the break load.",
+        note: "The shore end of the line is 3 m lower than the ship's end. A line on a winch has \
+               a brake that renders at 60 % of the break load.",
     }
 }
 
-/// The force on the ship by the bearing of the bollard.
+/// Sweep of the line's force on the ship by the bearing of the bollard.
 fn by_direction() -> Sweep {
     let line = line(false, InboardEnd::Bitts);
     let part = |name: &str, index: usize, sign: f64| {
@@ -125,7 +128,8 @@ fn by_direction() -> Sweep {
         key: "line_direction",
         subject: SUBJECT,
         title:
-            "The same line on bitts, 50.6 m long: force on the ship by the bearing of the bollard"
+            "The same line of HMPE on bitts, 50.6 m long: force on the ship by the bearing of the \
+             bollard"
                 .to_owned(),
         axis: Axis::new("bearing of the bollard", "°", -180.0, 180.0),
         value: ["force", "kN"],
@@ -139,7 +143,7 @@ fn by_direction() -> Sweep {
     }
 }
 
-/// EA 1e9 N, 200 kg/m, ø 0.1 m in sea water, 210 m.
+/// The mooring cable of the sweeps: EA 1e9 N, 200 kg/m, a diameter of 0.1 m in sea water, 210 m long.
 fn reference_cable() -> Cable {
     let displaced_kgpm = SEA_WATER_KGPM3 * PI * 0.1 * 0.1 / 4.0;
     let weight_npm = (200.0 - displaced_kgpm) * STANDARD_GRAVITY_MPS2;
@@ -156,7 +160,10 @@ fn cables(rise_m: f64) -> Vec<Curve> {
     let hanging_kn = 1e-3 * straight_n / (1.0 + straight_n / cable.axial_stiffness_n);
     let curves = vec![
         Curve::of("tension", tension)
-            .value_law("no less than the weight that hangs", move |_, value| value - hanging_kn)
+            .value_law(
+                "the tension is no less than the weight of the cable that hangs",
+                move |_, value| value - hanging_kn,
+            )
             .rising(STIFFENS, 0.05)
             .noisy(1e-9),
         Curve::of("horizontal", horizontal)
@@ -171,16 +178,17 @@ fn cable() -> Sweep {
     Sweep {
         key: "line_cable",
         subject: SUBJECT,
-        title: "A cable of 210 m in 50 m of water by its span".to_owned(),
+        title: "Tension of a cable of 210 m in 50 m of water by its span".to_owned(),
         axis: Axis::new("span", "m", 120.0, 204.0),
         value: ["tension", "kN"],
         curves: cables(50.0),
         lines: Vec::new(),
-        note: "EA 1,000 MN, 200 kg/m, 0.1 m thick, on a bottom without friction.",
+        note: "The cable has EA 1,000 MN, 200 kg/m and a diameter of 0.1 m, and lies on a bottom \
+               without friction.",
     }
 }
 
-/// The same by depth, at a span that leaves it slack to taut.
+/// Sweep of the same cable by depth, at a span with which it is slack at first and taut at last.
 fn cable_on_bottom() -> Sweep {
     let cable = reference_cable();
     let curves = [150.0, 180.0, 200.0].map(|span_m| {
@@ -188,13 +196,13 @@ fn cable_on_bottom() -> Sweep {
             1e-3 * catenary(&cable, span_m, rise_m, true).upper_tension_n()
         })
         .never_negative(PULLS)
-        .rising("deeper water never gives less tension", 0.05)
+        .rising("the cable in deeper water never has less tension", 0.05)
         .noisy(1e-9)
     });
     Sweep {
         key: "line_cable_depth",
         subject: SUBJECT,
-        title: "The same cable by depth, from the bottom on".to_owned(),
+        title: "Tension of the same cable by depth, from the bottom on".to_owned(),
         axis: Axis::new("depth", "m", 0.0, 60.0),
         value: ["tension", "kN"],
         curves: curves.into(),

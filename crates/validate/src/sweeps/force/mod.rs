@@ -1,4 +1,5 @@
-//! The sweeps, a file for each force. A file has the situations and the laws, never a number of a reference.
+//! The sweeps of all forces, with a file for each force. A file of this folder has the situations and the laws of its
+//! sweeps, but never a number of a reference.
 
 mod anchor;
 mod bank;

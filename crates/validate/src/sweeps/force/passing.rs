@@ -1,4 +1,4 @@
-//! Passing ships: all places along the berth, distances, speeds and depths.
+//! Sweeps of the force of a passing ship: all places along the berth, distances, speeds and depths.
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
@@ -8,7 +8,7 @@ use crate::sweeps::stage::Stage;
 use crate::sweeps::sweep::{Axis, Curve, Sweep};
 
 const SUBJECT: &str = "Passing ships";
-/// The two equal ships of another program's workbook: ft, ft², slug/ft³, ft/s.
+/// The two equal ships of another program's workbook, in the units ft, ft², slug/ft³ and ft/s.
 const LENGTH_FT: f64 = 941.109;
 const AREA_FT2: f64 = 8103.879;
 const ACROSS_FT: f64 = 364.042;
@@ -22,7 +22,8 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     vec![by_place(), by_distance(), by_speed(), by_depth(), in_a_run()]
 }
 
-/// Force (lbf, lbf, lbf·ft) on a ship at rest of one that passes parallel to her, on either side, either way.
+/// Force (lbf, lbf, lbf·ft) on a ship at rest of a ship that passes parallel to her, on either side, in either
+/// direction.
 fn passed(along_ft: f64, across_ft: f64, speed_ftps: f64, [side, way]: [f64; 2]) -> [f64; 3] {
     let sections = Sections::parabola(LENGTH_FT, AREA_FT2).expect("a good ship");
     let heading_rad = if way < 0.0 { std::f64::consts::PI } else { 0.0 };
@@ -34,12 +35,12 @@ fn passed(along_ft: f64, across_ft: f64, speed_ftps: f64, [side, way]: [f64; 2])
     force(&sections, Pose::new(Vec2::ZERO, 0.0), &passing, SLUGS, 1.0)
 }
 
-/// In kN, and kN·m for each 100 m.
+/// Converts a force to kN, and its moment to kN·m divided by 100 m.
 fn in_kn(force: [f64; 3]) -> [f64; 3] {
     [force[0] * KN_PER_LBF, force[1] * KN_PER_LBF, force[2] * KN_PER_LBF * M_PER_FT / 100.0]
 }
 
-/// Turned back from the mirror image on the other side: surge stays, sway and yaw change.
+/// Signs that turn a force back from its mirror image on the other side: surge stays, sway and yaw change.
 const SIDE_SIGNS: [f64; 3] = [1.0, -1.0, -1.0];
 
 fn by_place() -> Sweep {
@@ -59,13 +60,15 @@ fn by_place() -> Sweep {
     Sweep {
         key: "passing_place",
         subject: SUBJECT,
-        title: "Two equal ships of 287 m, 111 m apart, one passing at 3.6 kn in deep water"
+        title: "Force between two equal ships of 287 m, 111 m apart, one passing at 3.6 kn in \
+                deep water"
             .to_owned(),
         axis: Axis::new("midship of the passing ship ahead, over the length", "", -3.0, 3.0),
         value: ["force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "Parabolic sections. Positive: ahead, towards the passing ship, bow towards her.",
+        note: "Parabolic sections. Positive values are ahead, towards the passing ship, and bow \
+               towards her.",
     }
 }
 
@@ -78,13 +81,13 @@ fn by_distance() -> Sweep {
             };
             Curve::of(name, move |share| at(share, 1.0))
                 .mirrored(move |share| at(share, -1.0))
-                .falling("a ship further off pushes less", 0.01)
+                .falling("a passing ship that is farther off pushes less", 0.01)
         },
     );
     Sweep {
         key: "passing_distance",
         subject: SUBJECT,
-        title: "The same ships: size of the force by distance".to_owned(),
+        title: "The same two ships of 287 m: size of the passing force by distance".to_owned(),
         axis: Axis::new("distance of the axes over the length", "", 0.1, 2.0),
         value: ["force", "kN"],
         curves: curves.into(),
@@ -110,8 +113,9 @@ fn by_speed() -> Sweep {
     Sweep {
         key: "passing_speed",
         subject: SUBJECT,
-        title: "The same ships: force by speed of the passing ship, from astern to ahead"
-            .to_owned(),
+        title:
+            "The same two ships of 287 m: force by speed of the passing ship, from astern to ahead"
+                .to_owned(),
         axis: Axis::new("speed", "kn", -10.0, 15.0),
         value: ["force", "kN"],
         curves: curves.into(),
@@ -127,8 +131,10 @@ fn by_depth() -> Sweep {
             factors(1.0 / ratio, 3.0, Berth::Open).expect("afloat")[part]
         };
         Curve::of(name, at)
-            .value_law("shallow water never lessens it", |_, value| value - 1.0)
-            .falling("less water never pushes less", 0.01)
+            .value_law("shallow water never lessens the force of a passing ship", |_, value| {
+                value - 1.0
+            })
+            .falling("a passing ship in less water never pushes less", 0.01)
             .value_law("ten draughts of water are deep", |ratio, value| {
                 if ratio < 10.0 { 0.0 } else { 1.1 - value }
             })
@@ -136,7 +142,9 @@ fn by_depth() -> Sweep {
     Sweep {
         key: "passing_depth",
         subject: SUBJECT,
-        title: "Factor of the depth by Kriebel, three beams of clear gap".to_owned(),
+        title: "Factor of the depth on the force of a passing ship by Kriebel, with a clear gap \
+                of three beams"
+            .to_owned(),
         axis: Axis::new("depth over draught of the moored ship", "", 0.9, 10.0).geometric(),
         value: ["factor", ""],
         curves: curves.into(),
@@ -145,7 +153,7 @@ fn by_depth() -> Sweep {
     }
 }
 
-/// A moored ship in a run, with the fading by distance: the place of the passing ship goes through all of it.
+/// Sweep of a moored ship in a run, with the fading by distance: the place of the passing ship goes through all of it.
 fn in_a_run() -> Sweep {
     let stage = Stage::of(
         r#"
@@ -191,11 +199,14 @@ depth_factors = "kriebel"
     Sweep {
         key: "passing_run",
         subject: SUBJECT,
-        title: "Tanker of 243.5 m in 20 m of water, passed at 10 kn 110 m off, in a run".to_owned(),
+        title: "Passing force on a tanker of 243.5 m in 20 m of water, passed at 10 kn 110 m off, \
+                in a run"
+            .to_owned(),
         axis: Axis::new("midship of the passing ship ahead", "m", -2500.0, 2500.0),
         value: ["force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "As far as the force is computed: it fades out between 8 and 10 mean lengths.",
+        note: "The force is shown as far as it is computed: it fades out between 8 and 10 mean \
+               lengths.",
     }
 }

@@ -1,4 +1,4 @@
-//! The propeller in all four quadrants.
+//! Sweeps of the propeller's force in all four quadrants.
 
 use std::f64::consts::PI;
 
@@ -15,13 +15,13 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     vec![
         by_angle(
             "propeller_thrust",
-            "Thrust by angle of advance, through all four quadrants",
+            "Thrust of propellers by angle of advance, through all four quadrants",
             "C_T*",
             thrust,
         ),
         by_angle(
             "propeller_torque",
-            "Torque by angle of advance, through all four quadrants",
+            "Torque of propellers by angle of advance, through all four quadrants",
             "C_Q*",
             torque,
         ),
@@ -43,7 +43,8 @@ fn propellers() -> [(&'static str, Propeller); 4] {
     ]
 }
 
-/// Speed of advance and revolutions at an angle β (°), with 1 m/s over blades and water together.
+/// Speed of advance and revolutions of a propeller at an angle β (°), where the speed of blades and water together is 1
+/// m/s.
 fn flow(propeller: &Propeller, degrees: f64) -> (f64, f64) {
     let (sin, cos) = libm::sincos(degrees.to_radians());
     (sin, cos / (0.7 * PI * propeller.diameter_m))
@@ -72,11 +73,14 @@ fn by_angle(
 ) -> Sweep {
     let curve = |(name, propeller): (&str, Propeller)| {
         Curve::of(name, move |degrees| of(&propeller, degrees))
-            .law("at the bollard it pushes as it turns", move |degrees| match degrees {
-                _ if degrees == 0.0 => of(&propeller, 0.0),
-                _ if degrees == 180.0 => -of(&propeller, 180.0),
-                _ => 0.0,
-            })
+            .law(
+                "the propeller of a ship at a bollard pushes in the sense of its revolutions",
+                move |degrees| match degrees {
+                    _ if degrees == 0.0 => of(&propeller, 0.0),
+                    _ if degrees == 180.0 => -of(&propeller, 180.0),
+                    _ => 0.0,
+                },
+            )
             .law("a stopped propeller brakes", move |degrees| match degrees {
                 _ if degrees == 90.0 => -of(&propeller, 90.0),
                 _ if degrees == 270.0 => of(&propeller, 270.0),
@@ -122,7 +126,7 @@ fn ahead() -> Sweep {
     }
 }
 
-/// The force of KVLCC2's propeller on her, by her speed.
+/// Curve of the force of KVLCC2's propeller on the ship, by her speed.
 fn behind_ship() -> Sweep {
     let ship = vessel("kvlcc2").ship;
     let at = move |knots: f64, shaft_rps: f64, side: f64| {
@@ -149,16 +153,18 @@ fn behind_ship() -> Sweep {
     Sweep {
         key: "propeller_behind",
         subject: SUBJECT,
-        title: "KVLCC2: force of the propeller on her by speed, from astern to ahead".to_owned(),
+        title: "KVLCC2: force of the propeller on the ship by her speed, from astern to ahead"
+            .to_owned(),
         axis: Axis::new("speed", "kn", -8.0, 16.0),
         value: ["force ahead", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "With wake and thrust deduction, drifting at 0.5 m/s and turning at 0.17 °/s to starboard.",
+        note: "The force includes wake and thrust deduction; the ship drifts at 0.5 m/s and turns \
+               at 0.17 °/s to starboard.",
     }
 }
 
-/// KVLCC2's propeller over revolutions, at three speeds.
+/// Sweep of the force of KVLCC2's propeller by revolutions, at three speeds.
 fn by_revolutions() -> Sweep {
     let ship = vessel("kvlcc2").ship;
     let curves = [-5.0, 0.0, 5.0, 15.0].map(|knots| {
@@ -170,7 +176,10 @@ fn by_revolutions() -> Sweep {
         let curve = Curve::of(format!("{} kn", plain(knots, 3)), at);
         match knots {
             _ if knots == 0.0 => curve
-                .value_law("at the bollard it pushes as it turns", |rpm, value| value * rpm)
+                .value_law(
+                    "the propeller of a ship at a bollard pushes in the sense of its revolutions",
+                    |rpm, value| value * rpm,
+                )
                 .growing_at_most(2.0),
             _ => curve,
         }
@@ -178,7 +187,7 @@ fn by_revolutions() -> Sweep {
     Sweep {
         key: "propeller_revolutions",
         subject: SUBJECT,
-        title: "KVLCC2: force of the propeller on her by revolutions".to_owned(),
+        title: "KVLCC2: force of the propeller on the ship by its revolutions".to_owned(),
         axis: Axis::new("revolutions", "rpm", -80.0, 90.0),
         value: ["force ahead", "kN"],
         curves: curves.into(),
@@ -187,7 +196,7 @@ fn by_revolutions() -> Sweep {
     }
 }
 
-/// The force on KVLCC2 over ρn²D⁴ with her propeller astern, by Js = u/(nD).
+/// Sweep of the force on KVLCC2 divided by ρn²D⁴ with her propeller astern, by Js = u/(nD).
 fn astern() -> Sweep {
     let propulsion = vessel("kvlcc2").ship.propulsion.expect("she has a propeller");
     let at = move |js: f64| {
@@ -201,7 +210,7 @@ fn astern() -> Sweep {
     Sweep {
         key: "propeller_astern",
         subject: SUBJECT,
-        title: "KVLCC2: force with the propeller astern by her speed".to_owned(),
+        title: "KVLCC2: force of the propeller going astern, by the ship's speed".to_owned(),
         axis: Axis::new("u/(nD): negative ahead, positive astern", "", -0.6, 0.4),
         value: ["X / (ρn²D⁴)", ""],
         curves: vec![Curve::of("KVLCC2", at).never_positive("it pulls her astern")],

@@ -1,4 +1,4 @@
-//! The rudder: all angles of the blade, drift angles, speeds, propeller ahead and astern.
+//! Sweeps of the rudder's force: all angles of the blade, drift angles, speeds, propeller ahead and astern.
 
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::{Controls, Mmg, Velocity, Water};
@@ -7,7 +7,7 @@ use crate::computed::ships::vessel;
 use crate::sweeps::sweep::{Axis, Curve, Sweep};
 
 const SUBJECT: &str = "Rudder";
-/// Speed (kn) and revolutions (rpm).
+/// The states of the ship: speed (kn) and revolutions of the propeller (rpm).
 const STATES: [(&str, f64, f64); 6] = [
     ("15 kn, 75 rpm ahead", 15.0, 75.0),
     ("5 kn, 40 rpm ahead", 5.0, 40.0),
@@ -41,7 +41,7 @@ impl State {
         }
     }
 
-    /// [X, Y, N] of the rudder (kN, kN, MN·m), of the state or of its mirror image, turned back.
+    /// Forces and moment [X, Y, N] of the rudder (kN, kN, MN·m), of a state, or of its mirror image, turned back.
     fn force(&self, ship: &Mmg, side: f64) -> [f64; 3] {
         let velocity = Velocity {
             surge_mps: self.surge_mps,
@@ -63,23 +63,24 @@ fn by_blade() -> Sweep {
         };
         let curve = Curve::of(name, move |degrees| at(degrees, 1.0)).mirrored(move |d| at(d, -1.0));
         match knots {
-            _ if knots >= 0.0 && rpm >= 0.0 => curve
-                .value_law("rudder to starboard pushes the stern to port", |degrees, value| {
-                    -value * libm::sin(degrees.to_radians())
-                }),
+            _ if knots >= 0.0 && rpm >= 0.0 => curve.value_law(
+                "a rudder to starboard pushes the ship's stern to port",
+                |degrees, value| -value * libm::sin(degrees.to_radians()),
+            ),
             _ => curve,
         }
     });
     Sweep {
         key: "rudder_sway",
         subject: SUBJECT,
-        title: "KVLCC2: side force of the rudder by its angle".to_owned(),
+        title: "KVLCC2: side force of the rudder by the rudder's angle".to_owned(),
         axis: Axis::new("rudder", "°", -90.0, 90.0),
         value: ["side force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "With the force that it makes on the hull. Rudder positive: turns her to starboard as she goes ahead. The law of the \
-               method has no stall: beyond 35° or so it says too much.",
+        note: "The force includes the force that the rudder makes on the hull. A positive rudder \
+               angle turns the ship to starboard as she goes ahead. The law of the MMG method has \
+               no stall: beyond 35° or so it gives too large a force.",
     }
 }
 
@@ -91,17 +92,17 @@ fn by_blade_yaw() -> Sweep {
         };
         let curve = Curve::of(name, move |degrees| at(degrees, 1.0)).mirrored(move |d| at(d, -1.0));
         match knots {
-            _ if knots >= 0.0 && rpm >= 0.0 => curve
-                .value_law("rudder to starboard turns the bow to starboard", |degrees, value| {
-                    value * libm::sin(degrees.to_radians())
-                }),
+            _ if knots >= 0.0 && rpm >= 0.0 => curve.value_law(
+                "a rudder to starboard turns the ship's bow to starboard",
+                |degrees, value| value * libm::sin(degrees.to_radians()),
+            ),
             _ => curve,
         }
     });
     Sweep {
         key: "rudder_yaw",
         subject: SUBJECT,
-        title: "KVLCC2: yaw moment of the rudder by its angle".to_owned(),
+        title: "KVLCC2: yaw moment of the rudder by the rudder's angle".to_owned(),
         axis: Axis::new("rudder", "°", -90.0, 90.0),
         value: ["yaw moment", "MN·m"],
         curves: curves.into(),
@@ -132,7 +133,8 @@ fn by_drift() -> Sweep {
         value: ["side force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "The two sides differ, as her measured flow straightening does.",
+        note: "The forces on the two sides differ, because the ship's measured flow straightening \
+               differs.",
     }
 }
 
@@ -151,9 +153,10 @@ fn by_speed() -> Sweep {
         let curve = Curve::of(name, move |knots| at(knots, 1.0)).mirrored(move |k| at(k, -1.0));
         match rpm {
             _ if rpm == 0.0 => curve
-                .value_law("without a race it turns its sign with the motion", |knots, value| {
-                    -value * knots
-                })
+                .value_law(
+                    "without a propeller race the force turns its sign with the motion",
+                    |knots, value| -value * knots,
+                )
                 .growing_at_most(2.0),
             _ => curve,
         }

@@ -1,4 +1,4 @@
-//! Thrusters: a tunnel by speed, an azimuth unit by angle and speed.
+//! Sweeps of thrusters: a tunnel thruster by speed, an azimuth unit by angle and speed.
 
 use fenderline_report::plot::plain;
 use fenderline_sim::constants::KNOT_MPS;
@@ -17,20 +17,20 @@ fn ahead(knots: f64) -> Velocity {
     Velocity { surge_mps: knots * KNOT_MPS, ..Velocity::default() }
 }
 
-/// Over the thrust at rest, by speed.
+/// Sweep of the tunnel thruster's force divided by its thrust at rest, by speed.
 fn tunnel() -> Sweep {
     let thruster = TunnelThruster { bollard_n: 1.0, along_m: 100.0 };
     let at = move |knots: f64, order: f64| thruster.force(order, &ahead(knots)).sway_n;
     let curves = [("full", 1.0), ("half", 0.5)].map(|(name, order)| {
         Curve::of(name, move |knots| at(knots, order))
             .mirrored(move |knots| -at(knots, -order))
-            .never_negative("it pushes to the ordered side")
-            .at_most("never more than at rest", move |_| order)
+            .never_negative("the thruster pushes to the ordered side")
+            .at_most("the thruster never pushes more than at rest", move |_| order)
     });
     Sweep {
         key: "thruster_tunnel",
         subject: SUBJECT,
-        title: "Tunnel thruster by speed, from astern to ahead".to_owned(),
+        title: "Force of a tunnel thruster by speed, from astern to ahead".to_owned(),
         axis: Axis::new("speed", "kn", -10.0, 20.0),
         value: ["force / thrust at rest", ""],
         curves: curves.into(),
@@ -45,13 +45,13 @@ fn tunnel_by_order() -> Sweep {
         let at = move |order: f64| thruster.force(order, &ahead(knots)).sway_n;
         Curve::of(format!("{} kn", plain(knots, 3)), at)
             .odd()
-            .value_law("it pushes to the ordered side", |order, value| order * value)
+            .value_law("the thruster pushes to the ordered side", |order, value| order * value)
             .growing_at_most(1.0)
     });
     Sweep {
         key: "thruster_order",
         subject: SUBJECT,
-        title: "Tunnel thruster of 200 kN by order".to_owned(),
+        title: "Force of a tunnel thruster of 200 kN by order".to_owned(),
         axis: Axis::new("order", "", -1.0, 1.0),
         value: ["side force", "kN"],
         curves: curves.into(),
@@ -60,7 +60,7 @@ fn tunnel_by_order() -> Sweep {
     }
 }
 
-/// A unit on the centre line, 12 m abaft midship.
+/// The azimuth unit of the sweeps, on the centre line, 12 m abaft midship.
 fn unit() -> AzimuthThruster {
     AzimuthThruster {
         propeller: Propeller {
@@ -85,19 +85,21 @@ fn azimuth_by_angle() -> Sweep {
         };
         Curve::of(format!("{} kn", plain(knots, 3)), at)
             .odd()
-            .value_law("it pushes where it points", |degrees, value| {
+            .value_law("the unit pushes where it points", |degrees, value| {
                 value * libm::sin(degrees.to_radians())
             })
     });
     Sweep {
         key: "thruster_azimuth",
         subject: SUBJECT,
-        title: "Azimuth unit of 2.4 m at full revolutions: side force by its angle".to_owned(),
+        title: "Azimuth unit of 2.4 m at full revolutions: side force by the unit's angle"
+            .to_owned(),
         axis: Axis::new("angle off the bow", "°", -180.0, 180.0),
         value: ["side force", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "By the speed of advance along its axis. The drag of the unit across it is neglected.",
+        note: "The thrust is that at the speed of advance along the unit's axis. The drag of the \
+               unit across it is neglected.",
     }
 }
 
@@ -116,12 +118,14 @@ fn azimuth_by_speed() -> Sweep {
     Sweep {
         key: "thruster_azimuth_speed",
         subject: SUBJECT,
-        title: "The same unit: thrust by speed of the ship, who drifts at 0.5 m/s to starboard"
+        title: "The same azimuth unit: thrust by speed of the ship, while she drifts at 0.5 m/s \
+                to starboard"
             .to_owned(),
         axis: Axis::new("speed", "kn", -10.0, 15.0),
         value: ["thrust", "kN"],
         curves: curves.into(),
         lines: Vec::new(),
-        note: "At full revolutions, not at full power: going astern against the thrust the series asks for more torque.",
+        note: "The unit runs at full revolutions, not at full power: when the ship goes astern \
+               against the thrust, the propeller series asks for more torque.",
     }
 }

@@ -1,4 +1,4 @@
-//! Tugs as vectors: what they can give by angle and speed, and the force of an order.
+//! Sweeps of tugs as vectors: the force that they can give by angle and speed, and the force of an order.
 
 use fenderline_contact::vec2;
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3, STANDARD_GRAVITY_MPS2};
@@ -8,13 +8,13 @@ use crate::sweeps::sweep::{Axis, Curve, Sweep};
 
 const SUBJECT: &str = "Tugs";
 const BOLLARD_N: f64 = 60e3 * STANDARD_GRAVITY_MPS2;
-const WITHIN: &str = "between nothing and the bollard pull";
+const WITHIN: &str = "the tug's force is between nothing and the bollard pull";
 
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![by_angle(), by_speed(), of_order()]
 }
 
-/// 60 t, 32 × 13 × 4.5 m.
+/// The tug of the sweeps: 60 t bollard pull, 32 × 13 × 4.5 m.
 fn envelope() -> TugEnvelope {
     TugEnvelope {
         bollard_pull_n: BOLLARD_N,
@@ -40,7 +40,9 @@ fn by_angle() -> Sweep {
     Sweep {
         key: "tug_angle",
         subject: SUBJECT,
-        title: "What a tug of 60 t can give, by the angle of her force to the motion".to_owned(),
+        title: "Force that a tug of 60 t bollard pull can give, by the angle of her force to the \
+                motion"
+            .to_owned(),
         axis: Axis::new("force off the direction of motion", "°", 0.0, 180.0),
         value: ["force / bollard pull", ""],
         curves: curves.into(),
@@ -53,12 +55,12 @@ fn by_speed() -> Sweep {
     let curves = [0.0, 45.0, 90.0, 135.0, 180.0].map(|degrees| {
         Curve::of(format!("{degrees}°"), move |knots| available(degrees, knots))
             .value_law(WITHIN, |_, value| if value <= 0.5 { value } else { 1.0 - value })
-            .falling("at speed never more than slowly", 0.02)
+            .falling("a faster tug never gives more force than a slow one", 0.02)
     });
     Sweep {
         key: "tug_speed",
         subject: SUBJECT,
-        title: "The same tug by speed".to_owned(),
+        title: "The same tug of 60 t bollard pull: force that she can give by speed".to_owned(),
         axis: Axis::new("speed", "kn", 0.0, 14.0),
         value: ["force / bollard pull", ""],
         curves: curves.into(),
@@ -67,7 +69,8 @@ fn by_speed() -> Sweep {
     }
 }
 
-/// The force on the ship of a tug that pushes with all she has at 90°, by the direction in which the ship moves.
+/// Sweep of the force on a ship of a tug that pushes with all her force at 90°, by the direction in which the ship
+/// moves.
 fn of_order() -> Sweep {
     let at = |degrees: f64, side: f64| {
         let tug = VectorTug {
@@ -94,12 +97,14 @@ fn of_order() -> Sweep {
         [("side force", 1, 1.0), ("yaw moment / 100 m", 2, 0.01)].map(|(name, part, unit)| {
             Curve::of(name, move |degrees| unit * at(degrees, 1.0)[part])
                 .mirrored(move |degrees| unit * at(degrees, -1.0)[part])
-                .never_negative("she pushes where she is ordered")
+                .never_negative("the tug pushes in the ordered direction")
         });
     Sweep {
         key: "tug_order",
         subject: SUBJECT,
-        title: "The same tug pushes to starboard with all she has on a ship at 5 kn, by the ship's motion".to_owned(),
+        title: "The same tug of 60 t pushes to starboard with all her force on a ship at 5 kn, by \
+                the ship's motion"
+            .to_owned(),
         axis: Axis::new("motion off the bow, to starboard", "°", -180.0, 180.0),
         value: ["force", "kN"],
         curves: curves.into(),

@@ -1,4 +1,4 @@
-//! Wind: each method, each type of ship, all angles and speeds.
+//! Sweeps of the wind's force: each method, each type of ship, all angles and speeds.
 
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::wind::{
@@ -10,10 +10,10 @@ use crate::sweeps::sweep::{Axis, Curve, Sweep};
 
 const SUBJECT: &str = "Wind";
 const AIR_KGPM3: f64 = 1.28;
-const PUSHES_ACROSS: &str = "the side force is to lee";
-const PUSHES_DOWNWIND: &str = "the force along the wind is to lee";
+const PUSHES_ACROSS: &str = "the side force of the wind is to lee";
+const PUSHES_DOWNWIND: &str = "the force along the wind's direction is to lee";
 
-/// A part of the coefficients.
+/// A part of the wind coefficients, and how it is taken from them.
 #[derive(Clone, Copy)]
 enum Part {
     Surge,
@@ -42,7 +42,7 @@ impl Part {
     }
 }
 
-/// A group of types on one chart, with its keys.
+/// A group of ship types on one chart, with its keys.
 type Group = (&'static str, [&'static str; 3], &'static [&'static str]);
 
 const GROUPS: [Group; 3] = [
@@ -59,7 +59,7 @@ const GROUPS: [Group; 3] = [
         ],
     ),
     (
-        "Ships with high sides by Blendermann",
+        "Wind coefficients of ships with high sides by Blendermann",
         ["wind_high_surge", "wind_high_sway", "wind_high_yaw"],
         &[
             "car carrier",
@@ -90,7 +90,7 @@ pub(super) fn sweeps() -> Vec<Sweep> {
     tanker.into_iter().chain(methods).chain(types).chain([by_speed()]).collect()
 }
 
-/// A coefficient by the angle off the bow to port, with the laws for all methods.
+/// Makes the curve of a wind coefficient by the angle off the bow to port, with the laws for all methods.
 fn curve(name: &str, ship: ShipWindage, part: Part) -> Curve {
     let coefficients = ship.clone();
     let at = move |degrees: f64| part.of(&coefficients.coefficients(degrees.to_radians()));
@@ -102,7 +102,7 @@ fn curve(name: &str, ship: ShipWindage, part: Part) -> Curve {
     }
 }
 
-/// The component of the force along a wind of 1 m/s (N).
+/// The component of the wind's force along a wind of 1 m/s (N).
 fn downwind_n(ship: &ShipWindage, degrees: f64) -> f64 {
     let wind = RelativeWind { speed_mps: 1.0, angle_rad: degrees.to_radians() };
     let [surge_n, sway_n, _] = ship.force(&wind, AIR_KGPM3);
@@ -112,7 +112,8 @@ fn downwind_n(ship: &ShipWindage, degrees: f64) -> f64 {
 
 /// The tanker of the worked example: 329.3 × 51.8 m, loaded, areas 818 and 3,225 m², centroid amidships.
 fn tanker() -> ShipWindage {
-    let method = Blendermann::of_type("tanker, loaded").expect("a type of the table");
+    let method =
+        Blendermann::of_type("tanker, loaded").expect("the type of ship is in Blendermann's table");
     ShipWindage {
         length_m: 329.3,
         beam_m: 51.8,
@@ -139,12 +140,13 @@ fn of_tanker(part: Part) -> Sweep {
         value: [value, ""],
         curves: vec![curve("Blendermann", tanker(), part)],
         lines: Vec::new(),
-        note: "Wind from port. Positive: ahead, to starboard, bow to starboard. Blendermann's tanker has her bridge where it was in \
-               his tests; the centroid of her side is taken amidships.",
+        note: "Wind from port. Positive values are ahead, to starboard, and bow to starboard. \
+               Blendermann's tanker has her bridge where it was in his tests; the centroid of her \
+               side is assumed amidships.",
     }
 }
 
-/// 298 × 46 m, with areas that are assumed.
+/// The container ship of 298 × 46 m, with areas that are assumed.
 fn container_ship(method: WindMethod) -> ShipWindage {
     ShipWindage {
         length_m: 298.0,
@@ -164,7 +166,8 @@ fn by_methods(part: Part) -> Sweep {
         Part::Sway => "wind_methods_sway",
         Part::Yaw => "wind_methods_yaw",
     };
-    let blendermann = Blendermann::of_type("container ship, loaded").expect("a type of the table");
+    let blendermann = Blendermann::of_type("container ship, loaded")
+        .expect("the type of ship is in Blendermann's table");
     let isherwood = Isherwood { perimeter_m: 700.0, superstructure_m2: 1500.0, mast_groups: 1.0 };
     let fujiwara = Fujiwara { on_deck_m2: 5000.0, on_deck_forward_m: 0.0, top_height_m: 45.0 };
     let curves = vec![
@@ -175,7 +178,7 @@ fn by_methods(part: Part) -> Sweep {
     Sweep {
         key,
         subject: SUBJECT,
-        title: format!("Container ship of 298 m by each method: {title}"),
+        title: format!("Container ship of 298 m, wind coefficients by each method: {title}"),
         axis: Axis::off_the_bow("wind off the bow"),
         value: [value, ""],
         curves,
@@ -199,7 +202,7 @@ fn of_types((title, keys, types): &Group, part: Part) -> Sweep {
         value: [value, ""],
         curves: types.iter().map(of_type).collect(),
         lines: Vec::new(),
-        note: "All with the areas of the container ship, so that only the types differ.",
+        note: "All curves are with the areas of the container ship, so that only the types differ.",
     }
 }
 
@@ -219,7 +222,7 @@ fn by_speed() -> Sweep {
     Sweep {
         key: "wind_speed",
         subject: SUBJECT,
-        title: "Loaded tanker of 250,000 dwt: size of the force by speed of the wind".to_owned(),
+        title: "Loaded tanker of 250,000 dwt: size of the wind's force by wind speed".to_owned(),
         axis: Axis::new("wind", "kn", 0.0, 80.0),
         value: ["force", "kN"],
         curves: curves.into(),

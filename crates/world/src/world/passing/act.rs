@@ -9,18 +9,19 @@ use fenderline_ship::passing::{FlowHull, FlowSetup, PassingSetup, PassingShip, f
 
 use crate::world::{Environment, Soundings, VesselSetup};
 
-/// Distance between midships, over the mean of the two lengths, at which a force begins to fade, and at which it is
-/// gone. There the force is less than a thousandth of its peak abreast, and a step need not compute it.
+/// Distance between the midships of two ships, divided by the mean of their lengths, at which a force begins to fade,
+/// and at which the force is zero. At these distances the force is less than a thousandth of its peak abreast, so a
+/// step need not calculate it.
 const FADES: [f64; 2] = [8.0, 10.0];
 
-/// Clear gap between vessels under way, over the mean of their beams. Below the first value the theory of slender ships
-/// does not hold; from the second value on its flow is used in full. The values are our choice. A tug at a ship's side
-/// is nearer than both.
+/// Clear gap between vessels under way, divided by the mean of their beams. Below the first value the theory of slender
+/// ships does not hold; from the second value on, the model uses the full flow of this theory. The values are our
+/// choice. A tug at a ship's side is nearer than both values.
 const TOO_NEAR: [f64; 2] = [0.25, FULL_FLOW_GAP];
-/// The gap from which the flow is used in full.
+/// The gap from which on the model uses the full flow (divided by the mean of the two beams).
 pub const FULL_FLOW_GAP: f64 = 0.5;
 
-/// A ship in the flow: hull, midship and velocity through the water (m/s).
+/// A ship in the flow, with the hull, the position of midship and the velocity through the water (m/s).
 pub(super) struct Afloat<'s> {
     pub(super) hull: &'s FlowHull,
     pose: Pose,
@@ -38,7 +39,7 @@ impl<'s> Afloat<'s> {
         Afloat { hull, pose, velocity_mps: over_ground_mps - stream_mps }
     }
 
-    /// A vessel of the set-up, about midship.
+    /// A vessel of the set-up as a ship in the flow, about midship.
     pub(super) fn of_vessel(
         hull: &'s FlowHull,
         setup: &VesselSetup,
@@ -56,7 +57,7 @@ impl<'s> Afloat<'s> {
         PassingShip { sections: &hull.sections, pose, velocity_mps }
     }
 
-    /// Both ends of the ship's axis (m).
+    /// Positions of both ends of the ship's axis (m).
     pub(super) fn ends_m(&self) -> [Vec2; 2] {
         let half_m = 0.5 * self.hull.length_m;
         [-half_m, half_m].map(|x_m| self.pose.apply(vec2(x_m, 0.0)))
@@ -108,7 +109,7 @@ pub fn act(
     }
 }
 
-/// The force of one ship on another in deep water; `None` far away.
+/// The force of one ship on another in deep water; `None` if the ships are far from each other.
 fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Option<[f64; 3]> {
     let mean_length_m = 0.5 * (own.hull.length_m + other.hull.length_m);
     let apart = (other.pose.position_m - own.pose.position_m).length() / mean_length_m;
@@ -122,20 +123,20 @@ fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Opti
     Some(force.map(|part| share * part))
 }
 
-/// The share of the flow between two vessels that is used, by their clear gap.
+/// The share of the flow between two vessels that the model uses, by the clear gap between the vessels.
 fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     smooth(gap_between(own, other), TOO_NEAR)
 }
 
-/// The clear gap between two ships over the mean of their beams.
+/// The clear gap between two ships, divided by the mean of their beams.
 fn gap_between(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     let mean_beam_m = 0.5 * (own.hull.beam_m + other.hull.beam_m);
     let apart_m = of_segments_m(own.ends_m(), other.ends_m());
     apart_m / mean_beam_m - 1.0
 }
 
-/// The clear gap between two vessels, by their indices, over the mean of their beams; `None` if one of them is too
-/// short for the theory of slender ships.
+/// The clear gap between two vessels, divided by the mean of their beams. The vessels are given by their indices;
+/// `None` if one of the vessels is too short for the theory of slender ships.
 pub fn gap_in_beams(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),

@@ -9,17 +9,18 @@ use fenderline_ship::passing::{FlowSetup, force_of_wall};
 use super::act::{Afloat, smooth};
 use crate::world::{Environment, Soundings, VesselSetup};
 
-/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it is
-/// gone; our choice.
+/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which the
+/// force is zero; our choice.
 const ASKEW: [f64; 2] = [0.258_8, 0.5];
-/// Clear gap between side and wall, over the beam. Below the first value the theory of slender ships does not hold;
-/// from the second value on its flow is used in full. The values are half the gaps between two vessels, because the
-/// image is twice as far away as the wall; our choice.
+/// Clear gap between the ship's side and the wall, divided by the ship's beam. Below the first value the theory of
+/// slender ships does not hold; from the second value on, the model uses the full flow of this theory. The values are
+/// half the values for two vessels, because the image is twice as far away as the wall; our choice.
 const TOO_NEAR: [f64; 2] = [0.125, 0.25];
-/// Distance between ship and image, over the ship's length, at which the force begins to fade, and at which it is gone.
+/// Distance between ship and image, divided by the ship's length, at which the force begins to fade, and at which the
+/// force is zero.
 const FADES: [f64; 2] = [8.0, 10.0];
 
-/// Sets the force on each vessel, about midship, of all banks that act by an image.
+/// Sets the force of all banks that act by an image on each vessel, about midship.
 pub fn act_of_banks(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
@@ -57,8 +58,8 @@ pub fn act_of_banks(
     }
 }
 
-/// The share of the image's flow that is used. The share depends on the ship's angle to the wall, on the clear gap, and
-/// on how much of the ship is abreast of the wall.
+/// The share of the image's flow that the model uses. The share depends on the ship's angle to the wall, on the clear
+/// gap, and on how much of the ship is abreast of the wall.
 fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
     let length_m = (to_m - from_m).length();
     let along = (to_m - from_m) * (1.0 / length_m);

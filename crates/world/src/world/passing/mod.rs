@@ -1,4 +1,5 @@
-//! The forces of passing ships, of other vessels and of banks on each vessel, in a step, by the flow of [`fenderline_ship::passing`].
+//! The forces of passing ships, of other vessels and of banks on each vessel, in a step, from the flow of
+//! [`fenderline_ship::passing`].
 
 mod act;
 mod banks;

@@ -1,4 +1,4 @@
-//! Draught factor of wave reflection: 1 in short waves, 0 in long waves.
+//! Factor for the share of a wave that a ship of finite draught reflects: 1 in short waves, 0 in long waves.
 
 use fenderline_contact::number::greater;
 
@@ -6,18 +6,19 @@ use core::f64::consts::PI;
 
 use super::hull::DriftHull;
 
-/// Factor on the longitudinal force, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou, "Regression analysis of experimental
-/// data for added resistance in waves of arbitrary heading and development of a semi-empirical formula", Ocean Eng.
-/// 206, 2020, 107357; as in two public programs): α_T = 1 − exp(−4π(T/λ − T/(2.5 L))), 0 from λ = 2.5 L on.
+/// Factor on the longitudinal force of reflected waves, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou,
+/// "Regression analysis of experimental data for added resistance in waves of arbitrary heading and development of a
+/// semi-empirical formula", Ocean Engineering 206, 2020, 107357; as in two public programs): α_T = 1 − exp(−4π(T/λ −
+/// T/(2.5 L))), and 0 for waves of a length λ of 2.5 L or more.
 pub(super) fn along(hull: &DriftHull, number_radpm: f64) -> f64 {
     let least_radpm = 2.0 * PI / (2.5 * hull.length_m);
     let beyond_radpm = greater(number_radpm - least_radpm, 0.0);
     -libm::expm1(-2.0 * hull.draught_m * beyond_radpm)
 }
 
-/// Factor on the lateral force, by Fujii & Takahashi ("Experimental study on the resistance increase of a ship in regular oblique
-/// waves", 14th ITTC, 1975; as in STAWAVE-2 of ISO 15016): α = π²I₁²/(π²I₁² + K₁²) at 1.5 kT, from Ursell's
-/// barrier of finite depth (1947).
+/// Factor on the lateral force of reflected waves, by Fujii & Takahashi ("Experimental study on the resistance increase
+/// of a ship in regular oblique waves", 14th ITTC, 1975; as in STAWAVE-2 of ISO 15016): α = π²I₁²/(π²I₁² + K₁²) with
+/// the Bessel functions at 1.5 kT, from Ursell's barrier of finite depth (1947).
 pub(super) fn across(draught_m: f64, number_radpm: f64) -> f64 {
     let x = 1.5 * number_radpm * draught_m;
     // The factor is 1 to rounding from here on, as K₁/πI₁ falls as e^(−2x).
@@ -28,7 +29,7 @@ pub(super) fn across(draught_m: f64, number_radpm: f64) -> f64 {
     1.0 / (1.0 + ratio * ratio)
 }
 
-/// I₁(x) for 0 ≤ x ≤ 20, by its power series.
+/// The Bessel function I₁(x) for 0 ≤ x ≤ 20, by its power series.
 fn bessel_i1(x: f64) -> f64 {
     let quarter = 0.25 * x * x;
     let (mut term, mut sum, mut n) = (0.5 * x, 0.0, 1.0);
@@ -40,7 +41,7 @@ fn bessel_i1(x: f64) -> f64 {
     sum
 }
 
-/// K₁(x) for x > 0, by Abramowitz & Stegun 9.8.7 and 9.8.8: to 3e-7.
+/// The Bessel function K₁(x) for x > 0, by Abramowitz & Stegun 9.8.7 and 9.8.8, to 3e-7.
 fn bessel_k1(x: f64) -> f64 {
     if x <= 2.0 {
         let t = 0.25 * x * x;

@@ -17,7 +17,7 @@ pub struct DriftHull {
 }
 
 impl DriftHull {
-    /// From the particulars of a ship.
+    /// Makes the hull of a wave drift force from the particulars of a ship.
     #[must_use]
     pub fn of(ship: &Particulars) -> DriftHull {
         DriftHull {
@@ -31,7 +31,7 @@ impl DriftHull {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first number out of range.
+    /// Fails at the first particular that is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;

@@ -1,19 +1,20 @@
 //! Mean drift force of waves on a ship at rest, by frequency and heading.
 //!
-//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area; this length
-//! and this area are the [`DriftHull::coefficients`]. They have two parts.
+//! In a regular wave of amplitude a the drift force is ρga² times a length, and the moment ρga² times an area; this
+//! length and this area are the [`DriftHull::coefficients`]. The coefficients have two parts.
 //!
-//! - *Reflection*: reflected waves exert a radiation pressure on the side. In waves that are short compared with the
-//!   draught its force is ½ρga²∫sin²θ n dl along the exposed part of the waterline ([`waterline`]; Faltinsen, Minsaas,
-//!   Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a seaway", 13th Symposium on Naval
-//!   Hydrodynamics, 1980). In longer waves only the part within the draught is reflected ([`depth`]).
-//! - *Motion*: radiation by heave and pitch, largest for waves about as long as the ship
-//!   ([`motion`]).
+//! - The part *reflection*: reflected waves exert a radiation pressure on the ship's side. In waves that are short
+//!   compared with the draught the force of reflection is ½ρga²∫sin²θ n dl along the exposed part of the waterline
+//!   ([`waterline`]; Faltinsen, Minsaas, Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a
+//!   seaway", 13th Symposium on Naval Hydrodynamics, 1980). Of waves that are longer than the draught, only the part
+//!   within the draught is reflected ([`depth`]).
+//! - The part *motion*: heave and pitch radiate waves, most for waves about as long as the ship ([`motion`]).
 //!
-//! The force is smaller on a ship that moves with the waves, and larger on a ship that moves against them
+//! The drift force is smaller on a ship that moves with the waves, and larger on a ship that moves against them
 //! ([`encountered`]).
 //!
-//! `validation/wave_drift.toml` compares the coefficients with mean drift forces by a panel code, for two ships.
+//! The file `validation/wave_drift.toml` compares the coefficients of this module with mean drift forces by a panel
+//! code, for two ships.
 
 mod depth;
 mod hull;
@@ -29,16 +30,16 @@ pub use hull::DriftHull;
 use waterline::Waterline;
 
 impl DriftHull {
-    /// Mean force forward and to starboard, and moment about midship, over ρga², in a regular wave of amplitude a, wave
-    /// number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
+    /// Mean drift force forward and to starboard, and moment about midship, each divided by ρga², in a regular wave of
+    /// amplitude a, wave number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
     #[must_use]
     pub fn coefficients(&self, number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let reflected = Waterline::of(self).reflection(direction_rad);
         self.sum(&reflected, number_radpm, direction_rad)
     }
 
-    /// [`DriftHull::coefficients`] at several directions, for any wave number. Values that do not depend on the wave
-    /// number are computed once.
+    /// Prepares [`DriftHull::coefficients`] at several directions, for any wave number. Those parts of the coefficients
+    /// that do not depend on the wave number are computed once.
     pub(crate) fn at_directions(
         &self,
         directions_rad: impl Iterator<Item = f64>,
@@ -56,8 +57,8 @@ impl DriftHull {
         }
     }
 
-    /// The sum of reflection (with its draught factor) and motion. Surge and sway have different draught factors: see
-    /// [`depth`].
+    /// The sum of the drift by reflection (with its draught factor) and the drift by motion. Reflection in surge and
+    /// reflection in sway have different draught factors: see [`depth`].
     fn sum(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let along = depth::along(self, number_radpm);
         let across = depth::across(self.draught_m, number_radpm);
@@ -68,8 +69,8 @@ impl DriftHull {
 }
 
 /// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), for the ship's heading and her
-/// velocity through the water, north and east (m/s). The force is ρg Σ a²·C(k, μ) over the sea's harmonics, which
-/// equals the integral of 2ρg S(ω)·C over the spectrum.
+/// velocity through the water, north and east (m/s). The drift force is ρg Σ a²·C(k, μ) over the sea's harmonics, where
+/// C are the coefficients; this equals the integral of 2ρg S(ω)·C over the spectrum S.
 #[must_use]
 pub fn mean_drift(
     sea: &Sea,
@@ -94,10 +95,11 @@ pub fn mean_drift(
     sum.map(|sum| water_density_kgpm3 * STANDARD_GRAVITY_MPS2 * sum)
 }
 
-/// Correction for a ship that moves against the wave with a share τ of its phase speed. The correction gives the wave
-/// number at the frequency of encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave
-/// damping' in the drift of a floating body", J. Fluid Mech. 275, 1994; recalled, without Aranha's change of
-/// direction). The correction is of first order in τ, so τ is limited to ±0.25; at −0.25 the force is zero.
+/// Correction of the drift force for a ship that moves against the wave with a share τ of its phase speed. The
+/// correction for the ship's speed gives the wave number at the frequency of encounter ω(1 + τ), and the factor 1 + 4τ
+/// on the force (Aranha, "A formula for 'wave damping' in the drift of a floating body", Journal of Fluid Mechanics
+/// 275, 1994; from memory, and without Aranha's change of direction). Aranha's correction is of first order in τ, so τ
+/// is limited to ±0.25; at −0.25 the force is zero.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
     let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;

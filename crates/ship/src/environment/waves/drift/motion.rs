@@ -6,18 +6,19 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::hull::DriftHull;
 
-/// Range of beam over draught of the regression, as far as we know. Ratios outside are set to the limit.
+/// Range of the ratio of beam to draught for which the regression was made, as far as we know. Ratios of beam to
+/// draught outside the regression's range are set to its limit.
 const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];
 
-/// Radius of gyration of pitch over length: the method's default.
+/// Radius of gyration in pitch divided by the length: the default of the SNNM method.
 const PITCH_GYRATION: f64 = 0.25;
 
-/// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
-/// motions, over ρga² (m), positive forward. The ship is at rest on an even keel. The method's angle α is 0 for waves
-/// from ahead.
+/// The drift force due to heave and pitch by the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see
+/// [`super::depth`]), divided by ρga² (m), positive forward. The formula holds for a ship at rest on an even keel. The
+/// angle α of the SNNM method is 0 for waves from ahead.
 ///
-/// The value is 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), where ω̄ is the frequency over the
-/// frequency at which the force is largest.
+/// The drift force due to motions, divided by ρga², is 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 −
+/// ω̄^d₁)), where ω̄ is the frequency divided by the frequency at which the force is largest.
 pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {
     let block = hull.block_coefficient;
     let [least, most] = BEAM_OVER_DRAUGHT;
@@ -47,8 +48,8 @@ pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -
     -size * amplitude(block, flatness, off_head_rad, cos) * shape
 }
 
-/// The factor a₁a₂: by formula for waves from ahead to abeam, and from there linear to waves from astern, for which the
-/// force is forward.
+/// The factor a₁a₂ of the drift force: by formula for waves from ahead to abeam, and from there linear to waves from
+/// astern, for which the force is forward.
 fn amplitude(block: f64, flatness: f64, off_head_rad: f64, cos: f64) -> f64 {
     let fullness = 0.87 / block;
     if off_head_rad <= FRAC_PI_2 {

@@ -1,22 +1,24 @@
-//! Reflection of waves that are short compared with the draught, by the shape of the waterline.
+//! Force of reflected waves that are short compared with the draught, from the shape of the waterline.
 
 use fenderline_contact::number::bounded;
 
 use super::hull::DriftHull;
 
-/// Number of chords for each end of the waterline. With this number, the force is within 1 % of the force on the curve.
+/// Number of chords that stand for the curve of each end of the waterline. With 12 chords at each end, the force is
+/// within 1 % of the force on the curved waterline.
 const CHORDS: u32 = 12;
 
-/// Shortest end over length: no ship has a blunter end, and a barge's end is square.
+/// Shortest end of the waterline divided by its length: no ship has a blunter end, and a barge's end is square.
 const SHORTEST_END: f64 = 0.05;
 
 /// A waterline that is symmetric fore and aft: parabolas from stem and stern to the full beam, and straight sides
 /// between them.
 ///
 /// The length ℓ of the ends follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship
-/// Design for Efficiency and Economy", 2nd ed., equation for normal sections; recalled). Two parabolas of length ℓ give
-/// C_WP = 1 − ⅔ℓ/L. So ℓ = (1 − C_B)L. Example of a public program of the SNNM method: a general cargo ship with C_B
-/// 0.79 and 194 m has ℓ = 40.7 m; the true lengths are 38.5 m and 32.3 m.
+/// Design for Efficiency and Economy", 2nd ed., equation for normal sections; from memory). Two parabolic ends of
+/// length ℓ give the waterplane coefficient C_WP = 1 − ⅔ℓ/L. The length of each end of the waterline is therefore ℓ =
+/// (1 − C_B)L. As an example, a public program of the SNNM method has a general cargo ship with C_B 0.79 and a length
+/// of 194 m; the formula gives ends of ℓ = 40.7 m, and the true lengths of the ends are 38.5 m and 32.3 m.
 pub(super) struct Waterline {
     half_length_m: f64,
     half_beam_m: f64,
@@ -33,9 +35,9 @@ impl Waterline {
         }
     }
 
-    /// ½∫sin²θ n dl over the part of the waterline exposed to waves towards μ, with the normal n into the hull and θ
-    /// the angle between wave and side: [X, Y, N] over ρga² (m, m, m²). No part shelters another, because the waterline
-    /// is convex.
+    /// Computes ½∫sin²θ n dl over the part of the waterline that is exposed to waves towards μ, with the normal n into
+    /// the hull and θ the angle between wave and side: [X, Y, N] divided by ρga² (m, m, m²). No part of the waterline
+    /// shelters another part, because the waterline is convex.
     pub(super) fn reflection(&self, direction_rad: f64) -> [f64; 3] {
         let towards = [libm::cos(direction_rad), libm::sin(direction_rad)];
         let mut sum = [0.0; 3];
@@ -63,7 +65,7 @@ impl Waterline {
         sum
     }
 
-    /// Corners of the starboard side, from the stern forward: [forward of midship, half beam] (m).
+    /// Corners of the waterline on the starboard side, from the stern forward: [forward of midship, half beam] (m).
     fn corner(&self, index: u32) -> [f64; 2] {
         let share = |number: u32| f64::from(number) / f64::from(CHORDS);
         let half_beam = |share: f64| self.half_beam_m * share * (2.0 - share);

@@ -1,4 +1,4 @@
-//! Wind coefficients by Blendermann (1994): four parameters by type of ship.
+//! Wind coefficients by Blendermann (1994), who gives each type of ship a few parameters.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,28 +6,29 @@ use crate::environment::wind::above_water::AboveWater;
 use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
-/// Blendermann, "Parameter identification of wind loads on ships", J. Wind Eng. Ind. Aerodyn. 51 (1994).
+/// The method of Blendermann, "Parameter identification of wind loads on ships", Journal of Wind Engineering and
+/// Industrial Aerodynamics 51 (1994).
 ///
-/// With CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F), CY = CDt·sinγ/den, CN
-/// = (s_L/L − 0.18(γ − π/2))·CY. Source: found (Fossen's toolbox, which prints the formulas and the table of types).
-/// The toolbox uses γ − π/2 also for negative γ, so that port and starboard differ there. Here |γ| is used, and the
-/// result is mirrored.
+/// The formulas are, with CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F), CY =
+/// CDt·sinγ/den, CN = (s_L/L − 0.18(γ − π/2))·CY. Blendermann's formulas were found in Fossen's toolbox, which prints
+/// them with the table of ship types. Fossen's toolbox uses γ − π/2 also for negative γ, so that its results for port
+/// and starboard differ. Our code uses |γ| and mirrors the result, so that port and starboard are alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blendermann {
-    /// Parameters of the type of ship.
+    /// Blendermann's parameters for the type of ship.
     pub kind: BlendermannType,
 }
 
-/// Parameters of one type of ship.
+/// Blendermann's parameters of one type of ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlendermannType {
     /// Name of the type.
     pub name: &'static str,
     /// CDt, transverse drag coefficient.
     pub across: f64,
-    /// CDlAF, longitudinal drag coefficient on the frontal area, for wind from forward of the beam.
+    /// Longitudinal drag coefficient CDlAF on the frontal area, for wind from forward of the beam.
     pub along_from_ahead: f64,
-    /// CDlAF for wind from abaft the beam.
+    /// Longitudinal drag coefficient CDlAF on the frontal area, for wind from abaft the beam.
     pub along_from_astern: f64,
     /// δ, cross-force parameter.
     pub cross_force: f64,
@@ -46,8 +47,9 @@ const fn kind(name: &'static str, p: [f64; 5]) -> BlendermannType {
     }
 }
 
-/// Blendermann's table: CDt, CDlAF(0), CDlAF(π), δ, κ. Source: found in Fossen's toolbox; the original was not read.
-/// The CDlAF of the drilling vessel are means of a range.
+/// Blendermann's table of ship types with CDt, CDlAF(0), CDlAF(π), δ and κ. Blendermann's table was found in Fossen's
+/// toolbox; the original was not read. The values CDlAF of the drilling vessel are means of the range that the table
+/// gives.
 pub static BLENDERMANN_TYPES: [BlendermannType; 17] = [
     kind("car carrier", [0.95, 0.55, 0.60, 0.80, 1.2]),
     kind("cargo vessel, loaded", [0.85, 0.65, 0.55, 0.40, 1.7]),
@@ -69,7 +71,7 @@ pub static BLENDERMANN_TYPES: [BlendermannType; 17] = [
 ];
 
 impl Blendermann {
-    /// The parameters of a type in [`BLENDERMANN_TYPES`]; `None` if there is no such type.
+    /// Finds the parameters of a type of ship in [`BLENDERMANN_TYPES`]; `None` if there is no such type.
     #[must_use]
     pub fn of_type(name: &str) -> Option<Blendermann> {
         let kind = BLENDERMANN_TYPES.iter().find(|kind| kind.name == name)?;
@@ -86,8 +88,8 @@ impl Blendermann {
         Ok(())
     }
 
-    /// Coefficients at an angle from 0 to π. CDlAF changes at 90°, but the coefficients are continuous there, as cos γ and
-    /// sin 2γ are zero.
+    /// Wind coefficients by Blendermann at an angle from 0 to π. The coefficient CDlAF changes at 90°, but the force is
+    /// continuous there, as cos γ and sin 2γ are zero.
     pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let k = &self.kind;
         let along = if angle_rad <= FRAC_PI_2 { k.along_from_ahead } else { k.along_from_astern };

@@ -1,28 +1,29 @@
-//! Wind coefficients by Fujiwara et al. (1998): Fourier series in the wind angle.
+//! Wind coefficients by Fujiwara et al. (1998), who give them as Fourier series in the wind angle.
 
 use crate::environment::wind::above_water::AboveWater;
 use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
-/// Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", J. Soc. Nav. Archit. Japan 183
-/// (1998): CX in cos γ, cos 3γ, cos 5γ; CY in sin γ, sin 3γ, sin 5γ; CN in sin γ, sin 2γ, sin 3γ, each Fourier
-/// coefficient comes from a regression over ships with a superstructure.
+/// The method of Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", Journal of the
+/// Society of Naval Architects of Japan 183 (1998): CX in cos γ, cos 3γ, cos 5γ; CY in sin γ, sin 3γ, sin 5γ; CN in sin
+/// γ, sin 2γ, sin 3γ. Each Fourier coefficient comes from a regression over ships with a superstructure.
 ///
-/// Source: found (a public code of the Esso Osaka free-running model prints all coefficients and says they are
-/// Fujiwara's); the paper was not read. In a head wind the result differs by 5 % from the later formula of ISO 15016
-/// for the Esso Osaka, but is 20 to 36 % larger for a loaded container ship.
+/// The coefficients were found in a public code of the Esso Osaka free-running model, which prints all of them and says
+/// they are Fujiwara's; the paper was not read. In a head wind the result of Fujiwara's method of 1998 differs by 5 %
+/// from the later formula of ISO 15016 for the Esso Osaka, but is 20 to 36 % larger for a loaded container ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fujiwara {
-    /// A_OD, lateral projected area of superstructures, tanks and containers on the deck (m²).
+    /// Lateral projected area A_OD of superstructures, tanks and containers on the deck (m²).
     pub on_deck_m2: f64,
-    /// Centroid of A_OD, forward of midship (m).
+    /// Distance forward of midship of the centroid of the area A_OD on deck (m).
     pub on_deck_forward_m: f64,
-    /// H_BR, top of the superstructure above the waterline (m).
+    /// Height H_BR of the top of the superstructure above the waterline (m).
     pub top_height_m: f64,
 }
 
 impl Fujiwara {
-    /// The area on deck is at most the lateral area, and its centroid is within the length of the ship.
+    /// Checks that the area on deck is at most the lateral area, and that its centroid is within the length of the
+    /// ship.
     pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, ship.lateral_m2)?;
         let half_m = 0.5 * ship.length_m;
@@ -31,7 +32,7 @@ impl Fujiwara {
         Ok(())
     }
 
-    /// Coefficients at an angle from 0 to π.
+    /// Wind coefficients by Fujiwara at an angle from 0 to π.
     #[rustfmt::skip]
     pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);

@@ -1,4 +1,4 @@
-//! Wind coefficients by Isherwood (1972): regression over merchant ships.
+//! Wind coefficients by Isherwood (1972), from a regression over merchant ships.
 
 use fenderline_contact::number::bounded;
 
@@ -6,24 +6,26 @@ use crate::environment::wind::above_water::AboveWater;
 use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
-/// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).
+/// The method of Isherwood, "Wind resistance of merchant ships", Transactions of RINA 115 (1972).
 ///
-/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M), CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B +
-/// B₄·S/L + B₅·C/L + B₆·A_SS/A_L, CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, with C, the centroid's
-/// distance from the bow. Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the
-/// tables; the paper was not read).
+/// The formulas are CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M), CY = B₀ + B₁·2A_L/L² +
+/// B₂·2A_F/B² + B₃·L/B + B₄·S/L + B₅·C/L + B₆·A_SS/A_L and CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L +
+/// C₅·C/L, where C without an index is the distance of the lateral area's centroid from the bow. The tables give the
+/// coefficients every 10° of the wind angle, with linear interpolation between. Isherwood's tables were found in
+/// Fossen's toolbox, which prints them; the paper was not read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
-    /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators (m).
+    /// Length S of the perimeter of the lateral projection, without waterline, masts and ventilators (m).
     pub perimeter_m: f64,
-    /// A_SS, lateral projected area of the superstructure (m²).
+    /// Lateral projected area A_SS of the superstructure (m²).
     pub superstructure_m2: f64,
-    /// M, number of groups of masts or king posts in the side view.
+    /// Number M of groups of masts or king posts in the side view.
     pub mast_groups: f64,
 }
 
 impl Isherwood {
-    /// The perimeter of the side view is at least the length of the ship, and the superstructure at most the lateral area.
+    /// Checks that the perimeter of the side view is at least the length of the ship, and the superstructure at most
+    /// the lateral area.
     pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         let perimeter = "perimeter of the lateral projection [m]";
         within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;
@@ -33,7 +35,7 @@ impl Isherwood {
         Ok(())
     }
 
-    /// Coefficients at an angle from 0 to π.
+    /// Wind coefficients by Isherwood at an angle from 0 to π.
     pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let from_bow_m = 0.5 * l - ship.centroid_forward_m;
@@ -64,9 +66,9 @@ impl Isherwood {
     }
 }
 
-/// A₀ to A₆ at 0°, 10° … 180°.
+/// Isherwood's coefficients A₀ to A₆ of the longitudinal force at 0°, 10° … 180°.
 #[rustfmt::skip]
-#[allow(clippy::approx_constant, reason = "3.14 is a coefficient, not π")]
+#[allow(clippy::approx_constant, reason = "the 3.14 in the table is a coefficient, not π")]
 static CX: [[f64; 7]; 19] = [
     [ 2.152, -5.00,  0.243, -0.164,  0.0,    0.0,   0.0],
     [ 1.714, -3.33,  0.145, -0.121,  0.0,    0.0,   0.0],
@@ -89,7 +91,7 @@ static CX: [[f64; 7]; 19] = [
     [-2.529,  3.76, -0.174,  0.128,  0.0,    1.55,  0.0],
 ];
 
-/// B₀ to B₆ at 0°, 10° … 180°.
+/// Isherwood's coefficients B₀ to B₆ of the lateral force at 0°, 10° … 180°.
 #[rustfmt::skip]
 static CY: [[f64; 7]; 19] = [
     [0.0,   0.0,  0.0,    0.0,    0.0,    0.0,  0.0],
@@ -113,7 +115,7 @@ static CY: [[f64; 7]; 19] = [
     [0.0,   0.0,  0.0,    0.0,    0.0,    0.0,  0.0],
 ];
 
-/// C₀ to C₅ at 0°, 10° … 180°.
+/// Isherwood's coefficients C₀ to C₅ of the yaw moment at 0°, 10° … 180°.
 #[rustfmt::skip]
 static CN: [[f64; 6]; 19] = [
     [ 0.0,    0.0,    0.0,    0.0,    0.0,     0.0],

@@ -1,13 +1,14 @@
 //! Methods for the wind coefficients of a ship.
 //!
-//! To add a wind method (see also `docs/design/adding.md`):
+//! Adding a wind method takes four steps (see also `docs/design/adding.md`):
 //!
-//! 1. A file in this folder: a struct with the method's own parameters, `check` for their ranges, `coefficients` for a
-//!    wind angle from 0 to π, and a unit test at the end. `blendermann.rs` is an example.
-//! 2. Here: `mod`, `pub use` and a variant of [`WindMethod`]; the compiler then points to the matches below.
-//! 3. `crates/keys/src/keys/windage.rs`: the word for `method`, its keys and their documentation, from which the key
-//!    reference is generated.
-//! 4. `crates/scenario/src/assemble/windage.rs`: from the keys to the struct of step 1.
+//! 1. Add a file in this folder: a struct with the method's own parameters, `check` for their ranges, `coefficients`
+//!    for a wind angle from 0 to π, and a unit test at the end. `blendermann.rs` is an example.
+//! 2. Add `mod`, `pub use` and a variant of [`WindMethod`] in this file; the compiler then points to each `match` that
+//!    needs the new variant.
+//! 3. In `crates/keys/src/keys/windage.rs`, add the method's word for the key `method`, its own keys and their
+//!    documentation, from which the key reference is generated.
+//! 4. In `crates/scenario/src/assemble/windage.rs`, make the struct of step 1 from the keys.
 
 mod blendermann;
 mod fujiwara;
@@ -26,18 +27,18 @@ use crate::range::OutOfRange;
 /// A method for the wind coefficients of a ship.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WindMethod {
-    /// Isherwood 1972: regression over merchant ships.
+    /// Isherwood's method of 1972: a regression over merchant ships.
     Isherwood(Isherwood),
-    /// Blendermann 1994: four parameters by type of ship.
+    /// Blendermann's method of 1994: a few parameters for each type of ship.
     Blendermann(Blendermann),
-    /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
+    /// Fujiwara's method of 1998: a Fourier series in the wind angle, with coefficients by regression.
     Fujiwara(Fujiwara),
-    /// A table that the user gives.
+    /// Wind coefficients from a table that the user gives.
     Own(OwnWindTable),
 }
 
 impl WindMethod {
-    /// Name of the method, and how well its source is known, for reports.
+    /// Name of the wind method, and how well its source is known, for reports.
     #[must_use]
     pub fn standing(&self) -> (&str, &str) {
         match self {
@@ -46,7 +47,7 @@ impl WindMethod {
             }
             WindMethod::Blendermann(_) => (
                 "Blendermann 1994",
-                "formulas and table of types read in a public toolbox; the paper was not read",
+                "formulas and table of ship types read in a public toolbox; the paper was not read",
             ),
             WindMethod::Fujiwara(_) => (
                 "Fujiwara et al. 1998",
@@ -57,10 +58,10 @@ impl WindMethod {
         }
     }
 
-    /// Checks the method's own parameters.
+    /// Checks the wind method's own parameters.
     ///
     /// # Errors
-    /// The first number out of range.
+    /// Fails at the first parameter that is out of range.
     pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         match self {
             WindMethod::Isherwood(method) => method.check(ship),
@@ -70,7 +71,7 @@ impl WindMethod {
         }
     }
 
-    /// Coefficients at an angle γ (rad) from 0 to π; those of a table also from −π to 0.
+    /// Wind coefficients at an angle γ (rad) from 0 to π; a user's table also gives those from −π to 0.
     pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         match self {
             WindMethod::Isherwood(method) => method.coefficients(ship, angle_rad),
@@ -80,7 +81,7 @@ impl WindMethod {
         }
     }
 
-    /// κ of the heeling moment K = κ·s_H·Y; 1 if the method has no such parameter.
+    /// Factor κ of the wind's heeling moment K = κ·s_H·Y; 1 if the method has no such parameter.
     pub(super) fn roll_factor(&self) -> f64 {
         match self {
             WindMethod::Blendermann(method) => method.kind.roll_factor,

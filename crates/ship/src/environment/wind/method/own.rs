@@ -12,14 +12,14 @@ use crate::environment::wind::coefficients::WindCoefficients;
 pub struct OwnWindTable {
     /// The table.
     pub loads: Arc<LoadTable>,
-    /// The height above the water of the wind speed to which the coefficients refer (m).
+    /// The height above the water to which the wind speed of the coefficients refers (m).
     pub reference_height_m: f64,
     /// The source of the table, in the user's words.
     pub source: Arc<str>,
 }
 
 impl OwnWindTable {
-    /// Coefficients at an angle from −π to π.
+    /// Wind coefficients of the user's table at an angle from −π to π.
     pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let [surge_m2, sway_m2, yaw_m3] = self.loads.at(angle_rad, None);
         WindCoefficients {
