@@ -110,7 +110,8 @@ fn a_warm_step_on_a_slope_allocates_nothing() {
     environment.depth_m = None;
     environment.bottom = Some(Bottom { field: Arc::new(field), outside: Outside::Error });
     environment.squat = Some(Squat::BarrassChannel);
-    setup.bodies[0].position_m.y = -110.0;
+    // High water is 3 m above datum; her keel is 14 m under the water.
+    setup.bodies[0].position_m.y = -200.0;
     let mut simulation = Simulation::new(setup.clone()).expect("a good set-up");
     simulation.step().expect("a good step");
     assert!(simulation.vessels()[0].aground, "{:?}", simulation.vessels()[0].under_keel_m);

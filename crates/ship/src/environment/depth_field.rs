@@ -228,6 +228,7 @@ fn slope(place: OnAxis, nodes: usize, at: impl Fn(OnAxis) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use fenderline_contact::number::lesser;
 
     /// A field from a function of north and east (m).
     fn field(
@@ -387,11 +388,11 @@ mod tests {
             for batch in places_m.chunks(2000) {
                 let start = std::time::Instant::now();
                 sum += batch.iter().filter_map(|&at_m| field.depth_m(at_m)).sum::<f64>();
-                depth_ns = depth_ns.min(start.elapsed().as_nanos() as f64 / 2000.0);
+                depth_ns = lesser(depth_ns, start.elapsed().as_nanos() as f64 / 2000.0);
                 let start = std::time::Instant::now();
                 let slopes = batch.iter().filter_map(|&at_m| field.sounding(at_m));
                 all += slopes.map(|(depth_m, slope)| depth_m + slope.x).sum::<f64>();
-                both_ns = both_ns.min(start.elapsed().as_nanos() as f64 / 2000.0);
+                both_ns = lesser(both_ns, start.elapsed().as_nanos() as f64 / 2000.0);
             }
             println!(
                 "{name}: depth {depth_ns:.1} ns, depth and gradient {both_ns:.1} ns ({sum:.3e}, {all:.3e})"

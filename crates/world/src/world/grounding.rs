@@ -51,8 +51,9 @@ fn solve(mut a: Matrix, mut b: Vector) -> Vector {
         b.swap(k, pivot);
         for row in k + 1..3 {
             let share = a[row][k] / a[k][k];
-            for column in k..3 {
-                a[row][column] -= share * a[k][column];
+            let above = a[k];
+            for (entry, above) in a[row].iter_mut().zip(above).skip(k) {
+                *entry -= share * above;
             }
             b[row] -= share * b[k];
         }
