@@ -45,12 +45,12 @@
 
 
 /**
- * Version of this interface. It changes when programs must be recompiled.
+ * Version of this interface. The interface version changes when programs must be compiled anew.
  */
 #define FL_ABI_VERSION 1
 
 /**
- * No fender: outline meets outline.
+ * Stands for no fender, where the outline of one body meets the outline of another.
  */
 #define FL_NONE UINT32_MAX
 
@@ -65,28 +65,29 @@
 #define FL_METHOD_COUPLED 1
 
 /**
- * fl_settings.method: the paper's, each pair by itself and without loads.
+ * fl_settings.method: the method of the paper, which treats each pair of bodies by itself and without loads.
  */
 #define FL_METHOD_PAPER 2
 
 /**
- * fl_settings.host: a direct host. It passes the states at the start of each step, and all loads. The host may take
- * the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length.
- * In the second case, by the coupled method, the engine continues the motion that it has computed while bodies
- * touch, and the wrenches keep the host on this motion.
+ * fl_settings.host: a direct host. A direct host passes the states at the start of each step, and all loads. A direct
+ * host may take the states of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of
+ * any length. If a direct host integrates the bodies itself by the coupled method, the engine continues the motion
+ * that it has computed while bodies touch, and the wrenches keep the host on this motion.
  */
 #define FL_HOST_DIRECT 0
 
 /**
- * fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. The host integrates
- * the bodies itself in steps of any length, may pass states that are some steps old, and need not report loads. The
- * engine infers the loads from the states, predicts the present states, and returns wrenches with which the host
- * follows the engine's motion. Coupled method only.
+ * fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. A co-simulation host
+ * integrates the bodies itself in steps of any length, may pass states that are some steps old, and need not report
+ * loads. For a co-simulation host the engine infers the loads from the states, predicts the present states, and
+ * returns wrenches with which the host follows the engine's motion. Coupled method only.
  */
 #define FL_HOST_COSIMULATION 1
 
 /**
- * fl_settings.coriolis: as in `fenderline run` with the scenario's integrator; FL_CORIOLIS_BY_ENGINE without a scenario.
+ * fl_settings.coriolis: the Coriolis terms are where `fenderline run` has them with the scenario's integrator; without
+ * a scenario FL_CORIOLIS_BY_ENGINE holds.
  */
 #define FL_CORIOLIS_DEFAULT 0
 
@@ -97,7 +98,7 @@
 #define FL_CORIOLIS_BY_ENGINE 1
 
 /**
- * fl_settings.coriolis: the host's loads contain these terms.
+ * fl_settings.coriolis: the host's loads contain the Coriolis and centripetal terms of a body's added mass.
  */
 #define FL_CORIOLIS_IN_LOADS 2
 
@@ -143,8 +144,8 @@
 
 /**
  * fl_event.kind: a body was displaced by a tenth of its outline's radius more than its velocities explain, or
- * fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius is the largest distance of a vertex
- * from the centre of gravity.
+ * fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius of an outline is the largest
+ * distance of one of its vertices from the centre of gravity.
  */
 #define FL_EVENT_TELEPORTED 6
 
@@ -154,18 +155,18 @@
 #define FL_EVENT_FENDER_RATING_EXCEEDED 7
 
 /**
- * fl_event.kind: a fender is deflected into its stop, or by its whole projection.
+ * fl_event.kind: a fender is pressed until its stop takes load, or by its whole projection.
  */
 #define FL_EVENT_FENDER_FAILED 8
 
 /**
- * fl_event.kind: the solve of these bodies' contact did not converge within its iteration limit.
+ * fl_event.kind: the solver of the contact between these bodies did not converge within its limit of iterations.
  */
 #define FL_EVENT_NOT_CONVERGED 9
 
 /**
- * fl_event.kind: a body was placed so deep in another body that the contact would eject it. The body is pushed out
- * slowly instead, at 0.08 m/s at most.
+ * fl_event.kind: a body was placed so deep in another body that the contact would eject it. A body that was placed
+ * deep in another body is pushed out slowly, at 0.08 m/s at most.
  */
 #define FL_EVENT_PLACED_IN_OVERLAP 10
 
@@ -181,12 +182,12 @@
 #define FL_CONTACT_SLIPS 1
 
 /**
- * fl_contact.flags: the momentum limit reduced the normal or the tangential force.
+ * fl_contact.flags: the limit by the momentum of the bodies reduced the normal or the tangential force of the contact.
  */
 #define FL_CONTACT_LIMITED 2
 
 /**
- * Result of a call. If it is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
+ * Result of a call. If the status is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
  */
 typedef enum {
     /**
@@ -210,7 +211,7 @@ typedef enum {
      */
     FL_STATUS_BAD_TEXT = 4,
     /**
-     * An unknown constant, a wrong count, or settings that conflict.
+     * An argument is an unknown constant or a wrong count, or settings conflict.
      */
     FL_STATUS_BAD_ARGUMENT = 5,
     /**
@@ -222,8 +223,8 @@ typedef enum {
      */
     FL_STATUS_BAD_MODEL = 7,
     /**
-     * A state, a load or a time step is not finite or out of range: the message names body and field. Or the step is so
-     * long that its results are not finite.
+     * A state, a load or a time step is not finite or out of range: the message names body and field. Also: the step
+     * is so long that its results are not finite.
      */
     FL_STATUS_BAD_NUMBER = 8,
     /**
@@ -231,11 +232,11 @@ typedef enum {
      */
     FL_STATUS_NO_SUCH = 9,
     /**
-     * A step before the states of all floating bodies were set, or a result before the first step.
+     * A step was asked for before the states of all floating bodies were set, or a result before the first step.
      */
     FL_STATUS_OUT_OF_ORDER = 10,
     /**
-     * Not available with the engine's settings.
+     * What the call asks for is what the call asks for is not available with the engine's settings.
      */
     FL_STATUS_NOT_AVAILABLE = 11,
     /**
@@ -251,13 +252,13 @@ typedef enum {
      */
     FL_STATUS_BUFFER_TOO_SMALL = 14,
     /**
-     * A bug in the library. The handle can only be destroyed.
+     * The call met a bug in the library. After a bug in the library the handle can only be destroyed.
      */
     FL_STATUS_PANICKED = 15,
 } fl_status;
 
 /**
- * A builder: parts from which engines are made.
+ * A builder object: the parts from which engines are made.
  */
 typedef struct fl_builder fl_builder;
 
@@ -301,7 +302,7 @@ typedef struct {
 } fl_material;
 
 /**
- * A body. Its outline is a separate argument.
+ * A body. The body's outline is a separate argument.
  */
 typedef struct {
     /**
@@ -309,31 +310,31 @@ typedef struct {
      */
     size_t size;
     /**
-     * Displacement (kg). A fixed body has 0 here and for all other masses.
+     * Displacement (kg). A fixed body has 0 as displacement and for all other masses.
      */
     double mass_kg;
     /**
-     * Moment of inertia about the vertical (kg m2).
+     * Moment of inertia of the body about the vertical (kg m2).
      */
     double yaw_inertia_kgm2;
     /**
-     * Added mass in surge (kg).
+     * Added mass of the body in surge (kg).
      */
     double added_surge_kg;
     /**
-     * Added mass in sway (kg).
+     * Added mass of the body in sway (kg).
      */
     double added_sway_kg;
     /**
-     * Added moment of inertia in yaw (kg m2).
+     * Added moment of inertia of the body in yaw (kg m2).
      */
     double added_yaw_kgm2;
     /**
-     * Position of a fixed body; initial position of a floating body (m).
+     * North coordinate of a fixed body, or of a floating body at the start (m).
      */
     double north_m;
     /**
-     * Position of a fixed body; initial position of a floating body (m).
+     * East coordinate of a fixed body, or of a floating body at the start (m).
      */
     double east_m;
     /**
@@ -343,8 +344,8 @@ typedef struct {
 } fl_body;
 
 /**
- * A fender: a face on a body. Its reaction curve is a separate argument. The fender touches the outlines of all
- * bodies that form a pair with the fender's body.
+ * A fender: a face on a body. The fender's reaction curve is a separate argument. The fender touches the outlines of
+ * all bodies that form a pair with the fender's body.
  */
 typedef struct {
     /**
@@ -352,11 +353,11 @@ typedef struct {
      */
     size_t size;
     /**
-     * Middle of the fender's mounting line, in the body's frame (m).
+     * Forward coordinate of the middle of the fender's mounting line, in the body's frame (m).
      */
     double forward_m;
     /**
-     * Middle of the fender's mounting line, in the body's frame (m).
+     * Starboard coordinate of the middle of the fender's mounting line, in the body's frame (m).
      */
     double starboard_m;
     /**
@@ -364,23 +365,24 @@ typedef struct {
      */
     double facing_rad;
     /**
-     * Width of the face (m).
+     * Width of the fender's face (m).
      */
     double width_m;
     /**
-     * Distance from the mounting to the face, uncompressed (m).
+     * Distance from the fender's mounting to its uncompressed face (m).
      */
     double projection_m;
     /**
-     * Rated deflection (m); 0: the projection. Must be 0 without a curve.
+     * Rated deflection of the fender (m); 0 means that it equals the projection. The rated deflection must be 0 for a
+     * fender without a reaction curve.
      */
     double rated_deflection_m;
     /**
-     * Deflection at which the stop begins (m).
+     * Deflection at which the fender's stop begins to take load (m).
      */
     double stop_from_m;
     /**
-     * Stiffness of the stop (N/m). Without a stop both are 0.
+     * Stiffness of the fender's stop (N/m). A fender without a stop has 0 for the stop's deflection and stiffness.
      */
     double stop_stiffness_npm;
     /**
@@ -392,14 +394,14 @@ typedef struct {
      */
     uint32_t material;
     /**
-     * Share of the absorbed energy that the fender returns, 0.05 to 1, by an unloading law. 0: unloading by the
-     * restitution of the material.
+     * Share of the absorbed energy that the fender returns when it is unloaded by an unloading law, 0.05 to 1. The
+     * value 0 means that the fender unloads by the restitution of its material.
      */
     double returned_energy;
 } fl_fender;
 
 /**
- * Settings of an engine; all members but `size` may be 0.
+ * Settings of an engine; every member except `size` may be 0, which means the default.
  */
 typedef struct {
     /**
@@ -415,21 +417,22 @@ typedef struct {
      */
     uint32_t host;
     /**
-     * FL_CORIOLIS_... of a direct host; 0 for a co-simulation host, whose loads contain these terms.
+     * One of the constants FL_CORIOLIS_... for a direct host; 0 for a co-simulation host, whose loads always contain
+     * the Coriolis terms.
      */
     uint32_t coriolis;
     /**
-     * FL_INTEGRATION_... of a co-simulation host; else 0.
+     * One of the constants FL_INTEGRATION_... for a co-simulation host; 0 for a direct host.
      */
     uint32_t integration;
     /**
-     * Age of the states that a co-simulation host passes, in steps, at most 1000; else 0.
+     * Age of the states that a co-simulation host passes (steps), at most 1000; 0 for a direct host.
      */
     uint32_t delay_steps;
 } fl_settings;
 
 /**
- * State of a body's centre of gravity, earth-fixed.
+ * Position and velocity of a body's centre of gravity, earth-fixed.
  */
 typedef struct {
     /**
@@ -453,7 +456,7 @@ typedef struct {
      */
     double east_mps;
     /**
-     * Rate of turn, positive to starboard (rad/s).
+     * Rate of turn of the body, positive to starboard (rad/s).
      */
     double yaw_rate_radps;
 } fl_state;
@@ -477,13 +480,13 @@ typedef struct {
 } fl_wrench;
 
 /**
- * One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and
- * tangential_force_n times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite.
- * By the coupled method forces are means over the step; peaks include all sub-steps.
+ * One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and tangential_force_n
+ * times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite. By the coupled method the
+ * forces of a contact are means over the step; its peaks cover all sub-steps.
  */
 typedef struct {
     /**
-     * sizeof(fl_contact), to be set by the caller.
+     * Size of the structure, sizeof(fl_contact), which the caller must set.
      */
     size_t size;
     /**
@@ -495,11 +498,11 @@ typedef struct {
      */
     uint32_t body_2;
     /**
-     * The fender that is compressed; FL_NONE if outline meets outline.
+     * Index of the fender that is compressed; FL_NONE if outline meets outline.
      */
     uint32_t fender;
     /**
-     * Number of the patch within the pair.
+     * Number of the contact patch within its pair of bodies.
      */
     uint32_t patch;
     /**
@@ -511,31 +514,31 @@ typedef struct {
      */
     uint32_t reserved;
     /**
-     * Area of the overlap (m2).
+     * Area of the overlap of the two outlines (m2).
      */
     double area_m2;
     /**
-     * Extent of the overlap along the normal, or deflection of the fender (m).
+     * Extent of the overlap of the outlines along the normal, or deflection of the fender (m).
      */
     double depth_m;
     /**
-     * Point where the force acts (m).
+     * North coordinate of the point where the contact force acts (m).
      */
     double north_m;
     /**
-     * Point where the force acts (m).
+     * East coordinate of the point where the contact force acts (m).
      */
     double east_m;
     /**
-     * Body 1's outward normal.
+     * North component of body 1's outward unit normal.
      */
     double normal_north;
     /**
-     * Body 1's outward normal.
+     * East component of body 1's outward unit normal.
      */
     double normal_east;
     /**
-     * Speed of approach along the normal (m/s).
+     * Speed at which the two bodies approach each other along the normal (m/s).
      */
     double v_normal_mps;
     /**
@@ -543,48 +546,48 @@ typedef struct {
      */
     double v_tangential_mps;
     /**
-     * Deflection of the shear spring (m).
+     * Deflection of the contact's shear spring, from which friction is computed (m).
      */
     double shear_m;
     /**
-     * Normal force, at least 0 (N).
+     * Normal force of the contact, at least 0 (N).
      */
     double normal_force_n;
     /**
-     * Tangential force on body 1 (N).
+     * Tangential force of the contact on body 1 (N).
      */
     double tangential_force_n;
     /**
-     * Largest normal force within the step (N).
+     * Largest normal force of the contact within the step (N).
      */
     double peak_normal_force_n;
     /**
-     * Largest depth within the step (m).
+     * Largest depth of the contact within the step (m).
      */
     double peak_depth_m;
     /**
-     * Term of the normal force: area spring or reaction curve (N).
+     * Part of the normal force that the area spring or the reaction curve gives (N).
      */
     double spring_n;
     /**
-     * Term of the normal force: the stop at the end of a fender's travel (N).
+     * Part of the normal force that the stop at the end of a fender's travel gives (N).
      */
     double stop_n;
     /**
-     * Term of the normal force: the damper (N).
+     * Part of the normal force that the damper gives (N).
      */
     double damper_n;
     /**
-     * What the momentum limit subtracted from the normal force (N).
+     * Part of the normal force that the momentum limit took away (N).
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the start of the step that the fender can return (J); 0 if outline
-     * meets outline.
+     * Energy that the fender's spring and stop hold at the start of the step and can return (J); 0 if outline meets
+     * outline.
      */
     double stored_j;
     /**
-     * Largest energy within the step that loading the fender to its deflection takes (J).
+     * Largest energy within the step that it takes to load the fender to its deflection (J).
      */
     double peak_absorbed_j;
     /**
@@ -592,11 +595,11 @@ typedef struct {
      */
     double tilt_rad;
     /**
-     * Factor on a fender's reaction.
+     * Factor by which a fender's reaction is multiplied, set when the contact began.
      */
     double factor;
     /**
-     * Energy that a fender with returned_energy has dissipated within the step (J).
+     * Energy that a fender with the member returned_energy set has dissipated within the step (J).
      */
     double hysteresis_j;
 } fl_contact;
@@ -606,7 +609,7 @@ typedef struct {
  */
 typedef struct {
     /**
-     * sizeof(fl_event), to be set by the caller.
+     * Size of the structure, sizeof(fl_event), which the caller must set.
      */
     size_t size;
     /**
@@ -618,64 +621,64 @@ typedef struct {
      */
     uint32_t body_1;
     /**
-     * The other body; equal to body_1 if the event concerns only one body.
+     * Index of the second body of the event; equal to body_1 if the event concerns only one body.
      */
     uint32_t body_2;
     /**
-     * The fender; FL_NONE if the event concerns no fender.
+     * Index of the fender of the event; FL_NONE if the event concerns no fender.
      */
     uint32_t fender;
 } fl_event;
 
 /**
- * Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's
- * centre of gravity): draw the fender as a child of this body. Ends 1 are left and ends 2 right as seen when
- * looking out from the body.
+ * Drawing data of a fender, in the frame of the body that carries the fender (forward, starboard of the body's centre
+ * of gravity): draw the fender as a child of this body. Seen when looking out from the body, end 1 of the mounting
+ * line and of the face is left, and end 2 is right.
  */
 typedef struct {
     /**
-     * The body that carries the fender.
+     * Index of the body that carries the fender.
      */
     uint32_t body;
     /**
-     * The body that presses the fender; of several bodies, the body that presses deepest. FL_NONE: no body
-     * presses the fender.
+     * Index of the body that presses the fender; if several do, of the body that presses deepest. FL_NONE means that
+     * no body presses the fender.
      */
     uint32_t hull;
     /**
-     * End of the line where the fender is mounted (m).
+     * Forward coordinate of end 1 of the line where the fender is mounted (m).
      */
     double mount_1_forward_m;
     /**
-     * End of the line where the fender is mounted (m).
+     * Starboard coordinate of end 1 of the line where the fender is mounted (m).
      */
     double mount_1_starboard_m;
     /**
-     * Its other end (m).
+     * Forward coordinate of end 2 of the line where the fender is mounted (m).
      */
     double mount_2_forward_m;
     /**
-     * Its other end (m).
+     * Starboard coordinate of end 2 of the line where the fender is mounted (m).
      */
     double mount_2_starboard_m;
     /**
-     * End of the face in its present compression and turn (m).
+     * Forward coordinate of end 1 of the fender's face in its present compression and turn (m).
      */
     double face_1_forward_m;
     /**
-     * End of the face (m).
+     * Starboard coordinate of end 1 of the fender's face (m).
      */
     double face_1_starboard_m;
     /**
-     * Its other end (m).
+     * Forward coordinate of end 2 of the fender's face in its present compression and turn (m).
      */
     double face_2_forward_m;
     /**
-     * Its other end (m).
+     * Starboard coordinate of end 2 of the fender's face (m).
      */
     double face_2_starboard_m;
     /**
-     * Deflection in the last step (m); 0 if no body presses the fender.
+     * Deflection of the fender in the last step (m); 0 if no body presses the fender.
      */
     double deflection_m;
     /**
@@ -683,15 +686,15 @@ typedef struct {
      */
     double rated_deflection_m;
     /**
-     * Mean normal force of all bodies on the fender over the last step (N): for an instrument.
+     * Mean normal force of all bodies on the fender over the last step (N), for an instrument to show.
      */
     double normal_force_n;
     /**
-     * Largest normal force of one body within the last step (N): for an alarm.
+     * Largest normal force of a single body on the fender within the last step (N), for an alarm.
      */
     double peak_normal_force_n;
     /**
-     * Largest deflection within the last step (m).
+     * Largest deflection of the fender within the last step (m).
      */
     double peak_deflection_m;
     /**
@@ -706,7 +709,7 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The interface version of the linked library; compare it with the header's FL_ABI_VERSION.
+ * The interface version of the linked library; a program compares it with the header's FL_ABI_VERSION.
  */
 uint32_t fl_abi_version(void);
 
@@ -716,21 +719,23 @@ uint32_t fl_abi_version(void);
 const char *fl_version(void);
 
 /**
- * Short description of a status; any number is accepted. The text is static.
+ * Short description of a status of the interface; any number is accepted. The text is static.
  */
 const char *fl_status_text(int32_t status);
 
 /**
- * Copies the message of the last failed call on this thread; empty if no call has failed. The
- * message stays until another call fails; a call of this function with too small a buffer does not
- * count as a failed call. `length` may be NULL. See "Texts" in the preamble.
+ * Copies the message of the last failed call on this thread; empty if no call has failed. The message of a failed call
+ * stays until another call fails; a call of fl_last_error() with too small a buffer does not count as a failed call.
+ * `length` may be NULL. For the buffer see "Texts" in the preamble of this header.
  */
-fl_status fl_last_error(char *buffer, size_t capacity, size_t *length);
+fl_status fl_last_error(char *buffer,
+                        size_t capacity,
+                        size_t *length);
 
 /**
- * Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y (to
- * starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of
- * 0 query the number.
+ * Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y
+ * (to starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL `vertices`
+ * with a capacity of 0 only ask for the number of vertices.
  */
 fl_status fl_outline_hull(const double *points_m,
                           size_t points,
@@ -739,10 +744,10 @@ fl_status fl_outline_hull(const double *points_m,
                           size_t *vertices);
 
 /**
- * Copies the outline of a ship from the points of the starboard side, from bow to stern or from stern to bow: these
- * points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on the
- * centreline, and are not repeated. The outline has at most twice `points` vertices. For the other arguments see
- * fl_outline_hull().
+ * Copies the outline of a ship that is made from the points of her starboard side, from bow to stern or from stern to
+ * bow: these points and their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as points on
+ * the centreline, and are not repeated. The outline has at most twice as many vertices as there are `points`. The
+ * other arguments are as in fl_outline_hull().
  */
 fl_status fl_outline_mirror(const double *side_m,
                             size_t points,
@@ -752,8 +757,8 @@ fl_status fl_outline_mirror(const double *side_m,
                             size_t *vertices);
 
 /**
- * Copies an outline with fewer vertices. No vertex of the given outline is farther than `tolerance_m` from the new
- * outline. For the other arguments see fl_outline_hull().
+ * Copies a given outline, thinned to fewer vertices. No vertex of the given outline is farther than `tolerance_m` from
+ * the new outline. The other arguments are as in fl_outline_hull().
  */
 fl_status fl_outline_simplify(const double *points_m,
                               size_t points,
@@ -768,12 +773,13 @@ fl_status fl_outline_simplify(const double *points_m,
 fl_status fl_builder_new(fl_builder **builder);
 
 /**
- * Destroys a builder. Engines that the builder has built stay valid. NULL is allowed and does nothing.
+ * Destroys a builder. Engines that a destroyed builder has built stay valid. A NULL builder is allowed and does
+ * nothing.
  */
 fl_status fl_builder_destroy(fl_builder *builder);
 
 /**
- * Copies the message of the last failed call on this builder, as fl_last_error().
+ * Copies the message of the last failed call on this builder, in the way of fl_last_error().
  */
 fl_status fl_builder_error(const fl_builder *builder,
                            char *buffer,
@@ -782,7 +788,7 @@ fl_status fl_builder_error(const fl_builder *builder,
 
 /**
  * Adds a material under a unique name. The index of the material, counted from 0, is stored to `*index` unless `index`
- * is NULL. fl_builder_build() checks the numbers.
+ * is NULL. fl_builder_build() checks the material's numbers.
  */
 fl_status fl_builder_add_material(fl_builder *builder,
                                   const char *name,
@@ -793,7 +799,7 @@ fl_status fl_builder_add_material(fl_builder *builder,
 /**
  * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
  * centre of gravity (m), in either sense, convex or not. The index of the body, counted from 0, is stored to `*index`
- * unless `index` is NULL. fl_builder_build() checks the masses.
+ * unless `index` is NULL. fl_builder_build() checks the body's masses.
  */
 fl_status fl_builder_add_body(fl_builder *builder,
                               const char *name,
@@ -805,9 +811,9 @@ fl_status fl_builder_add_body(fl_builder *builder,
 
 /**
  * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
- * begin with (0, 0), with rising deflections. Without points the force follows the paper's law: the material's
+ * begin with (0, 0), with rising deflections. Without points the force follows the law of the paper: the material's
  * stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
- * `index` is NULL. fl_builder_build() checks the numbers.
+ * `index` is NULL. fl_builder_build() checks the fender's numbers.
  */
 fl_status fl_builder_add_fender(fl_builder *builder,
                                 const char *name,
@@ -818,11 +824,12 @@ fl_status fl_builder_add_fender(fl_builder *builder,
                                 uint32_t *index);
 
 /**
- * Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
- * catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names
- * the body that carries the fender, and `material` the material; add both before. The key reference of scenario files
- * lists the other keys. Example: "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2
- * m\ntemperature=40 degC". The index of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
+ * Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender
+ * of the catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. The
+ * key `on` names the body that carries the fender, and `material` its material; add body and material before the
+ * fender. The key reference of scenario files lists all other keys of a fender. Example of the keys of a fender:
+ * "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". The index
+ * of the fender, counted from 0, is stored to `*index` unless `index` is NULL.
  */
 fl_status fl_builder_add_fender_by_keys(fl_builder *builder,
                                         const char *name,
@@ -832,7 +839,7 @@ fl_status fl_builder_add_fender_by_keys(fl_builder *builder,
                                         uint32_t *index);
 
 /**
- * Finds a material of a builder by its name.
+ * Finds the index of a material of a builder by its name.
  */
 fl_status fl_builder_find_material(const fl_builder *builder,
                                    const char *name,
@@ -840,7 +847,7 @@ fl_status fl_builder_find_material(const fl_builder *builder,
                                    uint32_t *material);
 
 /**
- * Finds a body of a builder by its name.
+ * Finds the index of a body of a builder by its name.
  */
 fl_status fl_builder_find_body(const fl_builder *builder,
                                const char *name,
@@ -848,7 +855,7 @@ fl_status fl_builder_find_body(const fl_builder *builder,
                                uint32_t *body);
 
 /**
- * Finds a fender of a builder by its name.
+ * Finds the index of a fender of a builder by its name.
  */
 fl_status fl_builder_find_fender(const fl_builder *builder,
                                  const char *name,
@@ -870,19 +877,20 @@ fl_status fl_builder_add_all_other_pairs(fl_builder *builder,
                                          uint32_t material);
 
 /**
- * Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. Destroy the
- * engine with fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used
- * further.
+ * Builds an engine from the parts added so far and stores it to `*engine`; if building fails, stores NULL. The program
+ * destroys the built engine with fl_engine_destroy() when it no longer needs it. `settings` may be NULL: the engine
+ * then has the default settings. The builder stays as it was, and can be used further.
  */
 fl_status fl_builder_build(fl_builder *builder,
                            const fl_settings *settings,
                            fl_engine **engine);
 
 /**
- * Makes an engine from a scenario file and stores it to `*engine`; if this fails, stores NULL. Destroy the engine with
- * fl_engine_destroy(). Files that the scenario names are relative to the scenario file. `overrides` replaces keys of
- * the scenario, one KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL
- * for defaults.
+ * Makes an engine from a scenario file and stores the engine to `*engine`; stores NULL if the file has an error. The
+ * program destroys the engine with fl_engine_destroy() when it no longer needs it. Names of files in the scenario are
+ * relative to the folder of the scenario file. `overrides` replaces keys of the scenario, with one KEY=VALUE per line,
+ * such as "contact.method=coupled"; pass NULL and 0 to replace none. `settings` may be NULL: the engine then has the
+ * default settings.
  *
  * The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
  * and wind, are left to the host: see fl_engine_notices().
@@ -895,7 +903,8 @@ fl_status fl_engine_from_file(const char *path,
                               fl_engine **engine);
 
 /**
- * As fl_engine_from_file(), from the text of a scenario that names no other files.
+ * Makes an engine as fl_engine_from_file() does, but from the text of a scenario; the scenario may name no other
+ * files.
  */
 fl_status fl_engine_from_text(const char *scenario,
                               size_t scenario_length,
@@ -905,23 +914,25 @@ fl_status fl_engine_from_text(const char *scenario,
                               fl_engine **engine);
 
 /**
- * Destroys an engine. NULL is allowed and does nothing.
+ * Destroys an engine. Destroying a NULL engine is allowed and does nothing.
  */
 fl_status fl_engine_destroy(fl_engine *engine);
 
 /**
- * Copies the message of the last failed call on this engine, as fl_last_error().
+ * Copies the message of the last failed call on this engine, in the way of fl_last_error().
  */
 fl_status fl_engine_error(const fl_engine *engine, char *buffer, size_t capacity, size_t *length);
 
 /**
- * Resets the engine: memory, states and loads. The next step is the first.
+ * Resets the engine to its start: it forgets its memory of contacts, the states and the loads. After the reset, the
+ * next step counts as the first step.
  */
 fl_status fl_engine_reset(fl_engine *engine);
 
 /**
  * Copies the notices about the scenario and the list of the scenario's forces that are left to the host, one per line.
- * The text may be empty. `length` may be NULL. See "Texts" in the preamble.
+ * The text of the notices may be empty. `length` may be NULL. For the buffer see "Texts" in the preamble of this
+ * header.
  */
 fl_status fl_engine_notices(const fl_engine *engine,
                             char *buffer,
@@ -929,12 +940,14 @@ fl_status fl_engine_notices(const fl_engine *engine,
                             size_t *length);
 
 /**
- * Number of bodies. Indices count from 0, in the order of the scenario or of the builder's calls.
+ * Number of bodies. Indices of bodies count from 0, in the order of the scenario or of the calls that built the
+ * engine.
  */
-fl_status fl_engine_body_count(const fl_engine *engine, size_t *count);
+fl_status fl_engine_body_count(const fl_engine *engine,
+                               size_t *count);
 
 /**
- * Copies the name of a body. `length` may be NULL. See "Texts" in the preamble.
+ * Copies the name of a body. `length` may be NULL. For the buffer see "Texts" in the preamble of this header.
  */
 fl_status fl_engine_body_name(const fl_engine *engine,
                               uint32_t body,
@@ -943,7 +956,7 @@ fl_status fl_engine_body_name(const fl_engine *engine,
                               size_t *length);
 
 /**
- * Finds a body by its name.
+ * Finds the index of a body by its name.
  */
 fl_status fl_engine_find_body(const fl_engine *engine,
                               const char *name,
@@ -951,12 +964,14 @@ fl_status fl_engine_find_body(const fl_engine *engine,
                               uint32_t *body);
 
 /**
- * Number of fenders. Indices count from 0, in the order of the scenario or of the builder's calls.
+ * Number of fenders. Indices of fenders count from 0, in the order of the scenario or of the calls that built the
+ * engine.
  */
-fl_status fl_engine_fender_count(const fl_engine *engine, size_t *count);
+fl_status fl_engine_fender_count(const fl_engine *engine,
+                                 size_t *count);
 
 /**
- * Copies the name of a fender. `length` may be NULL. See "Texts" in the preamble.
+ * Copies the name of a fender. `length` may be NULL. For the buffer see "Texts" in the preamble of this header.
  */
 fl_status fl_engine_fender_name(const fl_engine *engine,
                                 uint32_t fender,
@@ -965,7 +980,7 @@ fl_status fl_engine_fender_name(const fl_engine *engine,
                                 size_t *length);
 
 /**
- * Finds a fender by its name.
+ * Finds the index of a fender by its name.
  */
 fl_status fl_engine_find_fender(const fl_engine *engine,
                                 const char *name,
@@ -973,9 +988,8 @@ fl_status fl_engine_find_fender(const fl_engine *engine,
                                 uint32_t *fender);
 
 /**
- * Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
- * by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use it to
- * move the body.
+ * Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row by row: 9
+ * numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use this mass matrix to move the body.
  */
 fl_status fl_engine_mass_matrix(const fl_engine *engine,
                                 uint32_t body,
@@ -1001,36 +1015,37 @@ fl_status fl_engine_set_states(fl_engine *engine,
 
 /**
  * Marks the next state of a body as a teleport: the host sets the body to a new place rather than moving it there. The
- * body's contacts begin anew (FL_EVENT_TELEPORTED), and no load is inferred from the displacement. A body that
- * overlaps another body is pushed out slowly (FL_EVENT_PLACED_IN_OVERLAP, if the body is so deep that the contact
- * would eject it). Without this call the engine detects a teleport only if the displacement differs from the motion by
- * the velocities by a tenth of the outline's radius. A host that passes old states makes this call when it first
- * passes the new place. To go back in time, restore a saved engine.
+ * contacts of a teleported body begin anew (FL_EVENT_TELEPORTED), and no load is inferred from its displacement. A
+ * teleported body that overlaps another body is pushed out slowly, with FL_EVENT_PLACED_IN_OVERLAP if the overlap is
+ * so deep that the contact would eject the body. Without this call the engine detects a teleport only if the body's
+ * displacement differs from what the velocities explain by a tenth of the outline's radius. A host whose states are
+ * some steps old makes this call when it first passes the new place of the body. To go back in time, restore a saved
+ * engine instead of teleporting its bodies.
  */
 fl_status fl_engine_mark_teleported(fl_engine *engine,
                                     uint32_t body);
 
 /**
  * Sets the loads, all forces on each body except contact, until the next call; `count` is the number of bodies. NULL
- * and 0 remove the loads, as at the start: a direct host then has no loads, and the loads of a co-simulation host are
- * inferred from its states. The paper's method does not use loads.
+ * with a count of 0 removes the loads, as at the start: a direct host then has no loads, and the loads of a
+ * co-simulation host are inferred from its states. The paper's method does not use loads.
  */
 fl_status fl_engine_set_loads(fl_engine *engine,
                               const fl_wrench *loads,
                               size_t count);
 
 /**
- * Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps
- * may have any length. A step of 0 s is a pause: nothing changes, and the results of the last step remain, without its
- * events and without the work of contacts.
+ * Takes a step of `step_s` seconds from the states that were set last. Before a step, all floating bodies must have a
+ * state. Consecutive steps may have different lengths. A step of 0 s is a pause: nothing moves, and the results are
+ * those of the last step, but without events and without the work of the contacts.
  */
 fl_status fl_engine_step(fl_engine *engine,
                          double step_s);
 
 /**
- * In one call: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL, fl_engine_step() and
- * fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has
- * changed.
+ * Does in one call what these do: fl_engine_set_states(), fl_engine_set_loads() if `loads` is not NULL,
+ * fl_engine_step() and fl_engine_wrenches(). All arrays of fl_engine_advance() have `count` elements, the number of
+ * bodies. If any part of fl_engine_advance() fails, nothing has changed.
  */
 fl_status fl_engine_advance(fl_engine *engine,
                             const fl_state *states,
@@ -1040,18 +1055,20 @@ fl_status fl_engine_advance(fl_engine *engine,
                             fl_wrench *wrenches);
 
 /**
- * Copies the wrenches of the last step; the host adds them to its forces. The wrenches are means over the step, so the
- * impulse is right; for the largest wrenches see fl_engine_peak_wrenches(). `count` is the number of bodies.
+ * Copies the contact wrenches of the last step, which the host adds to its own forces. The wrenches are means over the
+ * step, so that they give the bodies the right impulse; for the largest wrenches see fl_engine_peak_wrenches().
+ * `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
                              size_t count);
 
 /**
- * Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
- * In the paper's method, which has no sub-steps, the result equals fl_engine_wrenches(). Use the largest wrench to
- * size fenders and structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move
- * the bodies. The peak of each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
+ * Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest
+ * force. With the paper's method, which has no sub-steps, the largest wrenches are those of fl_engine_wrenches(). Use
+ * the largest wrench to size fenders and structures: in a long step the mean wrench may be much smaller. Use
+ * fl_engine_wrenches() to move the bodies. The largest force of each single contact is fl_contact.peak_normal_force_n.
+ * `count` is the number of bodies.
  */
 fl_status fl_engine_peak_wrenches(const fl_engine *engine,
                                   fl_wrench *peaks,
@@ -1059,17 +1076,18 @@ fl_status fl_engine_peak_wrenches(const fl_engine *engine,
 
 /**
  * Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
- * coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to the
- * time half a step before the end (half of the last sub-step, if there were several), as in a leapfrog integrator.
- * Pass the velocities back unchanged, and use this time when you compare or plot them.
+ * coupled method. `count` is the number of bodies. The positions of these states belong to the end of the step. The
+ * velocities of these states belong to the time half a step before the end (half of the last sub-step, if there were
+ * several), as in a leapfrog integrator. Pass the velocities back unchanged in the next step; when you compare or plot
+ * velocities, use the time to which they belong.
  */
 fl_status fl_engine_states_after(const fl_engine *engine,
                                  fl_state *states,
                                  size_t count);
 
 /**
- * Copies the engine's estimate of a co-simulation host's present states, and its loads, reported or observed. `count` is
- * the number of bodies.
+ * Copies the engine's estimate of the present states of a co-simulation host, and the loads on the host's bodies,
+ * reported by the host or observed by the engine. `count` is the number of bodies.
  */
 fl_status fl_engine_host_estimate(const fl_engine *engine,
                                   fl_state *states,
@@ -1082,16 +1100,17 @@ fl_status fl_engine_host_estimate(const fl_engine *engine,
 fl_status fl_engine_contact_count(const fl_engine *engine, size_t *count);
 
 /**
- * Copies a contact of the last step, counted from 0 in a fixed order. The caller sets `contact->size`.
+ * Copies one contact of the last step; contacts count from 0 in a fixed order. The caller sets `contact->size`.
  */
 fl_status fl_engine_contact(const fl_engine *engine,
                             uint32_t index,
                             fl_contact *contact);
 
 /**
- * Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members
- * `size` need not be set. `*count` gets the number of contacts. NULL and a capacity of 0 query only the number; if
- * the capacity is too small, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL.
+ * Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the member `size`
+ * of the elements need not be set. `*count` gets the number of contacts. A NULL array with a capacity of 0 only asks
+ * for the number of contacts; if the capacity is too small, nothing is copied, and the status is
+ * FL_STATUS_BUFFER_TOO_SMALL.
  */
 fl_status fl_engine_contacts(const fl_engine *engine,
                              fl_contact *contacts,
@@ -1105,13 +1124,15 @@ fl_status fl_engine_contacts(const fl_engine *engine,
 fl_status fl_engine_event_count(const fl_engine *engine, size_t *count);
 
 /**
- * Copies an event of the last step, counted from 0 in a fixed order. The caller sets `event->size`.
+ * Copies one event of the last step; events count from 0 in a fixed order. The caller sets `event->size`.
  */
-fl_status fl_engine_event(const fl_engine *engine, uint32_t index, fl_event *event);
+fl_status fl_engine_event(const fl_engine *engine,
+                          uint32_t index,
+                          fl_event *event);
 
 /**
- * Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). For the rest see
- * fl_engine_contacts().
+ * Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). The other arguments
+ * are as in fl_engine_contacts().
  */
 fl_status fl_engine_events(const fl_engine *engine,
                            fl_event *events,
@@ -1120,8 +1141,9 @@ fl_status fl_engine_events(const fl_engine *engine,
                            size_t *count);
 
 /**
- * Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
- * same on every machine. NULL and a capacity of 0 query only `*length`.
+ * Saves all of the engine that steps change, its results included, as bytes. The bytes of a saved engine have a
+ * version and a checksum, and are the same on every machine. A NULL buffer with a capacity of 0 only asks for the
+ * number of bytes, in `*length`.
  */
 fl_status fl_engine_save(const fl_engine *engine,
                          uint8_t *buffer,
@@ -1129,18 +1151,20 @@ fl_status fl_engine_save(const fl_engine *engine,
                          size_t *length);
 
 /**
- * Restores a state that fl_engine_save() saved, of this engine or of another engine with the same model and settings.
- * The engine continues with the same bits. Any bytes may be passed: bytes that are not a saved state are refused.
+ * Restores an engine from bytes that fl_engine_save() made, of this engine or of another engine with the same model
+ * and settings. The restored engine continues to the same bits as the saved engine. Any bytes may be passed: bytes
+ * that are not a saved engine are refused.
  */
 fl_status fl_engine_restore(fl_engine *engine,
                             const uint8_t *saved,
                             size_t length);
 
 /**
- * Copies the outline of a body: `vertices` pairs of x (forward) and y (to starboard) from the centre of gravity (m), in the
- * sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity
- * of 0 query only the number. If the capacity is too small, nothing is copied, and the status is
- * FL_STATUS_BUFFER_TOO_SMALL. Outlines do not change: read them once.
+ * Copies the outline of a body: `vertices` gets pairs of x (forward) and y (to starboard) from the centre of gravity
+ * (m), in the sense of rotation from x to y. `capacity` is the room in `vertices`; `*vertices` gets the number of
+ * vertices of the outline. NULL `vertices` with a capacity of 0 only ask for the number of vertices. If the capacity
+ * is too small for the outline, nothing is copied, and the status is FL_STATUS_BUFFER_TOO_SMALL. Outlines of bodies do
+ * not change, so that a program need read them only once.
  */
 fl_status fl_engine_outline(const fl_engine *engine,
                             uint32_t body,
@@ -1149,25 +1173,25 @@ fl_status fl_engine_outline(const fl_engine *engine,
                             size_t *vertices);
 
 /**
- * Copies the drawing data of all fenders after the last step. A fender is uncompressed before the first step, and
- * while nothing presses it. `count` is the number of fenders.
+ * Copies the drawing data of all fenders after the last step. A fender counts as uncompressed before the first step,
+ * and while nothing presses it. `count` is the number of fenders of the engine.
  */
 fl_status fl_engine_fender_views(const fl_engine *engine,
                                  fl_fender_view *views,
                                  size_t count);
 
 /**
- * Records the steps from now on, and keeps at least the last `steps` steps, at most 1 000 000; 0 ends the recording.
- * fl_engine_dump() makes a dump of the recorded steps. A recorded step takes longer.
+ * Records the engine's steps from now on, and keeps at least the last `steps` steps (at most 1 000 000); `steps` = 0
+ * ends the recording. A step takes longer while the engine records.
  */
 fl_status fl_engine_record(fl_engine *engine,
                            size_t steps);
 
 /**
  * Copies the recorded steps with all that is needed to replay them: model, settings, and the engine before the first
- * recorded step. The call also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes to a file and
- * send it with your report: `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query only
- * `*length`.
+ * recorded step. fl_engine_dump() also works after a failed step, even after FL_STATUS_PANICKED. Write the bytes of
+ * the dump to a file and send the file with your report of a bug: `fenderline replay FILE` takes the same steps. A
+ * NULL buffer with a capacity of 0 only asks for the length of the dump, in `*length`.
  */
 fl_status fl_engine_dump(const fl_engine *engine,
                          uint8_t *buffer,
@@ -1176,9 +1200,10 @@ fl_status fl_engine_dump(const fl_engine *engine,
 
 /**
  * Replays a dump: makes an engine, takes the recorded steps and stores the engine after the last step to `*engine`,
- * unless `engine` is NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the
- * same version of the library. `*steps` gets the number of all steps. `different` and `steps` may be NULL. Any bytes
- * may be passed.
+ * unless `engine` is NULL. `*different` gets the number of replayed steps that did not end as recorded, bit for bit;
+ * it is 0 with the same version of the library. `*steps` gets the number of all steps in the dump. The pointers
+ * `different` and `steps` may be NULL. The `dump` may consist of any bytes: the call refuses bytes that are not a
+ * dump.
  */
 fl_status fl_replay_dump(const uint8_t *dump,
                          size_t length,

@@ -78,7 +78,7 @@ fn a_pipe_or_a_link_in_the_folder_of_results_is_neither_waited_for_nor_overwritt
             assert_eq!(place.shell(&line).code, 0);
             let told = run(&place, "run tug.toml");
             assert_eq!(told.code, 2, "{line}: {}", told.stderr);
-            contains_all(&told.stderr, &[&format!("out/tug/{name}: it is {what}")]);
+            contains_all(&told.stderr, &[&format!("out/tug/{name}: the path is {what}")]);
             assert_eq!(place.text("precious.txt"), "precious", "{line}");
             assert!(!place.exists("none.txt"), "{line}");
             assert_eq!(place.text("out/tug/energy.csv"), "of an earlier run", "{line}");

@@ -405,8 +405,14 @@ mod tests {
             ("a,b,c\n1,nan,3\n", ["`b` is not a finite number", "f.csv:2:3", "\"nan\""]),
             ("a,b,c\n1,2,1e999\n", ["`c` is not a finite number", "f.csv:2:5", "^"]),
             ("a,b,c\n1,2,3\n1,2,4\n", ["second row for a = 1, b = 2", "f.csv:3:1", "^"]),
-            ("a,b,c\n1,2,3\n2,3,4\n2,2,4\n", ["no row for a = 1, b = 3", "holes", "f.csv:1"]),
-            ("a,b,c\n0,0,1\n-0,1,1\n1,0,1\n", ["no row for a = 1, b = 1", "holes", "f.csv:1"]),
+            (
+                "a,b,c\n1,2,3\n2,3,4\n2,2,4\n",
+                ["no row for a = 1, b = 3", "each combination", "f.csv:1"],
+            ),
+            (
+                "a,b,c\n0,0,1\n-0,1,1\n1,0,1\n",
+                ["no row for a = 1, b = 1", "each combination", "f.csv:1"],
+            ),
         ] {
             let message = refused(text);
             assert!(fragments.iter().all(|fragment| message.contains(fragment)), "{message}");

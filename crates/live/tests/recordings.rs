@@ -258,7 +258,7 @@ fn a_forged_recording_is_refused_at_the_forged_line() {
     let why = forge("\"angle_rad\":", "\"angle\":").expect_err("no such field");
     assert!(why.contains("line 2: the line is invalid"), "{why}");
     let why = forge("\"fenderline_session\":3", "\"fenderline_session\":2").expect_err("old");
-    assert!(why.contains("format 2, but this program reads 3"), "{why}");
+    assert!(why.contains("format 2, but this program reads format 3"), "{why}");
     let more = text.clone() + "{}";
     assert_eq!(fault(more.as_bytes()).1, RecordingFault::AfterEnd);
     let long = text.lines().next().expect("a line").to_owned() + "\n" + &"x".repeat(100_000);

@@ -206,7 +206,7 @@ fn orders_that_cannot_be_carried_out_are_refused() {
         "anchor `port` has 55.0 m of chain out (2.0 shackles): ask for more than this length"
     );
     let text = now(&of, OrderName::HeaveIn, Some(3.0)).expect_err("less is out").to_string();
-    assert!(text.ends_with("ask for less than that"), "{text}");
+    assert!(text.ends_with("ask for less than this length"), "{text}");
     let faults = AnchorFaults { windlass_failed: true, ..AnchorFaults::default() };
     of.set_anchor_faults(0, faults).expect("an anchor");
     let failed = OrderError::WindlassFailed { anchor: "port".into() };

@@ -265,7 +265,10 @@ fn unusual_friction_gives_a_notice_with_its_line() {
     let [notice] = &rough.notices[..] else { panic!("{:?}", rough.notices) };
     assert_eq!(notice.key, "material.paper.friction_static");
     assert!(notice.to_string().contains("slippery.toml:14:"), "{notice}");
-    assert!(notice.message.starts_with("3 is more than 1.5"), "{notice}");
+    assert!(
+        notice.message.starts_with("a coefficient of friction of 3 is more than 1.5"),
+        "{notice}"
+    );
     let absurd = parse("11").unwrap_err();
     assert_eq!(absurd.key(), Some("material.paper.friction_static"));
     assert!(absurd.to_string().contains("must be at most 10"), "{absurd}");

@@ -248,7 +248,7 @@ fn each_mistake_in_a_table_is_told_with_its_row_and_column() {
         (wind_with("75,0.049", "60,0.049"), ["own_wind.csv:9:1", "a second row for one angle: 60"]),
         (wind_with("105,", "1050,"), ["own_wind.csv:11:1", "between -720 and 720"]),
         (wind_with("cx,cy,cxy", "cx,cyy,cxy"), ["own_wind.csv:3:14", "did you mean `cy`?"]),
-        (wind_with("cx,cy,cxy", "cx,cy,cya"), ["own_wind.csv:3:1", "given twice"]),
+        (wind_with("cx,cy,cxy", "cx,cy,cya"), ["own_wind.csv:3:1", "moment twice"]),
         (wind_with("cy,cxy", "cy,cy"), ["own_wind.csv:3:17", "`cy` is given twice"]),
         (
             wind_with("90,-0.060,0.640", "90,-0.060,64.0"),
@@ -322,7 +322,7 @@ fn what_is_odd_about_a_table_is_told() {
     assert!(told.contains("own_wind.csv:11:1") && told.contains("a gap of 30 degrees"), "{told}");
     let small = wind_with("0,0.810,0.000,", "0,0.810,0.010,");
     let told = notices(&[("own_wind.csv", &small)], &[]);
-    assert!(told.contains("taken as zero"), "{told}");
+    assert!(told.contains("takes it as zero"), "{told}");
     let told = notices(&[], &["environment.depth=\"20 m\""]);
     assert!(told.contains("down to 1.042 draughts deep, but the table begins at 1.1"), "{told}");
     // A current that turns the bow into itself.

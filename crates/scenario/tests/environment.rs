@@ -115,7 +115,7 @@ fn a_method_without_its_particulars_or_with_those_of_another_is_refused() {
     let windage = "vessel.container.windage";
     let key = |name: &str| format!("{windage}.{name}");
     of("type = \"fery\"", &key("type"), &["did you mean \"ferry\"?"]);
-    of("method = \"blendermann\"", &key("type"), &["is missing", "needs it"]);
+    of("method = \"blendermann\"", &key("type"), &["is missing", "needs this key"]);
     of("method = \"isherwod\"", &key("method"), &["did you mean \"isherwood\"?"]);
     of("method = \"isherwood\"", &key("perimeter"), &["is missing", "write perimeter"]);
     of(

@@ -316,7 +316,7 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
     ("reference = \"1000 A\"", "reference = \"1000 B\"", "reference", "family.cell.reference", "did you mean \"1000 A\"?"),
     ("family.pneumatic.size", "family.pnuematic.size", "[[family.pnuematic", "family.pnuematic.curve", "did you mean \"pneumatic\"?"),
     ("\"2000x3500 50kPa\"", "\"2500x4000 50kPa\"", "designation = \"2500", "family.pneumatic.size.0.designation", "there is a size \"2500x4000 50kPa\" already"),
-    ("[[family.pneumatic.size]]", "[family.pneumatic]\nrated_deflection = 0.5\n[[family.pneumatic.size]]", "rated_deflection = 0.5\n[[", "family.pneumatic.rated_deflection", "for a new family, but \"pneumatic\" is known"),
+    ("[[family.pneumatic.size]]", "[family.pneumatic]\nrated_deflection = 0.5\n[[family.pneumatic.size]]", "rated_deflection = 0.5\n[[", "family.pneumatic.rated_deflection", "for a new family, but the family \"pneumatic\" is known"),
     ("[hull_pressure.\"inland vessel\"]", "[hull_pressure.tug]", "[hull_pressure.tug]", "hull_pressure.tug", "there is a limit for \"tug\" already"),
     ("designation = \"1000 A\"", "name = \"1000 A\"", "name = ", "family.cell.size.0.name", "not a key of a size"),
     ("reference = \"1000 A\"", "referense = \"1000 A\"", "referense", "family.cell.referense", "did you mean `reference`?"),

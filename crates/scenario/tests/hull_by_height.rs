@@ -460,5 +460,5 @@ fn outlines_by_height_that_are_no_hull_are_refused_at_their_place() {
     assert!(error.to_string().contains("has 1001 vertices"), "{error}");
     let paper = read(&changed(&[("[body.ship]", "[contact]\nmethod = \"paper\"\n\n[body.ship]")]));
     let refused = Simulation::new(paper.expect("a good file").setup).map(drop);
-    assert!(refused.is_err_and(|error| error.to_string().contains("outlines by height")));
+    assert!(refused.is_err_and(|error| error.to_string().contains("outlines at several heights")));
 }

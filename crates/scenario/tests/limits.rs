@@ -82,7 +82,7 @@ fn mistakes_in_limits_are_refused() {
     refused(&of(roll), "limit.x.distance", "does not go together");
     refused(&of("\"lines\"\ndistance = 1"), "limit.x.distance", "does not go together");
     refused(&of("\"lines\""), "limit.x.share", "is missing");
-    refused("[statistics]\nfrom = \"1 h\"", "statistics.from", "has ended");
+    refused("[statistics]\nfrom = \"1 h\"", "statistics.from", "the run ends before this time");
     let other = of("\"surge\"\nstatistic = \"maximum\"\ndistance = 1\nvessel = \"shop\"");
     refused(&other, "limit.x.vessel", "no body");
 }

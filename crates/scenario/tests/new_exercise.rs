@@ -100,7 +100,7 @@ fn choices_that_make_no_exercise_are_refused_with_the_reason() {
         (&|of| of.ship.vessel = "kvlcc2-model".to_owned(), "not a ship"),
         (&|of| of.ship.vessel = "asd-tug".to_owned(), "not a ship"),
         (&|of| of.tugs.vessel = "kcs".to_owned(), "no tug"),
-        (&|of| of.tugs.number = 5, "5 tugs are more than 4"),
+        (&|of| of.tugs.number = 5, "5 tugs are more than the 4"),
         (&|of| of.berth.fender = "tyre".to_owned(), "tyre"),
         (&|of| of.berth.size = Some("9".to_owned()), "no size"),
         (&|of| of.berth.height_m = None, "height and rated reaction"),

@@ -318,7 +318,10 @@ fn vessels_under_way_push_each_other_where_the_flow_holds() {
     let text = text.split("[passing.coaster]").next().unwrap();
     let scenario = Scenario::parse(text, "meeting.toml").unwrap();
     let notices: Vec<String> = scenario.notices.iter().map(ToString::to_string).collect();
-    assert!(notices.iter().any(|notice| notice.contains("none for \"tug\"")), "{notices:?}");
+    assert!(
+        notices.iter().any(|notice| notice.contains("no such force for \"tug\"")),
+        "{notices:?}"
+    );
     let mut simulation = Simulation::new(scenario.setup).unwrap();
     let mut most = [[0.0_f64; 2]; 3];
     for _ in 0..100 {

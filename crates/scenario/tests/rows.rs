@@ -306,7 +306,7 @@ fn mistakes_in_rows_name_row_key_and_line() {
     bad("number = 8\n", "", ".number", "two of the keys `spacing`, `number` and `last`");
     bad("number = 8", "number = 8\nlast = [0, 0]", ".last", "two of");
     bad("number = 8", "last = [71, 0]", ".last", "not a multiple of the spacing");
-    bad("number = 8", "last = [-70, 0]", ".last", "where the first fender is");
+    bad("number = 8", "last = [-70, 0]", ".last", "at the place of the first fender");
     bad("\"20 m\"", "\"2 m\"", ".width", "overlap at a spacing of 2 m");
     bad("[-70, 0]", "[-70, 4]", ".first", "not on the outline");
     bad("[-70, 0]", "[-100, 0]", ".first", "is a corner");

@@ -176,7 +176,7 @@ mod tests {
             let text = Content::Text("title = \"x\"".to_owned(), files);
             NewFile::new(&folder, "named", text, false).expect("a good name").write().unwrap_err()
         };
-        assert!(named("{}").contains("names chart.geojson"), "{}", named("{}"));
+        assert!(named("{}").contains("names the file chart.geojson"), "{}", named("{}"));
         assert!(new("mine", "Two", false).unwrap_err().contains("already"));
         assert_eq!(fs::read(&path).expect("a file"), first);
         // A mistake in the choices changes nothing either.

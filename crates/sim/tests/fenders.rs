@@ -295,7 +295,7 @@ fn the_formula_takes_the_design_speed() {
     let at_touch = outcome.energy_at_touch_j / outcome.energy_j;
     assert!((at_touch - 0.64).abs() < 1e-9, "{at_touch}");
     assert_eq!((outcome.formula_speed_mps(), outcome.energies_differ()), (0.15, true));
-    assert!(outcome.why_speeds_differ().contains("slowed her"));
+    assert!(outcome.why_speeds_differ().contains("slowed the ship"));
     // The energy that the fenders took is compared with the energy of the run.
     assert!((outcome.eccentricity_measured - 1.0).abs() < 0.01, "{outcome:?}");
     assert!((outcome.added_sway.deep - 0.5).abs() < 1e-12 && outcome.added_sway.shallow.is_none());

@@ -101,7 +101,7 @@ fn links_names_holders_alarms_and_history_are_there_when_the_server_starts_again
         accepted(&mut bert, json!({ "do": "name", "name": "Bert" })).await;
         instructor.hello_with(|hello| holders(hello) == told).await;
         let mut carl = Client::join(&server, "pilot").await;
-        assert!(reason(&carl.ask(rudder(0.1)).await).contains("Anna (pilot) has it"));
+        assert!(reason(&carl.ask(rudder(0.1)).await).contains("Anna (pilot) holds this control"));
         accepted(&mut anna, rudder(-0.1)).await;
         accepted(&mut instructor, json!({ "do": "resume" })).await;
         instructor.frame_after(tick.unwrap_or(0) + 15).await;

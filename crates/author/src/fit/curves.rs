@@ -407,7 +407,7 @@ mod tests {
             ),
             (
                 format!("{HEAD}100,10,0\n90,12,0\n"),
-                ["falls from 0.1 to 0.09 m", "bench.csv:3:1", "column `unloading`"],
+                ["falls from 0.1 m to 0.09 m", "bench.csv:3:1", "column `unloading`"],
             ),
             (format!("{HEAD}0,10,0\n"), ["at zero deflection", "bench.csv:2:3", ""]),
             (

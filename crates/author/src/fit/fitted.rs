@@ -265,7 +265,7 @@ mod tests {
             (refused(|o| o.height_m = f64::NAN), "the height"),
             (
                 refused(|o| o.rated_deflection_m = Some(0.3)),
-                "ends at 0.25 m; the rated deflection is 0.3 m",
+                "ends at a deflection of 0.25 m; the rated deflection is 0.3 m",
             ),
             (refused(|o| o.rated_deflection_m = Some(-0.3)), "the rated deflection [m] is -0.3"),
             (refused(|o| o.returned_energy = Some(1.2)), "the returned energy is 1.2"),

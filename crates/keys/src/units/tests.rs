@@ -112,7 +112,7 @@ fn temperatures_are_degrees_celsius() {
     refused("40 deg", "`deg`", "`degC`");
     refused("104 F", "`F`", "`degF`");
     refused("40 m", "`m` is not a unit of temperature", "degC or degF");
-    refused("warm", "no number", "");
+    refused("warm", "does not start with a number", "");
 }
 
 #[test]
@@ -140,8 +140,8 @@ fn every_measure_states_a_unit_of_its_dimension() {
 
 #[test]
 fn mistakes_are_named() {
-    check_error("", "no number", "");
-    check_error("kn", "no number", "");
+    check_error("", "does not start with a number", "");
+    check_error("kn", "does not start with a number", "");
     check_error("nan", "NaN", "");
     check_error("-inf kN", "infinity", "");
     check_error("1e400 m", "too large", "");

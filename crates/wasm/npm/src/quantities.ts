@@ -43,7 +43,7 @@ export interface ChainQuantities {
   peak_tension_n: number;
   /** start of the step of the largest tension [s] */
   peak_tension_at_s: number;
-  /** largest tension over the break load [1] */
+  /** largest tension as a share of the break load [1] */
   share_of_break_load: number;
   /** place of a tension chain to the right of the panel's middle [m] */
   at_m?: number;
@@ -77,7 +77,7 @@ export interface DolphinQuantities {
   period_s?: number;
   /** load at which the pile yields [N] */
   yield_load_n?: number;
-  /** largest load over the yield load [1] */
+  /** largest load as a share of the yield load [1] */
   share_of_yield_load?: number;
   /** start of the step in which the pile first yielded [s] */
   yielded_at_s?: number;
@@ -117,21 +117,21 @@ export interface FenderQuantities {
   peak_hull_pressure_npm2?: number;
   /** rated energy times the run's factors [J] */
   capacity_j?: number;
-  /** largest energy over the rated energy times the run's factors [1] */
+  /** largest energy as a share of the rated energy with the run's factors [1] */
   share_of_rated_energy?: number;
-  /** largest reaction over the rated reaction times the run's factors [1] */
+  /** largest reaction as a share of the rated reaction with the run's factors [1] */
   share_of_rated_reaction?: number;
-  /** largest deflection over the rated deflection [1] */
+  /** largest deflection as a share of the rated deflection [1] */
   share_of_rated_deflection?: number;
-  /** largest energy over the rated energy without the run's factors [1] */
+  /** largest energy as a share of the rated energy without the run's factors [1] */
   share_of_catalogue_energy?: number;
-  /** largest reaction over the rated reaction without the run's factors [1] */
+  /** largest reaction as a share of the rated reaction without the run's factors [1] */
   share_of_catalogue_reaction?: number;
   /** the quantity that is nearest to its rated value */
   governing?: string;
-  /** share of the rated value of this quantity [1] */
+  /** largest share of a rated value, that of the quantity `governing` [1] */
   governing_share?: number;
-  /** largest pressure on the hull over the permissible pressure [1] */
+  /** largest pressure on the hull as a share of the permissible pressure [1] */
   share_of_hull_pressure?: number;
   /** rated deflection [m] */
   rated_deflection_m?: number;
@@ -145,7 +145,7 @@ export interface FenderQuantities {
   height_on_hull_m?: number;
   /** angle by which the hull's side leans out over the fender at the first touch [rad] */
   vertical_angle_rad?: number;
-  /** vertical force on the hull of the largest size, positive up [N] */
+  /** vertical force on the hull with the largest magnitude, positive up [N] */
   peak_vertical_force_n?: number;
 }
 
@@ -169,11 +169,11 @@ export interface LineQuantities {
   last_tension_n: number;
   /** start of the first step in which the line was fast [s] */
   made_fast_s?: number;
-  /** least break load of rope and tail [N] */
+  /** break load of the line: that of the weaker of rope and tail [N] */
   break_load_n?: number;
   /** working load [N] */
   working_load_n?: number;
-  /** largest tension over the break load [1] */
+  /** largest tension as a share of the break load [1] */
   share_of_break_load?: number;
   /** start of the step in which the line parted [s] */
   parted_at_s?: number;
@@ -233,7 +233,7 @@ export interface VesselQuantities {
   peak_speed_through_water_at_s: number;
   /** largest rate of turn, positive to starboard [rad/s] */
   peak_rate_of_turn_radps: number;
-  /** time of this rate of turn [s] */
+  /** time of the largest rate of turn [s] */
   peak_rate_of_turn_at_s: number;
   /** largest rudder angle, positive turns to starboard [rad] */
   peak_rudder_rad: number;
