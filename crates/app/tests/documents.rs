@@ -301,7 +301,7 @@ fn flexible_dolphins_are_in_the_workbook_and_on_the_title_page() {
     // Dolphin and fender have one name, and the wind makes her faster.
     assert!(!report.contains("bd_1 through bd_1"));
     contains_all(&report, &["m/s at the first touch: wind or other loads made the ship faster"]);
-    contains_all(&run.stdout, &["m/s: wind or other loads made her faster"]);
+    contains_all(&run.stdout, &["m/s: wind or other loads made the ship faster"]);
 }
 
 #[test]

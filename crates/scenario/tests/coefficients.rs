@@ -265,15 +265,15 @@ fn each_mistake_in_a_table_is_told_with_its_row_and_column() {
     refused(
         &[],
         &[("own_wind.csv", &radians)],
-        &["own_wind.csv:14:1", "these are radians", "`angle_rad`"],
+        &["own_wind.csv:14:1", "this column are radians", "`angle_rad`"],
     );
     let degrees = wind_with("angle_deg", "angle_rad");
-    refused(&[], &[("own_wind.csv", &degrees)], &["these are degrees", "`angle_deg`"]);
+    refused(&[], &[("own_wind.csv", &degrees)], &["are degrees", "`angle_deg`"]);
     let few = "angle_deg,cx,cy,cn\n0,0.8,0,0\n90,0,0.7,0\n180,-0.9,0,0\n";
     refused(
         &[],
         &[("own_wind.csv", few)],
-        &["own_wind.csv:3:1", "no row between 90 and 180, 90 degrees apart"],
+        &["own_wind.csv:3:1", "no row between 90 and 180, which are 90 degrees apart"],
     );
     let turned = wind_with("0,0.810,0.000,", "0,0.810,0.300,");
     refused(&[], &[("own_wind.csv", &turned)], &["own_wind.csv:4:1", "has 47 % of its largest"]);

@@ -163,7 +163,7 @@ fn mistakes_are_named() {
     check_error("4 kn/m2", "digit right after the unit `m`", "`m^2`");
     check_error("4 blubb", "`blubb` is not a known unit", "known units: ");
     check_error("4 kN/m.s", "two ways", "kN/(m.s)");
-    check_error("4 kN/", "ends", "");
+    check_error("4 kN/", "breaks off", "");
     check_error("4 (kN", "without its `)`", "");
     check_error("4 kN)", "without its `(`", "");
     check_error("4 m^99", "1 to 9", "m^2");
