@@ -14,7 +14,7 @@ use crate::world::World;
 /// The contact method by which our engine steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Method {
-    /// The paper's method; the host moves the bodies by forward Euler, as the paper does.
+    /// The contact method of Moreno et al. (2023); the host moves the bodies by forward Euler, as Moreno et al. do.
     Paper,
     /// The coupled method, which moves the bodies too.
     Coupled,

@@ -132,7 +132,7 @@ pub struct ContactWork {
     pub tangential_j: f64,
     /// Work of the damper's part of the normal force N.
     pub damper_j: f64,
-    /// Work of the force that the momentum limit subtracted, as the work of a force along N. The springs released this
+    /// Work of the force that the momentum limit subtracted, as the work of a force along the contact normal. The springs released this
     /// energy, and the bodies did not receive it: it is the loss by restitution.
     pub limiter_j: f64,
 }

@@ -75,7 +75,7 @@ impl<R: BufRead> Replay<R> {
     /// Begins a replay. `input` is the recording from its start, and `outline` must come from the same recording.
     ///
     /// # Errors
-    /// Fails if a session cannot be opened from the first line.
+    /// Fails if a session cannot be opened from the first line of the recording.
     pub fn begin(input: R, outline: Outline) -> Result<Replay<R>, ReplayError> {
         let reader = RecordingReader::open(input).map_err(ReplayError::Recording)?;
         let session = Session::open(reader.source().clone());

@@ -159,8 +159,8 @@ impl Keeper {
         Ok(Keeper { to: Some(to), thread: Some(thread) })
     }
 
-    /// Lets the keeper's thread write links and holders to a file soon. Earlier links and holders that still wait for
-    /// the same file are dropped.
+    /// Lets the keeper's thread write links and holders to a file soon. Earlier links and holders that the
+    /// thread has not yet written to the same file are replaced, and never written.
     pub(crate) fn keep(&self, path: PathBuf, seats: KeptSeats) {
         if let Some(to) = &self.to {
             let _ = to.send((path, seats));

@@ -134,7 +134,8 @@ fn turn_rad(turn_deg: f64) -> f64 {
     if way >= PI { way - TAU } else { way }
 }
 
-/// The scale of each quantity's spread: the sum of squares of its agent's strength over the whole weather.
+/// The number by which the spread of each quantity is divided: the sum, over all hours of the weather, of the squared
+/// strength of the wind, current or waves that the quantity describes.
 fn scales(weather: &Weather) -> Vec<f64> {
     let all: Vec<usize> = (0..weather.len()).collect();
     let hours: f64 = weather.hours.iter().sum();

@@ -25,8 +25,8 @@ impl Default for ChainState {
     }
 }
 
-/// The chains that part in a sub-step, with the tensions at which they part. The tension is 0 for chains that do not
-/// part.
+/// The chains that part in a sub-step, with the tension at which each chain parts (N); 0 for a chain that does not part
+/// in the sub-step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Broken {
     pub(crate) chains: Parted,

@@ -5,17 +5,13 @@ use fenderline_sim::chart::{
     ChartFeature, ChartKind, ChartLight, ChartMark, ChartShape, MarkColour, MarkSide,
 };
 
+use super::bounds::{DEPTHS_M, LONGEST_NAME};
 use super::geojson::{Coordinates, Properties, Raw};
 use super::placing::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
 use super::ring;
 use super::s57::{self, Attributes, Class};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
-
-/// Longest name (bytes), the same as for a body.
-pub(super) const LONGEST_NAME: usize = 200;
-/// Depths that a chart may have (m): heights that fall dry are negative.
-pub(super) const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
 
 type Read<T> = Result<T, String>;
 

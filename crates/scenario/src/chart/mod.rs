@@ -1,6 +1,7 @@
 //! Charts from GeoJSON files: `geojson` reads the text, `feature` interprets each feature, `s57` has the classes of
-//! electronic charts, `ring` checks their areas, `projection` converts longitude and latitude to metres.
+//! electronic charts, `bounds` has what a feature may hold, `ring` checks their areas, `projection` converts longitude and latitude to metres.
 
+mod bounds;
 mod feature;
 mod geojson;
 mod placing;

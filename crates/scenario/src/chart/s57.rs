@@ -7,7 +7,7 @@
 use fenderline_sim::chart::{ChartKind, ChartLight, ChartMark, MarkColour, MarkSide};
 use serde_json::Value;
 
-use super::feature::{DEPTHS_M, LONGEST_NAME};
+use super::bounds::{DEPTHS_M, LONGEST_NAME};
 use super::geojson::Properties;
 
 /// A nautical mile (m).

@@ -8,8 +8,8 @@ use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
 /// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, divided by the
-/// damping of the data. The ratio of the two dampings is taken in heave, at the frequency of the largest damping. The
-/// ratio of the two dampings should be 1, and 2 at a quay. With forces in newtons in place of kilonewtons the ratio
+/// damping of the data. The ratio is that of the dampings in heave, at the frequency at which the data have the largest
+/// damping in heave. The ratio should be 1, and 2 at a quay. With forces in newtons in place of kilonewtons the ratio
 /// would be wrong by a factor of a million, with tonnes-force by a hundred, with feet by eleven.
 const HASKIND: [f64; 2] = [0.1, 10.0];
 /// Largest mean drift that is accepted, divided by ρgL/2, which is the drift of a wave that is wholly reflected over

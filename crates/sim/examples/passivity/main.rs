@@ -23,7 +23,7 @@ use episode::{Outcome, play};
 
 /// Default number of random impacts of each kind.
 const EPISODES: u64 = 100_000;
-/// Number of random impacts at each time step with γ = 1.
+/// Number of random impacts with restitution γ = 1, for each length of the time step.
 const ELASTIC_EPISODES: u64 = 2_000;
 /// Rounding error of the energy balance of a run with some hundred sub-steps.
 const ROUNDING: f64 = 1e-9;

@@ -4,7 +4,7 @@ use fenderline_contact::number::{bounded, greater};
 use fenderline_contact::{BodyState, FenderId, Memory, Model, RenewalBuffers, Vec2, vec2};
 
 use super::cut::ANGLE_RAD;
-use super::sides::{HeightWork, Heights};
+use super::heights::{HeightWork, Heights};
 use crate::setup::{Method, Setup};
 
 /// The largest roll or pitch by which fenders lean (rad): about 40 degrees. Beyond it, small-angle formulas are far off.

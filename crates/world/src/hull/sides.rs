@@ -6,10 +6,11 @@ use fenderline_contact::{
 };
 
 use super::cut::Posture;
+use super::heights::{HeightWork, Heights};
 use super::lean::Leaning;
 use crate::fender::FenderSetup;
 use crate::setup::Setup;
-use crate::world::{HullMotion, Shore, VesselState};
+use crate::world::HullMotion;
 
 /// Distance of a hull's bounding box from a fender beyond which the hull is not cut at the fender (m). Heel moves a
 /// side of a hull by less than this distance.
@@ -67,17 +68,6 @@ struct Pair {
     missed: Option<SideMissed>,
 }
 
-/// The energy that the renewal of an outline, or the lean of a fender, put into the fender (J).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HeightWork {
-    /// Indices of the two bodies, the smaller index first.
-    pub bodies: [usize; 2],
-    /// Index of the fender.
-    pub fender: usize,
-    /// The energy that the renewal put into the fender (J).
-    pub work_j: f64,
-}
-
 /// The renewal of an outline, kept so that a failed step can undo it.
 #[derive(Clone, Debug)]
 struct Undo {
@@ -103,42 +93,24 @@ pub struct Sides {
     buffers: RenewalBuffers,
 }
 
-/// Heights of fenders and hulls in a step.
-#[derive(Clone, Copy)]
-pub struct Heights<'a> {
-    /// The heights of points on quays and on vessels.
-    pub shore: Shore<'a>,
-    /// Heave, roll and pitch of the vessels.
-    pub vessels: &'a [VesselState],
-    /// Start of the step (s).
-    pub t_s: f64,
-    /// Length of the step (s).
-    pub step_s: f64,
-}
-
-impl Heights<'_> {
-    /// Heave, roll and pitch of a vessel in the middle of the step; zero for other bodies. For a vessel with
-    /// hydrodynamic data they are the values at the start of the step: contact acts there in the leapfrog. With values
-    /// half a step later, a roll against a fender would gain energy.
-    pub(super) fn motion(&self, vessel: Option<usize>) -> HullMotion {
-        vessel.map_or(HullMotion::default(), |index| {
-            let vessel = &self.vessels[index];
-            vessel.motion_after(if vessel.seaway.is_some() { 0.0 } else { 0.5 * self.step_s })
-        })
-    }
-
+impl Pair {
     /// Height of a fender above the keel of a hull, at the hull's centre of gravity (m); for a fixed body above datum.
     /// The function also returns heave, roll and pitch of the hull.
-    fn of(&self, pair: &Pair, fender: &FenderSetup, setup: &Setup) -> (f64, HullMotion) {
-        let hull = self.motion(pair.vessel);
-        let mut above_water_m = self.shore.fender_above_water_m(fender);
+    fn height_m(
+        &self,
+        heights: &Heights<'_>,
+        fender: &FenderSetup,
+        setup: &Setup,
+    ) -> (f64, HullMotion) {
+        let hull = heights.motion(self.vessel);
+        let mut above_water_m = heights.shore.fender_above_water_m(fender);
         if !fender.floating {
-            above_water_m -= self.motion(pair.host_vessel).sinkage_m(fender.position_m);
+            above_water_m -= heights.motion(self.host_vessel).sinkage_m(fender.position_m);
         }
-        if setup.bodies[pair.body].is_fixed() {
-            return (above_water_m + self.shore.level_m, hull);
+        if setup.bodies[self.body].is_fixed() {
+            return (above_water_m + heights.shore.level_m, hull);
         }
-        let draught_m = setup.bodies[pair.body].hull.as_ref().map_or(0.0, |hull| hull.draught_m());
+        let draught_m = setup.bodies[self.body].hull.as_ref().map_or(0.0, |hull| hull.draught_m());
         (above_water_m + draught_m + hull.heave_m, hull)
     }
 }
@@ -211,7 +183,7 @@ impl Sides {
             if off_hull_m > reach_m + 2.0 * heights.step_s * speeds_mps {
                 continue;
             }
-            let (height_m, motion) = heights.of(pair, fender, setup);
+            let (height_m, motion) = pair.height_m(heights, fender, setup);
             let posture = Posture::new(height_m, motion.roll_rad, motion.pitch_rad);
             let [low_m, high_m] = hull.range_m();
             let at_m = posture.height_at_m(place_m);

@@ -81,7 +81,8 @@ impl Touch {
     }
 }
 
-/// The components of a normal force between outlines; zero for a fender's force.
+/// The parts of a contact's normal force (spring, damper, limiter) if two outlines touch; zero if a fender carries the
+/// force.
 fn of_outlines(contact: &Contact) -> ForceParts {
     if contact.fender.is_none() { contact.parts } else { ForceParts::default() }
 }

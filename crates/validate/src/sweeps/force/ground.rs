@@ -120,7 +120,7 @@ fn by_direction() -> Sweep {
         title: "The same bulk carrier aground, with 0.2 m too little water, by the direction in \
                 which she moves at 0.2 kn"
             .to_owned(),
-        axis: Axis::new("motion off the bow, to starboard", "°", -180.0, 180.0),
+        axis: Axis::new("direction of motion, from the bow to starboard", "°", -180.0, 180.0),
         value: ["force", "kN"],
         curves: vec![
             Curve::of("longitudinal", move |degrees| 1e-3 * at(&ahead, degrees).surge_n)
