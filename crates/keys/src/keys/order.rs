@@ -34,7 +34,7 @@ const ANOTHER: Absent = Means("another order");
 const PLACEHOLDER: KeySpec = key("", Kind::Flag, ANOTHER, "", &[]);
 
 table_keys! {
-    /// Keys of an [[order]] that are not orders from the table: time, target, telegraph, and the direction of a push or
+    /// Keys of an `[[order]]` that are not orders from the table: time, target, telegraph, and the direction of a push or
     /// pull.
     pub OrderKey of &KEYS; {
         AT: Number = key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
@@ -282,7 +282,7 @@ fn power_or_direction() -> Json {
     json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })
 }
 
-/// The rule of the JSON schema: each [[order]] has one target and one order for this target. An order without arguments
+/// The rule of the JSON schema: each `[[order]]` has one target and one order for this target. An order without arguments
 /// must be `true`, because `false` would order nothing.
 fn rules() -> Json {
     let flags = OrderName::ALL.iter().filter(|order| form(**order) == Form::Flag);

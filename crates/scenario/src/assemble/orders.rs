@@ -105,7 +105,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// The key of an [[order]] table that says what is ordered; there must be one such key.
+    /// The key of an `[[order]]` table that says what is ordered; there must be one such key.
     fn what<'t>(&self, table: Of<'t, OrderKey>, kind: TargetKind) -> Checked<Entry<'t, Anything>> {
         let known = words(kind);
         let target = target_key(kind);
