@@ -6,11 +6,12 @@ use fenderline_contact::{BodyState, FenderId, Memory, Model, RenewalBuffers, Vec
 use super::cut::ANGLE_RAD;
 use super::heights::{HeightWork, Heights};
 use crate::setup::{Method, Setup};
+use crate::world::VesselSetup;
 
 /// The largest roll or pitch by which fenders lean (rad): about 40 degrees. Beyond it, small-angle formulas are far off.
 const MAX_ANGLE_RAD: f64 = 0.7;
 
-/// A fender that a vessel with heave, roll and pitch carries.
+/// A fender that a vessel with hydrodynamic data carries. Roll and pitch of other vessels do not act on contacts.
 #[derive(Clone, Debug)]
 pub(super) struct Leaning {
     fender: usize,
@@ -30,9 +31,13 @@ impl Leaning {
         }
         let mut all = Vec::new();
         for (fender, carried) in setup.fenders.iter().enumerate() {
-            let carries = |vessel: &crate::world::VesselSetup| vessel.body == carried.body;
+            let carries = |vessel: &VesselSetup| vessel.body == carried.body;
             let Some(vessel) = setup.world.vessels.iter().position(carries) else { continue };
-            let Some(float) = setup.world.vessels[vessel].float else { continue };
+            let VesselSetup { float: Some(float), seakeeping: Some(_), .. } =
+                &setup.world.vessels[vessel]
+            else {
+                continue;
+            };
             let above_gravity_m = carried.above_water_m - float.gravity_above_water_m;
             if above_gravity_m != 0.0 {
                 all.push(Leaning { fender, vessel, above_gravity_m, lean_m: Vec2::ZERO });
