@@ -125,7 +125,7 @@ test("nobody commands before taking the helm, and two cannot hold it", async () 
   const second = await open(browser.context, served, "pilot", errors);
   await second.getByText(/has the helm/).waitFor();
   await second.getByRole("button", { name: "Take the helm" }).click();
-  await second.getByText(/^Refused: .*has it/).waitFor();
+  await second.getByText(/^Refused: .*holds this control/).waitFor();
   await second.close();
 });
 
