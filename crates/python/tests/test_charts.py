@@ -148,7 +148,7 @@ def test_mistakes_are_errors_of_ours(made_up: list[Path], tmp_path: Path) -> Non
     empty = raster(tmp_path / "empty.tif", np.full((10, 10), np.nan), "EPSG:4326", 10.0, 54.44, 0.001)
     (tmp_path / "text.000").write_text("no chart", "utf-8")
     other = layer(tmp_path, "roads", feature({}, "Point", [10, 54]))
-    for files, keys, reason in [
+    mistakes: list[tuple[Any, dict[str, Any], str]] = [
         ([], {}, "no file"),
         (tmp_path / "absent.000", {}, "there is no such file"),
         (tmp_path / "absent.tif", {}, "there is no such file"),
@@ -163,7 +163,8 @@ def test_mistakes_are_errors_of_ours(made_up: list[Path], tmp_path: Path) -> Non
         (without, {"crs": "EPSG:0"}, "is not a coordinate system"),
         (empty, {}, "it has no data"),
         (empty, {"cell_m": 0.01}, "a cell is from 0.1"),
-    ]:
+    ]
+    for files, keys, reason in mistakes:
         with pytest.raises(charts.ChartError, match=reason) as caught:
             charts.convert(files, out, **keys)
         assert isinstance(caught.value, ValueError)

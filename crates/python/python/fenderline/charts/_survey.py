@@ -125,7 +125,7 @@ def _own_cell_m(rasterio: Any, source: Source, metres: str) -> float:
     middle = _at(source.transform, columns / 2, rows / 2)
     beside = _at(source.transform, columns / 2 + 1, rows / 2 + 1)
     xs, ys = rasterio.warp.transform(source.crs, metres, [middle[0], beside[0]], [middle[1], beside[1]])
-    cell_m = min(abs(xs[1] - xs[0]), abs(ys[1] - ys[0]))
+    cell_m = float(min(abs(xs[1] - xs[0]), abs(ys[1] - ys[0])))
     digits = 1 - math.floor(math.log10(cell_m))
     return max(0.1, round(cell_m, digits))
 
