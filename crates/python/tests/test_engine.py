@@ -76,7 +76,7 @@ def test_views_outlive_their_engine() -> None:
 def test_an_array_of_another_size_is_refused() -> None:
     engine = Engine(coupled_tug())
     engine.states.resize((1, 6), refcheck=False)
-    with pytest.raises(ValueError, match="6 numbers, not 12"):
+    with pytest.raises(ValueError, match="6 numbers, but needs 12"):
         engine.step(0.1)
 
 
