@@ -9,7 +9,7 @@ use crate::fender::RankedFender;
 use crate::material::{BodyId, FenderId};
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::renew::RenewalBuffers;
+use crate::renew::{Met, RenewalBuffers};
 use crate::state::BodyState;
 use crate::vec2::Vec2;
 
@@ -23,7 +23,7 @@ impl Model {
     /// # Panics
     /// If the fender does not exist.
     pub fn lean_fender<'b>(
-        &mut self,
+        &'b mut self,
         memory: &mut Memory,
         states: &[BodyState],
         (fender, lean_m): (FenderId, Vec2),
@@ -39,12 +39,11 @@ impl Model {
         });
         buffers.meet(candidates);
         self.change_met(memory, states, buffers, |model| model.set_lean(fender, lean_m));
-        let id_of = |rank: u32| self.id_of[rank as usize];
-        for met in &mut buffers.met {
-            let Candidate { a, b, .. } = met.candidate;
-            met.touching = Some(id_of(if a == host { b } else { a }));
-        }
-        buffers.met.iter().filter_map(|met| Some((met.touching?, met.work_j)))
+        let id_of = &self.id_of;
+        buffers.met.iter().map(move |Met { candidate: Candidate { a, b, .. }, work_j, .. }| {
+            let touching = if *a == host { *b } else { *a };
+            (id_of[touching as usize], *work_j)
+        })
     }
 
     /// Sets the place of a fender as [`Model::lean_fender`] does, but leaves the memory of the contacts: for a host that

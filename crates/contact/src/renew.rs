@@ -61,8 +61,6 @@ pub(crate) struct Met {
     before: [Held; 2],
     /// The energy that the change put into the contacts (J).
     pub(crate) work_j: f64,
-    /// The body that touches a leaning fender.
-    pub(crate) touching: Option<BodyId>,
 }
 
 /// Buffers for the overlap of one candidate.
@@ -96,7 +94,6 @@ impl RenewalBuffers {
             is_near: false,
             before: [Held::default(); 2],
             work_j: 0.0,
-            touching: None,
         }));
     }
 }

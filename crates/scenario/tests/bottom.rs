@@ -59,6 +59,35 @@ fn outside_may_be_a_depth() {
 }
 
 #[test]
+fn waves_over_a_bottom_have_one_depth_and_are_told() {
+    let told = |waves: &str, grid: &str| {
+        let toml =
+            format!("{HEAD}[environment]\n{waves}\n[environment.bottom]\nsurvey = [\"a.asc\"]\n");
+        let scenario = read(&toml, &[("a.asc", grid)]).unwrap_or_else(|error| panic!("{error}"));
+        let all = scenario.notices.into_iter().map(|notice| notice.to_string());
+        all.filter(|notice| notice.contains("median depth")).collect::<Vec<_>>()
+    };
+    let waves = "waves = { height = \"1 m\", period = \"8 s\", from = 0 }";
+    // 4, 5, 7, 8 and 9 m: the median is 7 m.
+    let [notice] = &told(waves, GRID)[..] else { panic!("one notice") };
+    assert!(notice.contains("s.toml:8:1: `environment.waves`"), "{notice}");
+    assert!(notice.contains("7.0 m below datum"), "{notice}");
+    assert!(told("", GRID).is_empty());
+    // Where nothing is wet at datum, the tide decides.
+    let dry = GRID.replace("7 8 9", "-1 -3 -1").replace("4 5", "-3 -2");
+    let keys = format!("{waves}\ntide = {{ level = \"2.5 m\" }}");
+    let toml = format!(
+        "{HEAD}[environment]\n{keys}\n[environment.bottom]\nsurvey = [\"a.asc\"]\nsurvey_values = \"depths\"\n"
+    );
+    let scenario = read(&toml, &[("a.asc", &dry)]).unwrap_or_else(|error| panic!("{error}"));
+    let found = scenario.notices.iter().any(|notice| notice.message.contains("-1.0 m below datum"));
+    assert!(found, "{:?}", scenario.notices);
+    let toml = toml.replace("2.5 m", "0.5 m").replace(waves, "");
+    let error = read(&toml, &[("a.asc", &dry)]).expect_err("no water anywhere").to_string();
+    assert!(error.contains("the bottom is above the water throughout the run"), "{error}");
+}
+
+#[test]
 fn heights_are_recognised_and_told() {
     let heights = GRID.replace("7 8 9", "-7 -8 -9").replace("4 5", "1 -5");
     let toml = format!("{HEAD}[environment.bottom]\nsurvey = [\"a.asc\"]\n");

@@ -162,12 +162,9 @@ fn roll_by_solve(scenario: &Scenario, w: f64, held: &[Six; 6]) -> f64 {
 fn roll_by_run(scenario: Scenario, w: f64, height_m: f64) -> f64 {
     let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
     let mut a = [[0.0; 6]; 5];
-    let mut residual = 0.0_f64;
     while simulation.time_s() < 900.0 {
         let record = simulation.step().expect("a good step");
         let roll = record.vessels[0].attitude.roll.value / (0.5 * height_m);
-        let energy = record.energy();
-        residual = energy.residual_j.abs() / energy.exchanged_j().max(1.0);
         let t = simulation.time_s();
         if t < 400.0 {
             continue;
@@ -180,8 +177,6 @@ fn roll_by_run(scenario: Scenario, w: f64, height_m: f64) -> f64 {
             }
         }
     }
-    println!("energy: residual {residual:.1e} of what was exchanged");
-    assert!(residual < 1e-3, "{residual}");
     for column in 0..5 {
         let pivot = a[column];
         for (row, line) in a.iter_mut().enumerate() {
@@ -419,4 +414,31 @@ fn a_barge_with_fenders_of_her_own_rolls_as_the_linear_solve_says() {
         }
         load
     });
+}
+
+/// Roll moves fenders that she carries, and so compresses them. The ledger books this energy as work of height, and the
+/// balance of the contacts closes with it: within 0.2 % of the work at 0.1 s, and the better the shorter the step is. At the
+/// start the balance lacks the energy of the fenders into which she was placed.
+#[test]
+fn what_leaning_fenders_take_from_roll_is_in_the_ledger() {
+    let held = fenders(["barge", "barge"], 10.0, 1.0);
+    let run = |step: &str| {
+        let barge = BARGE.replace("0.1 s", step);
+        let mut simulation =
+            Simulation::new(scenario_of(&barge, 0.7, 0.4, &held).setup).expect("a good set-up");
+        let (mut most_j, mut off_j, mut start_j) = (0.0_f64, 0.0_f64, None);
+        while simulation.time_s() < 300.0 {
+            let record = simulation.step().expect("a good step");
+            let energy = record.energy();
+            let placed_j = *start_j.get_or_insert(energy.contact_residual_j);
+            most_j = most_j.max(energy.height_work_j.abs());
+            off_j = off_j.max((energy.contact_residual_j - placed_j).abs());
+            assert!(energy.residual_j.abs() < 1e-9 * energy.exchanged_j().max(1.0));
+        }
+        println!("step {step}: work of height up to {most_j:.0} J, balance off by {off_j:.0} J");
+        assert!(most_j > 1e6 && off_j < 2e-3 * most_j, "{most_j} J, {off_j} J");
+        off_j
+    };
+    let (long_j, short_j) = (run("0.1 s"), run("0.05 s"));
+    assert!(short_j < 0.6 * long_j, "{long_j} {short_j}");
 }

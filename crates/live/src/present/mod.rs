@@ -33,8 +33,9 @@ pub struct PresentFile {
 pub const INTO_A_SESSION: &str = "into a session of";
 
 /// What every scenario file of a present state leaves out, in sentences.
-const ALWAYS: &str = "In a file of a present state, positions are rounded to 0.1 mm and speeds to 0.001 mm/s. \
-                      In a file of a present state, rudders, thrusters and azimuth units begin at rest and move to the orders. In a file of a present state, fenders are as new, gusts and waves begin anew, and an exercise is marked anew.";
+const ALWAYS: &str = "Positions in this file are rounded to 0.1 mm, and speeds to 0.001 mm/s. Rudders, thrusters and azimuth units \
+                      begin at rest and move to their orders. Fenders are as new. Gusts and waves begin anew, and the exercise is \
+                      marked anew.";
 
 impl Session {
     /// Writes a scenario file, with a title, that begins in the present state of the session. The file contains the

@@ -209,10 +209,14 @@ fn place_of(
     }
 }
 
-/// One depth for what does not vary by place, such as the length of waves: the median of the water (m).
-pub(super) fn median_depth_m(bottom: &Bottom) -> Option<f64> {
-    let mut water: Vec<f32> =
-        bottom.field.depths_m().iter().copied().filter(|depth_m| *depth_m > 0.0).collect();
+/// One depth below datum for waves, which have the same length everywhere (m): the median of the nodes that are wet when the
+/// water stands `level_m` above datum. Without such nodes, the greatest depth.
+pub(super) fn depth_for_waves_m(bottom: &Bottom, level_m: f64) -> f64 {
+    let wet = |depth_m: &f32| f64::from(*depth_m) + level_m > 0.0;
+    let mut water: Vec<f32> = bottom.field.depths_m().iter().copied().filter(wet).collect();
     water.sort_by(f32::total_cmp);
-    water.get(water.len() / 2).map(|depth_m| f64::from(*depth_m))
+    match water.get(water.len() / 2) {
+        Some(depth_m) => f64::from(*depth_m),
+        None => bottom.range_m()[1],
+    }
 }

@@ -13,7 +13,7 @@ use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 use super::assembly::{Assembly, Checked};
-use super::bottom::{Charted, median_depth_m};
+use super::bottom::{Charted, depth_for_waves_m};
 use super::vessel::Kinds;
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
@@ -48,9 +48,18 @@ impl Assembly<'_, '_> {
             None => Tide::default(),
             Some(item) => self.tide(item)?,
         };
-        // Waves have one depth.
-        let depth_of_waves_m = depth_m.or(bottom.as_ref().and_then(median_depth_m));
-        let start_m = depth_of_waves_m.map(|depth_m: f64| depth_m + tide.level_m(0.0));
+        let level_m = tide.level_m(0.0);
+        let of_bottom_m = bottom.as_ref().map(|bottom| depth_for_waves_m(bottom, level_m));
+        for &key in any_keys![EnvironmentKey: WAVES, LONG_WAVES] {
+            if let (Some(item), Some(depth_m)) = (table.item(key), of_bottom_m) {
+                let text = format!(
+                    "waves do not feel the depth by place: they have the length of waves in the median depth of the bottom, {depth_m:.1} m below \
+                     datum"
+                );
+                self.note_at(&item.key_span, table.path_to(item), text);
+            }
+        }
+        let start_m = depth_m.or(of_bottom_m).map(|depth_m: f64| depth_m + level_m);
         let wind = match table.item(EnvironmentKey::WIND) {
             None => None,
             Some(item) => Some(self.wind(table, item)?),
@@ -90,9 +99,7 @@ impl Assembly<'_, '_> {
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };
-        if environment.depth_m.is_some()
-            && environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0)
-        {
+        if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
             let message = "the bottom is above the water throughout the run";
             return Err(match table.item(EnvironmentKey::DEPTH) {
                 Some(item) => self.refused(table, item, &message),
@@ -186,7 +193,7 @@ impl Assembly<'_, '_> {
         if table.first_of(any_keys![EnvironmentKey: DEPTH, BOTTOM]).is_none() {
             let path = table.path_of(EnvironmentKey::SQUAT);
             let message = format!(
-                "`{path}` needs a `depth` in the same table: in deep water there is no squat"
+                "`{path}` needs a `depth` or a `bottom` in the same table: in deep water there is no squat"
             );
             return Err(self.sources.error(&item.key_span, &path, message));
         }

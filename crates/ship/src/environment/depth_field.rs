@@ -11,8 +11,8 @@ pub const MOST_NODES: usize = 50_000_000;
 /// line do not count. Rounding of coordinates is less.
 const ON_LINE: f64 = 1e-9;
 
-/// Depths below datum at the nodes of a square grid, bilinear between the nodes. Without data outside the grid, and
-/// where a corner of the cell has no data.
+/// Depths below datum at the nodes of a square grid, bilinear between the nodes. The field has no data outside the grid,
+/// and none in a cell of which a corner has no data.
 ///
 /// The memory of a field does not change in a run: simulations share it by [`std::sync::Arc`].
 ///

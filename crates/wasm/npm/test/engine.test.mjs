@@ -139,7 +139,7 @@ test("mistakes name the part and the field, and change nothing", () => {
   assert.throws(() => engine.advance(0.1), /tug/);
   engine.states[1] = 0;
   assert.throws(() => engine.advance(-1), FenderlineError);
-  assert.throws(() => engine.markTeleported(9), /no body 9/);
+  assert.throws(() => engine.markTeleported(9), /no body with index 9/);
   engine.advance(0.1);
   engine.free();
 });

@@ -17,6 +17,7 @@
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_ship::hydro::Force;
+use fenderline_ship::seakeeping::matrix;
 
 use super::environment::Environment;
 use super::soundings::{STATIONS, stations};
@@ -42,29 +43,9 @@ const CHANGES: usize = 40;
 type Vector = [f64; 3];
 type Matrix = [[f64; 3]; 3];
 
-/// The solution of a symmetric or a diagonally dominant system of three equations, with pivots.
-fn solve(mut a: Matrix, mut b: Vector) -> Vector {
-    for k in 0..3 {
-        let pivot =
-            (k..3).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        for row in k + 1..3 {
-            let share = a[row][k] / a[k][k];
-            let above = a[k];
-            for (entry, above) in a[row].iter_mut().zip(above).skip(k) {
-                *entry -= share * above;
-            }
-            b[row] -= share * b[k];
-        }
-    }
-    for k in (0..3).rev() {
-        for column in k + 1..3 {
-            b[k] -= a[k][column] * b[column];
-        }
-        b[k] /= a[k][k];
-    }
-    b
+/// Solves a system of a positive definite stiffness or mass, which is never singular.
+fn solve(matrix: &Matrix, right: &Vector) -> Vector {
+    matrix::solve(matrix, right).expect("stiffness and mass are not singular")
 }
 
 fn dot(a: &Vector, b: &Vector) -> f64 {
@@ -192,7 +173,7 @@ impl<'a> Keel<'a> {
                     *push += of.spring_npm * of.sunk_m * lift;
                 }
             }
-            rise = solve(held, pushes);
+            rise = solve(&held, &pushes);
             let mut is_same = true;
             for of in stations.iter_mut() {
                 let pressed_m = of.sunk_m - dot(&of.lifts, &rise);
@@ -221,7 +202,7 @@ impl<'a> Keel<'a> {
             add_outer(&mut mixed, of.spring_npm, &of.slope, &of.lifts);
         }
         // The stiffness less the part by which the ship gives way: S − B H⁻¹ Bᵀ.
-        let gives = mixed.map(|row| solve(held, row));
+        let gives = mixed.map(|row| solve(&held, &row));
         for (row, mixed) in load.stiffness.iter_mut().zip(&mixed) {
             for (entry, gives) in row.iter_mut().zip(&gives) {
                 *entry -= dot(mixed, gives);
@@ -293,7 +274,7 @@ fn mean_force(keel: &Keel<'_>, state: &BodyState, before: Vector, step: &Step) -
     let ahead_s = acts_s - lag_s;
     let from = before.map(|speed| -lag_s * speed);
     let momentum = times(mass, &before);
-    let mut after = solve(*mass, [0, 1, 2].map(|k| momentum[k] + acts_s * given[k]));
+    let mut after = solve(mass, &[0, 1, 2].map(|k| momentum[k] + acts_s * given[k]));
     let start = keel.load(state, &from);
     let mut force = [0.0; 3];
     for _ in 0..ITERATIONS.0 {
@@ -332,7 +313,7 @@ fn mean_force(keel: &Keel<'_>, state: &BodyState, before: Vector, step: &Step) -
             }
             off[k] = momentum[k] + acts_s * (given[k] + force[k]) - dot(&mass[k], &after);
         }
-        let change = solve(slope, off);
+        let change = solve(&slope, &off);
         for (after, change) in after.iter_mut().zip(change) {
             *after += change;
         }
