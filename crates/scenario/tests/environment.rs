@@ -460,7 +460,7 @@ fn a_ship_under_way_squats_by_the_chosen_formula() {
         &[("environment", "squat = \"barrass\"")],
         &[],
         "environment.squat",
-        &["needs a `depth` in the same table"],
+        &["needs a `depth` or a `bottom` in the same table"],
     );
     let far = good(&[("environment", "depth = 40\nsquat = \"barrass\"")], &[]);
     let [notice] = other_notices(&far)[..] else { panic!("{:?}", far.notices) };
