@@ -115,8 +115,7 @@ fn two_clients_cannot_hold_one_helm_and_orders_stay_when_a_client_leaves() {
         assert!(notice.contains("orders of ship stay as they are"), "{notice}");
         let frame = instructor.frame_after(ordered + 1).await;
         assert_eq!(frame["vessels"][0]["rudder"]["order_rad"], -0.4);
-        let hello = instructor.latest_hello().await;
-        assert_eq!(hello["claims"][0]["connected"], false);
+        instructor.hello_with(|hello| hello["claims"][0]["connected"] == false).await;
         // Nobody is at it: the other one takes it. The instructor relieves her.
         assert_eq!(two.ask(rudder(0.2)).await["type"], "ack");
         assert_eq!(instructor.ask(claim("ship")).await["type"], "ack");
@@ -668,9 +667,8 @@ fn chart_programs_get_the_origin_of_a_geojson_chart_and_that_of_the_option_in_it
             let east_m = (east_min - 60.0 * longitude_deg) * parallel_m;
             assert!((north_m + 551.8).abs() < 4.0, "{north_m} {text}");
             assert!((east_m + 296.6).abs() < 4.0, "{east_m} {text}");
-            let mut observer = Client::join(&server, "observer").await;
-            let hello = observer.latest_hello().await;
-            let drawn = hello["chart"].as_array().map_or(0, Vec::len);
+            let observer = Client::join(&server, "observer").await;
+            let drawn = observer.hello["chart"].as_array().map_or(0, Vec::len);
             assert!(drawn > 5, "the chart is drawn with both: {drawn}");
             server.stop_and_check();
         }

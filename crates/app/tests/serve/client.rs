@@ -198,13 +198,6 @@ impl Client {
         self.notices.iter().any(|text| text.contains(word))
     }
 
-    /// The last greeting, when a frame has come after it.
-    pub(crate) async fn latest_hello(&mut self) -> Value {
-        self.next("frame").await;
-        self.next("frame").await;
-        self.hellos.last().expect("one at least").clone()
-    }
-
     /// The first greeting, from the latest so far on, that is as wanted.
     pub(crate) async fn hello_with(&mut self, is_wanted: impl Fn(&Value) -> bool) -> Value {
         in_time("a greeting as wanted", async {

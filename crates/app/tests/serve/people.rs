@@ -63,16 +63,16 @@ fn a_person_has_a_name_and_gets_her_helm_back_when_she_comes_again() {
         assert_eq!(other.ask(name("Anna")).await["type"], "ack");
         instructor.notice("is Anna 2 (pilot)").await;
         assert_eq!(pilot.ask(claim("ship")).await["type"], "ack");
-        assert_eq!(holder(&instructor.latest_hello().await, "ship"), ("Anna (pilot)".into(), true));
+        let held_by_anna = |connected| {
+            move |hello: &Value| holder(hello, "ship") == ("Anna (pilot)".to_owned(), connected)
+        };
+        instructor.hello_with(held_by_anna(true)).await;
         pilot.vanish();
         instructor.notice("Anna (pilot) has left").await;
-        assert_eq!(
-            holder(&instructor.latest_hello().await, "ship"),
-            ("Anna (pilot)".into(), false)
-        );
+        instructor.hello_with(held_by_anna(false)).await;
         let mut again = Client::join(&server, "pilot").await;
         assert_eq!(again.ask(name("Anna")).await["type"], "ack");
-        assert_eq!(holder(&instructor.latest_hello().await, "ship"), ("Anna (pilot)".into(), true));
+        instructor.hello_with(held_by_anna(true)).await;
         let rudder = json!({ "do": "rudder", "vessel": "ship", "angle_rad": 0.1 });
         assert_eq!(again.ask(rudder).await["type"], "ack");
         server.stop_and_check();
