@@ -43,6 +43,8 @@ struct Sentence {
 #[derive(Default)]
 struct Paragraph {
     lines: Vec<(usize, String)>,
+    /// The row of the table whose cell the paragraph is.
+    row: Option<String>,
 }
 
 /// Draws and prints sentences of the tracked files.
@@ -161,7 +163,10 @@ fn markdown(lines: &[(usize, &str)]) -> Vec<Paragraph> {
         if is_fence || in_code || is_row || line.is_empty() || line.starts_with(['#', '<']) {
             found.push(std::mem::take(&mut open));
             if is_row && !in_code {
-                let cell = |cell: &str| Paragraph { lines: vec![(number, cell.trim().to_owned())] };
+                let cell = |cell: &str| Paragraph {
+                    lines: vec![(number, cell.trim().to_owned())],
+                    row: Some(line.to_owned()),
+                };
                 found.extend(line.split('|').map(cell));
             }
             continue;
@@ -200,7 +205,7 @@ fn literals(source: &str) -> Vec<Paragraph> {
             rest = after;
             if is_prose(&text) {
                 let lines = text.split('\n').map(|part| (line, part.trim().to_owned()));
-                found.push(Paragraph { lines: lines.collect() });
+                found.push(Paragraph { lines: lines.collect(), row: None });
             }
         } else if rest.starts_with("'\"'") || rest.starts_with("'\\") {
             rest = rest.get(3..).unwrap_or("");
@@ -249,8 +254,11 @@ fn is_prose(text: &str) -> bool {
 }
 
 impl Paragraph {
-    /// All words of the paragraph in one line.
+    /// All words of the paragraph, or of the row of the table, in one line.
     fn words(&self) -> String {
+        if let Some(row) = &self.row {
+            return row.clone();
+        }
         let words = self.lines.iter().flat_map(|(_, line)| line.split_whitespace());
         words.collect::<Vec<_>>().join(" ")
     }

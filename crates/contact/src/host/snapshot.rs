@@ -1,4 +1,5 @@
-//! Writes and reads hosts as bytes, in little-endian order, with a version number and a checksum. A co-simulation host:
+//! Writes the state of a [`CoSimHost`](super::CoSimHost) as bytes and reads it back: in little-endian order, with a
+//! version number and a checksum.
 //!
 //! | bytes | content |
 //! |---|---|
