@@ -22,7 +22,7 @@ use super::least_squares::least_squares;
 use super::matrix::{Matrix6, Six, ZERO, plus, smallest_eigenvalue, times};
 use super::retardation::{Retardation, tangent_ratio};
 use super::unknown_damping::TAIL;
-use crate::environment::waves::Complex;
+use fenderline_ship::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.
 const RESONATORS: usize = 48;

@@ -10,7 +10,7 @@ use super::lattice::{Extent, Lattice};
 use super::triangles::{Sounded, Triangles, spaced};
 
 /// Height of land above datum in the field (m): more than any tide. A chart does not give the height of land.
-pub(crate) const LAND_HEIGHT_M: f64 = 20.0;
+pub const LAND_HEIGHT_M: f64 = 20.0;
 /// So many cells behind the front of a quay the bottom goes on as before the front.
 const UNDER_QUAY_CELLS: usize = 2;
 /// Most points of a triangulation. Contours have fewer points between their corners if there would be more.

@@ -12,7 +12,7 @@ use fenderline_contact::number::greater;
 
 use super::between::widest_step;
 use super::data::Hydrodynamics;
-use crate::environment::waves::Sea;
+use fenderline_ship::environment::waves::Sea;
 
 /// The largest step of phases kLΔμ between headings that is resolved, for headings from 0 to 180 degrees, and for
 /// headings all round.

@@ -4,8 +4,8 @@ use core::f64::consts::{PI, TAU};
 
 use super::error::{Part, Reason, SeakeepingError, error};
 use super::raw::RawHydrodynamics;
-use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::environment::waves::wave_number;
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_ship::environment::waves::wave_number;
 
 /// Allowed range of a ratio: the damping that follows from the exciting forces by Haskind's relation, divided by the
 /// damping of the data. The ratio is that of the dampings in heave, at the frequency at which the data have the largest

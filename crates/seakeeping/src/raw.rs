@@ -1,7 +1,7 @@
 //! The hydrodynamic data of a ship, as they are read from a file.
 
 use super::matrix::Matrix6;
-use crate::environment::waves::Complex;
+use fenderline_ship::environment::waves::Complex;
 
 /// Hydrodynamic data of a ship about a reference point, as they are read from a file. The motions and forces of the
 /// data are surge, sway, heave *down*, roll to starboard, pitch bow up, yaw to starboard.

@@ -16,7 +16,7 @@ const FARTHEST_M: f64 = 200e3;
 
 /// How the coordinates in the chart files become coordinates of the scenario.
 #[derive(Clone, Debug)]
-pub(crate) enum Placing {
+pub enum Placing {
     /// The coordinates in the files are metres east and north.
     Metres,
     /// The coordinates in the files are degrees of longitude and latitude.
@@ -57,12 +57,12 @@ impl Placing {
 
 /// How many more features and points a chart may have while it is read.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Budget {
+pub struct Budget {
     pub(super) features: usize,
     pub(super) points: usize,
 }
 
 impl Budget {
     /// How many features and points a chart may have.
-    pub(crate) const OF_CHART: Budget = Budget { features: MOST_FEATURES, points: MOST_POINTS };
+    pub const OF_CHART: Budget = Budget { features: MOST_FEATURES, points: MOST_POINTS };
 }

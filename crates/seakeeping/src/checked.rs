@@ -11,7 +11,7 @@ use super::passive::{check_damping, check_total_mass};
 use super::raw::RawHydrodynamics;
 use super::retardation::{Retardation, effective_infinite};
 use super::waves_check::check_forces;
-use crate::environment::waves::Complex;
+use fenderline_ship::environment::waves::Complex;
 
 /// Largest contradiction allowed between added mass and damping, divided by the largest added mass.
 const CONTRADICTION: f64 = 0.4;

@@ -21,7 +21,7 @@ use super::Seakeeping;
 use super::matrix::{Matrix6, Six, plus, solve, times};
 use super::matrix::{PLANE, UPRIGHT};
 use super::memory::{Bank, Memory};
-use crate::attitude::{Attitude, AttitudeLoad};
+use fenderline_ship::attitude::{Attitude, AttitudeLoad};
 
 /// The largest part of a contact's impulse that is guessed one step ahead of the contact. If a third of the impulse
 /// were guessed, the motion would ring under a rigid contact.

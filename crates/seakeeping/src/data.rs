@@ -4,7 +4,7 @@ use fenderline_contact::Vec2;
 
 use super::error::SeakeepingError;
 use super::matrix::{Matrix6, plus, smallest_eigenvalue};
-use crate::environment::waves::Complex;
+use fenderline_ship::environment::waves::Complex;
 
 /// Hydrodynamic data of a ship about her centre of gravity.
 #[derive(Clone, Debug, PartialEq)]

@@ -19,7 +19,7 @@ use self::survey::{Form, Survey, Values};
 use self::triangles::{Sounded, Triangles};
 use crate::chart::projection::Projected;
 
-pub(crate) use self::charted::LAND_HEIGHT_M;
+pub use self::charted::LAND_HEIGHT_M;
 
 /// Most nodes of a field: 16 MB.
 const MOST_NODES: usize = 4_000_000;
@@ -35,43 +35,48 @@ const HOLE: f64 = 5.0;
 const FEW: f64 = 0.001;
 
 /// What a bottom is made of.
-pub(crate) struct Request<'r> {
+pub struct Request<'r> {
     /// Name and text of each survey. The first one with data at a place counts.
-    pub(crate) surveys: Vec<(&'r str, &'r str)>,
+    pub surveys: Vec<(&'r str, &'r str)>,
     /// The key that names the surveys.
-    pub(crate) key: &'r str,
+    pub key: &'r str,
     /// What the coordinates of the surveys are.
-    pub(crate) coordinates: SurveyCoordinates,
+    pub coordinates: SurveyCoordinates,
     /// What the values of the surveys are; `None`: as most of their signs say.
-    pub(crate) values: Option<SurveyValues>,
+    pub values: Option<SurveyValues>,
     /// How the depths of the chart are taken; `None`: they are not.
-    pub(crate) choice: Option<ChartDepths>,
+    pub choice: Option<ChartDepths>,
     /// The chart.
-    pub(crate) chart: &'r Chart,
+    pub chart: &'r Chart,
     /// The projection of the chart, if the chart is in longitude and latitude: about its origin, and whether it is UTM.
-    pub(crate) projected: Option<(Projected, GeographicPlace, bool)>,
+    pub projected: Option<(Projected, GeographicPlace, bool)>,
     /// Side of a cell (m); `None`: it is chosen.
-    pub(crate) cell_m: Option<f64>,
+    pub cell_m: Option<f64>,
 }
 
 /// A bottom, with what a user should know of it.
-pub(crate) struct Made {
-    pub(crate) field: DepthField,
+pub struct Made {
+    /// The grid of depths.
+    pub field: DepthField,
     /// Sentences for notices, each with what it concerns.
-    pub(crate) told: Vec<(About, String)>,
+    pub told: Vec<(About, String)>,
 }
 
 /// What a sentence or a mistake concerns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum About {
+pub enum About {
+    /// The files of the surveys.
     Survey,
+    /// The coordinates of the surveys.
     Coordinates,
+    /// The chart.
     Chart,
+    /// The side of the grid's cells.
     Cell,
 }
 
 /// Why no bottom can be made.
-pub(crate) enum Refusal {
+pub enum Refusal {
     /// A mistake in a file.
     InFile(Box<ScenarioError>),
     /// A mistake of the scenario: what it concerns, what is wrong, what helps.
@@ -84,11 +89,11 @@ impl From<ScenarioError> for Refusal {
     }
 }
 
-/// Makes the field.
+/// Makes the grid of depths that a request asks for.
 ///
 /// # Errors
 /// [`Refusal`].
-pub(crate) fn make(request: &Request<'_>) -> Result<Made, Refusal> {
+pub fn make(request: &Request<'_>) -> Result<Made, Refusal> {
     let mut told = Vec::new();
     let place = place(request)?;
     let mut surveys = Vec::new();

@@ -13,8 +13,8 @@ use super::data::Hydrodynamics;
 use super::matrix::PLANE;
 use super::matrix::Six;
 use super::sub_steps::SubSteps;
-use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::environment::waves::{Complex, DriftHull, Sea};
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_ship::environment::waves::{Complex, DriftHull, Sea};
 
 /// Where the mean drift of a ship in waves comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,8 +8,8 @@ use super::error::{Part, Reason, SeakeepingError, error};
 use super::matrix::{Matrix6, Six, UPRIGHT, smallest_eigenvalue};
 use super::passive::{negative_together, scaled_to_one};
 use super::raw::RawHydrodynamics;
-use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::environment::waves::Complex;
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_ship::environment::waves::Complex;
 
 /// Largest change of the damping between two neighbouring frequencies, divided by the largest damping.
 const COARSEST: f64 = 0.6;

@@ -5,7 +5,7 @@ mod bounds;
 mod feature;
 mod geojson;
 mod placing;
-pub(crate) mod projection;
+pub mod projection;
 mod ring;
 mod s57;
 
@@ -14,13 +14,13 @@ use std::collections::BTreeMap;
 use fenderline_sim::chart::{ChartClass, ChartFeature};
 
 use self::feature::{Reading, Refusal, Rings};
-pub(crate) use self::placing::{Budget, Placing};
+pub use self::placing::{Budget, Placing};
 use self::s57::Found;
 use fenderline_keys::error::{Notice, ScenarioError};
 
 /// What was read of each class, by its name: how many features, and how many were left out for each reason.
 #[derive(Debug, Default)]
-pub(crate) struct Counts(BTreeMap<String, (usize, BTreeMap<String, usize>)>);
+pub struct Counts(BTreeMap<String, (usize, BTreeMap<String, usize>)>);
 
 impl Counts {
     fn add_read(&mut self, class: &str) {
@@ -32,7 +32,7 @@ impl Counts {
     }
 
     /// The classes in alphabetical order.
-    pub(crate) fn classes(self) -> Vec<ChartClass> {
+    pub fn classes(self) -> Vec<ChartClass> {
         let class = |(class, (read, left_out)): (String, (usize, BTreeMap<String, usize>))| {
             let left_out = left_out.into_iter().map(|(why, count)| (count, why)).collect();
             ChartClass { class, read, left_out }
@@ -45,7 +45,7 @@ impl Counts {
 ///
 /// # Errors
 /// Returns the first mistake in the file, with its line and the number and name of its feature.
-pub(crate) fn read(
+pub fn read(
     (name, text): (&str, &str),
     key: &str,
     placing: &Placing,

@@ -22,7 +22,7 @@ const HALF_ZONE_RAD: f64 = core::f64::consts::PI / 60.0;
 
 /// A projection of places on WGS 84 to metres north and east of an origin.
 #[derive(Clone, Debug)]
-pub(crate) struct Projected {
+pub struct Projected {
     central_meridian_rad: f64,
     scale: f64,
     series: Series,
@@ -31,7 +31,7 @@ pub(crate) struct Projected {
 
 impl Projected {
     /// Makes the projection about an origin.
-    pub(crate) fn about(origin: GeographicPlace, projection: Projection) -> Projected {
+    pub fn about(origin: GeographicPlace, projection: Projection) -> Projected {
         let (central_meridian_rad, scale) = match projection {
             Projection::ThroughOrigin => (origin.longitude_rad, 1.0),
             Projection::Utm => (zone_meridian_rad(origin.longitude_rad), UTM_SCALE),
@@ -43,12 +43,12 @@ impl Projected {
     }
 
     /// UTM about an origin, in its zone.
-    pub(crate) fn utm(origin: GeographicPlace) -> Projected {
+    pub fn utm(origin: GeographicPlace) -> Projected {
         Projected::about(origin, Projection::Utm)
     }
 
     /// The origin north of the equator and east of the central meridian (m).
-    pub(crate) fn origin_m(&self) -> Vec2 {
+    pub fn origin_m(&self) -> Vec2 {
         self.origin_m
     }
 
@@ -58,7 +58,7 @@ impl Projected {
     /// The place is moved by what is missing, as on a sphere, until nothing is. Grid north differs from true north by a
     /// few degrees at most, so each round makes the error at least ten times smaller; the number of rounds is fixed, so
     /// that the bits are the same everywhere.
-    pub(crate) fn to_place(&self, at_m: Vec2, origin: GeographicPlace) -> GeographicPlace {
+    pub fn to_place(&self, at_m: Vec2, origin: GeographicPlace) -> GeographicPlace {
         const ROUNDS: usize = 12;
         let mut place = origin;
         for _ in 0..ROUNDS {
@@ -70,7 +70,7 @@ impl Projected {
     }
 
     /// A place in metres north and east of the origin.
-    pub(crate) fn to_m(&self, place: GeographicPlace) -> Vec2 {
+    pub fn to_m(&self, place: GeographicPlace) -> Vec2 {
         let east_rad = wrapped(place.longitude_rad - self.central_meridian_rad);
         let conformal = tan_of_conformal_latitude(place.latitude_rad);
         let (sin, cos) = libm::sincos(east_rad);

@@ -25,8 +25,8 @@ use fenderline_contact::number::greater;
 
 use super::data::Hydrodynamics;
 use super::matrix::Six;
-use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::environment::waves::{Complex, wave_number};
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_ship::environment::waves::{Complex, wave_number};
 
 /// Signs of the six motions when port and starboard are mirrored.
 pub(super) const MIRROR: Six = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
