@@ -17,7 +17,6 @@
 use alloc::vec::Vec;
 
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
-use crate::bytes::{Reader, Record, Writer, check_sum, records};
 use crate::error::RestoreError;
 use crate::host::cosim::CoSimHost;
 use crate::host::direct::{DirectHost, DirectRecord};
@@ -27,8 +26,9 @@ use crate::host::past_step::PastStep;
 use crate::host::record::BodyRecord;
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::velocity::{Offset, Velocity};
-use crate::memory::Memory;
 use crate::model::Model;
+use crate::state::bytes::{Reader, Record, Writer, check_sum, records};
+use crate::state::memory::Memory;
 
 const MAGIC: &[u8; 8] = b"fndrhost";
 const DIRECT_MAGIC: &[u8; 8] = b"fndrpres";
