@@ -7,13 +7,13 @@ use serde_json::Value;
 use crate::action::Action;
 use crate::refusal::Refusal;
 
-/// A helm: a vessel by her name, a vector tug by her name, or the session.
+/// A helm that a page can hold: that of a vessel or a vector tug, by her name, or that of the session.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
     /// The helm of a vessel: rudder, engine and thrusters.
     Vessel(String),
-    /// A vector tug.
+    /// The helm of a vector tug: her force and its direction.
     Tug(String),
     /// The helm of the session itself: pause, rewind, weather and the like. The bool is always `true` in JSON.
     Session(bool),
@@ -38,7 +38,7 @@ macro_rules! conducts {
     };
 }
 
-/// An exercise to make from choices, and its name in the gallery.
+/// An exercise that is to be made from the user's choices, and its name in the gallery.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Creation {
@@ -67,7 +67,7 @@ conducts! {
     Rewind = "rewind" { tick: u64 },
     /// Begins a new branch at the tick to which the run is rewound.
     Branch = "branch" {},
-    /// Shows another branch of the session, at its end.
+    /// Shows the end of another branch of the session.
     ShowBranch = "show_branch" { id: usize },
     /// Opens another scenario or a saved session. Frames report the progress.
     Load = "load" { file: String },
@@ -83,8 +83,8 @@ conducts! {
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
     /// Gives several orders at once. Either all of the orders are given or none of them.
     Give = "give" { orders: Vec<Action> },
-    /// Asks for the past of the session that strip charts and log show. The values are those of the own ship, or of the
-    /// ship that `vessel` names.
+    /// Asks for the last half hour of the session: the values that strip charts show, and the events that the log
+    /// shows. The values are those of the own ship, or of the ship that `vessel` names.
     History = "history" { vessel: Option<String> },
     /// Makes the report of the session up to now. The page can fetch the report when this command is acknowledged.
     Report = "report" {},
