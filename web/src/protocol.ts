@@ -15,7 +15,7 @@ export type FromServer =
   Hello | Frame | Prediction | Trial | Past | Planned | Ack | Refused | Notice;
 
 /** Number of this protocol. */
-export const PROTOCOL = 5;
+export const PROTOCOL = 6;
 
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
@@ -259,6 +259,20 @@ export interface ChartInfo {
   colour: "red" | "green" | "yellow" | "black" | "white" | null;
   /** The side of the fairway that a lateral mark is on, for a ship that enters. */
   side: "port" | "starboard" | null;
+  /** Of buoys and beacons: what the mark says, by IALA's system. A cardinal mark has the direction of the safe water. */
+  meaning:
+    | "lateral"
+    | "north"
+    | "east"
+    | "south"
+    | "west"
+    | "isolated_danger"
+    | "safe_water"
+    | "special"
+    | "other"
+    | null;
+  /** Of buoys and beacons: the shape of the body; `null`: the chart does not give it. */
+  form: "cone" | "can" | "ball" | "pillar" | "spar" | "barrel" | "tower" | null;
   /** Of lights: the character as on a chart, such as "Fl(2) R 6s". */
   character: string | null;
   /** Of lights [s]. */
@@ -302,6 +316,54 @@ export interface VesselInfo {
   places: Place[];
   /** The orders that she has the gear for. */
   orders: string[];
+  /** Her passage plan. */
+  plan: PlanInfo | null;
+}
+
+/** A passage plan. The server computes tracks and distances; the page draws them. */
+export interface PlanInfo {
+  name: string;
+  waypoints: WaypointInfo[];
+  wheel_overs: WheelOverInfo[];
+  /** The planned track: legs and turns. */
+  track: Pair[];
+  /** For each leg with a corridor its edges to port and to starboard. */
+  corridor: [Pair[], Pair[]][];
+}
+
+export interface WaypointInfo {
+  /** Empty for none. */
+  name: string;
+  at_m: Pair;
+  /** Planned speed on the leg that leads here [m/s]. */
+  speed_mps: number | null;
+}
+
+/** Where the wheel goes over for the turn at a waypoint. */
+export interface WheelOverInfo {
+  /** Index into the plan's waypoints. */
+  waypoint: number;
+  at_m: Pair;
+  /** Of the track there. */
+  course_rad: number;
+}
+
+/** Where a ship is on her passage plan. */
+export interface PlanNow {
+  /** Index of the leg: the one from waypoint `leg` to the next. */
+  leg: number;
+  /** Distance from the track, positive to starboard of it [m]. */
+  cross_track_m: number;
+  /** Along the track to the waypoint at the end of the leg; negative after the last [m]. */
+  to_waypoint_m: number;
+  /** Along the track to the next wheel-over point [m]; `null`: no turn is left. */
+  to_wheel_over_m: number | null;
+  /** Course of the leg. */
+  course_rad: number;
+  /** Planned speed on the leg [m/s]. */
+  speed_mps: number | null;
+  /** Greatest cross-track distance that is planned; `null`: no corridor [m]. */
+  half_width_m: number | null;
 }
 
 export interface FenderInfo {
@@ -477,6 +539,8 @@ export interface VesselNow {
   aground: boolean;
   /** Her position at the berth, if there is one. */
   berth: BerthNow | null;
+  /** Where she is on her passage plan; `null`: she has none. */
+  plan: PlanNow | null;
   /** For a tug that is a vessel: her order at the ship. */
   assist: AssistNow | null;
   faults: Fault[];
@@ -720,6 +784,8 @@ export interface Past {
   /** Distance to the berth. */
   bow_m: (number | null)[];
   stern_m: (number | null)[];
+  /** From the track of her passage plan, positive to starboard of it. */
+  cross_track_m: (number | null)[];
   /** Greatest load of a fender over its rating, of a line over its working load. */
   of_energy: number[];
   of_reaction: number[];

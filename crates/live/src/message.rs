@@ -11,7 +11,7 @@ use crate::request::Control;
 
 /// Version number of the protocol between server and page. A page with another version of the protocol asks the user to
 /// reload the page.
-pub const PROTOCOL: u32 = 5;
+pub const PROTOCOL: u32 = 6;
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "hello")]
@@ -201,6 +201,8 @@ pub struct ChartInfo {
     pub clearance_m: Option<f64>,
     pub colour: Option<&'static str>,
     pub side: Option<&'static str>,
+    pub meaning: Option<&'static str>,
+    pub form: Option<&'static str>,
     pub character: Option<String>,
     pub period_s: Option<f64>,
     pub sector_rad: Option<Pair>,
@@ -234,6 +236,43 @@ pub struct VesselInfo {
     pub has_towline: bool,
     pub places: Vec<&'static str>,
     pub orders: Vec<&'static str>,
+    pub plan: Option<PlanInfo>,
+}
+
+/// The passage plan of a vessel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlanInfo {
+    pub name: String,
+    pub waypoints: Vec<WaypointInfo>,
+    pub wheel_overs: Vec<WheelOverInfo>,
+    pub track: Vec<Pair>,
+    pub corridor: Vec<[Vec<Pair>; 2]>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WaypointInfo {
+    pub name: String,
+    pub at_m: Pair,
+    pub speed_mps: Option<f64>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct WheelOverInfo {
+    pub waypoint: usize,
+    pub at_m: Pair,
+    pub course_rad: f64,
+}
+
+/// Where a vessel is on her passage plan.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PlanNow {
+    pub leg: usize,
+    pub cross_track_m: f64,
+    pub to_waypoint_m: f64,
+    pub to_wheel_over_m: Option<f64>,
+    pub course_rad: f64,
+    pub speed_mps: Option<f64>,
+    pub half_width_m: Option<f64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -448,6 +487,7 @@ pub struct VesselNow {
     pub under_keel_m: Option<f64>,
     pub aground: bool,
     pub berth: Option<BerthNow>,
+    pub plan: Option<PlanNow>,
     pub assist: Option<AssistNow>,
     pub faults: Vec<&'static str>,
     pub tripped: Vec<String>,
@@ -661,6 +701,7 @@ pub struct History {
     pub turn_radps: Vec<f64>,
     pub bow_m: Vec<Option<f64>>,
     pub stern_m: Vec<Option<f64>>,
+    pub cross_track_m: Vec<Option<f64>>,
     pub of_energy: Vec<f64>,
     pub of_reaction: Vec<f64>,
     pub of_working: Vec<f64>,

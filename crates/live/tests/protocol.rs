@@ -9,7 +9,7 @@ use fenderline_live::{
     COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source, berth_info, library_info,
 };
 use fenderline_sim::OrderName;
-use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
+use fenderline_sim::chart::{ChartKind, MarkColour, MarkMeaning, MarkShape, MarkSide};
 use fenderline_sim::order::Argument;
 use serde_json::Value;
 
@@ -242,6 +242,19 @@ fn a_passage_has_the_fields_of_the_protocol() {
 }
 
 #[test]
+fn a_passage_plan_has_the_fields_of_the_protocol() {
+    let mut session = support::planned();
+    support::go(&mut session, 1);
+    let (frame, hello) = messages(&session);
+    let known = interfaces(&protocol());
+    let plan = &hello["vessels"][0]["plan"];
+    has_fields(plan, "PlanInfo", &known);
+    each(plan, "waypoints").for_each(|value| has_fields(value, "WaypointInfo", &known));
+    each(plan, "wheel_overs").for_each(|value| has_fields(value, "WheelOverInfo", &known));
+    has_fields(&frame["vessels"][0]["plan"], "PlanNow", &known);
+}
+
+#[test]
 fn the_chart_has_the_fields_and_words_of_the_protocol() {
     let file = "scenarios/live/harbour.toml";
     let text = std::fs::read_to_string(support::repository(file)).expect("the scenario");
@@ -259,7 +272,10 @@ fn the_chart_has_the_fields_and_words_of_the_protocol() {
     let interface = interface.split("\n}").next().expect("its end");
     let kinds = ChartKind::ALL.map(ChartKind::word).into_iter();
     let marks = MarkColour::ALL.map(MarkColour::word).into_iter();
-    for word in kinds.chain(marks).chain(MarkSide::ALL.map(MarkSide::word)) {
+    let meanings = MarkMeaning::ALL.map(MarkMeaning::word).into_iter();
+    let forms = MarkShape::ALL.map(MarkShape::word).into_iter();
+    let marks = marks.chain(MarkSide::ALL.map(MarkSide::word)).chain(meanings).chain(forms);
+    for word in kinds.chain(marks) {
         assert!(interface.contains(&format!("\"{word}\"")), "{word}");
     }
     // The quay has the corners of the chart.
