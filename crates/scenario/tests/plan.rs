@@ -100,8 +100,8 @@ fn a_plan_that_no_ship_can_follow_is_refused_with_its_key() {
     for (from, to, key, says) in [
         ("vessel = \"ship\"", "vessel = \"quay\"", "plan.inbound.vessel", "has no vessel"),
         ("vessel = \"ship\"", "vessel = \"shop\"", "plan.inbound.vessel", "did you mean"),
-        ("\"400 m\"", "\"1100 m\"", "plan.inbound.waypoint[1].position", "turning radius of 1000"),
-        ("[1000, 0]", "[0, 0.5]", "plan.inbound.waypoint[1].position", "less than a metre"),
+        ("\"400 m\"", "\"1100 m\"", "plan.inbound.waypoint.1.position", "turning radius of 1000"),
+        ("[1000, 0]", "[0, 0.5]", "plan.inbound.waypoint.1.position", "less than a metre"),
     ] {
         let error = with(from, to).expect_err(to);
         let text = format!("{error} {}", error.help().unwrap_or_default());
