@@ -88,6 +88,7 @@ fn with(ship: Mmg, environment: Environment, step_s: f64, duration_s: f64) -> Se
                 response: None,
                 drift: None,
                 seakeeping: None,
+                plan: None,
             }],
             ..WorldSetup::default()
         },
