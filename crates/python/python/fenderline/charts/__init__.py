@@ -54,7 +54,7 @@ class Converted:
         def listed(of: dict[str, int]) -> str:
             return ", ".join(f"{count} {name}" for name, count in of.items()) or "none"
 
-        lines = [f"written to {self.folder}: {listed(self.written)}"]
+        lines = [f"written to {self.folder}: {listed(self.written)}" if self.written else f"written to {self.folder}"]
         if self.surveys:
             lines.append(f"surveys: {', '.join(self.surveys)}")
         if self.current:

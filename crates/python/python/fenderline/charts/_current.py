@@ -152,11 +152,11 @@ def read(file: Path, area: Area | None, origin: tuple[float, float] | None, choi
 
 
 def _axis(low: float, high: float, cell_m: float) -> Any:
-    """Whole cells that cover an extent (m)."""
+    """Whole cells within an extent (m), at least one."""
     import numpy as np
 
-    first = math.floor(low / cell_m)
-    return cell_m * np.arange(first, max(math.ceil(high / cell_m), first + 1) + 1)
+    first = math.ceil(low / cell_m - 1e-6)
+    return cell_m * np.arange(first, max(math.floor(high / cell_m + 1e-6), first + 1) + 1)
 
 
 def _own_cell_m(corners: Any) -> float:
@@ -317,6 +317,9 @@ def _of_netcdf(file: Path, choices: Choices) -> Model:
         mesh = next((str(name) for name, one in data.variables.items() if one.attrs.get("cf_role") == "mesh_topology"), None)
         known = [str(name) for name, one in data.data_vars.items() if one.dtype.kind == "f" and one.ndim >= 1]
         names = _names(file, known, choices.variables)
+        for name in names:
+            if 0 in data[name].shape:
+                raise ChartError(f"{name} has no values", file)
         u, v = (_plane(file, data[name], choices.layer) for name in names)
         times = _times(file, data, u)
         if mesh is not None:
