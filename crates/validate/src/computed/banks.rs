@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
-use fenderline_contact::{Pose, Vec2, vec2};
+use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 use fenderline_sim::environment::{Bank, BankMethod, BankWater, DepthField, ShipAtBank};
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::passing::{PassingShip, Sections, force_of_wall};
-use fenderline_sim::{BodyState, Bottom, Outside, Walls};
+use fenderline_sim::{Bottom, Outside, Walls};
 
 use super::Values;
 
