@@ -71,7 +71,9 @@ test("the past is asked for after the first frame, a jump, and another branch; n
   expect(await asks()).toBe(2);
   requests.frame(frame(3, 1));
   expect(await asks()).toBe(3);
-  request.mockImplementation(() => Promise.resolve("the past of the session was sent a moment ago"));
+  request.mockImplementation(() =>
+    Promise.resolve("the past of the session was sent a moment ago"),
+  );
   requests.forget();
   requests.frame(frame(4, 1));
   await vi.advanceTimersByTimeAsync(20_000);

@@ -51,6 +51,8 @@ mod shown;
 mod source;
 mod speeds;
 mod trial;
+#[cfg(test)]
+mod typescript;
 mod watched;
 mod word;
 mod world_change;

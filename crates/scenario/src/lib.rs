@@ -54,8 +54,6 @@
 //! ```
 
 mod assemble;
-mod bottom;
-mod chart;
 mod data_files;
 mod files;
 mod hydrodynamics;

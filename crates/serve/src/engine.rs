@@ -46,7 +46,8 @@ use super::recorder::Recorder;
 
 /// Least wall time between two frames for the pages, even if the simulation runs faster.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(33);
-/// Wall time between two frames of a paused session. Frames of a paused session show a page that the server still runs.
+/// Wall time between two frames of a paused session. A paused session still sends frames, so that a page knows
+/// that the server is running.
 /// While a file is being opened, frames come more often, to show the progress.
 const BETWEEN_PAUSED_FRAMES: Duration = Duration::from_secs(1);
 const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);

@@ -199,11 +199,12 @@ pub use fenderline_assess::summary::PairSummary;
 pub use fenderline_assess::verdict::{
     Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, fender_finding,
 };
+pub use fenderline_seakeeping as seakeeping;
 pub use fenderline_ship::chain::{ChainGrade, ChainLink, ChainSize};
 pub use fenderline_ship::range::OutOfRange;
 pub use fenderline_ship::{
-    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing,
-    seakeeping, track, tug,
+    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing, track,
+    tug,
 };
 pub use fenderline_world::approach::{Approach, Side};
 pub use fenderline_world::chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};

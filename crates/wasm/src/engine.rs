@@ -96,7 +96,7 @@ impl HostedEngine {
     /// Marks a body as placed anew: see [`Engine::mark_teleported`].
     ///
     /// # Errors
-    /// Fails if no body has the given name.
+    /// Fails if no body has the index `body`.
     pub fn mark_teleported(&mut self, body: usize) -> Result<(), Problem> {
         Ok(self.engine.mark_teleported(body)?)
     }

@@ -12,7 +12,7 @@ use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{BodySetup, Integrator, Method, Setup};
 use crate::world::{mass_matrix, motions};
-use fenderline_ship::seakeeping::Motion;
+use fenderline_seakeeping::Motion;
 
 impl Setup {
     /// The contact model of the bodies of the set-up alone. The function is for host programs that move their bodies

@@ -6,26 +6,26 @@ use crate::coupled::constraint::{Constraint, Forces, Laws};
 use crate::coupled::held::Held;
 use crate::coupled::motion::{Role, kick_s};
 use crate::coupled::press_out::{Placement, opening_mps};
-use crate::events::{note, report_patch};
-use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::inherited::Inherited;
+use crate::inherit::inherited::Inherited;
 use crate::law::damper::{Answered, Growth, damper};
 use crate::law::friction::Slide;
 use crate::law::normal::{factor, normal_force};
-use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Response};
-use crate::material::Material;
-use crate::memory::PatchMemory;
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Vec2;
 use crate::model::Model;
-use crate::number::{greater, lesser};
+use crate::model::fender::RankedFender;
+use crate::model::mass::{InverseMatrix, Response};
+use crate::model::material::Material;
+use crate::model::unloading::{Loading, PLAYS, unload};
+use crate::overlap::patch::Patch;
 use crate::panel::chains::{Broken, add_parted};
 use crate::panel::report::PanelMotion;
-use crate::patch::Patch;
-use crate::report::{Event, EventKind, ForceParts, Friction};
+use crate::state::events::{note, report_patch};
+use crate::state::memory::PatchMemory;
+use crate::state::report::{Event, EventKind, ForceParts, Friction};
+use crate::touch::levers::Levers;
 use crate::touch::{Movers, Scene, Touch, touch, touch_again};
-use crate::unloading::{Loading, PLAYS, unload};
-use crate::vec2::Vec2;
 
 /// The data that the report of a contact in a sub-step needs besides [`Constraint`] and [`PatchMemory`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -5,14 +5,14 @@
 //! the normal n and the tangent t.
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
-use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Response};
-use crate::material::Material;
-use crate::number::{greater, lesser};
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Vec2;
+use crate::model::mass::{InverseMatrix, Response};
+use crate::model::material::Material;
+use crate::state::body_state::Velocity;
+use crate::state::report::Friction;
+use crate::touch::levers::Levers;
 use crate::touch::{Movers, Touch};
-use crate::vec2::Vec2;
 
 /// The solver damps the sweeps over a sliding contact if they would overshoot by more than this factor. With less
 /// overshoot the sweeps converge without damping, in less than 50 sweeps.

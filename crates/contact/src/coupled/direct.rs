@@ -20,9 +20,9 @@
 
 use crate::coupled::constraint::{Constraint, Forces, NormalBound, Side, Speeds};
 use crate::coupled::direct_system::{Push, Stiffness, System};
-use crate::mass::InverseMatrix;
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
+use crate::state::report::Friction;
 use crate::touch::Movers;
 
 /// Largest number of corrections of the assumed bounds in one solve.
@@ -344,9 +344,9 @@ mod tests {
     use super::*;
     use crate::coupled::constraint::Laws;
     use crate::law::friction::Slide;
-    use crate::material::Material;
+    use crate::maths::vec2::vec2;
+    use crate::model::material::Material;
     use crate::touch::Touch;
-    use crate::vec2::vec2;
     use alloc::vec::Vec;
 
     const RUBBER: Material = Material {

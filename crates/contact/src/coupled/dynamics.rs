@@ -9,23 +9,23 @@
 use alloc::vec::Vec;
 
 use crate::admit::{admit_call, admit_loads, admit_states, is_sound};
-use crate::bodies::{Bodies, Displaced, PoseChange};
-use crate::candidates::Pairing;
+use crate::broad::bodies::{Bodies, Displaced, PoseChange};
+use crate::broad::candidates::Pairing;
 use crate::coupled::island::{Group, Island};
 use crate::coupled::motion::{Role, SpeedBound, acceleration, kick_s};
 use crate::coupled::moving_pile::MovingPile;
 use crate::coupled::sub_step::SubStep;
 use crate::error::StepError;
-use crate::mass::InverseMatrix;
-use crate::memory::{Memory, NOT_BEHIND};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Pose;
 use crate::model::Model;
-use crate::number::{greater, lesser};
-use crate::patch::Patch;
-use crate::ranked::Rest;
-use crate::report::{Displacement, Wrench};
-use crate::results::Results;
-use crate::state::{BodyState, Velocity};
-use crate::vec2::Pose;
+use crate::model::mass::InverseMatrix;
+use crate::model::ranked::Rest;
+use crate::overlap::patch::Patch;
+use crate::state::body_state::{BodyState, Velocity};
+use crate::state::memory::{Memory, NOT_BEHIND};
+use crate::state::report::{Displacement, Wrench};
+use crate::state::results::Results;
 
 /// The data of the bodies that the coupled method needs. Lists are by rank.
 #[derive(Clone, Debug, Default)]

@@ -4,12 +4,12 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::candidates::Pairing;
+use crate::broad::candidates::Pairing;
 use crate::coupled::motion::Role;
+use crate::maths::room::room_for;
 use crate::model::Model;
-use crate::pair::JOINED;
-use crate::patch::Patch;
-use crate::room::room_for;
+use crate::model::pair::JOINED;
+use crate::overlap::patch::Patch;
 
 /// The islands of a step. Computed by [`Islands::split`].
 #[derive(Clone, Debug, Default)]

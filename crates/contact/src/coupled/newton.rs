@@ -21,9 +21,9 @@ use alloc::vec::Vec;
 use crate::coupled::block_cholesky::Triple;
 use crate::coupled::constraint::{Change, Constraint, Forces, NormalBound, Speeds};
 use crate::coupled::unknowns::{Row, Unknowns};
-use crate::mass::InverseMatrix;
-use crate::number::{greater, lesser};
-use crate::state::Velocity;
+use crate::maths::number::{greater, lesser};
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
 
 /// The stiff lines that replace the contact forces in a Newton acceleration.
 #[derive(Clone, Copy, Debug)]

@@ -16,8 +16,8 @@
 //! even if the host displaces the bodies a little meanwhile. A contact that began by the bodies' own motion is never
 //! pressed out.
 
-use crate::memory::PatchMemory;
-use crate::number::{greater, lesser};
+use crate::maths::number::{greater, lesser};
+use crate::state::memory::PatchMemory;
 
 /// V_out: the largest speed at which a contact presses apart bodies that were placed into one another (m/s).
 pub const MAX_PUSH_OUT_MPS: f64 = 0.08;

@@ -3,25 +3,25 @@
 
 use alloc::vec::Vec;
 
-use crate::bodies::Bodies;
 use crate::broad::are_apart;
-use crate::candidates::{Candidate, Candidates, Pairing};
+use crate::broad::bodies::Bodies;
+use crate::broad::candidates::{Candidate, Candidates, Pairing};
 use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::Island;
-use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::geometry::shapes::{Piece, near_pairs};
-use crate::material::Material;
-use crate::memory::HintMemory;
+use crate::maths::number::{bounded, greater, lesser};
+use crate::maths::vec2::{Pose, Vec2};
 use crate::model::Model;
-use crate::number::{bounded, greater, lesser};
-use crate::pair::{Bounds, InverseMassBound};
+use crate::model::fender::{FenderBounds, RankedFender};
+use crate::model::material::Material;
+use crate::model::pair::{Bounds, InverseMassBound};
+use crate::model::ranked::RankedBody;
+use crate::model::reaction::FenderLaw;
+use crate::overlap::patch::Patch;
 use crate::panel::press::deepest_m;
-use crate::patch::Patch;
-use crate::ranked::RankedBody;
-use crate::reaction::FenderLaw;
-use crate::vec2::{Pose, Vec2};
+use crate::state::memory::HintMemory;
 
 /// Largest ωh, natural frequency times length, of a sub-step. The force of a contact that begins within a sub-step acts
 /// up to h late. The late force costs at most (ωh)²/2 of the depth of the contact: 0.5 % for this limit, and less

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 
 use crate::coupled::block_cholesky::{Block, Pattern, Triple};
 use crate::coupled::constraint::{Constraint, Jacobian, Side, Speeds};
-use crate::mass::InverseMatrix;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
+use crate::model::mass::InverseMatrix;
 
 /// The floating bodies and the contacts of an island, with the matrix of the equations. Lists of bodies follow the
 /// order of elimination.

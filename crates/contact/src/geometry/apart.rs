@@ -13,7 +13,7 @@
 use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};
 use super::ring::{before, climb};
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// Least gap of two polygons for this search (m); nearer or overlapping polygons are left to the cold path.
 const LEAST_GAP_M: f64 = 1e-9;
@@ -177,8 +177,8 @@ mod tests {
 
     use super::*;
     use crate::geometry::axis::best_axis;
-    use crate::number::greater;
-    use crate::vec2::{Pose, Rotation, vec2};
+    use crate::maths::number::greater;
+    use crate::maths::vec2::{Pose, Rotation, vec2};
 
     /// Numbers from 0 to 1 in a fixed order (Knuth's multiplicative congruential generator).
     struct Numbers(u64);

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use super::edge::Edge;
 use super::extent::Extent;
 use super::ring::after;
-use crate::number::greater;
-use crate::vec2::{Pose, Vec2};
+use crate::maths::number::greater;
+use crate::maths::vec2::{Pose, Vec2};
 
 /// A vertex at which the boundary turns by less than this (sine of the angle) counts as straight and is dropped. The
 /// computed sine of a turn has a rounding error of about 1e-15. The limit for a straight vertex is well above this
@@ -38,7 +38,7 @@ impl ConvexPolygon {
     /// vertices are dropped.
     ///
     /// # Panics
-    /// Panics if fewer than three corners are left. No piece of an [`Outline`](crate::outline::Outline) has so few
+    /// Panics if fewer than three corners are left. No piece of an [`Outline`](crate::model::outline::Outline) has so few
     /// corners.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {

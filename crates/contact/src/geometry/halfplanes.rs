@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use super::convex::{ConvexPolygon, first_by_angle, upper_half};
 use super::lens::{Crossing, Stretch};
 use super::ring::after;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// Edges count as coincident if the sine of the angle between them is below this limit (–) and their distance is below
 /// this limit (m). A chord between edges closer than this would follow rounding, not the shape of the polygons.

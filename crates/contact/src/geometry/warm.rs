@@ -22,7 +22,7 @@ use alloc::vec::Vec;
 use super::convex::{ConvexPolygon, Placed};
 use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// Largest number of steps in the walk from the crossing of the last step to the crossing of this step. Beyond this
 /// number of steps the cold path of the clip is cheaper.
@@ -269,7 +269,7 @@ mod tests {
     use super::super::halfplanes::{self, Buffers, Found};
     use super::super::lens::assemble;
     use super::*;
-    use crate::vec2::{Pose, vec2};
+    use crate::maths::vec2::{Pose, vec2};
 
     /// A tug pressed so far over a fender that one corner alone is beyond her bow: the fender's chain turns by 270°.
     #[test]

@@ -13,7 +13,7 @@
 //! (Δt/T)² of the contact force: 2 % after a step of 2 s.
 
 use crate::host::velocity::{Offset, Velocity};
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
 
 /// Time T in which a host with a varying step catches up with the engine (s).
 const CLOSING_S: f64 = 10.0;

@@ -5,14 +5,14 @@
 //! the contact, the contact takes less than a minute, it changes the body's speed noticeably, and the loads are a small
 //! share of its impulse. A ship at rest, or a ship whose load changes suddenly, gives no information about her mass.
 
-use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::velocity::Velocity;
-use crate::number::greater;
-use crate::report::Wrench;
-use crate::state::BodyState;
-use crate::vec2::Vec2;
+use crate::maths::number::greater;
+use crate::maths::vec2::Vec2;
+use crate::model::body::{Body, Mobility};
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Longest contact that is evaluated (s), and smallest change of the body's speed in it (m/s).
 const LONGEST_S: f64 = 60.0;

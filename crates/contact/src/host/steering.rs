@@ -20,13 +20,13 @@
 //! This way of steering holds for a step that is as long as the last step. For a host whose steps vary see
 //! [`super::lead`].
 
-use crate::body::Mobility;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::mass::InverseMatrix;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::model::body::Mobility;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Velocity change of a body by its load in half a step.
 pub(super) fn half_kick(

@@ -7,13 +7,13 @@ use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::lead::Start;
 use crate::host::record::BodyRecord;
-use crate::material::BodyId;
-use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
+use crate::model::material::BodyId;
 use crate::panel::report::PanelMotion;
-use crate::report::{Contact, Event, EventKind, Wrench};
-use crate::state::BodyState;
-use crate::workspace::Workspace;
+use crate::state::body_state::BodyState;
+use crate::state::memory::{Memory, NOT_BEHIND};
+use crate::state::report::{Contact, Event, EventKind, Wrench};
+use crate::state::workspace::Workspace;
 
 /// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; the next step does not depend on
 /// this workspace.

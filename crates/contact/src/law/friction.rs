@@ -5,9 +5,9 @@
 //! tangential law, for the paper's method. [`ShearSpring`] is the implicit form of the tangential law, for the coupled
 //! method, whose solver varies T and N together.
 
-use crate::material::Material;
-use crate::number::bounded;
-use crate::report::Friction;
+use crate::maths::number::bounded;
+use crate::model::material::Material;
+use crate::state::report::Friction;
 
 /// Coulomb's friction law for one contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -4,10 +4,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::number::{greater, lesser};
+use crate::maths::number::{greater, lesser};
+use crate::model::reaction::{FenderLaw, Stop, on_line};
 use crate::panel::chains::{Broken, ChainState};
 use crate::panel::{Panel, TensionChain};
-use crate::reaction::{FenderLaw, Stop, on_line};
 
 /// All springs behind a fender panel.
 #[derive(Clone, Debug)]

@@ -2,13 +2,13 @@
 
 use alloc::vec::Vec;
 
-use crate::number::{bounded, greater};
+use crate::maths::number::{bounded, greater};
+use crate::maths::vec2::{Vec2, vec2};
 use crate::panel::Panel;
 use crate::panel::chains::ChainState;
 use crate::panel::law::{PanelLaw, Springs};
 use crate::panel::least::{self, Pose};
 use crate::panel::touching::{HullPoint, Reach, collect};
-use crate::vec2::{Vec2, vec2};
 
 /// Buffers and result of the last press on a panel.
 #[derive(Clone, Debug, Default)]

@@ -372,7 +372,7 @@ table_keys! {
             "depth",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 12_000.0 }),
             Refused,
-            "Depth below the surface; must increase from layer to layer.",
+            "Depth of the layer of current below the surface. Each layer must be deeper than the layer before.",
             &["\"5 m\""],
         ),
         SPEED: Number = key(

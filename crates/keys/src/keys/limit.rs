@@ -1,4 +1,4 @@
-//! Keys of statistics and of limits.
+//! Keys for the statistics of a run, and for the limits that a run must keep.
 
 use fenderline_sim::statistics::{Measure, MotionName};
 use serde_json::json;

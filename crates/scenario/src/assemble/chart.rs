@@ -5,8 +5,8 @@ use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
 use super::assembly::{Assembly, Checked};
 use super::bottom::Charted;
-use crate::chart::projection::Projected;
-use crate::chart::{Budget, Counts, Placing, read};
+use fenderline_charts::chart::projection::Projected;
+use fenderline_charts::chart::{Budget, Counts, Placing, read};
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::Text;

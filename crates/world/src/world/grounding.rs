@@ -15,9 +15,9 @@
 //! lift takes and returns the same energy at any step, and friction never reverses the ship.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
+use fenderline_seakeeping::matrix;
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_ship::hydro::Force;
-use fenderline_ship::seakeeping::matrix;
 
 use super::environment::Environment;
 use super::soundings::{STATIONS, stations};

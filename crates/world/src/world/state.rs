@@ -28,11 +28,11 @@ use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
 use crate::order::{Action, LineAction, Order, OrderError};
 use crate::setup::body::BodySetup;
+use fenderline_seakeeping::{Motion, SubSteps};
 use fenderline_ship::anchor::AnchorEvent;
 use fenderline_ship::attitude::AttitudeLoad;
 use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
-use fenderline_ship::seakeeping::{Motion, SubSteps};
 
 /// The variable state of a world: plain data, and values that each step calculates anew.
 #[derive(Clone, Debug)]
@@ -345,7 +345,7 @@ impl World {
     }
 
     /// Calculates where the bodies with hydrodynamic data are in the middle of the time for which loads act; see
-    /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull at these places.
+    /// [`fenderline_seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,

@@ -12,6 +12,7 @@ use super::fault::Faults;
 use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
 use super::soundings::Soundings;
+use fenderline_seakeeping::Seakeeping;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::{
@@ -23,7 +24,6 @@ use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
 use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
 use fenderline_ship::hydro::vessels::Origin;
 use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
-use fenderline_ship::seakeeping::Seakeeping;
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;

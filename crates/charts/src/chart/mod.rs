@@ -1,0 +1,98 @@
+//! Charts from GeoJSON files: `geojson` reads the text, `feature` interprets each feature, `s57` has the classes of
+//! electronic charts, `bounds` has what a feature may hold, `ring` checks their areas, `projection` converts longitude and latitude to metres.
+
+mod bounds;
+mod feature;
+mod geojson;
+mod placing;
+pub mod projection;
+mod ring;
+mod s57;
+
+use std::collections::BTreeMap;
+
+use fenderline_sim::chart::{ChartClass, ChartFeature};
+
+use self::feature::{Reading, Refusal, Rings};
+pub use self::placing::{Budget, Placing};
+use self::s57::Found;
+use fenderline_keys::error::{Notice, ScenarioError};
+
+/// What was read of each class, by its name: how many features, and how many were left out for each reason.
+#[derive(Debug, Default)]
+pub struct Counts(BTreeMap<String, (usize, BTreeMap<String, usize>)>);
+
+impl Counts {
+    fn add_read(&mut self, class: &str) {
+        self.0.entry(class.to_owned()).or_default().0 += 1;
+    }
+
+    fn add_left_out(&mut self, class: &str, why: &str) {
+        *self.0.entry(class.to_owned()).or_default().1.entry(why.to_owned()).or_default() += 1;
+    }
+
+    /// The classes in alphabetical order.
+    pub fn classes(self) -> Vec<ChartClass> {
+        let class = |(class, (read, left_out)): (String, (usize, BTreeMap<String, usize>))| {
+            let left_out = left_out.into_iter().map(|(why, count)| (count, why)).collect();
+            ChartClass { class, read, left_out }
+        };
+        self.0.into_iter().map(class).collect()
+    }
+}
+
+/// Reads a GeoJSON file; `key` is the key of the scenario that names the file.
+///
+/// # Errors
+/// Returns the first mistake in the file, with its line and the number and name of its feature.
+pub fn read(
+    (name, text): (&str, &str),
+    key: &str,
+    placing: &Placing,
+    budget: &mut Budget,
+    (counts, notices): (&mut Counts, &mut Vec<Notice>),
+) -> Result<Vec<ChartFeature>, ScenarioError> {
+    let file = geojson::File::open(name, text, key, matches!(placing, Placing::Degrees(_)))?;
+    let mut features = Vec::new();
+    for index in 0..file.len() {
+        let raw = file.feature(index)?;
+        let found = raw.properties.as_ref().map_or_else(
+            || s57::class_of(&geojson::Properties::default(), file.layer()),
+            |given| s57::class_of(given, file.layer()),
+        );
+        let refused = |why| file.refused(index, &raw.name(), why);
+        match found {
+            None => {
+                let mut reading = Reading { placing, budget, rings: Rings::Outlines };
+                let read = reading.features(&raw).map_err(refused)?;
+                if let Some(first) = read.first() {
+                    counts.add_read(first.kind.word());
+                }
+                features.extend(read);
+            }
+            Some(Found::NotRead(class)) => counts.add_left_out(&class, "the class is not read"),
+            Some(Found::Read(class)) => {
+                let mut reading = Reading { placing, budget, rings: Rings::Charted };
+                match reading.of_s57(&raw, class) {
+                    Ok(read) => {
+                        counts.add_read(class.word);
+                        features.extend(read);
+                    }
+                    Err(Refusal::LeftOut(why)) => counts.add_left_out(class.word, why),
+                    Err(Refusal::Crossed(why)) => {
+                        counts.add_left_out(class.word, "its ring crosses itself");
+                        let message =
+                            format!("feature {} ({}) is left out: {why}", index + 1, class.word);
+                        notices.push(Notice {
+                            place: file.place(index),
+                            key: key.to_owned(),
+                            message,
+                        });
+                    }
+                    Err(Refusal::Refused(why)) => return Err(refused(why)),
+                }
+            }
+        }
+    }
+    Ok(features)
+}
