@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 use fenderline_sim::environment::{Bank, BankMethod, BankWater, DepthField, ShipAtBank};
 use fenderline_sim::hydro::Particulars;
@@ -65,7 +66,7 @@ fn walls(values: &mut Values) {
     const SIDE: usize = 1001;
     let hull = Particulars::from_block(LENGTH_M, 30.0, 10.0, 0.8).expect("a good ship");
     let state = BodyState::default();
-    let flank = |east_m: f64| 12.0 - ((east_m - 60.0) / 5.0).clamp(0.0, 12.0);
+    let flank = |east_m: f64| 12.0 - bounded((east_m - 60.0) / 5.0, 0.0, 12.0);
     let half = |east_m: f64| if east_m > 60.0 { 6.0 } else { 12.0 };
     let both: [(&str, &dyn Fn(f64) -> f64); 2] = [("flank", &flank), ("half", &half)];
     for (name, depth_m) in both {
