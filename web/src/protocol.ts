@@ -177,7 +177,7 @@ export type Role =
   | { name: "tugmaster"; tug: string }
   | { name: "observer" };
 
-/** A helm: a vessel by her name, a vector tug by her name, or the session. */
+/** A helm that a page can hold: that of a vessel or a vector tug, by her name, or that of the session. */
 export type Control = { vessel: string } | { tug: string } | { session: true };
 
 export type Claim = { control: Control; holder: string | null; connected: boolean };
@@ -763,7 +763,7 @@ export type ExerciseNow = {
 
 export type ConditionNow = { met: boolean; now: string };
 
-/** The marks of an exercise. Only the frames of instructors contain the marks of the exercise. */
+/** The marks of an exercise: its score, and the state of its limits. Only the frames of instructors contain the marks. */
 export type ExerciseMarks = {
   score: number;
   /** True if the exercise is passed; `null` while this is still open. */
@@ -900,7 +900,7 @@ export type Conduct =
   | { do: "put_back"; file: string }
   | { do: "create"; of: Creation };
 
-/** An exercise to make from choices, and its name in the gallery. */
+/** An exercise that is to be made from the user's choices, and its name in the gallery. */
 export type Creation = {
   /** Name of the exercise's file, without the ending. */
   name: string;

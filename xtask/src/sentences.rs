@@ -15,7 +15,7 @@ use crate::command::run_quietly;
 pub(crate) const COUNT: usize = 50;
 /// A shorter sentence, such as "Name of the body.", is not drawn.
 const FEWEST_WORDS: usize = 5;
-/// The declaration around a field or a method is looked for in so many lines.
+/// The declaration around a field or a method is looked for in at most this number of lines above it.
 const MOST_LINES_UP: usize = 400;
 /// Abbreviations whose full stop does not end a sentence.
 const ABBREVIATIONS: [&str; 15] = [
@@ -35,7 +35,7 @@ struct Sentence {
     words: String,
     /// The whole paragraph, if it has more words than the sentence.
     paragraph: Option<String>,
-    /// The declaration that a doc comment describes, after the declaration in which it stands.
+    /// The declaration that a doc comment describes, with the outer declaration in which it stands put before it.
     declaration: Option<String>,
 }
 
@@ -127,8 +127,8 @@ fn doc_lines(source: &str) -> Vec<(usize, &str)> {
     (1..).zip(source.lines().map(stripped)).collect()
 }
 
-/// The first declaration after the line `last` of a doc comment, after the declaration in whose braces it stands.
-/// `None` for the comment of a whole file.
+/// The first declaration below the line `last` of a doc comment, with the outer declaration in whose braces it stands
+/// put before it. `None` for the comment of a whole file.
 fn declaration_after(source: &str, last: usize) -> Option<String> {
     let is_doc = |line: &str| line.trim_start().starts_with("//");
     let is_attribute = |line: &str| line.trim_start().starts_with("#[");

@@ -1,9 +1,9 @@
-//! Charts and bottoms: reads GeoJSON charts and surveys, and makes the grid of depths that ships feel.
+//! Reads nautical charts (GeoJSON) and depth surveys, and makes the grid of water depths for the ships of a simulation.
 //!
 //! | subject | module |
 //! |---|---|
-//! | features of a chart from GeoJSON, also of electronic charts (S-57) | [`chart`] |
-//! | depth of the water by place, from surveys and depth areas | [`bottom`] |
+//! | features of a chart, such as coasts and buoys, from GeoJSON files, also of electronic charts (S-57) | [`chart`] |
+//! | depth of the water at each place, from surveys and from the depth areas of a chart | [`bottom`] |
 //!
 //! The crate `fenderline-scenario` hands the texts of the files over; this crate opens no file.
 #![forbid(unsafe_code)]

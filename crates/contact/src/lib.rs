@@ -21,8 +21,8 @@
 //!
 //! # Example
 //!
-//! A ship of 36,000 t drifts at 0.1 m/s onto a quay. The program that calls the engine, the *host*, adds
-//! the contact wrench to its own forces and integrates the ship's motion.
+//! In this example a ship of 36,000 t drifts at 0.1 m/s onto a quay. The program that calls the engine, the *host*,
+//! adds the contact wrench to its own forces and integrates the ship's motion.
 //!
 //! ```
 //! use fenderline_contact::*;

@@ -71,7 +71,7 @@ pub enum OtherAction {
     PartLine { line: String },
     /// Begins or ends a fault of an anchor or of its windlass.
     AnchorFault { anchor: String, fault: AnchorFault, on: bool },
-    /// Makes a vector tug drop out, or brings her back.
+    /// Makes a vector tug, a tug that is only a force on a vessel, drop out, or brings her back.
     TugOut { tug: String, on: bool },
     /// Plans a change of the weather, or a fault, for a later time.
     Plan { at_s: f64, event: Box<OtherAction> },

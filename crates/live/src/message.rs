@@ -488,7 +488,7 @@ pub struct ConditionNow {
     pub now: String,
 }
 
-/// The marks of an exercise. Only the frames of instructors contain the marks of the exercise.
+/// The marks of an exercise: its score, and the state of its limits. Only the frames of instructors contain the marks.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(TS))]
 pub struct ExerciseMarks {
@@ -961,7 +961,7 @@ pub fn text(message: &impl Serialize) -> String {
 }
 
 /// The JSON of a frame together with the events since the client's last frame. For an instructor, the JSON also gets
-/// the text `marks`, which holds the marks of the exercise.
+/// the text `marks`, which holds score and limits of the exercise.
 #[must_use]
 pub fn with_events(frame: &str, events: &[EventNow], marks: Option<&str>) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);

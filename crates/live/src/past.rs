@@ -115,7 +115,7 @@ impl Past {
         }
     }
 
-    /// A number that is another after each change of the past.
+    /// A number that changes with each change of the past.
     pub(crate) fn version(&self) -> u64 {
         self.version
     }

@@ -9,14 +9,14 @@ use ts_rs::TS;
 use crate::action::Action;
 use crate::refusal::Refusal;
 
-/// A helm: a vessel by her name, a vector tug by her name, or the session.
+/// A helm that a page can hold: that of a vessel or a vector tug, by her name, or that of the session.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[cfg_attr(test, derive(TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
     /// The helm of a vessel: rudder, engine and thrusters.
     Vessel(String),
-    /// A vector tug.
+    /// The helm of a vector tug: her force and its direction.
     Tug(String),
     /// The helm of the session itself: pause, rewind, weather and the like. The bool is always `true` in JSON.
     Session(#[cfg_attr(test, ts(type = "true"))] bool),
@@ -42,7 +42,7 @@ macro_rules! conducts {
     };
 }
 
-/// An exercise to make from choices, and its name in the gallery.
+/// An exercise that is to be made from the user's choices, and its name in the gallery.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(TS))]
 #[serde(deny_unknown_fields)]
@@ -72,7 +72,7 @@ conducts! {
     Rewind = "rewind" { tick: u64 },
     /// Begins a new branch at the tick to which the run is rewound.
     Branch = "branch" {},
-    /// Shows another branch of the session, at its end.
+    /// Shows the end of another branch of the session.
     ShowBranch = "show_branch" { id: usize },
     /// Opens another scenario or a saved session. Frames report the progress.
     Load = "load" { file: String },
@@ -88,8 +88,8 @@ conducts! {
     Trial = "trial" { #[cfg_attr(test, ts(type = "TrialOrder[]"))] orders: Vec<Action>, horizon_s: f64 },
     /// Gives several orders at once. Either all of the orders are given or none of them.
     Give = "give" { #[cfg_attr(test, ts(type = "TrialOrder[]"))] orders: Vec<Action> },
-    /// Asks for the past of the session that strip charts and log show. The values are those of the own ship, or of the
-    /// ship that `vessel` names.
+    /// Asks for the last half hour of the session: the values that strip charts show, and the events that the log
+    /// shows. The values are those of the own ship, or of the ship that `vessel` names.
     History = "history" { #[cfg_attr(test, ts(optional))] vessel: Option<String> },
     /// Makes the report of the session up to now. The page can fetch the report when this command is acknowledged.
     Report = "report" {},

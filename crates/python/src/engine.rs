@@ -394,7 +394,7 @@ fn unknown_choice(what: &str, given: &str, known: &str) -> PyErr {
     errors::bad_argument(format!("{what} is {given:?}, but must be one of: {known}"))
 }
 
-/// Time (s) that `count` steps of a copy of an engine take without Python; for the bench.
+/// Time (s) that `count` steps of a copy of an engine take without Python; for the benchmark `bench.py`.
 #[pyfunction]
 pub(crate) fn seconds_of_steps(
     engine: &Engine,

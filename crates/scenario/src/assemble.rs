@@ -235,7 +235,7 @@ pub(crate) fn setup(
     Ok((setup, output, exercise))
 }
 
-/// Reads an order to a vessel, tug, line or anchor of a set-up.
+/// Reads an order to a vessel, tug, mooring line or anchor of a set-up.
 pub(crate) fn order(
     sources: &Sources<'_>,
     table: Of<'_, OrderKey>,

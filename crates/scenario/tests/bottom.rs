@@ -272,7 +272,7 @@ fn each_mistake_of_a_survey_names_file_and_line() {
         (GRID.replace("7 8 9", "7 99999 9"), 7, "between -12000 and 12000"),
         (format!("{GRID}3 3\n"), 9, "more than 3 × 2 values"),
         (GRID.replace("xllcorner -15", "xllcorner 5e5"), 6, "more than 200 km"),
-        ("1 2 3\n1 2\n".to_owned(), 2, "a row of a survey has x, y and z"),
+        ("1 2 3\n1 2\n".to_owned(), 2, "each row of a survey needs three numbers: x, y and z"),
         ("1 2 3\n1 2 a\n".to_owned(), 2, "\"a\" is not a number"),
         ("1 2 3\n\n6e5 2 3\n".to_owned(), 3, "more than 200 km"),
     ] {
@@ -452,7 +452,7 @@ fn a_survey_in_a_chart_counts_where_it_has_data() {
 fn cells_that_are_too_many_are_refused_and_coarse_cells_are_told() {
     let file = made_up();
     let error = bottom("chart = \"least\"\ncell = 0.1", &[("c.geojson", &file)]).unwrap_err();
-    assert!(error.to_string().contains("at most 4000000 are made"), "{error}");
+    assert!(error.to_string().contains("at most 4000000 are allowed"), "{error}");
     assert_eq!(error.key(), Some("environment.bottom.cell"));
     let large = file.replace("400]", "80000]").replace("500,", "90000,");
     let toml = format!("{HEAD}{METRES}[environment.bottom]\nchart = \"least\"\n");

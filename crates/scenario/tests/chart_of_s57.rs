@@ -153,7 +153,7 @@ fn what_is_left_out_is_counted_with_its_reason() {
         "1 DEPARE (no DRVAL1)",
         "1 DEPARE (DRVAL2 is less than DRVAL1)",
         "1 DEPARE (no geometry)",
-        "1 DEPARE (its geometry is not one of its class)",
+        "1 DEPARE (its class does not allow its geometry)",
         "1 DEPARE (its ring crosses itself)",
         "1 OBJL 119 (the class is not read)",
         "1 M_COVR (CATCOV 2: no coverage)",

@@ -1,4 +1,4 @@
-//! Interpolates the forces of waves on a hull between the headings and frequencies of the data.
+//! Interpolates the forces of waves on a hull between the headings and frequencies of hydrodynamic data.
 //!
 //! **Headings.** The force of a wave is a sum over places x of the hull of e^{−ik·x}, with weights that do not depend
 //! on the heading (Haskind's relation, from memory). The force of a wave therefore has few harmonics in the heading:
@@ -32,8 +32,8 @@ use fenderline_ship::environment::waves::{Complex, wave_number};
 pub(super) const MIRROR: Six = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 /// Signs of surge, sway and yaw when port and starboard are mirrored.
 pub(super) const MIRROR_DRIFT: [f64; 3] = [1.0, -1.0, -1.0];
-/// Number of steps of the fine grid of headings in a half turn. Cubics between the fine headings have an error within
-/// 0.1 % for 17 harmonics in the heading, and within 0.4 % for 25.
+/// Number of steps of the fine grid of headings in a half turn. Cubics between the headings of the fine grid have an
+/// error within 0.1 % for 17 harmonics in the heading, and within 0.4 % for 25.
 const FINE: usize = 120;
 /// The bandwidth of the kernel, divided by the bandwidth that the widest step of the headings resolves (half a wave per
 /// step).
@@ -42,9 +42,9 @@ const BAND: f64 = 0.9;
 /// near each other would make the kernel's matrix singular to rounding.
 const RIDGE: f64 = 1e-10;
 
-/// The fine grid of headings: equal steps from 0 to π for data that are alike to both sides, otherwise from −π all
-/// round. The fine grid has one extra row before the first heading and two after the last, so that cubics can pass the
-/// ends.
+/// The fine grid of headings: equal steps from 0 to π for hydrodynamic data that are alike to both sides, otherwise
+/// from −π all round. The fine grid has one extra row before the first heading and two after the last, so that cubics
+/// can pass the ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct FineHeadings {
     pub(super) is_mirrored: bool,
@@ -97,7 +97,7 @@ impl FinePlace {
     }
 }
 
-/// Weights of four rows in the cubic through equal steps at −1, 0, 1 and 2.
+/// Weights of the four numbers at −1, 0, 1 and 2, in the value at `t` of the cubic through these numbers.
 fn cubic(t: f64) -> [f64; 4] {
     let (before, after, far) = (t + 1.0, t - 1.0, t - 2.0);
     [
@@ -108,16 +108,16 @@ fn cubic(t: f64) -> [f64; 4] {
     ]
 }
 
-/// The forces of the data, interpolated to the fine headings.
+/// The wave forces of the hydrodynamic data, interpolated to the fine grid of headings.
 #[derive(Clone, Debug)]
 pub(super) struct Between<'d> {
     data: &'d Hydrodynamics,
-    /// Wave number k at each frequency of the data, in the depth of water of the data (rad/m).
+    /// Wave number k at each frequency of the hydrodynamic data, in the depth of water of the data (rad/m).
     numbers_radpm: Vec<f64>,
     pub(super) headings: FineHeadings,
-    /// Exciting force for each frequency at each fine heading.
+    /// Exciting force for each frequency of the data, at each heading of the fine grid.
     excitation: Vec<Vec<[Complex; 6]>>,
-    /// Mean drift for each frequency at each fine heading; empty for data without drift.
+    /// Mean drift for each frequency of the data, at each heading of the fine grid; empty for data without drift.
     drift: Vec<Vec<[f64; 3]>>,
 }
 
@@ -268,7 +268,7 @@ impl Parts for f64 {
     }
 }
 
-/// The weights of the data's headings for each fine heading.
+/// The weights of the headings of the hydrodynamic data, for each heading of the fine grid.
 struct HeadingWeights {
     is_mirrored: bool,
     /// For each row of the fine grid, the weights of the headings all round: first the headings of the data, then their
@@ -311,7 +311,7 @@ impl HeadingWeights {
         HeadingWeights { is_mirrored: fine.is_mirrored, rows }
     }
 
-    /// Interpolates forces at the headings of the data to the fine headings.
+    /// Interpolates forces at the headings of the hydrodynamic data to the headings of the fine grid.
     fn spread<P: Parts, const N: usize>(&self, given: &[[P; N]], mirror: [f64; N]) -> Vec<[P; N]> {
         let images = if self.is_mirrored { &given[1..given.len() - 1] } else { &[] };
         let sum_of = |weights: &Vec<f64>| {
@@ -333,7 +333,7 @@ impl HeadingWeights {
     }
 }
 
-/// The widest step between the data's headings, all round (rad).
+/// The widest step between neighbouring headings of the hydrodynamic data, all round (rad).
 pub(super) fn widest_step(headings_rad: &[f64], is_mirrored: bool) -> f64 {
     let inner = headings_rad.windows(2).map(|two| two[1] - two[0]).fold(0.0, greater);
     let [first, last] = [headings_rad[0], headings_rad[headings_rad.len() - 1]];

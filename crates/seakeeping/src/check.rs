@@ -19,9 +19,9 @@ const AT_THE_ENDS: [f64; 2] = [0.6, 0.5];
 const UNFELT: f64 = 0.3;
 /// The widest step between neighbouring headings that is allowed (rad).
 const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
-/// Numerical noise of panel codes that is accepted. The first value is how far below zero a damping may be, divided by
-/// the largest damping. The second value is how far a matrix may be from symmetric, divided by the root of the product
-/// of the two diagonal entries.
+/// Numerical noise of panel codes that is accepted in hydrodynamic data. The first value is how far below zero a
+/// damping may be, divided by the largest damping. The second value is how far a matrix may be from symmetric, divided
+/// by the root of the product of the two diagonal entries.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
 /// Checks that the tables of the data have the right numbers of rows, and that all numbers are finite.
@@ -227,7 +227,7 @@ pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
     Ok(())
 }
 
-/// True if the headings of the data go from 0 to π; otherwise the headings must go all round.
+/// True if the headings of the hydrodynamic data go from 0 to π; otherwise the headings must go all round.
 pub(super) fn check_headings(headings_rad: &[f64]) -> Result<bool, SeakeepingError> {
     let part = Part::Excitation;
     if headings_rad.len() < 2 || headings_rad.windows(2).any(|two| !rises(two)) {

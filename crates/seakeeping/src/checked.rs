@@ -15,7 +15,7 @@ use fenderline_ship::environment::waves::Complex;
 
 /// Largest contradiction allowed between added mass and damping, divided by the largest added mass.
 const CONTRADICTION: f64 = 0.4;
-/// Contradiction between added mass and damping from which on it is reported.
+/// Smallest contradiction between added mass and damping that is reported, divided by the largest added mass.
 const DOUBTFUL: f64 = 0.25;
 
 impl Hydrodynamics {

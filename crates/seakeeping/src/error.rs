@@ -38,7 +38,7 @@ pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> Seakeepin
 /// The reason.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
-    /// A list of the data is shorter or longer than it must be.
+    /// A list of the hydrodynamic data is shorter or longer than it must be.
     Length {
         /// What is counted.
         what: &'static str,
@@ -47,9 +47,9 @@ pub enum Reason {
         /// How many items the list has.
         found: usize,
     },
-    /// The numbers of an axis do not rise from row to row.
+    /// The numbers of an axis (frequencies or headings) do not rise from row to row.
     NotRising(&'static str),
-    /// A number of the data is not finite, or is larger than for any ship.
+    /// A number of the hydrodynamic data is not finite, or is larger than for any ship.
     NotANumber(&'static str),
     /// A diagonal entry of the damping is negative.
     NegativeDamping {
@@ -58,7 +58,7 @@ pub enum Reason {
         /// The negative damping of the motion (N·s/m, N·m·s).
         damping: f64,
     },
-    /// A matrix is not symmetric.
+    /// A matrix of the hydrodynamic data is not symmetric.
     NotSymmetric {
         /// The matrix.
         matrix: &'static str,
@@ -96,7 +96,7 @@ pub enum Reason {
         /// The damping that follows from the exciting forces, divided by the damping of the table.
         ratio: f64,
     },
-    /// A value of the data does not fit the ship, for example because of wrong units.
+    /// A value of the hydrodynamic data does not fit the ship, for example because of wrong units.
     Implausible {
         /// Name of the quantity that does not fit, with its unit.
         what: &'static str,
@@ -137,12 +137,12 @@ pub enum Reason {
         /// The largest difference between added mass and damping, divided by the largest added mass.
         share: f64,
     },
-    /// The headings of the data leave a gap.
+    /// The headings of the hydrodynamic data leave a gap.
     HeadingGap {
         /// The gap (deg).
         between_deg: [f64; 2],
     },
-    /// The ship of the data does not float upright.
+    /// By the hydrodynamic data the ship does not float upright.
     Unstable {
         /// The motion.
         motion: usize,
@@ -153,7 +153,7 @@ impl fmt::Display for SeakeepingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.reason {
             Reason::Length { what, expected, found } => {
-                write!(f, "there must be {expected} {what}, but there are {found}")
+                write!(f, "the data must have {expected} {what}, but have {found}")
             }
             Reason::NotRising(axis) => write!(f, "the {axis} must rise from row to row"),
             Reason::NotANumber(what) => write!(f, "{what} is not a finite number"),

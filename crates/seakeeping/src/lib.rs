@@ -4,14 +4,14 @@
 //! |---|---|
 //! | `data.rs` | the data of a panel code, checked and moved to the centre of gravity |
 //! | `check.rs` | the checks |
-//! | `passive.rs` | the check that no combination of motions gains energy from the data |
+//! | `passive.rs` | the check that the hydrodynamic data give energy to no combination of motions |
 //! | `waves_check.rs` | the check of the sizes of exciting and drift forces |
 //! | `error.rs` | the errors that hydrodynamic data can have |
 //! | `retardation.rs` | the retardation function, and added mass from damping |
 //! | `memory.rs` | the memory of the water as a bank of resonators |
 //! | `least_squares.rs`, `matrix.rs` | linear algebra |
-//! | `between.rs` | wave forces, interpolated between the headings and frequencies of the data |
-//! | `resolution.rs` | the waves whose forces the data do not resolve |
+//! | `between.rs` | wave forces, interpolated between the headings and frequencies of the hydrodynamic data |
+//! | `resolution.rs` | the waves whose forces the hydrodynamic data do not resolve |
 //! | `forces.rs` | exciting forces, mean drift and slow drift of a sea |
 //! | `motion.rs` | the time step |
 //! | `sub_steps.rs` | the times at which loads act, where contact takes several sub-steps |
@@ -67,9 +67,9 @@ pub struct Seakeeping {
 }
 
 impl Seakeeping {
-    /// Whether the data hold in water of a depth (m; `None`: deep), for a ship of the given draught (m). The depth of
-    /// the data and that of the run must agree within a tenth, or both count as deep. Water deeper than ten draughts
-    /// counts as deep. The limits of a tenth of the depth and of ten draughts are our choice.
+    /// Whether the hydrodynamic data hold in water of a depth (m; `None`: deep), for a ship of the given draught (m).
+    /// The depth of the data and that of the run must agree within a tenth, or both count as deep. Water deeper than
+    /// ten draughts counts as deep. The limits of a tenth of the depth and of ten draughts are our choice.
     #[must_use]
     pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
         let [of_data_m, of_run_m] =
@@ -79,7 +79,8 @@ impl Seakeeping {
     }
 }
 
-/// Largest difference between the depth of the data and the depth of the run, as a share of the depth of the run.
+/// Largest difference between the depth of water of the hydrodynamic data and the depth of the run, as a share of the
+/// depth of the run.
 const DEPTH: f64 = 0.1;
 /// Depth from which water counts as deep, in draughts.
 const DEEP: f64 = 10.0;

@@ -26,16 +26,17 @@ use fenderline_ship::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.
 const RESONATORS: usize = 48;
-/// Frequency and half-width of a wide resonator, divided by the last frequency of the data. The wide resonator takes no
-/// part in the fit. The wide resonator adds damping beyond the data where the fit lacks damping.
+/// Frequency and half-width of a wide resonator, divided by the last frequency of the hydrodynamic data. The wide
+/// resonator takes no part in the fit. The wide resonator adds damping beyond the data where the fit lacks damping.
 const WIDE: [f64; 2] = [2.5, 2.5];
-/// Number of points of the fit, and frequency of its last point divided by the last frequency of the data.
+/// Number of points of the fit, and frequency of its last point divided by the last frequency of the hydrodynamic data.
 const POINTS: (usize, f64) = (200, 2.0);
 /// Weight in the fit of the row at zero frequency, where the force must vanish.
 const AT_REST: f64 = 300.0;
-/// The least weight of a row in the fit counts as 1. The most that any other row weighs in the fit.
+/// The least weight of a row in the fit counts as 1. The constant is the largest weight of a row, except of the row at
+/// zero frequency.
 const HEAVIEST: f64 = 30.0;
-/// Shares of the last frequency between which rows of the fit weigh 1/ω.
+/// Between these shares of the last frequency, the weight of a row of the fit has the factor 1/ω (ω: its frequency).
 const SLOW: [f64; 2] = [0.05, 0.4];
 /// Ridge of the least-squares fit, relative to the size of the columns.
 const RIDGE: f64 = 1e-7;
@@ -43,7 +44,7 @@ const RIDGE: f64 = 1e-7;
 const NEAR: f64 = 0.3;
 /// Lack of damping that is made up by a small damping at all frequencies, divided by the mass (1/s).
 const LEFT: f64 = 3e-5;
-/// Number of frequencies at which the damping of the bank is checked, and number of rounds of correction.
+/// Number of frequencies at which the damping of the bank of resonators is checked, and number of rounds of correction.
 const CHECKED: (usize, usize) = (400, 60);
 
 /// A resonator.
@@ -67,8 +68,8 @@ pub(super) struct Bank {
     pub(super) mass: Matrix6,
     /// A small damping in place of the damping that the fit lacks (N·s/m and so on).
     pub(super) rest: Matrix6,
-    /// Matrix that gives the part of the memory's force at the end of a step that follows at once from the velocity at
-    /// the end of the step.
+    /// Matrix that gives the part of the water's memory force at the end of a step that follows at once from the
+    /// velocity at the end of the step.
     pub(super) at_once: Matrix6,
     step_s: f64,
 }
@@ -187,7 +188,7 @@ impl Bank {
         [self.response(w, |c| c.re)[i][j] / ratio, added]
     }
 
-    /// The damping of the bank at a frequency, for a ship that moves in steps.
+    /// The damping of the bank of resonators at a frequency, for a ship that moves in steps.
     fn damping(&self, w: f64) -> Matrix6 {
         plus(&self.response(w, |c| c.re), 1.0, &self.rest)
     }
@@ -258,7 +259,7 @@ impl Bank {
         }
     }
 
-    /// The state of the bank for a ship that has moved with a steady velocity for a long time.
+    /// The state of the bank of resonators for a ship that has moved with a steady velocity for a long time.
     pub(super) fn steady(&self, velocity: Six) -> Memory {
         // In steady motion x₁ = 0 and x₂ = u/ω₀.
         let states = self
@@ -279,8 +280,8 @@ impl Bank {
         sum
     }
 
-    /// The force of the memory at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at the end
-    /// of the step.
+    /// The force of the water's memory at the end of a step from `memory`, less [`Bank::at_once`] times the velocity at
+    /// the end of the step.
     pub(super) fn force_ahead(&self, memory: &Memory) -> Six {
         let mut sum = [0.0; 6];
         let banks = self.resonators.iter().zip(&self.outputs).zip(&memory.states);
@@ -292,7 +293,7 @@ impl Bank {
         sum
     }
 
-    /// Takes one step of the bank, at the end of which the ship has the given velocity.
+    /// Takes one step of the bank of resonators, at the end of which the ship has the given velocity.
     pub(super) fn advance(&self, memory: &mut Memory, velocity: &Six) {
         let both: Six = std::array::from_fn(|k| memory.velocity[k] + velocity[k]);
         for (resonator, state) in self.resonators.iter().zip(&mut memory.states) {

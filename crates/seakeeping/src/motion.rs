@@ -42,7 +42,7 @@ pub struct Motion {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MotionState {
     memory: Memory,
-    /// Velocities of the ship before the step, and after it without contact.
+    /// Velocities of the ship before the step, and the velocities that she would have after the step without contact.
     before: Six,
     without_contact: Six,
     /// Impulses in the horizontal plane that the last step left for this step (N·s, N·m·s).
@@ -52,7 +52,7 @@ pub struct MotionState {
 }
 
 impl MotionState {
-    /// Copies another state into this state, whose memory is reused.
+    /// Copies another state into this state, without taking new memory.
     pub fn copy_from(&mut self, other: &MotionState) {
         let MotionState { memory, before, without_contact, left, ahead } = self;
         memory.copy_from(&other.memory);
@@ -132,7 +132,7 @@ impl Motion {
         &self.mass
     }
 
-    /// The small damping in place of the damping that the fit of the memory lacks.
+    /// The small damping in place of the damping that the fit of the water's memory lacks.
     #[must_use]
     pub fn rest(&self) -> &Matrix6 {
         &self.bank.rest

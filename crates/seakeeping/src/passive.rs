@@ -1,5 +1,5 @@
-//! Checks that no combination of motions gains energy from the data. The entries on the diagonals of the damping may be
-//! right while the couplings are wrong.
+//! Checks that the hydrodynamic data give energy to no combination of motions. The entries on the diagonals of the
+//! damping may be right while the couplings are wrong.
 
 use fenderline_contact::number::greater;
 

@@ -23,16 +23,18 @@ const FREQUENCIES: f64 = 2.5;
 /// Shares of a sea's energy, from 0 to 1, in waves that data do not resolve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Unresolved {
-    /// Share of the energy in waves within the frequencies of the data, for which the headings are too far apart.
+    /// Share of the energy in waves within the frequencies of the hydrodynamic data, for which the headings of the data
+    /// are too far apart.
     pub by_headings: f64,
-    /// Share of the energy in waves for which the headings are fine enough, but the frequencies too far apart.
+    /// Share of the energy in waves for which the headings of the data are fine enough, but the frequencies too far
+    /// apart.
     pub by_frequencies: f64,
     /// Share of the energy in waves with frequencies below the first or above the last frequency of the data.
     pub beyond: f64,
 }
 
 impl Unresolved {
-    /// The whole share of a sea's energy that the data do not resolve: the sum of the three shares.
+    /// The whole share of a sea's energy that the hydrodynamic data do not resolve: the sum of the three shares.
     #[must_use]
     pub fn sum(&self) -> f64 {
         self.by_headings + self.by_frequencies + self.beyond

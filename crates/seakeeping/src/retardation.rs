@@ -11,13 +11,13 @@ use super::ogilvie::{change, integral};
 use super::spline::Spline;
 use super::unknown_damping::{FIRST_NODE, TAIL, unknown_damping};
 
-/// Number of points of the fine frequency grid up to the last frequency of the data, and beyond it.
+/// Number of points of the fine frequency grid up to the last frequency of the hydrodynamic data, and beyond it.
 const FINE: [usize; 2] = [400, 200];
 
-/// Damping on a fine grid of frequencies: a cubic spline through the data, and zero at zero frequency. Below the first
-/// frequency of the data and beyond the last, the damping is the one that agrees best with the added mass of the data
-/// (`unknown_damping`); at 1.5 times the last frequency it has faded. A reaction of the water that is faster than the
-/// frequencies of the grid acts as mass (`effective_infinite`).
+/// Damping on a fine grid of frequencies: a cubic spline through the hydrodynamic data, and zero at zero frequency.
+/// Below the first frequency of the data and beyond the last, the damping is the one that agrees best with the added
+/// mass of the data (`unknown_damping`); at 1.5 times the last frequency it has faded. A reaction of the water that is
+/// faster than the frequencies of the grid acts as mass (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
     frequencies_radps: Vec<f64>,
@@ -123,7 +123,7 @@ pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation
     std::array::from_fn(|i| std::array::from_fn(|j| of(i.min(j), i.max(j))))
 }
 
-/// The damping of the data at the frequencies of a grid (rad/s), as far as the data reach.
+/// The damping of the hydrodynamic data at the frequencies of a grid (rad/s), as far as the data reach.
 fn known_damping(data: &Hydrodynamics, grid_radps: &[f64]) -> Vec<Matrix6> {
     let spline = Spline::new(data.frequencies_radps.clone(), data.damping.clone());
     let last = data.frequencies_radps.len() - 1;

@@ -1,4 +1,4 @@
-//! Estimates the damping where the data have none: below their first frequency, and beyond their last.
+//! Estimates the damping where hydrodynamic data have none: below their first frequency, and beyond their last.
 //!
 //! Panel codes compute the added mass and the damping each by itself. By Ogilvie's relation (Kramers and Kronig's) the
 //! damping at *all* frequencies gives the added mass at each frequency. The added mass of the data therefore shows the
@@ -13,16 +13,16 @@ use super::data::Hydrodynamics;
 use super::matrix::{Matrix6, ZERO};
 use super::ogilvie::change;
 
-/// Nodes of the polygon below the first frequency of the data, divided by this frequency. At both ends of these nodes
-/// the polygon of the lacking damping is zero.
+/// Nodes of the polygon below the first frequency of the hydrodynamic data, divided by this frequency. At both ends of
+/// these nodes the polygon of the lacking damping is zero.
 const SLOW: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-/// Frequency at which the damping's tail ends, divided by the last frequency of the data.
+/// Frequency at which the tail of the damping ends, divided by the last frequency of the hydrodynamic data.
 pub(super) const TAIL: f64 = 1.5;
-/// Nodes of the polygon beyond the last frequency of the data, divided by this frequency. At both ends of these nodes
-/// the polygon of the lacking damping is zero.
+/// Nodes of the polygon beyond the last frequency of the hydrodynamic data, divided by this frequency. At both ends of
+/// these nodes the polygon of the lacking damping is zero.
 const FAST: [f64; 7] = [1.0, FIRST_NODE, 1.1, 1.2, 1.3, 1.4, TAIL];
-/// Frequency, divided by the last of the data, to which the damping of the last frequency falls in a straight line,
-/// beside the polygon.
+/// Frequency, divided by the last frequency of the hydrodynamic data, at which a straight line from the damping at the
+/// last frequency reaches zero. The polygon is added to this line.
 pub(super) const FIRST_NODE: f64 = 1.05;
 /// Number of nodes at which the polygon has a value.
 const NODES: usize = SLOW.len() - 2 + FAST.len() - 2;

@@ -419,7 +419,7 @@ fn off_the_data_a_step_names_ship_place_and_time_and_changes_nothing() {
     assert!(matches!(refused, SetupError::NoDepth(_)), "{refused}");
     setup.world.environment.depth_m = Some(10.0);
     let text = Simulation::new(setup).unwrap_err().to_string();
-    assert!(text.contains("exclude each other"), "{text}");
+    assert!(text.contains("give only one of the two"), "{text}");
 }
 
 #[test]

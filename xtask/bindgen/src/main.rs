@@ -1,8 +1,8 @@
 //! `xtask-bindgen MODULE.wasm FOLDER` writes the JavaScript and types that belong to a compiled WebAssembly module.
 //!
 //! This program does what the program `wasm-bindgen` does. The program `wasm-bindgen` and the library of the same name
-//! in the module must be of one version: where this program has both as dependencies, the lock file holds them
-//! together, and there is nothing to install.
+//! in the module must be of one version. This program depends on both, so the lock file keeps both at one version, and
+//! a developer need not install `wasm-bindgen`.
 
 use std::process::ExitCode;
 

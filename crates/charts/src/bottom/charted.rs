@@ -1,4 +1,4 @@
-//! Depths from the areas, contours and soundings of a chart.
+//! Computes depths at the nodes of a grid from the depth areas, depth contours and soundings of a chart.
 
 use std::collections::BTreeMap;
 
@@ -9,14 +9,16 @@ use fenderline_sim::chart::{Chart, ChartFeature, ChartKind, ChartShape};
 use super::lattice::{Extent, Lattice};
 use super::triangles::{Sounded, Triangles, spaced};
 
-/// Height of land above datum in the field (m): more than any tide. A chart does not give the height of land.
+/// Height above chart datum that the grid of depths has on land (m): more than any tide. A chart does not give the
+/// height of land.
 pub const LAND_HEIGHT_M: f64 = 20.0;
-/// So many cells behind the front of a quay the bottom goes on as before the front.
+/// Number of grid cells behind the front of a quay in which the bottom is as deep as before the front.
 const UNDER_QUAY_CELLS: usize = 2;
-/// Most points of a triangulation. Contours have fewer points between their corners if there would be more.
+/// Largest number of points of a triangulation. If there would be more points, fewer points are set between the corners
+/// of the contours.
 const MOST_POINTS: usize = 400_000;
 
-/// What lies at a node.
+/// What lies at a node of the grid: land, water or nothing that is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum At {
     Unknown,
@@ -24,16 +26,16 @@ enum At {
     Water { least_m: f64, most_m: Option<f64>, is_dredged: bool },
 }
 
-/// Depths of a chart at the nodes of a lattice.
+/// Depths that a chart gives at the nodes of a grid.
 pub(super) struct Charted {
-    /// NaN: not known (m).
+    /// Depth at each node (m); NaN where the depth is not known.
     pub(super) depths_m: Vec<f64>,
-    /// Nodes of water, and those that lie in two areas of different depth.
+    /// Number of nodes in water, and number of nodes that lie in two depth areas of different depth.
     pub(super) water: usize,
     pub(super) overlapping: usize,
 }
 
-/// Areas of the chart with a depth.
+/// The depth areas and dredged areas of a chart, each with its rings.
 pub(super) fn areas(chart: &Chart) -> impl Iterator<Item = (&ChartFeature, &[Vec<Vec2>])> {
     chart.features.iter().filter_map(|feature| match &feature.shape {
         ChartShape::Area(rings) if feature.kind.is_area_of_depth() => {
@@ -43,7 +45,7 @@ pub(super) fn areas(chart: &Chart) -> impl Iterator<Item = (&ChartFeature, &[Vec
     })
 }
 
-/// The rectangle around the areas with a depth and the land.
+/// The rectangle around all depth areas, dredged areas and land areas of a chart.
 pub(super) fn extent(chart: &Chart) -> Extent {
     let is_land = |feature: &&ChartFeature| {
         feature.kind == ChartKind::Coast && matches!(feature.shape, ChartShape::Area(_))
@@ -53,7 +55,7 @@ pub(super) fn extent(chart: &Chart) -> Extent {
     Extent::around(all.flat_map(|feature| feature.shape.points_m()))
 }
 
-/// The depths of a chart at the nodes.
+/// Computes the depths that a chart gives at the nodes of the grid `lattice`.
 pub(super) fn depths(chart: &Chart, lattice: &Lattice, choice: ChartDepths) -> Charted {
     let mut at = vec![At::Unknown; lattice.nodes()];
     let overlapping = lay_water(chart, lattice, &mut at);
@@ -89,8 +91,9 @@ pub(super) fn depths(chart: &Chart, lattice: &Lattice, choice: ChartDepths) -> C
     Charted { depths_m, water, overlapping }
 }
 
-/// Lays the areas with a depth, dredged areas over others. Of two areas at a node the one with less depth counts.
-/// Returns the number of nodes in two areas of different depth.
+/// Sets the nodes that lie in depth areas to water. A dredged area replaces a depth area; of two areas of the same kind
+/// at a node, the area with less depth counts. Returns the number of nodes that lie in two such areas of different
+/// depth.
 fn lay_water(chart: &Chart, lattice: &Lattice, at: &mut [At]) -> usize {
     let mut overlapping = 0;
     for dredged in [false, true] {
@@ -124,7 +127,7 @@ fn lay_unsurveyed_and_land(chart: &Chart, lattice: &Lattice, at: &mut [At]) {
     }
 }
 
-/// Nodes near a quay.
+/// For each node of the grid, whether the node is near a quay.
 fn near_quays(chart: &Chart, lattice: &Lattice) -> Vec<bool> {
     let reach_m = (UNDER_QUAY_CELLS as f64 + 0.5) * lattice.cell_m;
     let mut near = vec![false; lattice.nodes()];
@@ -136,7 +139,7 @@ fn near_quays(chart: &Chart, lattice: &Lattice) -> Vec<bool> {
     near
 }
 
-/// Lines of a shape; rings are closed.
+/// The lines of a chart feature: a line itself, or the closed rings of an area.
 fn lines(shape: &ChartShape) -> Vec<Vec<Vec2>> {
     match shape {
         ChartShape::Point(_) => Vec::new(),
@@ -148,8 +151,8 @@ fn lines(shape: &ChartShape) -> Vec<Vec<Vec2>> {
     }
 }
 
-/// The bottom goes on under the front of a quay: a node of land near a quay gets the least depth of the water beside
-/// it. Otherwise the bottom would rise within the last cell before the quay, under the ship that lies there.
+/// Continues the bottom under the front of a quay: a land node near a quay gets the least depth of the water nodes
+/// beside it. Otherwise the bottom would rise within the last cell before the quay, under the ship that lies there.
 fn grow_under_quays(
     lattice: &Lattice,
     near_quays: &[bool],
@@ -182,10 +185,11 @@ fn grow_under_quays(
     }
 }
 
-/// The points of known depth: contours, soundings, edges between two areas, and the coast.
+/// The points of a chart with known depth: on contours, at soundings, on edges between two depth areas, and on the
+/// coast.
 fn points(chart: &Chart, lattice: &Lattice, near_quays: &[bool]) -> Vec<Sounded> {
     let mut spacing_m = 2.0 * lattice.cell_m;
-    // A chart has at most 500,000 points, so that few rounds are enough.
+    // A chart has at most 500,000 points, so the spacing must be doubled a few times at most.
     loop {
         let points = points_spaced(chart, lattice, near_quays, spacing_m);
         if points.len() <= MOST_POINTS || spacing_m > 1e5 {
@@ -202,7 +206,8 @@ fn points_spaced(
     spacing_m: f64,
 ) -> Vec<Sounded> {
     let mut points = edges_between_areas(chart);
-    // The water's edge is as high as the highest ground that falls dry; each area's own depths bound it.
+    // The coastline gets the height of the highest ground that falls dry; later, each area's own depths limit the
+    // depths at its nodes.
     let least_m = areas(chart).filter_map(|(feature, _)| feature.depth_m).fold(0.0, libm::fmin);
     for feature in &chart.features {
         match (feature.kind, &feature.shape, feature.depth_m) {
@@ -226,7 +231,7 @@ fn points_spaced(
     points
 }
 
-/// Whether the node nearest to a place is near a quay.
+/// Whether the grid node nearest to the place `at_m` is near a quay.
 fn is_near(lattice: &Lattice, near_quays: &[bool], at_m: Vec2) -> bool {
     let off = (at_m - lattice.origin_m) * (1.0 / lattice.cell_m);
     let (column, row) = (libm::round(off.x), libm::round(off.y));
@@ -235,7 +240,7 @@ fn is_near(lattice: &Lattice, near_quays: &[bool], at_m: Vec2) -> bool {
     is_inside && near_quays[lattice.index(column as usize, row as usize)]
 }
 
-/// Corners that two areas share: there the water is as deep as the deeper area is at least.
+/// The corners that two depth areas share. There the water has the least depth of the deeper area.
 fn edges_between_areas(chart: &Chart) -> Vec<Sounded> {
     let mut depths_of: BTreeMap<[u64; 2], (Vec2, [f64; 2])> = BTreeMap::new();
     for (feature, _) in areas(chart).filter(|(feature, _)| feature.kind == ChartKind::DepthArea) {

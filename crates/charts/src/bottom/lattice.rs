@@ -1,8 +1,9 @@
-//! The nodes of a depth field, and which of them lie in an area.
+//! The nodes of a grid of depths, and a search for the nodes that lie in an area or near a line.
 
 use fenderline_contact::{Vec2, vec2};
 
-/// Nodes of a square grid along north and east. The index of the column (north) varies fastest.
+/// The nodes of a grid of square cells along north and east. In a list of all nodes, the column (the index to the
+/// north) varies fastest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
     pub(super) origin_m: Vec2,
@@ -11,7 +12,7 @@ pub(super) struct Lattice {
     pub(super) rows: usize,
 }
 
-/// A rectangle that grows around points (m).
+/// A rectangle with sides along north and east, which is extended to contain given points (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     pub(super) low: Vec2,
@@ -52,7 +53,8 @@ impl Extent {
 }
 
 impl Lattice {
-    /// The lattice of whole cells around a rectangle, with nodes at whole multiples of the cell.
+    /// Makes the grid that contains a rectangle. The coordinates of its nodes are whole multiples of the side of a
+    /// cell.
     pub(super) fn around(extent: Extent, cell_m: f64) -> Lattice {
         let [x0, y0] = [extent.low.x, extent.low.y].map(|low| libm::floor(low / cell_m));
         let [x1, y1] = [extent.high.x, extent.high.y].map(|high| libm::ceil(high / cell_m));
@@ -77,7 +79,8 @@ impl Lattice {
         row * self.columns + column
     }
 
-    /// The indices on one axis of the nodes from `low` to `high` (m), both included, as a range that may be empty.
+    /// The indices of the nodes whose coordinate on one axis is from `low` to `high` (m), both included; the range may
+    /// be empty.
     fn span(&self, low: f64, high: f64, origin: f64, count: usize) -> core::ops::Range<usize> {
         let first = libm::fmax(libm::ceil((low - origin) / self.cell_m), 0.0);
         let last = libm::fmin(libm::floor((high - origin) / self.cell_m), count as f64 - 1.0);
@@ -93,8 +96,8 @@ impl Lattice {
         self.span(low, high, self.origin_m.y, self.rows)
     }
 
-    /// Calls `fill` for each node in an area: its rings by the even-odd rule. Of two areas with a common edge, a node on
-    /// the edge lies in one.
+    /// Calls `fill` with the index of each node in an area, which is given by its rings (even-odd rule). If two areas
+    /// have a common edge, a node on this edge lies in only one of them.
     pub(super) fn fill(&self, rings: &[Vec<Vec2>], mut fill: impl FnMut(usize)) {
         let extent = Extent::around(rings.iter().flatten().copied());
         if extent.is_empty() {
@@ -130,7 +133,7 @@ impl Lattice {
         }
     }
 
-    /// Calls `mark` for each node within some distance of a line.
+    /// Calls `mark` with the index of each node that is within `reach_m` of a line.
     pub(super) fn near(&self, line: &[Vec2], reach_m: f64, mut mark: impl FnMut(usize)) {
         for pair in line.windows(2) {
             let extent = Extent::around(pair.iter().copied());
@@ -145,7 +148,7 @@ impl Lattice {
     }
 }
 
-/// Distance from a point to a segment (m).
+/// Distance from a point to a straight line segment (m).
 fn distance_m(at_m: Vec2, from_m: Vec2, to_m: Vec2) -> f64 {
     let (along, off) = (to_m - from_m, at_m - from_m);
     let length_squared = along.length_squared();
@@ -156,7 +159,7 @@ fn distance_m(at_m: Vec2, from_m: Vec2, to_m: Vec2) -> f64 {
     (off - along * share).length()
 }
 
-/// The number of the series 1, 2, 5, 10, … that is next above a length (m).
+/// Rounds a length (m) up to a number of the series 1, 2, 5, 10, 20, …
 pub(super) fn round_up_m(length_m: f64) -> f64 {
     let mut decade = 1.0;
     // Cells of 1 m to 100 km: a bounded number of steps.

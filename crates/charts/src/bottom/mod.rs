@@ -1,5 +1,6 @@
-//! The depths of the bottom by place, from surveys and from a chart: `survey` reads files, `placed` has their coordinates,
-//! `charted` has the areas of a chart, `triangles` the depths between points, `lattice` the nodes of the field.
+//! Makes a grid of water depths from surveys and from a chart. Module `survey` reads survey files, and `placed`
+//! converts their coordinates. `charted` takes depths from a chart, `triangles` interpolates between points, and
+//! `lattice` has the nodes of the grid.
 
 mod charted;
 mod lattice;
@@ -21,65 +22,68 @@ use crate::chart::projection::Projected;
 
 pub use self::charted::LAND_HEIGHT_M;
 
-/// Most nodes of a field: 16 MB.
+/// Largest number of nodes of a grid of depths, which takes 16 MB.
 const MOST_NODES: usize = 4_000_000;
-/// A chart gets cells of such a size that the field has about this many nodes.
+/// If the user gives no cell size, a chart gets cells of such a size that the grid of depths has about this number of
+/// nodes.
 const USUAL_NODES: f64 = 500_000.0;
-/// The smallest cell that is chosen (m).
+/// Smallest side of a cell that the program chooses by itself for a chart (m).
 const SMALLEST_CELL_M: f64 = 1.0;
-/// Cells from this size on are coarse for a berth (m).
+/// Side of a cell from which on a notice says that the grid is coarse for a berth (m).
 const COARSE_CELL_M: f64 = 25.0;
-/// A triangle between soundings that is so many times longer than most is a hole in the survey.
+/// A triangle between soundings counts as a hole in the survey if its longest side is more than this number of times
+/// the median of all triangles' longest sides.
 const HOLE: f64 = 5.0;
-/// Share of the nodes in the water that may lie in two areas of different depth before it is said.
+/// Share of the nodes in water that may lie in two depth areas of different depth without a notice to the user.
 const FEW: f64 = 0.001;
 
-/// What a bottom is made of.
+/// The surveys, the chart and the options from which a grid of depths is made.
 pub struct Request<'r> {
-    /// Name and text of each survey. The first one with data at a place counts.
+    /// File name and text of each survey. At each place, the first survey in the list that has data there counts.
     pub surveys: Vec<(&'r str, &'r str)>,
-    /// The key that names the surveys.
+    /// The key of the scenario that names the survey files, for messages.
     pub key: &'r str,
-    /// What the coordinates of the surveys are.
+    /// The kind of coordinates in the surveys: metres, degrees, or metres of UTM.
     pub coordinates: SurveyCoordinates,
-    /// What the values of the surveys are; `None`: as most of their signs say.
+    /// Whether the values of the surveys are depths or heights; if `None`, the sign of most values decides.
     pub values: Option<SurveyValues>,
-    /// How the depths of the chart are taken; `None`: they are not.
+    /// How depths are taken from the chart; `None` if no depths are taken from the chart.
     pub choice: Option<ChartDepths>,
     /// The chart.
     pub chart: &'r Chart,
-    /// The projection of the chart, if the chart is in longitude and latitude: about its origin, and whether it is UTM.
+    /// For a chart in longitude and latitude: its projection, the origin of the projection, and whether the projection
+    /// is UTM.
     pub projected: Option<(Projected, GeographicPlace, bool)>,
-    /// Side of a cell (m); `None`: it is chosen.
+    /// Side of a grid cell (m); if `None`, the program chooses the side.
     pub cell_m: Option<f64>,
 }
 
-/// A bottom, with what a user should know of it.
+/// A grid of depths, with notices for the user.
 pub struct Made {
     /// The grid of depths.
     pub field: DepthField,
-    /// Sentences for notices, each with what it concerns.
+    /// The sentence of each notice, and what the notice concerns.
     pub told: Vec<(About, String)>,
 }
 
-/// What a sentence or a mistake concerns.
+/// The input that a notice or a mistake concerns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum About {
-    /// The files of the surveys.
+    /// The survey files.
     Survey,
     /// The coordinates of the surveys.
     Coordinates,
     /// The chart.
     Chart,
-    /// The side of the grid's cells.
+    /// The side of the cells of the grid of depths.
     Cell,
 }
 
-/// Why no bottom can be made.
+/// The reason why no grid of depths can be made.
 pub enum Refusal {
-    /// A mistake in a file.
+    /// There is a mistake in a survey file.
     InFile(Box<ScenarioError>),
-    /// A mistake of the scenario: what it concerns, what is wrong, what helps.
+    /// There is a mistake in the scenario: the input that the mistake concerns, what is wrong, and advice for the user.
     Of(About, String, &'static str),
 }
 
@@ -101,7 +105,7 @@ pub fn make(request: &Request<'_>) -> Result<Made, Refusal> {
         let survey = survey::read((name, text), request.key, &place, request.values)?;
         if survey.values == Values::FoundHeights {
             let text = format!(
-                "most values of {name} are negative: they are taken as heights above datum, and depths are their opposites"
+                "most values of {name} are negative: all values are taken as heights above datum, and their sign is changed to get depths"
             );
             told.push((About::Survey, text));
         }
@@ -110,7 +114,7 @@ pub fn make(request: &Request<'_>) -> Result<Made, Refusal> {
     if request.choice.is_some() && charted::areas(request.chart).next().is_none() {
         return Err(without_depths(request.chart));
     }
-    // One grid of metres is the field itself.
+    // A single survey that is a grid in metres is used as it is.
     if let ([Survey { form: Form::Grid { origin_m, cell_m, columns, rows, depths_m }, .. }], None) =
         (surveys.as_slice(), request.choice)
         && request.cell_m.is_none_or(|wanted_m| wanted_m == *cell_m)
@@ -127,7 +131,7 @@ pub fn make(request: &Request<'_>) -> Result<Made, Refusal> {
         let of_chart = charted::extent(request.chart);
         if !sources.is_empty() && !of_surveys.meets(of_chart) {
             let message = "the survey lies outside of the chart".to_owned();
-            let help = "one of the two is of another place, or the survey's coordinates are not those that `survey_coordinates` says";
+            let help = "the survey or the chart is of another place, or the survey's coordinates are not those that `survey_coordinates` says";
             return Err(Refusal::Of(About::Survey, message, help));
         }
         extent = extent.joined(of_chart);
@@ -142,7 +146,7 @@ pub fn make(request: &Request<'_>) -> Result<Made, Refusal> {
         if charted.overlapping as f64 > FEW * charted.water as f64 {
             let share = 100.0 * charted.overlapping as f64 / charted.water as f64;
             let text = format!(
-                "depth areas of the chart lie over each other at {share:.1} % of the water: the lesser depth counts there"
+                "depth areas of the chart lie over each other in {share:.1} % of the water: where two areas overlap, the program takes the lesser depth"
             );
             told.push((About::Chart, text));
         }
@@ -159,7 +163,7 @@ fn place(request: &Request<'_>) -> Result<Place, Refusal> {
         (SurveyCoordinates::Metres, _) => Ok(Place::Metres),
         (_, None) => {
             let message =
-                "longitude and latitude, and UTM, become metres only about the origin of a chart"
+                "a survey in degrees or in UTM needs a chart with an origin, about which its coordinates are converted to metres"
                     .to_owned();
             let help = "give [chart] with coordinates = \"longitude_latitude\", a projection and an origin";
             Err(Refusal::Of(About::Coordinates, message, help))
@@ -189,19 +193,20 @@ fn without_depths(chart: &Chart) -> Refusal {
     Refusal::Of(
         About::Chart,
         message,
-        "take a chart with depth areas, or a `survey`, or a `depth` for all of the water",
+        "use a chart with depth areas, or give a `survey`, or one `depth` for all of the water",
     )
 }
 
 fn field(lattice: &Lattice, depths_m: &[f64]) -> Result<DepthField, Refusal> {
     let Lattice { origin_m, cell_m, columns, rows } = *lattice;
-    // Depths of a chart have a decimal: single precision is enough.
+    // Depths of a chart have one decimal, so single precision is enough.
     let depths_m = depths_m.iter().map(|depth_m| *depth_m as f32).collect();
-    DepthField::new(origin_m, cell_m, columns, rows, depths_m)
-        .map_err(|error| Refusal::Of(About::Cell, error.to_string(), "see the survey and `cell`"))
+    DepthField::new(origin_m, cell_m, columns, rows, depths_m).map_err(|error| {
+        Refusal::Of(About::Cell, error.to_string(), "check the survey and the key `cell`")
+    })
 }
 
-/// The nodes of the field.
+/// Chooses the nodes of the grid of depths, which covers the rectangle `extent`.
 fn lattice(
     request: &Request<'_>,
     sources: &[Source],
@@ -215,7 +220,7 @@ fn lattice(
         let of_chart_m = round_up_m(libm::fmax(usual_m, SMALLEST_CELL_M));
         match of_surveys.is_finite() {
             true if request.choice.is_none() => of_surveys,
-            // A survey in a chart keeps its detail, as long as the field stays small.
+            // A survey within a chart keeps its cell size, as long as the grid of depths does not become too large.
             true => libm::fmax(of_surveys, libm::sqrt(size.x * size.y / MOST_NODES as f64) * 1.01),
             false => of_chart_m,
         }
@@ -225,18 +230,18 @@ fn lattice(
     if lattice.nodes() > MOST_NODES {
         let least_m = round_up_m(libm::sqrt(size.x * size.y / MOST_NODES as f64));
         let message = format!(
-            "with cells of {cell_m} m the bottom has {} nodes, but at most {MOST_NODES} are made: cells of {least_m} m are large enough",
+            "with cells of {cell_m} m the grid of depths has {} nodes, but at most {MOST_NODES} are allowed: cells of {least_m} m are large enough",
             lattice.nodes()
         );
         return Err(Refusal::Of(
             About::Cell,
             message,
-            "cut chart and surveys to the area of the exercise, or make `cell` larger",
+            "cut the chart and the surveys to the area of the exercise, or make `cell` larger",
         ));
     }
     if request.cell_m.is_none() && cell_m >= COARSE_CELL_M {
         let text = format!(
-            "the cells of the bottom are {cell_m:.0} m, chosen for {:.0} km by {:.0} km: coarse for a berth; cut the chart to the area of the exercise, or give `cell`",
+            "the grid of depths has cells of {cell_m:.0} m, chosen for an area of {:.0} km by {:.0} km, which is coarse for a berth: cut the chart to the area of the exercise, or give `cell`",
             size.x / 1e3,
             size.y / 1e3
         );
@@ -245,10 +250,10 @@ fn lattice(
     Ok(lattice)
 }
 
-/// A survey that gives depths at places.
+/// A survey that is ready to give the depth at any place that it covers.
 struct Source {
     kind: Kind,
-    /// The scale of the survey's detail (m).
+    /// Distance between neighbouring points of the survey (m): the side of a cell for a grid.
     cell_m: f64,
 }
 
@@ -272,9 +277,13 @@ impl Source {
                 sides_m.sort_by(f64::total_cmp);
                 let Some(&usual_m) = sides_m.get(sides_m.len() / 2) else {
                     let message = "the points of the survey lie on one line".to_owned();
-                    return Err(Refusal::Of(About::Survey, message, "a survey covers an area"));
+                    return Err(Refusal::Of(
+                        About::Survey,
+                        message,
+                        "the points of a survey must cover an area",
+                    ));
                 };
-                // Points on a square grid: the longest side of a triangle is the diagonal of a cell.
+                // If the points lie on a square grid, the longest side of a triangle is the diagonal of a cell.
                 let cell_m = libm::fmax(usual_m / core::f64::consts::SQRT_2, 0.1);
                 let longest_m = HOLE * usual_m;
                 Ok(Source { kind: Kind::Points { triangles, longest_m, extent }, cell_m })
@@ -289,7 +298,7 @@ impl Source {
         }
     }
 
-    /// Gives depths to the nodes that have none.
+    /// Sets the depths of those nodes whose depth is still NaN, where the survey has data.
     fn fill(&self, lattice: &Lattice, depths_m: &mut [f64]) {
         match &self.kind {
             Kind::Grid(field) => {

@@ -1,27 +1,27 @@
-//! From the coordinates of a survey to those of the scenario.
+//! Converts the coordinates of a survey into coordinates of the scenario.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::chart::GeographicPlace;
 
 use crate::chart::projection::Projected;
 
-/// Farthest place from the scenario's origin (m), as in a chart.
+/// Largest distance of a survey's place from the scenario's origin (m), the same as for a chart.
 const FARTHEST_M: f64 = 200e3;
-/// False easting of UTM, and false northing of its southern half (m).
+/// The false easting of UTM, and the false northing of UTM in the southern hemisphere (m).
 const FALSE_EASTING_M: f64 = 500e3;
 const FALSE_NORTHING_M: f64 = 10_000e3;
 
-/// The coordinates of a survey.
+/// The kind of coordinates that a survey has, with the data that convert them.
 pub(super) enum Place {
-    /// East and north of the scenario's origin (m).
+    /// Distances east and north of the scenario's origin (m).
     Metres,
     /// Longitude and latitude (degrees).
     Degrees(Projected),
-    /// Easting and northing of UTM in the zone of the scenario's origin (m).
+    /// Easting and northing of UTM, in the UTM zone of the scenario's origin (m).
     Utm {
-        /// UTM about the scenario's origin.
+        /// The UTM projection, shifted so that the scenario's origin is at 0, 0.
         utm: Projected,
-        /// The scenario's projection; `None`: it is that of UTM.
+        /// The scenario's own projection; `None` if the scenario uses UTM.
         own: Option<Projected>,
         /// The scenario's origin.
         origin: GeographicPlace,
@@ -29,7 +29,8 @@ pub(super) enum Place {
 }
 
 impl Place {
-    /// The shift that brings north and east of the survey to those of the scenario, if no more is needed.
+    /// The shift (north, east) that is added to the survey's coordinates to get the scenario's; `None` if a shift is
+    /// not enough for the conversion.
     pub(super) fn shift_m(&self) -> Option<Vec2> {
         match self {
             Place::Metres => Some(Vec2::ZERO),
@@ -38,7 +39,7 @@ impl Place {
         }
     }
 
-    /// A place of the survey, x before y, in metres north and east of the scenario's origin.
+    /// Converts a place of the survey (x, y) into metres north and east of the scenario's origin.
     pub(super) fn to_m(&self, [x, y]: [f64; 2]) -> Vec2 {
         match self {
             Place::Metres => vec2(y, x),
@@ -53,21 +54,23 @@ impl Place {
         }
     }
 
-    /// Whether a place of the survey is near the scenario's origin.
+    /// Checks that a place of the survey is near the scenario's origin.
     ///
     /// # Errors
-    /// Why it is not, and what may help.
+    /// Returns the reason why the place is refused, and advice for the user.
     pub(super) fn check(&self, at: [f64; 2]) -> Result<(), (String, &'static str)> {
         let [x, y] = at;
         let is_degrees = |x: f64, y: f64| x.abs() <= 180.0 && y.abs() <= 90.0;
         if matches!(self, Place::Degrees(_)) && !is_degrees(x, y) {
             let help = match is_degrees(y, x) {
-                true => "the columns look like latitude before longitude: longitude comes first",
+                true => {
+                    "the columns seem to have latitude before longitude: longitude must come first"
+                }
                 false => "coordinates in metres need survey_coordinates = \"metres\" or \"utm\"",
             };
             return Err((format!("[{x}, {y}] is not a longitude and a latitude in degrees"), help));
         }
-        // Far off, projections do not end.
+        // Far from the origin, the conversion does not end.
         let is_near = |at: [f64; 2]| {
             let is_sane = at.iter().all(|value| value.abs() <= 2e7);
             is_sane && self.to_m(at).length() <= FARTHEST_M
@@ -80,13 +83,13 @@ impl Place {
         let swapped = [y, x];
         let help = match self {
             Place::Degrees(_) if is_degrees(y, x) && is_near(swapped) => {
-                "the columns are latitude before longitude: longitude comes first"
+                "the columns have latitude before longitude: longitude must come first"
             }
             Place::Metres if x.abs() >= 1e5 || y.abs() >= 2e5 => {
                 "eastings and northings of UTM need survey_coordinates = \"utm\""
             }
             _ => {
-                "the survey is one of another place, or its coordinates are not those that `survey_coordinates` says"
+                "the survey is of another place, or its coordinates are not those that `survey_coordinates` says"
             }
         };
         let far_km = FARTHEST_M / 1e3;

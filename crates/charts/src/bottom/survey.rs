@@ -1,4 +1,4 @@
-//! Surveys: ESRI ASCII grids, and rows of x, y and z.
+//! Reads depth surveys: ESRI ASCII grids, and files with rows of x, y and z.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_keys::error::ScenarioError;
@@ -7,42 +7,44 @@ use fenderline_keys::sources::{Sources, Span, quoted};
 
 use super::placed::Place;
 
-/// Most values of a survey. Its file has at most 16 MiB.
+/// Largest number of values of a survey. The survey's file has at most 16 MiB.
 const MOST_VALUES: usize = 4_000_000;
-/// Depths and heights that a survey may have (m).
+/// Smallest and largest depth or height that a survey may contain (m).
 const VALUES_M: [f64; 2] = [-12_000.0, 12_000.0];
 
-/// A survey in the scenario's coordinates.
+/// A depth survey, converted to the coordinates of the scenario.
 pub(super) struct Survey {
     pub(super) form: Form,
-    /// Whether the values of the file were heights, and how that was found.
+    /// Whether the values in the file are depths or heights, and how the program knows.
     pub(super) values: Values,
 }
 
-/// How a survey lies on the earth.
+/// The places and depths of a survey: a square grid, or single points.
 pub(super) enum Form {
-    /// A square grid along north and east: the place of its south-western node, the cell, the numbers of nodes to the
-    /// north and to the east, and the depths, with the index to the north fastest. NaN: no data.
+    /// A square grid along north and east: the place of its south-western node (m), the side of a cell (m), the numbers
+    /// of nodes to the north and to the east, and the depths (m, NaN without data). In the list of depths, the index to
+    /// the north varies fastest.
     Grid { origin_m: Vec2, cell_m: f64, columns: usize, rows: usize, depths_m: Vec<f64> },
-    /// Points with depths (m).
+    /// Single points, each with its place (m) and its depth (m).
     Points(Vec<(Vec2, f64)>),
 }
 
-/// What the values of a survey are.
+/// Whether the values of a survey are depths or heights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Values {
-    /// Depths below datum, as most of the values are positive or the scenario says so.
+    /// The values are depths below datum: the scenario says so, or no more values are negative than positive.
     Depths,
-    /// Heights above datum, as the scenario says.
+    /// The values are heights above datum, because the scenario says so.
     Heights,
-    /// Heights above datum, as most of the values are negative.
+    /// The values are taken as heights above datum, because more values are negative than positive.
     FoundHeights,
 }
 
 /// Reads the text of a survey; `key` is the scenario's key that names the file.
 ///
 /// # Errors
-/// A mistake of the file at its line, a place that is too far away, no data.
+/// Fails if the file has a mistake (the error names the line), if a place is too far from the scenario's origin, or if
+/// the file has no data.
 pub(super) fn read(
     (name, text): (&str, &str),
     key: &str,
@@ -69,7 +71,7 @@ pub(super) fn read(
 }
 
 impl Survey {
-    /// Makes depths of heights.
+    /// Decides whether the values are depths or heights, and turns heights into depths by changing their sign.
     fn turn(&mut self, values: Option<SurveyValues>) {
         let depths: Vec<&mut f64> = match &mut self.form {
             Form::Grid { depths_m, .. } => depths_m.iter_mut().collect(),
@@ -89,18 +91,18 @@ impl Survey {
     }
 }
 
-/// A file of numbers.
+/// The text of a survey file.
 struct File<'a> {
     sources: Sources<'a>,
     text: &'a str,
     key: &'a str,
 }
 
-/// The head of an ESRI ASCII grid.
+/// The head of an ESRI ASCII grid file, which says how many values follow and where they lie.
 struct Head {
     columns: usize,
     rows: usize,
-    /// Centre of the cell in the south-west.
+    /// Coordinates x and y of the centre of the south-western cell.
     x: f64,
     y: f64,
     cell: f64,
@@ -108,7 +110,7 @@ struct Head {
 }
 
 impl<'a> File<'a> {
-    /// Lines with something in them that is no comment, with their places.
+    /// The lines of the file that are neither empty nor comments, each with its place in the text.
     fn lines(&self) -> impl Iterator<Item = (Span, &'a str)> {
         let text = self.text;
         let mut start = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
@@ -141,12 +143,12 @@ impl<'a> File<'a> {
             "a depth or height must be between {} and {} m, but is {value}",
             VALUES_M[0], VALUES_M[1]
         );
-        Err(self
-            .error(span, message)
-            .with_help("is it a value for no data that the head does not name?"))
+        Err(self.error(span, message).with_help(
+            "if this number stands for missing data, name it in the head as NODATA_value",
+        ))
     }
 
-    /// An ESRI ASCII grid.
+    /// Reads an ESRI ASCII grid.
     fn grid(&self, place: &Place) -> Result<Survey, ScenarioError> {
         let mut lines = self.lines().peekable();
         let mut said: Vec<(String, f64, Span)> = Vec::new();
@@ -157,7 +159,7 @@ impl<'a> File<'a> {
             let mut words = line.split_whitespace();
             let (key, value) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
             let value = match value.to_ascii_lowercase().as_str() {
-                // Some programs write no number for no data.
+                // Some programs write `nan` as the value that stands for missing data.
                 "nan" if key.eq_ignore_ascii_case("nodata_value") => f64::NAN,
                 _ => self.number(&span, value)?,
             };
@@ -210,7 +212,7 @@ impl<'a> File<'a> {
             let error =
                 self.error(span, format!("{} is not a key of an ESRI ASCII grid", quoted(key)));
             return Err(error.with_help(
-                "its head has ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value",
+                "the keys of the grid's head are ncols, nrows, xllcorner, yllcorner, cellsize and NODATA_value",
             ));
         }
         let count = |key: &str| {
@@ -228,9 +230,9 @@ impl<'a> File<'a> {
                 "the grid has {} values, but at most {MOST_VALUES} are read",
                 columns * rows
             );
-            return Err(self
-                .error(end, message)
-                .with_help("cut it to the area, or make its cells larger"));
+            return Err(self.error(end, message).with_help(
+                "cut the grid to the area of the exercise, or make the grid's cells larger",
+            ));
         }
         let cell = needed("cellsize")?;
         if cell <= 0.0 {
@@ -251,7 +253,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// The values of a grid in the scenario's coordinates. The rows of the file run from the north to the south.
+    /// Converts the values of a grid file to the scenario's coordinates. The first row of the file is the northernmost.
     fn placed(
         &self,
         head: &Head,
@@ -279,7 +281,7 @@ impl<'a> File<'a> {
                     depths_m: nodes.collect(),
                 }
             }
-            // The cells are not square in metres, or turned against north: their centres are points.
+            // In metres the cells are not square, or do not lie along north: the centre of each cell becomes a point.
             None => {
                 let mut points = Vec::new();
                 for north in 0..head.rows {
@@ -297,7 +299,8 @@ impl<'a> File<'a> {
         Ok(Survey { form, values: Values::Depths })
     }
 
-    /// Rows of x, y and z, separated by blanks, tabs, commas or semicolons; the first row may have names.
+    /// Reads rows of x, y and z, which are separated by blanks, tabs, commas or semicolons; the first row may name the
+    /// columns.
     fn points(&self, place: &Place) -> Result<Survey, ScenarioError> {
         let mut points = Vec::new();
         let mut is_swapped = false;
@@ -307,15 +310,15 @@ impl<'a> File<'a> {
             let first = words.next().unwrap_or_default();
             let begins = first.trim_start_matches('"').to_ascii_lowercase();
             let is_word = begins.starts_with(|c: char| c.is_ascii_alphabetic());
-            // A row may begin with the word for a number that is none.
+            // A first row that begins with `nan` is a row of data.
             if index == 0 && is_word && begins != "nan" {
-                // Names of columns.
+                // The row has the names of the columns.
                 let name = first.trim_matches('"').to_ascii_lowercase();
                 is_swapped = name.starts_with("lat") || name.starts_with("north") || name == "y";
                 continue;
             }
             let (Some(second), Some(third)) = (words.next(), words.next()) else {
-                let message = "a row of a survey has x, y and z";
+                let message = "each row of a survey needs three numbers: x, y and z";
                 return Err(self.error(&span, message));
             };
             let mut at = [self.number(&span, first)?, self.number(&span, second)?];

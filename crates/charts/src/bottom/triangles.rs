@@ -1,27 +1,27 @@
-//! Depths between points, by triangulation.
+//! Interpolates depths between points of known depth, by triangulation.
 
 use delaunator::{Point, triangulate};
 use fenderline_contact::Vec2;
 
 use super::lattice::{Extent, Lattice};
 
-/// A point of known depth.
+/// A point on the bottom whose depth is known, such as a sounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sounded {
     pub(super) at_m: Vec2,
-    /// Below datum (m).
+    /// Depth below datum (m).
     pub(super) depth_m: f64,
 }
 
-/// Triangles between points.
+/// A triangulation: triangles whose corners are points of known depth.
 pub(super) struct Triangles {
     points: Vec<Sounded>,
     corners: Vec<[usize; 3]>,
 }
 
 impl Triangles {
-    /// The Delaunay triangulation of points. Of two points at one place the shallower one counts. No triangles: all
-    /// points lie on a line.
+    /// Makes the Delaunay triangulation of points. If two points lie at one place, the shallower point counts. If all
+    /// points lie on one line, there are no triangles.
     pub(super) fn of(mut points: Vec<Sounded>) -> Triangles {
         points.sort_by(|a, b| {
             let by_place = a.at_m.x.total_cmp(&b.at_m.x).then(a.at_m.y.total_cmp(&b.at_m.y));
@@ -45,8 +45,8 @@ impl Triangles {
         self.corners.iter().map(longest).collect()
     }
 
-    /// The depth at each node, linear in each triangle; NaN outside, and in triangles with a side longer than
-    /// `longest_m`.
+    /// The depth at each node of a grid, interpolated linearly in each triangle; NaN outside the triangles, and in
+    /// triangles with a side longer than `longest_m`.
     pub(super) fn depths_m(&self, lattice: &Lattice, longest_m: f64) -> Vec<f64> {
         let mut depths_m = vec![f64::NAN; lattice.nodes()];
         for (corners, longest) in self.corners.iter().zip(self.longest_sides_m()) {
@@ -59,7 +59,7 @@ impl Triangles {
     }
 }
 
-/// How far outside of a triangle a node still counts as on its edge, as a share of the triangle.
+/// A node that is this far outside a triangle, as a share of the triangle's size, still counts as inside.
 const ON_EDGE: f64 = 1e-9;
 
 fn fill(lattice: &Lattice, [a, b, c]: &[Sounded; 3], depths_m: &mut [f64]) {
@@ -73,7 +73,7 @@ fn fill(lattice: &Lattice, [a, b, c]: &[Sounded; 3], depths_m: &mut [f64]) {
     for row in lattice.rows_within(extent.low.y - slack_m, extent.high.y + slack_m) {
         for column in lattice.columns_within(extent.low.x - slack_m, extent.high.x + slack_m) {
             let node = lattice.index(column, row);
-            // The first triangle counts for a node on a common edge.
+            // For a node on the common edge of two triangles, the first triangle counts.
             if !depths_m[node].is_nan() {
                 continue;
             }
@@ -88,7 +88,7 @@ fn fill(lattice: &Lattice, [a, b, c]: &[Sounded; 3], depths_m: &mut [f64]) {
     }
 }
 
-/// A line with points between its corners, so that no two are farther apart than `spacing_m`.
+/// The corners of a line with further points between them, so that neighbouring points are at most `spacing_m` apart.
 pub(super) fn spaced(line: &[Vec2], spacing_m: f64) -> impl Iterator<Item = Vec2> {
     let between = move |pair: &[Vec2]| {
         let (from_m, along) = (pair[0], pair[1] - pair[0]);

@@ -15,7 +15,7 @@ use fenderline_keys::suggest::nearest;
 
 type Read<T> = Result<T, String>;
 
-/// Reads features. Reads features of a file. An error is a text without the feature's name; the caller adds the name.
+/// Reads the features of a GeoJSON file. Error texts do not contain the name of the feature; the caller adds the name.
 pub(super) struct Reading<'r> {
     pub(super) placing: &'r Placing,
     pub(super) budget: &'r mut Budget,
@@ -26,27 +26,27 @@ pub(super) struct Reading<'r> {
 /// How the rings of areas are checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rings {
-    /// As outlines of bodies: no ring touches itself.
+    /// As strictly as the outlines of bodies: a ring must not touch itself.
     Outlines,
-    /// As charts have them: a ring may touch itself, but does not cross itself.
+    /// As electronic charts need it: a ring may touch itself, but must not cross itself.
     Charted,
 }
 
-/// Why a feature of S-57 is not in the chart.
+/// The reason why a feature of an electronic chart (S-57) is not taken into the chart.
 pub(super) enum Refusal {
-    /// The feature is left out and counted.
+    /// The feature is left out, and counted among the features left out for this reason.
     LeftOut(&'static str),
-    /// The feature is left out with a warning.
+    /// The feature is left out because a ring crosses itself, and the user gets a notice.
     Crossed(String),
-    /// The file is refused.
+    /// The whole file is refused because of this feature.
     Refused(String),
 }
 
 impl Reading<'_> {
-    /// The features of the chart that follow from a feature of a file: one feature for each part of the geometry.
+    /// Makes the chart's features from one feature of the file: one for each part of the feature's geometry.
     ///
     /// # Errors
-    /// Says why the feature of the file is not a feature of a chart.
+    /// Says why the feature of the file cannot be a feature of the chart.
     pub(super) fn features(&mut self, raw: &Raw) -> Read<Vec<ChartFeature>> {
         if raw.kind != "Feature" {
             return Err(format!("the feature's `type` is {}, not \"Feature\"", quoted(&raw.kind)));
@@ -67,7 +67,7 @@ impl Reading<'_> {
         Ok(features)
     }
 
-    /// As [`Reading::features`] for a feature of S-57.
+    /// Does the same as [`Reading::features`] for a feature of an electronic chart (S-57).
     ///
     /// # Errors
     /// [`Refusal`].
@@ -94,7 +94,7 @@ impl Reading<'_> {
             _ => true,
         };
         if !shapes.iter().all(|(shape, _)| fits(shape)) {
-            return Err(Refusal::LeftOut("its geometry is not one of its class"));
+            return Err(Refusal::LeftOut("its class does not allow its geometry"));
         }
         if class.kind == ChartKind::Sounding {
             let in_range = |depth_m: &f64| (DEPTHS_M[0]..=DEPTHS_M[1]).contains(depth_m);
@@ -112,7 +112,7 @@ impl Reading<'_> {
         Ok(shapes.into_iter().map(charted).collect())
     }
 
-    /// The parts of a geometry, each point with its third coordinate.
+    /// The parts of a feature's geometry; a point comes with its third coordinate, if it has one.
     fn shapes(&mut self, raw: &Raw) -> Read<Vec<(ChartShape, Option<f64>)>> {
         let Some(geometry) = &raw.geometry else {
             return Err("the feature has no `geometry`".to_owned());
@@ -234,10 +234,10 @@ fn list(of: &Coordinates) -> Read<&[Coordinates]> {
     }
 }
 
-/// The beginning of the reason why a ring is refused that crosses itself.
+/// The error text for a ring that crosses itself begins with these words.
 const CROSSES: &str = "its ring crosses itself";
 
-/// A ring of a chart does not cross itself.
+/// Checks that a ring of an electronic chart does not cross itself.
 fn check_charted(ring: &[Vec2]) -> Read<()> {
     match ring::crossing(ring) {
         Ok(None) => Ok(()),
@@ -248,7 +248,7 @@ fn check_charted(ring: &[Vec2]) -> Read<()> {
     }
 }
 
-/// The feature of one part of a geometry.
+/// Makes the chart's feature for one part of a geometry.
 fn charted(kind: ChartKind, shape: ChartShape, of: &Attributes) -> ChartFeature {
     ChartFeature {
         kind,
@@ -262,7 +262,7 @@ fn charted(kind: ChartKind, shape: ChartShape, of: &Attributes) -> ChartFeature 
     }
 }
 
-/// The properties of a feature that has a `kind`.
+/// Reads the properties of a feature that names its `kind` itself, unlike features of S-57.
 fn own_attributes(given: &Properties, kind: ChartKind) -> Read<Attributes> {
     let name = name(given)?;
     let depth_m = depth(given, kind)?;
@@ -279,7 +279,8 @@ fn own_attributes(given: &Properties, kind: ChartKind) -> Read<Attributes> {
     Ok(Attributes { name, depth_m, deepest_m, mark, light, clearance_m })
 }
 
-/// A number that only some kinds have, within its range.
+/// Checks a property that only some kinds of features may have, and its range; `has` says whether this kind may have
+/// it.
 fn allowed(
     given: Option<f64>,
     key: &str,
@@ -321,7 +322,7 @@ fn own_light(given: &Properties, kind: ChartKind) -> Read<Option<ChartLight>> {
     Ok(Some(ChartLight { colour, character, period_s, sector_rad, range_m }))
 }
 
-/// A ring is a simple polygon, as the engine checks it.
+/// Checks that a ring is a simple polygon, by the engine's check for outlines.
 fn check_ring(ring: &[Vec2]) -> Read<()> {
     match Outline::new(ring) {
         Ok(_) => Ok(()),
@@ -403,7 +404,7 @@ fn word<T: Copy>(key: &str, given: &str, words: &[(&str, T)]) -> Read<T> {
     })
 }
 
-/// Checks that a kind of feature may have a shape: a point, a line or an area.
+/// Checks that a feature of this kind may be a point, a line or an area, as its shape is.
 fn check_shape(kind: ChartKind, shape: &ChartShape) -> Read<()> {
     use ChartKind as K;
     let (is, fits) = match shape {

@@ -17,7 +17,8 @@ pub(super) struct File<'a> {
     sources: Sources<'a>,
     text: &'a str,
     key: &'a str,
-    /// The file's `name`, which GDAL makes the name of the layer; empty without one.
+    /// The file's `name`, to which the program GDAL writes the name of the chart's layer; empty if the file has no
+    /// `name`.
     layer: String,
     features: Vec<&'a RawValue>,
 }
@@ -63,8 +64,8 @@ pub(super) struct Geometry {
     pub(super) coordinates: Option<Coordinates>,
 }
 
-/// The properties that a chart uses; others are allowed and not read. Those in capitals are the attributes of S-57.
-/// They are numbers, texts or lists, as the program that wrote the file chose.
+/// The properties of a feature that the program uses; other properties are allowed and not read. Properties in capitals
+/// are attributes of S-57: these are numbers, texts or lists, depending on the program that wrote the file.
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Properties {
     pub(super) kind: Option<String>,
@@ -90,7 +91,7 @@ pub(super) struct Properties {
     pub(super) valdco: Option<Value>,
     #[serde(rename = "VALSOU")]
     pub(super) valsou: Option<Value>,
-    /// What GDAL writes beside the third coordinate of a sounding.
+    /// Depth of a sounding, which GDAL may write in addition to the sounding's third coordinate.
     #[serde(rename = "DEPTH")]
     pub(super) depth: Option<Value>,
     #[serde(rename = "CATLAM")]
@@ -119,8 +120,8 @@ pub(super) struct Properties {
     pub(super) vercsa: Option<Value>,
 }
 
-/// Nested lists of numbers. A list of two or more numbers is a position. The third number is a height, or the depth of
-/// a sounding of S-57; further numbers are dropped.
+/// The coordinates of a geometry: nested lists of numbers. A list of two or more numbers is a position. The third
+/// number of a position is a height, or the depth of a sounding of S-57; further numbers are dropped.
 #[derive(Debug)]
 pub(super) enum Coordinates {
     Number(f64),
@@ -190,12 +191,12 @@ impl<'a> File<'a> {
         Ok(File { sources, text, key, layer, features })
     }
 
-    /// The name of the layer from which GDAL wrote the file; empty without one.
+    /// The name of the chart's layer, if the program GDAL wrote the file; else empty.
     pub(super) fn layer(&self) -> &str {
         &self.layer
     }
 
-    /// Where a feature is in the file.
+    /// The place of a feature in the file (file, line and column).
     pub(super) fn place(&self, index: usize) -> Place {
         let start = self.start(index);
         self.sources.place(&(start..start + self.features[index].get().len()))
@@ -220,7 +221,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// Makes an error about a feature of the file.
+    /// Makes the error that a feature of the file is refused for the reason `why`.
     pub(super) fn refused(&self, index: usize, name: &str, why: String) -> ScenarioError {
         let start = self.start(index);
         self.error(index, name, start..start + self.features[index].get().len(), &why)
@@ -238,7 +239,7 @@ impl<'a> File<'a> {
         self.sources.error(&span, self.key, message)
     }
 
-    /// Place at which a feature begins in the file (bytes).
+    /// The byte of the file at which a feature begins.
     fn start(&self, index: usize) -> usize {
         self.features[index].get().as_ptr() as usize - self.text.as_ptr() as usize
     }
@@ -246,7 +247,7 @@ impl<'a> File<'a> {
 
 /// An error of the JSON parser.
 struct Fault {
-    /// Place of the error in the text (bytes).
+    /// The byte of the text at which the error is.
     at: usize,
     why: String,
 }

@@ -1,5 +1,6 @@
 //! Charts from GeoJSON files: `geojson` reads the text, `feature` interprets each feature, `s57` has the classes of
-//! electronic charts, `bounds` has what a feature may hold, `ring` checks their areas, `projection` converts longitude and latitude to metres.
+//! electronic charts, `bounds` has the limits for depths and names, `ring` checks the rings of areas, `placing`
+//! converts coordinates, `projection` converts longitude and latitude to metres.
 
 mod bounds;
 mod feature;
@@ -18,7 +19,8 @@ pub use self::placing::{Budget, Placing};
 use self::s57::Found;
 use fenderline_keys::error::{Notice, ScenarioError};
 
-/// What was read of each class, by its name: how many features, and how many were left out for each reason.
+/// For each class of chart objects, by the name of the class: how many features were read, and how many were left out
+/// for each reason.
 #[derive(Debug, Default)]
 pub struct Counts(BTreeMap<String, (usize, BTreeMap<String, usize>)>);
 
@@ -31,7 +33,7 @@ impl Counts {
         *self.0.entry(class.to_owned()).or_default().1.entry(why.to_owned()).or_default() += 1;
     }
 
-    /// The classes in alphabetical order.
+    /// The counts of all classes, in the alphabetical order of the classes' names.
     pub fn classes(self) -> Vec<ChartClass> {
         let class = |(class, (read, left_out)): (String, (usize, BTreeMap<String, usize>))| {
             let left_out = left_out.into_iter().map(|(why, count)| (count, why)).collect();
@@ -41,7 +43,7 @@ impl Counts {
     }
 }
 
-/// Reads a GeoJSON file; `key` is the key of the scenario that names the file.
+/// Reads the features of a GeoJSON file; `key` is the key of the scenario that names the file.
 ///
 /// # Errors
 /// Returns the first mistake in the file, with its line and the number and name of its feature.

@@ -5,13 +5,14 @@ use fenderline_sim::chart::GeographicPlace;
 
 use super::projection::Projected;
 
-/// Most features, and most points, of a chart: a cell of an electronic chart in full (US4MD81M: 5,000 features of the
-/// classes that are read, 360,000 points).
+/// Largest numbers of features and of points of a chart: enough for a whole cell of an electronic chart (US4MD81M has
+/// 5,000 features of the classes that are read, and 360,000 points).
 pub(super) const MOST_FEATURES: usize = 50_000;
 pub(super) const MOST_POINTS: usize = 500_000;
-/// Largest file (bytes), as of every file that a scenario names.
+/// Size of the largest chart file that is read (bytes), the same as for every file that a scenario names.
 pub(super) const LARGEST_FILE: usize = 16 << 20;
-/// Farthest point from the scenario's origin (m). One that is farther has swapped coordinates, or belongs to another place.
+/// Largest distance of a chart's point from the scenario's origin (m). A point that is farther has swapped coordinates,
+/// or belongs to another place.
 const FARTHEST_M: f64 = 200e3;
 
 /// How the coordinates in the chart files become coordinates of the scenario.
@@ -63,6 +64,6 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// How many features and points a chart may have.
+    /// The largest numbers of features and points of a whole chart.
     pub const OF_CHART: Budget = Budget { features: MOST_FEATURES, points: MOST_POINTS };
 }

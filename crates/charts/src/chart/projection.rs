@@ -42,22 +42,22 @@ impl Projected {
         projected
     }
 
-    /// UTM about an origin, in its zone.
+    /// Makes the UTM projection, in the UTM zone of an origin.
     pub fn utm(origin: GeographicPlace) -> Projected {
         Projected::about(origin, Projection::Utm)
     }
 
-    /// The origin north of the equator and east of the central meridian (m).
+    /// The projected coordinates of the origin: metres north of the equator and east of the central meridian.
     pub fn origin_m(&self) -> Vec2 {
         self.origin_m
     }
 
-    /// The place of a point north and east of `origin`, about which this projection is (m): the inverse of
-    /// [`Projected::to_m`].
+    /// Converts a point, given in metres north and east of the projection's `origin`, into latitude and longitude: the
+    /// inverse of [`Projected::to_m`].
     ///
-    /// The place is moved by what is missing, as on a sphere, until nothing is. Grid north differs from true north by a
-    /// few degrees at most, so each round makes the error at least ten times smaller; the number of rounds is fixed, so
-    /// that the bits are the same everywhere.
+    /// The function projects a trial place, and moves the trial place by the remaining error as on a sphere, in several
+    /// rounds. Grid north differs from true north by a few degrees at most, so each round makes the error at least ten
+    /// times smaller; the number of rounds is fixed, so that the bits are the same everywhere.
     pub fn to_place(&self, at_m: Vec2, origin: GeographicPlace) -> GeographicPlace {
         const ROUNDS: usize = 12;
         let mut place = origin;
@@ -69,7 +69,7 @@ impl Projected {
         place
     }
 
-    /// A place in metres north and east of the origin.
+    /// Converts latitude and longitude into metres north and east of the origin.
     pub fn to_m(&self, place: GeographicPlace) -> Vec2 {
         let east_rad = wrapped(place.longitude_rad - self.central_meridian_rad);
         let conformal = tan_of_conformal_latitude(place.latitude_rad);
@@ -92,8 +92,8 @@ fn tan_of_conformal_latitude(latitude_rad: f64) -> f64 {
     tan * libm::hypot(1.0, sigma) - sigma * secant
 }
 
-/// The coefficients of Karney's eq. 35 for an ellipsoid of third flattening n, and the radius of a circle that is as
-/// long as the ellipsoid's meridian.
+/// The coefficients of Karney's eq. 35 for an ellipsoid with the third flattening n, and the radius of a circle whose
+/// circumference is the length of the ellipsoid's meridian.
 #[derive(Clone, Debug)]
 struct Series {
     alpha: [f64; 6],

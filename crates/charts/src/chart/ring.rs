@@ -2,17 +2,18 @@
 
 use fenderline_contact::{Vec2, vec2};
 
-/// How far one edge must reach beyond another for the two to cross (m). Coordinates of charts are rounded to a
-/// centimetre, so that rings touch themselves.
+/// Two edges of a ring count as crossing only if each end of an edge lies farther than this from the other edge (m).
+/// Coordinates of charts are rounded to a centimetre, so rings may touch themselves.
 const CROSSING_M: f64 = 0.05;
-/// Most pairs of edges that are compared: a few seconds.
+/// Largest number of pairs of edges that are compared for one ring, which takes a few seconds.
 const MOST_PAIRS: u64 = 2_000_000_000;
 
-/// A ring with more pairs of near edges than are compared.
+/// An error: the ring has more pairs of edges near each other than [`MOST_PAIRS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Tangled;
 
-/// A place where two edges of a ring cross, each by more than 5 cm; `None`: there is none (m).
+/// Finds a place (m) where two edges of a ring cross, each reaching more than 5 cm beyond the other; `None` if no edges
+/// cross.
 ///
 /// # Errors
 /// [`Tangled`].
@@ -42,7 +43,7 @@ pub(super) fn crossing(ring: &[Vec2]) -> Result<Option<Vec2>, Tangled> {
     Ok(None)
 }
 
-/// An edge with its box.
+/// An edge of a ring with its bounding box.
 struct Edge {
     index: usize,
     from_m: Vec2,
@@ -58,7 +59,8 @@ impl Edge {
         Edge { index, from_m, to_m, low, high }
     }
 
-    /// Whether the two edges cross, and the ends of each lie farther than [`CROSSING_M`] on both sides of the other.
+    /// Whether two edges cross: the two ends of each edge lie on different sides of the other edge, and farther than
+    /// [`CROSSING_M`] from it.
     fn crosses(&self, other: &Edge) -> bool {
         self.parts(other) && other.parts(self)
     }

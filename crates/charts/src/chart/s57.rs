@@ -1,5 +1,5 @@
-//! Features of S-57, the format of electronic navigational charts, as GDAL writes them to GeoJSON: the object classes that
-//! are read, and their attributes.
+//! Features of S-57, the format of electronic navigational charts, as GDAL writes them to GeoJSON: the object classes
+//! that the program reads, and the attributes of these objects.
 //!
 //! Numbers of classes and codes of attributes are those of S-57 Appendix A, edition 3.1, as the tables of GDAL have them
 //! (`s57objectclasses.csv`, `s57expectedinput.csv`).
@@ -13,14 +13,14 @@ use super::geojson::Properties;
 /// A nautical mile (m).
 const NAUTICAL_MILE_M: f64 = 1852.0;
 
-/// An object class that is read.
+/// An object class of S-57 that the program reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Class {
-    /// Acronym, which is the name of GDAL's layer.
+    /// Acronym of the class, such as `DEPARE`, which GDAL uses as the name of a layer.
     pub(super) word: &'static str,
-    /// Number (`OBJL`).
+    /// Number of the class in S-57 (`OBJL`).
     number: u32,
-    /// What a chart draws.
+    /// The kind of chart feature that objects of this class become.
     pub(super) kind: ChartKind,
 }
 
@@ -29,7 +29,7 @@ const fn class(word: &'static str, number: u32, kind: ChartKind) -> Class {
     Class { word, number, kind }
 }
 
-/// The object classes that are read.
+/// The object classes of S-57 that the program reads.
 const CLASSES: [Class; 37] = [
     class("ACHARE", 4, ChartKind::Anchorage),
     class("BCNCAR", 5, ChartKind::Beacon),
@@ -70,16 +70,17 @@ const CLASSES: [Class; 37] = [
     class("WRECKS", 159, ChartKind::Wreck),
 ];
 
-/// What the class of a feature is.
+/// The S-57 class of a feature, and whether the program reads this class.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Found {
-    /// A class that is read.
+    /// The program reads this class.
     Read(Class),
-    /// A class that is not read, by its name.
+    /// The program does not read this class, which is given by its name.
     NotRead(String),
 }
 
-/// The class of a feature by its number or by the name of the file's layer; `None`: the feature is not one of S-57.
+/// Finds the S-57 class of a feature by its class number (`OBJL`) or by the name of the file's layer; `None` if the
+/// feature is not from S-57.
 pub(super) fn class_of(given: &Properties, layer: &str) -> Option<Found> {
     if given.kind.is_some() {
         return None;
@@ -104,7 +105,7 @@ pub(super) fn class_of(given: &Properties, layer: &str) -> Option<Found> {
     })
 }
 
-/// What a feature has besides its shape.
+/// The properties of a chart feature apart from its shape and kind.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Attributes {
     pub(super) name: String,
@@ -116,10 +117,10 @@ pub(super) struct Attributes {
 }
 
 impl Attributes {
-    /// Reads the attributes of a feature of this class.
+    /// Reads the attributes of a feature of the class `class`.
     ///
     /// # Errors
-    /// Why the feature is left out.
+    /// Says why the feature is left out of the chart.
     pub(super) fn of(class: Class, given: &Properties) -> Result<Attributes, &'static str> {
         let value = |of: &Option<Value>| of.as_ref().and_then(number);
         let depth = |of: &Option<Value>| {
@@ -140,7 +141,7 @@ impl Attributes {
             ChartKind::DepthContour => {
                 read.depth_m = Some(depth(&given.valdco).ok_or("no VALDCO")?);
             }
-            // The third coordinate has the depth, or else GDAL's property has.
+            // The third coordinate is the depth; without a third coordinate, GDAL's property `DEPTH` is the depth.
             ChartKind::Sounding => read.depth_m = depth(&given.depth),
             ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck => {
                 read.depth_m = depth(&given.valsou);
@@ -161,7 +162,7 @@ impl Attributes {
     }
 }
 
-/// A number, also as a text or as the first of a list.
+/// Reads a number that may be written as a number, as a text, or as the first item of a list.
 fn number(of: &Value) -> Option<f64> {
     match of {
         Value::Number(number) => number.as_f64(),
@@ -171,7 +172,7 @@ fn number(of: &Value) -> Option<f64> {
     }
 }
 
-/// The codes of a list, also as one text with commas.
+/// Reads a list of code numbers, which may also be one text with commas between the numbers.
 fn codes(of: Option<&Value>) -> Vec<u32> {
     match of {
         Some(Value::String(text)) => {
@@ -185,7 +186,7 @@ fn codes(of: Option<&Value>) -> Vec<u32> {
     }
 }
 
-/// A name without control characters, at most as long as a name of ours.
+/// Reads a name, without its control characters, and cuts it to the longest name that a chart feature may have.
 fn tidy_name(of: &Value) -> String {
     let Value::String(text) = of else { return String::new() };
     let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
@@ -209,8 +210,9 @@ fn colour(code: u32) -> Option<MarkColour> {
     }
 }
 
-/// Colour and side of a buoy or beacon. Cardinal marks and isolated dangers are black with another colour, safe water is
-/// white with red; a mark whose colour is none of ours is drawn white.
+/// Colour of a buoy or beacon, and the side of the channel that it marks. Cardinal marks and isolated dangers are black
+/// with another colour, safe-water marks are white with red; a mark of a colour that the program does not know is drawn
+/// white.
 fn mark(class: Class, given: &Properties) -> ChartMark {
     let first = codes(given.colour_codes.as_ref()).first().copied().and_then(colour);
     let side = match given.catlam.as_ref().and_then(number) {
@@ -250,7 +252,7 @@ fn light(given: &Properties) -> ChartLight {
     }
 }
 
-/// A direction from 0 to a turn (rad).
+/// Converts a direction in degrees into a direction from 0 to 2π (rad).
 pub(super) fn direction_rad(degrees: f64) -> f64 {
     (degrees - 360.0 * libm::floor(degrees / 360.0)).to_radians()
 }

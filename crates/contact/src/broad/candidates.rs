@@ -35,8 +35,8 @@ pub(crate) struct Candidate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pairing {
     pub(crate) candidate: Candidate,
-    /// The rank of a body that identifies the candidate's island in the coupled method. If both bodies float, the
-    /// number is [`JOINED`] until the island is known.
+    /// Rank of a body that identifies the candidate's island (group of bodies that may touch each other) in the coupled
+    /// method. If both bodies float, the number is [`JOINED`] until the island is known.
     ///
     /// [`JOINED`]: crate::model::pair::JOINED
     pub(crate) island: u32,

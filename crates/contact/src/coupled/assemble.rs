@@ -94,7 +94,8 @@ impl Start<'_> {
     }
 }
 
-/// Buffers that the contact laws write to, besides the data of the contact.
+/// Lists and buffers that the contact laws fill besides the data of the contact: events, motions of panels, parted
+/// chains.
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) clip: &'w mut ClipBuffers,
@@ -294,7 +295,8 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
 /// limits the reaction: only the unloading law reduces the reaction.
 const UNBOUNDED_MPS: f64 = 1e12;
 
-/// The state of a fender's unloading law: the tops of its play elements, and the energy lost (J).
+/// The state of a fender's unloading law: the top of each play operator of the law's hysteresis (J), and the energy
+/// lost (J).
 #[derive(Clone, Copy)]
 struct Unloaded {
     tops_j: [f64; PLAYS],
@@ -303,8 +305,8 @@ struct Unloaded {
     share: f64,
 }
 
-/// Replaces the forces and the stored energy of a touch by those of the fender's unloading law. The touch has the
-/// forces and the energy of loading; the fender's unloading law gives the new values.
+/// Replaces the forces and the stored energy in `touch`, which follow the fender's loading curve, by those of the
+/// fender's unloading law.
 #[inline(never)]
 fn apply_unloading(
     model: &Model,
@@ -349,7 +351,7 @@ fn note_panel(
     PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
 }
 
-/// Adds the force and the energy that the fender of a touch holds to `held`.
+/// Adds to `held` the force and the energy that the fender of a contact holds.
 pub(crate) fn add_held(
     held: &mut Held,
     model: &Model,

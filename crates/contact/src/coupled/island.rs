@@ -42,7 +42,8 @@ pub(crate) struct Group {
     pub(crate) patches: Range<usize>,
     /// Ranks of the group's moving bodies, in ascending order.
     pub(crate) bodies: Vec<u32>,
-    /// The indices at which the group's patches, places and hints begin in the memory of the next step.
+    /// The indices at which the group's patches, places of patches and search hints begin in their three lists in the
+    /// memory of the next step.
     pub(crate) first: [usize; 3],
     /// The index at which the group's contacts begin in the results.
     pub(crate) first_contact: usize,

@@ -98,8 +98,8 @@ pub(crate) struct NewtonBuffers {
     pub(crate) unknowns: Unknowns,
     /// One [`Trial`] per contact of the island.
     trials: Vec<Trial>,
-    /// For each floating body by its place: the last Newton step, and the change of the velocity by all Newton steps so
-    /// far.
+    /// For each floating body, in the order of elimination: the last Newton step, and the change of the velocity by all
+    /// Newton steps so far.
     pub(crate) step: Vec<Triple>,
     moved: Vec<Triple>,
 }

@@ -5,7 +5,10 @@
 //! V_n + γ v_ref). The gradient of the minimised function is the balance of momentum with N = mid(0, N at which the
 //! bound is tight, f). With a variable for each max, finding the minimum is a quadratic programme.
 
-#![allow(clippy::disallowed_methods, reason = "these are expected values, not results")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the numbers are expected values of a test, not results of the engine"
+)]
 
 use alloc::vec;
 use alloc::vec::Vec;

@@ -61,8 +61,8 @@ fn speed_squared(unbalanced_j: f64, constraint: &Constraint) -> f64 {
     SHARE * SHARE * 2.0 * unbalanced_j * constraint.inverse_mass.linear
 }
 
-/// Raises v_ref. The memory keeps the raised v_ref until the contact closes again; otherwise the bound would come and
-/// go with N.
+/// Raises v_ref. The memory keeps the raised v_ref until the contact closes again. Otherwise the bound −γ v_ref on the
+/// normal speed would come and go with the normal force N.
 #[cold]
 #[inline(never)]
 fn raise(

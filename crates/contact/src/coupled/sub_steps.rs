@@ -47,7 +47,7 @@ pub(crate) struct SubSteps<'w> {
 /// Buffers that are kept while islands go through their sub-steps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// The hints that the overlap at the start of the step leaves.
+    /// The hints for the clip of polygons, as the overlap at the start of the step leaves them.
     first_hints: Vec<HintMemory>,
     rate_sums: Sums,
     later: Later,

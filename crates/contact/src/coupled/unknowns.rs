@@ -16,7 +16,7 @@ pub(crate) struct Unknowns {
     masses: Vec<Block>,
     /// One seat per contact.
     seats: Vec<Seat>,
-    /// Index in `patterns` of the pattern that belongs to the present island.
+    /// Index in `patterns` of the pattern of the present island's matrix: which blocks of the matrix are not zero.
     pattern: usize,
     /// `patterns` has one pattern for each island that was solved so far; `pattern_of` has, by rank, the pattern of the
     /// island whose first body has this rank.
@@ -37,8 +37,8 @@ struct Graph {
     node_of: Vec<u32>,
 }
 
-/// Places of the two bodies of a contact ([`NOWHERE`] for a fixed body), and the block of the matrix that couples these
-/// bodies.
+/// Places of the two bodies of a contact among the unknowns ([`NOWHERE`] for a fixed body), and the block of the matrix
+/// that couples these bodies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seat {
     a: u32,

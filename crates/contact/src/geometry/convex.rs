@@ -59,7 +59,7 @@ impl ConvexPolygon {
     /// Moves a polygon: `corners_m` are its corners at the new place, in the same order. Allocates nothing.
     ///
     /// # Panics
-    /// The number of corners is another.
+    /// Panics if `corners_m` has another number of corners than the polygon.
     pub(crate) fn move_to(&mut self, corners_m: &[Vec2]) {
         let count = self.count();
         assert!(corners_m.len() == count, "a moved polygon has the same corners");

@@ -12,10 +12,10 @@
 //! vertices lie in the far part, the boundary of Q is part of the boundary of the overlap. The boundaries of Q and of
 //! the overlap are simple closed curves, so they are the same.
 //!
-//! One of the two chains may turn by more than half a turn if the other chain is on a single edge. A chain turns so far
-//! at a fender of which all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line
-//! twice at most, so the region Q is all of the polygon behind the line, and convex. For a chain that turns by more
-//! than half a turn, the rest of the proof is the same.
+//! One of the two chains may turn by more than half a turn if the other chain is on a single edge. An example is the
+//! chain of a fender that overlaps a bow so far that all but one of the fender's corners lie in the overlap. The
+//! boundary of a convex polygon crosses the edge's line twice at most, so the region Q is all of the polygon behind the
+//! line, and convex. For a chain that turns by more than half a turn, the rest of the proof is the same.
 
 use alloc::vec::Vec;
 

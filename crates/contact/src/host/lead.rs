@@ -55,7 +55,7 @@ pub(super) struct Lead {
 /// The state from which the engine starts, relative to the host's present state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Start {
-    /// True if the host has the velocity that the engine left, or follows the engine exactly.
+    /// True if the host follows the engine exactly, or if the host's velocity is the one with which the engine ended.
     pub(super) exact: bool,
     /// The engine's velocity less the host's velocity, V − v; and the engine's position less the host's position, X −
     /// x.

@@ -75,9 +75,9 @@ impl HostWorkspace {
     /// Does the engine's step from `starts` under `loads_now`: computes wrenches, their peaks, and the bodies that
     /// touched. If the engine returns an error, the memory is unchanged.
     ///
-    /// The memory holds by how much the engine's velocities are older than its positions. In the memory a body whose
-    /// velocity its host gave is marked. Without the mark, a correction that belongs to a step of another length would
-    /// be applied in this step, by a wrench many times the contact wrench.
+    /// The memory holds by how much the engine's velocities are older than its positions. The memory marks each body
+    /// whose velocity was given by the host. Without the mark, a correction that belongs to a step of another length
+    /// would be applied in this step, by a wrench many times the contact wrench.
     pub(super) fn advance(
         &mut self,
         model: &Model,

@@ -16,7 +16,8 @@ pub(crate) enum Answered {
     Nothing,
     /// The area A' (m²).
     Area(f64),
-    /// The present area. The present area is used if nothing is known about the growth of the overlap.
+    /// The present area. The damper counts as having responded to the present area if nothing is known about the growth
+    /// of the overlap.
     AllThereIs,
 }
 

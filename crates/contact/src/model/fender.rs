@@ -212,8 +212,8 @@ impl RankedFender {
         move |v: Vec2| frame.to_face(hull.apply(v))
     }
 
-    /// The state of the chains of the fender's panel: the chains that have parted, taken from the list, and the factor
-    /// of the contact.
+    /// The state of the chains of the fender's panel: the chains that have parted, taken from the list `parted` of all
+    /// parted chains, and the contact's factor on the reaction.
     pub(crate) fn chain_state(
         &self,
         number: u32,

@@ -17,8 +17,8 @@ pub(crate) struct Kirchhoff {
     coupling: f64,
 }
 
-/// The fixed-point iteration ends when the square of its error is this small: an error of an eighth of a unit in the
-/// last place, relative to velocities of the body's energy.
+/// The fixed-point iteration ends when the square of its error, in the variables √m_x u, √m_y v and √I r, is at most
+/// this share of twice the kinetic energy: the relative error is then an eighth of the machine epsilon.
 const ERROR_SQUARED: f64 = f64::EPSILON * f64::EPSILON / 64.0;
 
 /// Largest number of parts into which a sub-step is divided. The largest number of parts bounds the work: velocities

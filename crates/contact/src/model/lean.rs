@@ -1,8 +1,9 @@
 //! Fenders that lean with their ship: a host moves a fender in the plane, because roll and pitch of the ship move the
 //! place at which the ship carries the fender (docs/contact_model.md, section 8).
 //!
-//! The contacts of the fender continue. The energy that the movement puts into them is no work of the bodies' motion in
-//! the plane: the host books the energy as work of roll and pitch, as for [`Model::renew_slice`].
+//! The contacts of the fender continue. The energy that the movement of the fender puts into its contacts is no work of
+//! the bodies' motion in the plane: the host counts this energy as work of roll and pitch, as for
+//! [`Model::renew_slice`].
 
 use crate::broad::candidates::Candidate;
 use crate::maths::vec2::Vec2;
@@ -21,7 +22,7 @@ impl Model {
     /// The energy is negative if the movement took energy out.
     ///
     /// # Panics
-    /// If the fender does not exist.
+    /// Panics if the model has no such fender.
     pub fn lean_fender<'b>(
         &'b mut self,
         memory: &mut Memory,
@@ -50,7 +51,7 @@ impl Model {
     /// restores an earlier place and memory, after a step that failed.
     ///
     /// # Panics
-    /// If the fender does not exist.
+    /// Panics if the model has no such fender.
     pub fn set_lean(&mut self, fender: FenderId, lean_m: Vec2) {
         let number = self.face_of(Some(fender)) as usize - 1;
         let upright = &self.fenders[fender.0 as usize];

@@ -77,8 +77,8 @@ pub struct Model {
     bodies: Vec<Body>,
     materials: Vec<Material>,
     pub(crate) fenders: Vec<Fender>,
-    /// Fenders by the rank of their bodies, then by key. A face's number is its index here plus 1. The places of leaning
-    /// fenders change: see [`Model::lean_fender`].
+    /// The fenders, sorted by the rank of the bodies that carry them, then by key. A face's number is its index here
+    /// plus 1. The places of leaning fenders change: see [`Model::lean_fender`].
     pub(crate) faces: Vec<RankedFender>,
     /// Number of the face of each fender.
     face_of_fender: Vec<u32>,
@@ -90,9 +90,9 @@ pub struct Model {
     /// Pairs of bodies that the builder was given, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
     pub(crate) pair_bounds: Vec<Bounds>,
-    /// Material of all other pairs of bodies; `None` if they may not touch.
+    /// Material of the pairs of bodies that are not in `pairs`; `None` if those bodies may not touch.
     pub(crate) all_other_pairs: Option<MaterialId>,
-    /// Slices of bodies with outlines by height: what fenders meet of them. A part that changes: see
+    /// Slices of bodies with outlines by height: the outlines that fenders meet. The slices change during a run: see
     /// [`Model::renew_slice`].
     pub(crate) slices: Slices,
     /// Piles of the bodies that stand on piles, by rank.
@@ -390,7 +390,8 @@ fn rank_fenders(
     Ok(faces)
 }
 
-/// Ranks, ascending, and lengths (m) of bodies for which the host has declared a length.
+/// The bodies for which the host has declared a length, such as a radius of the outlines by height: rank and declared
+/// length (m) of each body, in the order of the ranks.
 fn rank_lengths(
     bodies: &[Body],
     lengths: &[(BodyId, f64)],

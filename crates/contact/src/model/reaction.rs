@@ -36,8 +36,8 @@ impl FenderLaw {
         FenderLaw::Curve(alloc::vec![[0.0, 0.0], [1.0, stiffness_npm]])
     }
 
-    /// The reaction R at a deflection, without factors and stop (N). The reaction is 0 for [`FenderLaw::Area`], because
-    /// the force of this law does not depend on δ alone.
+    /// The reaction R at a deflection, without the fender's factors and stop (N). The reaction is 0 for
+    /// [`FenderLaw::Area`], because the force of this law does not depend on δ alone.
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> f64 {
         match self {
@@ -46,7 +46,7 @@ impl FenderLaw {
         }
     }
 
-    /// The stored energy ∫ R dδ up to a deflection, without factors and stop (J).
+    /// The stored energy ∫ R dδ up to a deflection, without the fender's factors and stop (J).
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };

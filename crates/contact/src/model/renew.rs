@@ -44,7 +44,7 @@ pub struct Renewal {
     pub before: Option<Slice>,
 }
 
-/// Buffers for renewals. A buffer that was used before allocates nothing.
+/// Buffers for renewals. A renewal with buffers that were used before allocates no memory.
 #[derive(Clone, Debug, Default)]
 pub struct RenewalBuffers {
     /// The candidates whose contacts meet the renewed part.
@@ -57,7 +57,8 @@ pub struct RenewalBuffers {
 pub(crate) struct Met {
     pub(crate) candidate: Candidate,
     is_near: bool,
-    /// What the contacts hold by the model before the change, a whole and a half step before the start.
+    /// Energy and force of the contacts in the model before the change, at two times: a whole and a half of the last
+    /// step or sub-step before the start of the next step.
     before: [Held; 2],
     /// The energy that the change put into the contacts (J).
     pub(crate) work_j: f64,
@@ -86,7 +87,7 @@ impl Default for SceneBuffers {
 }
 
 impl RenewalBuffers {
-    /// Takes the candidates of the next renewal.
+    /// Puts the candidates of the next renewal into these buffers.
     pub(crate) fn meet(&mut self, candidates: impl IntoIterator<Item = Candidate>) {
         self.met.clear();
         self.met.extend(candidates.into_iter().map(|candidate| Met {

@@ -15,8 +15,8 @@
 //!   U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i). As with an elastic fender, the path of the hull and the tilt of the
 //!   face do not matter.
 //! - Along any path of the hull the work is dW = dV + heat. Heat arises only when a top rises: q_i (1 − w_i/2) dT_i
-//!   ≥ 0. So the unloading law is passive: it creates no energy. Nothing is dissipated within the plays, and when a top
-//!   falls.
+//!   ≥ 0. So the unloading law is passive: it creates no energy. Nothing is dissipated while D moves within the plays,
+//!   nor when a top falls.
 //! - The unloading law does not contain time: results depend neither on the speed nor on Δt.
 //! - The unloading law has no scale except the load itself. A loop from zero to any deflection and back absorbs the
 //!   energy U. Such a loop returns U_u + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same
@@ -88,8 +88,8 @@ impl Unloading {
         }
     }
 
-    /// The reaction of the lower curve at a deflection whose loading reaction is `loading_n`, without factors and stop
-    /// (N).
+    /// The reaction of the lower curve at a deflection whose loading reaction is `loading_n`, without the fender's
+    /// factors and stop (N).
     #[must_use]
     pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
         match self {
@@ -172,7 +172,7 @@ fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
     if loading_n > 0.0 { lesser(end_n / loading_n, 1.0) } else { 1.0 }
 }
 
-/// Loading force and energy of a fender contact at its deflection, before factors.
+/// Loading force and energy of a fender contact at its deflection, not yet multiplied by the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Loading {
     pub(crate) deflection_m: f64,
@@ -184,21 +184,22 @@ pub(crate) struct Loading {
     pub(crate) stored_j: f64,
 }
 
-/// Force and energy of a fender contact by the unloading law of the fender, before factors.
+/// Force and energy of a fender contact by the unloading law of the fender, not yet multiplied by the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Unloaded {
     /// Force by the unloading law, divided by the loading force.
     pub(crate) share: f64,
     /// Energy V that the fender can still return (J).
     pub(crate) recoverable_j: f64,
-    /// Energy that the fender has dissipated since it had the given tops (J).
+    /// Energy that the fender has dissipated since its play operators had the tops that were given to [`unload`] (J).
     pub(crate) lost_j: f64,
     /// Top T of each play operator (J).
     pub(crate) tops_j: [f64; PLAYS],
 }
 
-/// Applies the unloading law to a contact of a fender, starting from the tops that the contact remembers. `None` stands
-/// for a new contact, whose loading is not known: it has dissipated nothing yet.
+/// Applies the unloading law to a contact of a fender, starting from the tops that the contact remembers. Tops of
+/// `None` mean a new contact, whose loading is not known: the fender counts as having dissipated nothing in this
+/// contact.
 pub(crate) fn unload(
     unloading: &Unloading,
     law: &FenderLaw,

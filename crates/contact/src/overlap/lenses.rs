@@ -38,8 +38,8 @@ pub(crate) struct Overlap {
     pub(crate) places: Vec<Place>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
-    /// The lenses of one pair of bodies, sorted by the low ends of their boxes. The sorted list is used while lenses
-    /// that share a seam are sought.
+    /// The lenses of one pair of bodies, sorted by the low ends of their boxes. The sorted list is used in the search
+    /// for lenses that share a seam, the common edge of two convex pieces.
     pub(crate) by_low_end: Vec<(f64, u32)>,
 }
 

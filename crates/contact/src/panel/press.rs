@@ -19,7 +19,7 @@ pub(crate) struct PanelPress {
     pub(crate) pressed: Pressed,
 }
 
-/// A panel on which a hull presses, before the fender's factors.
+/// A panel on which a hull presses: motion, forces and energy, not yet multiplied by the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Pressed {
     /// Deflection d of the panel's middle (m), and turn θ of the panel (rad).

@@ -2,7 +2,7 @@
 
 use crate::maths::vec2::{Pose, Vec2};
 
-/// Largest position (m). A position beyond this is a mistake of the host, and forces could overflow.
+/// Largest coordinate of a position (m). A larger coordinate is a mistake of the host, and forces could overflow.
 pub(crate) const FURTHEST_M: f64 = 1e9;
 
 /// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn (m/s, rad/s).

@@ -101,7 +101,7 @@ fn report_fender(
     flags
 }
 
-/// Adds the events whose flags are new in this step.
+/// Adds the events of a patch whose flags are set in `news`: the flags that this step sets for the first time.
 #[inline]
 fn report_new(
     model: &Model,

@@ -207,7 +207,8 @@ impl HintMemory {
 }
 
 /// What a step or sub-step knows of the past: the memory that the last step or sub-step left for some candidates, in
-/// sorted lists, and the time since it began (s). The time since the last step is 0 before the first step.
+/// sorted lists, and the time since that last step or sub-step began (s). The time since the last step is 0 before the
+/// first step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],

@@ -94,7 +94,7 @@ pub struct ContactImpulse {
 /// The terms of a normal force (N): N = spring + stop + damper − limiter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForceParts {
-    /// Force of the area spring or of the reaction curve, with all factors.
+    /// Force of the area spring or of the reaction curve, with all factors of the fender.
     pub spring_n: f64,
     /// Force of the stop at the end of a fender's travel.
     pub stop_n: f64,

@@ -36,7 +36,7 @@ pub struct Workspace {
     pub(crate) dynamics: Dynamics,
     /// Stage 2: pairs of bodies that are near each other.
     pub(crate) candidates: Candidates,
-    /// The coupled method: islands of candidates.
+    /// The coupled method: the islands, which are groups of candidates that must be solved together.
     pub(crate) islands: Islands,
     /// Stage 3: patches of contact, and the buffers of the clip.
     pub(crate) overlap: Overlap,
@@ -49,7 +49,8 @@ pub struct Workspace {
     pub(crate) group: Group,
     /// The coupled method: buffers that are kept between sub-steps.
     pub(crate) kept: Kept,
-    /// The coupled method: the memory that the last step left for an island, if it is not contiguous.
+    /// The coupled method: the memory that the last step left for an island, collected here if its parts lie apart in
+    /// the list of all memories.
     pub(crate) gathered: ContactMemory,
     /// The memory that this step makes for the next step.
     pub(crate) next_memory: ContactMemory,

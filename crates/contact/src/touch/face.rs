@@ -32,7 +32,7 @@ const ON_SIDE_M: f64 = 1e-9;
 const SMALLEST_AREA_M2: f64 = 1e-18;
 const SMALLEST_FORCE_N: f64 = 1e-6;
 
-/// The press of a hull on a fender, before the fender's factors.
+/// How a hull presses on a fender: force, deflection and energy, not yet multiplied by the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
     /// Direction in which the hull pushes the fender, and a point on the line of the force. Direction and point of the

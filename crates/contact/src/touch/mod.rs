@@ -35,10 +35,11 @@ pub(crate) struct Touch {
     pub(crate) levers_b: Levers,
     /// δ (m).
     pub(crate) depth_m: f64,
-    /// Force of the spring and force of the stop, before factors (N).
+    /// Force of the spring and force of the stop, not yet multiplied by the fender's factors (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// Energy stored in a fender, before factors (J); 0 between two outlines, because their law has no potential.
+    /// Energy stored in a fender, not yet multiplied by the fender's factors (J); 0 between two outlines, because their
+    /// law has no potential.
     pub(crate) stored_j: f64,
     /// Growth of the overlap area S for each metre by which the bodies approach along the normal (m).
     pub(crate) chord_m: f64,

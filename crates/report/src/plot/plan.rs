@@ -1,4 +1,4 @@
-//! Plan views: bodies seen from above, north up, one scale both ways.
+//! Plan views: bodies seen from above, north up, at the same scale in both directions.
 
 mod arrows;
 mod box2;

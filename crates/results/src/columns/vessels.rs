@@ -76,8 +76,8 @@ impl Row for VesselRow {
     }
 }
 
-/// Replaces each force of the row; the function `with` gets the force and the function that takes this force from other
-/// rows.
+/// Replaces each force by the result of the function `with`, whose arguments are the force and a function that reads
+/// the same force from the forces of another row.
 fn each_force(
     forces: &VesselForces,
     with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,

@@ -53,7 +53,7 @@ impl Assembly<'_, '_> {
         for &key in any_keys![EnvironmentKey: WAVES, LONG_WAVES] {
             if let (Some(item), Some(depth_m)) = (table.item(key), of_bottom_m) {
                 let text = format!(
-                    "waves do not feel the depth by place: they have the length of waves in the median depth of the bottom, {depth_m:.1} m below \
+                    "waves do not follow the depth at each place: they have the length of waves in the median depth of the bottom, {depth_m:.1} m below \
                      datum"
                 );
                 self.note_at(&item.key_span, table.path_to(item), text);

@@ -90,7 +90,8 @@ impl Assembly<'_, '_> {
         Ok(FlowSetup { passing: passing.collect::<Checked<_>>()?, hulls, between_vessels })
     }
 
-    /// The sectional areas of a hull, found as a table says.
+    /// The sectional areas of a hull, from its outline or from its midship coefficient alone, as the table `table`
+    /// says.
     fn flow_hull(
         &self,
         table: Of<'_, SectionsKey>,

@@ -32,7 +32,8 @@ pub enum Squat {
     Icorels,
     /// The formula of Eryuzlu et al. (1994), [`eryuzlu_squat_m`], for 1.1 to 2.5 draughts of water.
     Eryuzlu,
-    /// Barrass with the blockage of the cross-section, [`barrass_channel_squat_m`], in channels and in open water.
+    /// Barrass' formula with the blockage of the water's cross-section by the ship, [`barrass_channel_squat_m`], for
+    /// channels and for open water.
     BarrassChannel,
     /// ICORELS with the factor of Huuska for the blockage of the cross-section, [`icorels_channel_squat_m`], in channels
     /// and in open water.
@@ -84,14 +85,14 @@ impl Squat {
     /// [`Squat::sinkage_in_m`] with the cross-section of open water.
     ///
     /// # Panics
-    /// If depth or speed is NaN.
+    /// Panics if depth or speed is NaN.
     #[must_use]
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
         self.sinkage_in_m(ship, (depth_m, f64::INFINITY), surge_mps)
     }
 
-    /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern, in water of a depth (m)
-    /// and a cross-section (m²), which only formulas for channels use.
+    /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern, in water of a depth
+    /// (m) and a cross-section (m²), which only formulas for channels use.
     ///
     /// Above a depth Froude number of 0.9 the squat is constant: displacement ships do not go faster there, and ICORELS
     /// is singular at 1. In water shallower than [`SHALLOWEST_RATIO`] draughts, also aground, the squat for that ratio

@@ -18,7 +18,7 @@ const AREA_M2: f64 = 300.0;
 /// Computes the side force Y on a ship with parabolic sections, divided by ρu²S²/L².
 ///
 /// # Panics
-/// Panics if the ship is refused, which would be a bug.
+/// Panics if the sections of the ship are out of range, which would be a bug.
 pub(super) fn compute(values: &mut Values) {
     let sections = Sections::parabola(LENGTH_M, AREA_M2).expect("a good ship");
     let own = PassingShip {

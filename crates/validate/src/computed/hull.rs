@@ -39,7 +39,8 @@ fn cross_flow(values: &mut Values) {
     }
 }
 
-/// Hull force divided by ½ρLdV² and moment divided by ½ρL²dV², with V² = u² + v² + (rL)², of the model at three states.
+/// Hull force divided by ½ρLdV² and moment divided by ½ρL²dV², with V² = u² + v² + (rL)², of the tank model of Esso
+/// Osaka in three motions.
 fn esso_osaka(values: &mut Values) {
     let ship = vessel("esso-osaka").ship;
     let (length_m, draught_m) = (ship.particulars.length_m, ship.particulars.draught_m);

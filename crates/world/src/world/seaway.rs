@@ -151,7 +151,7 @@ pub(super) struct Given<'l> {
     pub(super) load: &'l Wrench,
     /// The load on heave, roll and pitch.
     pub(super) upright: AttitudeLoad,
-    /// The yaw moment that forces have because heel and trim have moved their points (N·m).
+    /// The yaw moment that forces have because heel and trim have moved the points at which they act (N·m).
     pub(super) moved_nm: f64,
 }
 

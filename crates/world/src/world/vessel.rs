@@ -383,8 +383,9 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the depth at a time and a place. The added mass is that of this depth, and gives the Coriolis
-    /// terms in the hull's force. The mass with which the vessel moves stays that of the start.
+    /// The data of hull, propeller and rudder in the depth that `soundings` gives. The added mass is that of this
+    /// depth, and gives the Coriolis terms in the hull's force. The mass with which the engine moves the vessel stays
+    /// the mass at the start of the run.
     fn ship_now(&self, environment: &Environment, soundings: &Soundings) -> Mmg {
         let is_constant =
             matches!(environment.tide, Tide::Level(_)) && environment.bottom.is_none();
@@ -394,10 +395,10 @@ impl VesselSetup {
         }
     }
 
-    /// The depths under the vessel at a time, about the state of her body.
+    /// The depths under the vessel at a time, with her body in this state.
     ///
     /// # Errors
-    /// A station under the hull without data: see [`Soundings::under`].
+    /// Fails if no depth is known under a station of the hull: see [`Soundings::under`].
     pub fn soundings(
         &self,
         state: &BodyState,
@@ -424,9 +425,10 @@ impl VesselSetup {
         Velocity { surge_mps: own.x, sway_mps, yaw_radps: state.yaw_rate_radps - turning_radps }
     }
 
-    /// Velocity of the water along the hull (m/s) and its rate of turn (rad/s): mean and slope of the stream. A current by
-    /// place is taken at three stations, those of Gauss's rule over the length, so that a linear shear is exact; any
-    /// other current is the same along the hull.
+    /// Mean velocity of the water over the hull's length (m/s), and the rate of turn of the water (rad/s), which is the
+    /// slope of its velocity across the hull along the length. A current that differs by place is taken at three
+    /// stations, those of Gauss's rule over the length, so that a linear shear is exact; any other current is the same
+    /// along the hull.
     fn stream(&self, state: &BodyState, environment: &Environment, t_s: f64) -> (Vec2, f64) {
         let hull = &self.ship.particulars;
         if !matches!(environment.current, Some(Current::Grid(_))) {
@@ -499,8 +501,8 @@ impl VesselSetup {
         straight + Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// The vessel's squat in the mean depth under her (m), and by a formula with blockage in the cross-section of the water
-    /// at midship; 0 in deep water.
+    /// The vessel's squat in the mean depth under her (m), and by a formula for channels in the cross-section of the
+    /// water at midship; 0 in deep water.
     pub fn squat_m(
         &self,
         state: &BodyState,
@@ -549,9 +551,10 @@ impl VesselSetup {
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
-    /// The drag of a level bottom on a ship aground. The bottom carries the weight that the water no longer carries, with
-    /// Coulomb's friction ([`BOTTOM_FRICTION`]). The drag acts against the ship's motion and fades out below
-    /// [`SLOW_MPS`], so that it never drives her. `world/grounding.rs` has the bottom that is not level.
+    /// The drag of a level bottom on a ship aground. The bottom carries the weight that the water no longer carries,
+    /// with Coulomb's friction ([`BOTTOM_FRICTION`]). The drag acts against the ship's motion and fades out below
+    /// [`SLOW_MPS`], so that it never drives her. `world/grounding.rs` computes the force of a bottom that is not
+    /// level.
     fn bottom(
         &self,
         vessel: &VesselState,

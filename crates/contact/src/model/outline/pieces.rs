@@ -74,8 +74,8 @@ impl Ring<'_> {
         (0..self.indices.len()).filter(|&i| tidy::is_reflex(corner(i), self.rounding_m)).collect()
     }
 
-    /// The best diagonal for a cut, as two places in the ring: it removes reflex angles at the most of its ends, and
-    /// among equal diagonals it is the shortest.
+    /// The best diagonal for a cut, as two places in the ring: a diagonal that removes the reflex angles at both of its
+    /// ends goes before a diagonal that removes one, and among these the shortest is the best.
     fn best_cut(&self, reflex: &[usize]) -> Option<[usize; 2]> {
         let count = self.indices.len();
         let pairs = count as u64 * reflex.len() as u64;

@@ -32,7 +32,7 @@ pub(super) use wind::both;
 use world::tug_marks;
 pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
-/// The largest number of pairs, fenders and bodies whose course is recorded for charts. The tables of the report
+/// The largest number of pairs, fenders and bodies whose time series are recorded for charts. The tables of the report
 /// contain all pairs, fenders and bodies.
 pub(super) const FOLLOWED: usize = 128;
 

@@ -7,11 +7,11 @@ use fenderline_sim::{Setup, StepRecord, VesselState};
 use super::docking::{Berth, DockingTrace};
 use crate::plot::Decimator;
 
-/// Largest number of vessels, of tugs and of lines whose time series are recorded; the tables of the report contain all
-/// of them.
+/// Largest number of vessels, of tugs and of mooring lines whose time series are recorded; the tables of the report
+/// contain all of them.
 const FOLLOWED: usize = 16;
 
-/// Time series of the world's parts (vessels, tugs, lines, anchors), in the order of the set-up.
+/// Time series of the world's parts (vessels, tugs, mooring lines, anchors), in the order of the set-up.
 pub(in crate::run_page) struct WorldTrace {
     pub(in crate::run_page) vessels: Vec<VesselTrace>,
     pub(in crate::run_page) tugs: Vec<TugTrace>,

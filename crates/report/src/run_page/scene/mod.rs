@@ -281,7 +281,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} shown is its value at the \
+            "N is the force on {}{}: a mean over the time step. The {} that is shown is that at the \
              start of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.

@@ -271,7 +271,7 @@ fn equal_shares(exponent: f64) -> Vec<f64> {
 /// Number of sub-intervals with which Simpson's rule integrates cosⁿ. At the largest exponent, n = 100, the width of
 /// the peak of cosⁿ is a fifteenth of the range of angles.
 const SUB_INTERVALS: usize = 200;
-/// Number of bisections that bring a right angle down to rounding error.
+/// Number of bisections that reduce an interval of a right angle to rounding error.
 const BISECTIONS: usize = 52;
 
 fn number_towards(number: f64, towards_rad: f64) -> Vec2 {

@@ -1,6 +1,7 @@
-//! Squat by three formulas for open water, and two with the blockage of a channel. The three are PIANC's (Harbour Approach Channels, report 121, 2014). The formulas were
-//! read in public programs that agree (the first two in stebiondi/pyCoastal), and compared with independently
-//! calculated numbers. Each formula refuses water that is not deeper than the draught.
+//! Squat by three formulas for open water, and two with the blockage of a channel. The three formulas for open water
+//! are as PIANC gives them (Harbour Approach Channels, report 121, 2014). The formulas were read in public programs,
+//! which agree (Barrass' and ICORELS' in stebiondi/pyCoastal), and the results were compared with independently
+//! calculated numbers. The functions for open water fail if the water is not deeper than the ship's draught.
 
 use super::limits::draught_over_depth;
 use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};
@@ -62,8 +63,8 @@ pub fn eryuzlu_squat_m(
 /// The largest blockage of [`barrass_channel_squat_m`]; in a narrower channel the squat for this blockage is used.
 const MOST_BLOCKAGE: f64 = 0.266;
 
-/// Width of the water that a ship moves, by Barrass: (7.7 + 20 (1 − Cw)²) B (m). The waterplane coefficient Cw is taken as
-/// (1 + 2 Cb)/3 (recalled). A channel that is wider is open water.
+/// Width of the water that a ship moves, by Barrass: (7.7 + 20 (1 − Cw)²) B (m). The waterplane coefficient Cw is taken
+/// as (1 + 2 Cb)/3 (recalled). A channel that is wider than this counts as open water.
 #[must_use]
 pub fn width_of_influence_m(ship: &Particulars) -> f64 {
     let fine = 1.0 - (1.0 + 2.0 * ship.block_coefficient()) / 3.0;
@@ -71,14 +72,14 @@ pub fn width_of_influence_m(ship: &Particulars) -> f64 {
 }
 
 /// Largest squat by Barrass with blockage: Cb S₂^(2/3) V^2.08/30 (m), V in knots, S₂ = S/(1 − S), S = B T/A with the
-/// cross-section A of the water. A is at most that of open water: the width of influence ([`width_of_influence_m`]) times
-/// the depth.
+/// cross-section A of the water. The area A is at most the width of influence ([`width_of_influence_m`]) times the
+/// depth, which is the value for open water.
 ///
-/// Read in public programs (MIT Design Laboratory, "Ship squatting problem"; a squat calculator of confined water); they
-/// agree. For blockages of 0.1 to 0.266 (recalled).
+/// The formula was read in two public programs, which agree (MIT Design Laboratory, "Ship squatting problem"; a squat
+/// calculator of confined water). The formula is valid for blockages S of 0.1 to 0.266 (recalled).
 ///
 /// # Panics
-/// If a number is NaN.
+/// Panics if a number is NaN.
 #[must_use]
 pub fn barrass_channel_squat_m(
     ship: &Particulars,
