@@ -57,7 +57,7 @@ export type TrialOrder = Order | TugOrder;
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** Number of this protocol. */
-export const PROTOCOL = 5;
+export const PROTOCOL = 6;
 
 /** Words for a tug. `stop`: no force; `stand_off`: she keeps clear of the side. */
 export type TugWord = "push" | "pull" | "stop" | "stand_off";
@@ -119,6 +119,21 @@ export type MarkColour = "red" | "green" | "yellow" | "black" | "white";
 
 /** The side of the fairway on which a lateral mark is, for a ship that enters. */
 export type MarkSide = "port" | "starboard";
+
+/** What a buoy or beacon says, by IALA's system. */
+export type MarkMeaning =
+  | "lateral"
+  | "north"
+  | "east"
+  | "south"
+  | "west"
+  | "isolated_danger"
+  | "safe_water"
+  | "special"
+  | "other";
+
+/** Shapes of buoys and beacons. */
+export type MarkShape = "cone" | "can" | "ball" | "pillar" | "spar" | "barrel" | "tower";
 
 /**
  * The data from which a page is built. The server sends this message first, and again whenever the scenario, the
@@ -325,6 +340,10 @@ export type ChartInfo = {
   colour: MarkColour | null;
   /** The side of the fairway on which a lateral mark is, for a ship that enters. */
   side: MarkSide | null;
+  /** What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water. */
+  meaning: MarkMeaning | null;
+  /** Shape of the body of a buoy or beacon; `null` if the chart does not give the shape. */
+  form: MarkShape | null;
   /** Character of a light as charts write it, such as "Fl(2) R 6s". */
   character: string | null;
   /** Period of a light (s). */
@@ -371,6 +390,37 @@ export type VesselInfo = {
   places: Place[];
   /** The orders for which the vessel has the gear. */
   orders: Array<string>;
+  /** The vessel's passage plan; `null` if the vessel has no plan. */
+  plan: PlanInfo | null;
+};
+
+/** A passage plan of a vessel. The program computes tracks and distances, and the page draws them. */
+export type PlanInfo = {
+  name: string;
+  waypoints: Array<WaypointInfo>;
+  wheel_overs: Array<WheelOverInfo>;
+  /** The planned track: legs, and arcs between the legs. */
+  track: Array<[number, number]>;
+  /** For each leg with a corridor, the edge to port and the edge to starboard. */
+  corridor: Array<[Array<[number, number]>, Array<[number, number]>]>;
+};
+
+/** A waypoint of a passage plan. */
+export type WaypointInfo = {
+  /** Name of the waypoint; empty if the waypoint has no name. */
+  name: string;
+  at_m: [number, number];
+  /** Planned speed on the leg that leads to the waypoint (m/s). */
+  speed_mps: number | null;
+};
+
+/** A place at which the wheel goes over for the turn at a waypoint. */
+export type WheelOverInfo = {
+  /** Index of the waypoint among the waypoints of the plan. */
+  waypoint: number;
+  at_m: [number, number];
+  /** Course of the track at the place (rad). */
+  course_rad: number;
 };
 
 export type ThrusterInfo = { name: string; along_m: number; force_n: number };
@@ -539,11 +589,31 @@ export type VesselNow = {
   aground: boolean;
   /** Position of the vessel at the berth; `null` if the scenario has no berth. */
   berth: BerthNow | null;
+  /** Place of the vessel on her passage plan; `null` if the vessel has no plan. */
+  plan: PlanNow | null;
   /** The order that a tug carries out at her ship; `null` for other vessels. */
   assist: AssistNow | null;
   faults: Fault[];
   /** Thrusters and azimuth units that have tripped, by name. */
   tripped: Array<string>;
+};
+
+/** Where a vessel is on her passage plan. */
+export type PlanNow = {
+  /** Index of the leg, which leads from the waypoint with the same index to the next waypoint. */
+  leg: number;
+  /** Distance from the track, positive to starboard of the track (m). */
+  cross_track_m: number;
+  /** Distance along the track to the waypoint at the end of the leg; negative after the last waypoint (m). */
+  to_waypoint_m: number;
+  /** Distance along the track to the next wheel-over point; `null` if no turn is left (m). */
+  to_wheel_over_m: number | null;
+  /** Course of the leg (rad). */
+  course_rad: number;
+  /** Planned speed on the leg (m/s). */
+  speed_mps: number | null;
+  /** Largest planned cross-track distance; `null` if the leg has no corridor (m). */
+  half_width_m: number | null;
 };
 
 export type RudderNow = { order_rad: number; now_rad: number };
@@ -799,6 +869,8 @@ export type Past = {
   /** Distance of the bow from the berth (m). */
   bow_m: Array<number | null>;
   stern_m: Array<number | null>;
+  /** Distance from the track of the vessel's passage plan, positive to starboard of the track (m). */
+  cross_track_m: Array<number | null>;
   /** Largest energy of any fender as a share of its rated energy. */
   of_energy: Array<number>;
   of_reaction: Array<number>;

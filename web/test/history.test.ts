@@ -31,6 +31,7 @@ function past(from_s: number, till_s: number): Past {
     turn_radps: all(0),
     bow_m: all(5),
     stern_m: all(6),
+    cross_track_m: all(-4),
     of_energy: all(0.25),
     of_reaction: all(0),
     of_working: all(0),

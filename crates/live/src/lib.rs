@@ -38,6 +38,7 @@ mod outlook;
 mod pair;
 mod past;
 mod place;
+mod plan;
 mod prediction;
 mod present;
 mod recording;

@@ -12,7 +12,7 @@ use crate::request::Control;
 
 /// Version number of the protocol between server and page. A page with another version of the protocol asks the
 /// user to reload the page.
-pub const PROTOCOL: u32 = 5;
+pub const PROTOCOL: u32 = 6;
 
 /// The data from which a page is built. The server sends this message first, and again whenever the scenario, the
 /// branch of the session or the holders of the helms change.
@@ -266,6 +266,12 @@ pub struct ChartInfo {
     /// The side of the fairway on which a lateral mark is, for a ship that enters.
     #[cfg_attr(test, ts(type = "MarkSide | null"))]
     pub side: Option<&'static str>,
+    /// What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water.
+    #[cfg_attr(test, ts(type = "MarkMeaning | null"))]
+    pub meaning: Option<&'static str>,
+    /// Shape of the body of a buoy or beacon; `null` if the chart does not give the shape.
+    #[cfg_attr(test, ts(type = "MarkShape | null"))]
+    pub form: Option<&'static str>,
     /// Character of a light as charts write it, such as "Fl(2) R 6s".
     pub character: Option<String>,
     /// Period of a light (s).
@@ -316,6 +322,63 @@ pub struct VesselInfo {
     pub places: Vec<&'static str>,
     /// The orders for which the vessel has the gear.
     pub orders: Vec<&'static str>,
+    /// The vessel's passage plan; `null` if the vessel has no plan.
+    pub plan: Option<PlanInfo>,
+}
+
+/// A passage plan of a vessel. The program computes tracks and distances, and the page draws them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct PlanInfo {
+    pub name: String,
+    pub waypoints: Vec<WaypointInfo>,
+    pub wheel_overs: Vec<WheelOverInfo>,
+    /// The planned track: legs, and arcs between the legs.
+    pub track: Vec<Pair>,
+    /// For each leg with a corridor, the edge to port and the edge to starboard.
+    pub corridor: Vec<[Vec<Pair>; 2]>,
+}
+
+/// A waypoint of a passage plan.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct WaypointInfo {
+    /// Name of the waypoint; empty if the waypoint has no name.
+    pub name: String,
+    pub at_m: Pair,
+    /// Planned speed on the leg that leads to the waypoint (m/s).
+    pub speed_mps: Option<f64>,
+}
+
+/// A place at which the wheel goes over for the turn at a waypoint.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct WheelOverInfo {
+    /// Index of the waypoint among the waypoints of the plan.
+    pub waypoint: usize,
+    pub at_m: Pair,
+    /// Course of the track at the place (rad).
+    pub course_rad: f64,
+}
+
+/// Where a vessel is on her passage plan.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct PlanNow {
+    /// Index of the leg, which leads from the waypoint with the same index to the next waypoint.
+    pub leg: usize,
+    /// Distance from the track, positive to starboard of the track (m).
+    pub cross_track_m: f64,
+    /// Distance along the track to the waypoint at the end of the leg; negative after the last waypoint (m).
+    pub to_waypoint_m: f64,
+    /// Distance along the track to the next wheel-over point; `null` if no turn is left (m).
+    pub to_wheel_over_m: Option<f64>,
+    /// Course of the leg (rad).
+    pub course_rad: f64,
+    /// Planned speed on the leg (m/s).
+    pub speed_mps: Option<f64>,
+    /// Largest planned cross-track distance; `null` if the leg has no corridor (m).
+    pub half_width_m: Option<f64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -593,6 +656,8 @@ pub struct VesselNow {
     pub aground: bool,
     /// Position of the vessel at the berth; `null` if the scenario has no berth.
     pub berth: Option<BerthNow>,
+    /// Place of the vessel on her passage plan; `null` if the vessel has no plan.
+    pub plan: Option<PlanNow>,
     /// The order that a tug carries out at her ship; `null` for other vessels.
     pub assist: Option<AssistNow>,
     #[cfg_attr(test, ts(type = "Fault[]"))]
@@ -876,6 +941,8 @@ pub struct History {
     /// Distance of the bow from the berth (m).
     pub bow_m: Vec<Option<f64>>,
     pub stern_m: Vec<Option<f64>>,
+    /// Distance from the track of the vessel's passage plan, positive to starboard of the track (m).
+    pub cross_track_m: Vec<Option<f64>>,
     /// Largest energy of any fender as a share of its rated energy.
     pub of_energy: Vec<f64>,
     pub of_reaction: Vec<f64>,

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use fenderline_author::{BerthingSide, NewBerth, NewExercise, NewShip, NewTugs, NewWeather};
 use fenderline_sim::Fault;
-use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
+use fenderline_sim::chart::{ChartKind, MarkColour, MarkMeaning, MarkShape, MarkSide};
 use fenderline_sim::order::{Lead, SidePlace, TugWord, Word};
 use ts_rs::{Config, TS};
 
@@ -186,6 +186,18 @@ fn protocol() -> String {
         "The side of the fairway on which a lateral mark is, for a ship that enters.",
         MarkSide::ALL.map(MarkSide::word).into_iter(),
     );
+    words(
+        into,
+        "MarkMeaning",
+        "What a buoy or beacon says, by IALA's system.",
+        MarkMeaning::ALL.map(MarkMeaning::word).into_iter(),
+    );
+    words(
+        into,
+        "MarkShape",
+        "Shapes of buoys and beacons.",
+        MarkShape::ALL.map(MarkShape::word).into_iter(),
+    );
     declarations!(
         into,
         &config,
@@ -210,6 +222,9 @@ fn protocol() -> String {
         ChartInfo,
         BodyInfo,
         VesselInfo,
+        PlanInfo,
+        WaypointInfo,
+        WheelOverInfo,
         ThrusterInfo,
         AzimuthInfo,
         FenderInfo,
@@ -224,6 +239,7 @@ fn protocol() -> String {
         OpeningNow,
         BranchNow,
         VesselNow,
+        PlanNow,
         RudderNow,
         ShareNow,
         AzimuthNow,

@@ -2,7 +2,7 @@
 
 use crate::branch::BranchOutcome;
 
-/// A branch of a session that people steered, which a run repeats.
+/// A recorded live session that a run repeats. People steered the session; the run repeats one branch of the session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedSession {
     /// Name of the recording's file, without its folder.

@@ -314,7 +314,7 @@ fn keys_that_do_not_fit_are_refused() {
         (
             "survey = [\"a.asc\"]\nsurvey_coordinates = \"utm\"",
             "environment.bottom.survey_coordinates",
-            "about the origin",
+            "a chart with an origin",
         ),
         ("survey = [\"b.asc\"]", "environment.bottom.survey", "cannot read b.asc"),
     ] {

@@ -88,6 +88,7 @@ pub(crate) fn with(ship: Mmg, environment: Environment, step_s: f64, duration_s:
                 response: None,
                 drift: None,
                 seakeeping: None,
+                plan: None,
             }],
             ..WorldSetup::default()
         },

@@ -275,6 +275,110 @@ pub struct ChartMark {
     pub colour: MarkColour,
     /// The side of the fairway that the mark shows to an entering ship; `None` for a mark that is not a lateral mark.
     pub side: Option<MarkSide>,
+    /// What the mark says, by IALA's system.
+    pub meaning: MarkMeaning,
+    /// Shape of the mark; `None` if the chart does not give the shape.
+    pub shape: Option<MarkShape>,
+}
+
+/// What a mark says, by IALA's maritime buoyage system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkMeaning {
+    /// A side of a fairway.
+    Lateral,
+    /// The safe water lies to the north of the mark.
+    North,
+    /// The safe water lies to the east of the mark.
+    East,
+    /// The safe water lies to the south of the mark.
+    South,
+    /// The safe water lies to the west of the mark.
+    West,
+    /// A danger under the mark, with safe water all round.
+    IsolatedDanger,
+    /// Safe water all round.
+    SafeWater,
+    /// An area or a thing of its own kind.
+    Special,
+    /// The chart does not say.
+    Other,
+}
+
+impl MarkMeaning {
+    /// All meanings.
+    pub const ALL: [MarkMeaning; 9] = [
+        MarkMeaning::Lateral,
+        MarkMeaning::North,
+        MarkMeaning::East,
+        MarkMeaning::South,
+        MarkMeaning::West,
+        MarkMeaning::IsolatedDanger,
+        MarkMeaning::SafeWater,
+        MarkMeaning::Special,
+        MarkMeaning::Other,
+    ];
+
+    /// The word for this meaning in GeoJSON files and in messages to web pages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            MarkMeaning::Lateral => "lateral",
+            MarkMeaning::North => "north",
+            MarkMeaning::East => "east",
+            MarkMeaning::South => "south",
+            MarkMeaning::West => "west",
+            MarkMeaning::IsolatedDanger => "isolated_danger",
+            MarkMeaning::SafeWater => "safe_water",
+            MarkMeaning::Special => "special",
+            MarkMeaning::Other => "other",
+        }
+    }
+}
+
+/// Shapes of buoys and beacons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkShape {
+    /// A cone.
+    Cone,
+    /// A can.
+    Can,
+    /// A ball.
+    Ball,
+    /// A pillar: a narrow tower on a float.
+    Pillar,
+    /// A spar, stake or pole.
+    Spar,
+    /// A barrel.
+    Barrel,
+    /// A tower.
+    Tower,
+}
+
+impl MarkShape {
+    /// All shapes.
+    pub const ALL: [MarkShape; 7] = [
+        MarkShape::Cone,
+        MarkShape::Can,
+        MarkShape::Ball,
+        MarkShape::Pillar,
+        MarkShape::Spar,
+        MarkShape::Barrel,
+        MarkShape::Tower,
+    ];
+
+    /// The word for this shape in GeoJSON files and in messages to web pages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            MarkShape::Cone => "cone",
+            MarkShape::Can => "can",
+            MarkShape::Ball => "ball",
+            MarkShape::Pillar => "pillar",
+            MarkShape::Spar => "spar",
+            MarkShape::Barrel => "barrel",
+            MarkShape::Tower => "tower",
+        }
+    }
 }
 
 /// Colours of buoys and beacons.

@@ -35,7 +35,7 @@ pub enum SetupError {
     },
     /// A particular of the berthing is out of range.
     Berthing(BerthingError),
-    /// A number of a tug is out of range.
+    /// A numeric value of a tug, such as her bollard pull, is out of range.
     Tug {
         /// Name of the tug.
         tug: String,

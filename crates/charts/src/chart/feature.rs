@@ -2,7 +2,8 @@
 
 use fenderline_contact::{Outline, OutlineError, Vec2};
 use fenderline_sim::chart::{
-    ChartFeature, ChartKind, ChartLight, ChartMark, ChartShape, MarkColour, MarkSide,
+    ChartFeature, ChartKind, ChartLight, ChartMark, ChartShape, MarkColour, MarkMeaning, MarkShape,
+    MarkSide,
 };
 
 use super::bounds::{DEPTHS_M, LONGEST_NAME};
@@ -381,6 +382,8 @@ fn mark(given: &Properties, kind: ChartKind) -> Read<Option<ChartMark>> {
         let key = [
             (given.colour.as_ref().filter(|_| !has_colour), "colour"),
             (given.side.as_ref(), "side"),
+            (given.meaning.as_ref(), "meaning"),
+            (given.shape.as_ref(), "shape"),
         ];
         return match key.iter().find(|(value, _)| value.is_some()) {
             Some((_, key)) => Err(format!("a {} has no `{key}`", kind.word())),
@@ -394,7 +397,19 @@ fn mark(given: &Properties, kind: ChartKind) -> Read<Option<ChartMark>> {
     let sides = MarkSide::ALL.map(|side| (side.word(), side));
     let colour = word("colour", colour, &colours)?;
     let side = given.side.as_deref().map(|side| word("side", side, &sides)).transpose()?;
-    Ok(Some(ChartMark { colour, side }))
+    let meanings = MarkMeaning::ALL.map(|meaning| (meaning.word(), meaning));
+    let said = given.meaning.as_deref().map(|said| word("meaning", said, &meanings)).transpose()?;
+    let meaning = said.unwrap_or(match (side, colour) {
+        (Some(_), _) => MarkMeaning::Lateral,
+        (None, MarkColour::Yellow) => MarkMeaning::Special,
+        (None, _) => MarkMeaning::Other,
+    });
+    if side.is_some() && meaning != MarkMeaning::Lateral {
+        return Err("only a mark with the `meaning` \"lateral\" has a `side`".to_owned());
+    }
+    let shapes = MarkShape::ALL.map(|shape| (shape.word(), shape));
+    let shape = given.shape.as_deref().map(|shape| word("shape", shape, &shapes)).transpose()?;
+    Ok(Some(ChartMark { colour, side, meaning, shape }))
 }
 
 fn word<T: Copy>(key: &str, given: &str, words: &[(&str, T)]) -> Read<T> {

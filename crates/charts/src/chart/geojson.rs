@@ -75,6 +75,8 @@ pub(super) struct Properties {
     pub(super) clearance_m: Option<f64>,
     pub(super) colour: Option<String>,
     pub(super) side: Option<String>,
+    pub(super) meaning: Option<String>,
+    pub(super) shape: Option<String>,
     pub(super) character: Option<String>,
     pub(super) period_s: Option<f64>,
     pub(super) sector_deg: Option<[f64; 2]>,
@@ -96,6 +98,12 @@ pub(super) struct Properties {
     pub(super) depth: Option<Value>,
     #[serde(rename = "CATLAM")]
     pub(super) catlam: Option<Value>,
+    #[serde(rename = "CATCAM")]
+    pub(super) catcam: Option<Value>,
+    #[serde(rename = "BOYSHP")]
+    pub(super) boyshp: Option<Value>,
+    #[serde(rename = "BCNSHP")]
+    pub(super) bcnshp: Option<Value>,
     #[serde(rename = "CATCOV")]
     pub(super) catcov: Option<Value>,
     #[serde(rename = "COLOUR")]

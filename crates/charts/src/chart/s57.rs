@@ -4,7 +4,9 @@
 //! Numbers of classes and codes of attributes are those of S-57 Appendix A, edition 3.1, as the tables of GDAL have them
 //! (`s57objectclasses.csv`, `s57expectedinput.csv`).
 
-use fenderline_sim::chart::{ChartKind, ChartLight, ChartMark, MarkColour, MarkSide};
+use fenderline_sim::chart::{
+    ChartKind, ChartLight, ChartMark, MarkColour, MarkMeaning, MarkShape, MarkSide,
+};
 use serde_json::Value;
 
 use super::bounds::{DEPTHS_M, LONGEST_NAME};
@@ -227,7 +229,46 @@ fn mark(class: Class, given: &Properties) -> ChartMark {
         "SPP" => first.unwrap_or(MarkColour::Yellow),
         _ => first.unwrap_or(MarkColour::White),
     };
-    ChartMark { colour, side: side.filter(|_| class.word.ends_with("LAT")) }
+    let is_lateral = class.word.ends_with("LAT");
+    ChartMark {
+        colour,
+        side: side.filter(|_| is_lateral),
+        meaning: meaning(class, given),
+        shape: shape(given),
+    }
+}
+
+fn meaning(class: Class, given: &Properties) -> MarkMeaning {
+    match &class.word[3..] {
+        "LAT" => MarkMeaning::Lateral,
+        "CAR" => match given.catcam.as_ref().and_then(number) {
+            Some(1.0) => MarkMeaning::North,
+            Some(2.0) => MarkMeaning::East,
+            Some(3.0) => MarkMeaning::South,
+            Some(4.0) => MarkMeaning::West,
+            _ => MarkMeaning::Other,
+        },
+        "ISD" => MarkMeaning::IsolatedDanger,
+        "SAW" => MarkMeaning::SafeWater,
+        "SPP" => MarkMeaning::Special,
+        _ => MarkMeaning::Other,
+    }
+}
+
+/// The shape of a buoy (`BOYSHP`) or of a beacon (`BCNSHP`). A super-buoy, an ice buoy and a cairn have no shape of ours.
+fn shape(given: &Properties) -> Option<MarkShape> {
+    let code = |of: &Option<Value>| of.as_ref().and_then(number).map(|code| code as u32);
+    match (code(&given.boyshp), code(&given.bcnshp)) {
+        (Some(1), _) => Some(MarkShape::Cone),
+        (Some(2), _) => Some(MarkShape::Can),
+        (Some(3), _) => Some(MarkShape::Ball),
+        (Some(4), _) => Some(MarkShape::Pillar),
+        (Some(5), _) | (None, Some(1 | 2)) => Some(MarkShape::Spar),
+        (Some(6), _) => Some(MarkShape::Barrel),
+        // A beacon tower, a lattice beacon, a pile beacon, a buoyant beacon.
+        (None, Some(3 | 4 | 5 | 7)) => Some(MarkShape::Tower),
+        _ => None,
+    }
 }
 
 fn light(given: &Properties) -> ChartLight {

@@ -118,6 +118,7 @@ impl Kind {
             float,
             drift: Some(drift),
             seakeeping: None,
+            plan: None,
         };
         let mass = mass_of(&ship, water);
         Ok(Kind { setup, place, mass, low_water_mass, data })

@@ -24,6 +24,7 @@ use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
 use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
 use fenderline_ship::hydro::vessels::Origin;
 use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::track::{OnPlan, PassagePlan};
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
@@ -68,6 +69,8 @@ pub struct VesselSetup {
     /// `response`, and the vessel's `float` gives the height of the centre of gravity. Hydrodynamic data need the
     /// coupled method with the semi-implicit integrator.
     pub seakeeping: Option<Seakeeping>,
+    /// Her passage plan. The plan moves nothing: results and pages compare her way with the plan.
+    pub plan: Option<PassagePlan>,
 }
 
 /// Data for heave, roll and pitch.
@@ -319,6 +322,18 @@ impl VesselState {
 }
 
 impl VesselSetup {
+    /// The place of midship when the vessel's body is in `state`, north and east (m).
+    #[must_use]
+    pub fn midship_m(&self, state: &BodyState) -> Vec2 {
+        state.pose().apply(vec2(-self.ship.particulars.centre_of_gravity_m, 0.0))
+    }
+
+    /// Where midship is on the vessel's passage plan when her body is in `state`; `None` without a plan.
+    #[must_use]
+    pub fn on_plan(&self, state: &BodyState) -> Option<OnPlan> {
+        Some(self.plan.as_ref()?.at(self.midship_m(state)))
+    }
+
     /// Thrust of all azimuth units at rest and full power (N).
     #[must_use]
     pub fn bollard_pull_n(&self) -> f64 {

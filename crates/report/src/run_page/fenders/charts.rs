@@ -244,7 +244,8 @@ fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     points
 }
 
-/// The fender's reaction curve with its factor and its stop, up to the larger of peak and rated deflection. With
+/// The reaction curve that the run used for a fender: the catalogue curve times the fender's reaction factor, with the
+/// rise at the fender's stop. The curve ends at the larger of peak and rated deflection. With
 /// `unloading`, each point of the curve is the reaction when the fender begins to unload at that deflection.
 fn curve(
     fender: &FenderSetup,

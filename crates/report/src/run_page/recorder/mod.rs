@@ -8,6 +8,7 @@ mod pair;
 mod panel;
 mod parts;
 mod path;
+mod plan;
 mod wind;
 mod world;
 
@@ -27,6 +28,7 @@ use pair::{Deflections, Touch};
 pub(super) use panel::Held;
 pub(super) use parts::PartsTrace;
 use path::Path;
+pub(super) use plan::{LegTrace, PlanTrace};
 pub use wind::WindTrace;
 pub(super) use wind::both;
 use world::tug_marks;

@@ -9,8 +9,8 @@ use maud::{Markup, html};
 
 use super::bodies::{NAME_LENGTH, body_label, joined, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
-    chart_labels, charted_in, fixed, plain, shortened, significant,
+    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, PlannedDrawn, Stage, TugDrawn,
+    Weather, chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::fenders::boxes;
 use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
@@ -96,6 +96,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
         passing: passing(outcome),
+        plans: plans(setup),
         weather: weather(&setup.world.environment, recorder, WindTrace::range),
     }
 }
@@ -132,6 +133,12 @@ pub(super) fn passing_names(outcome: &Outcome<'_>) -> Vec<Label> {
         Label { text, place: Place::On { middle_m: now.pose.position_m, half_length_m } }
     });
     named.collect()
+}
+
+/// The passage plans of the vessels.
+pub(super) fn plans(setup: &Setup) -> Vec<PlannedDrawn> {
+    let plans = setup.world.vessels.iter().filter_map(|vessel| vessel.plan.as_ref());
+    plans.map(PlannedDrawn::of).collect()
 }
 
 fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
@@ -278,6 +285,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
             passing: Vec::new(),
+            plans: plans(setup),
             weather: weather(&setup.world.environment, recorder, WindTrace::range),
         },
         tracks: Vec::new(),
