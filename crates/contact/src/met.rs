@@ -8,6 +8,7 @@ use crate::fender::RankedFender;
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::shapes::Shapes;
 use crate::model::Model;
+use crate::outline::Outline;
 use crate::reaction::FenderLaw;
 use crate::slice::{SideMet, Slice};
 use crate::vec2::{Pose, Vec2};
@@ -40,13 +41,12 @@ impl Model {
     /// number of the fender's face, counted from 1.
     pub(crate) fn edges_met(&self, face: u32, rank: u32) -> impl Iterator<Item = [Vec2; 2]> {
         let slice = self.slices.place(face, rank).map(|place| self.slices.at(place));
-        let outline: &[Vec2] = match slice {
-            None => self.bodies()[self.id_of[rank as usize].0 as usize].outline.vertices(),
-            Some(_) => &[],
+        let outline = match slice {
+            None => Some(&self.bodies()[self.id_of[rank as usize].0 as usize].outline),
+            Some(_) => None,
         };
         let cut = slice.flatten().into_iter().flat_map(Slice::edges_m);
-        let whole = outline.iter().zip(outline.iter().cycle().skip(1));
-        whole.map(|(&from, &to)| [from, to]).chain(cut)
+        outline.into_iter().flat_map(Outline::edges).chain(cut)
     }
 
     /// The [`Slice::side`] of that slice of a body which a fender's face meets. The function also returns `None` for a

@@ -64,6 +64,7 @@ mod load;
 mod order;
 mod scenario;
 mod schema;
+mod shore;
 mod variant;
 mod vessels;
 

@@ -30,7 +30,7 @@ const fn class(word: &'static str, number: u32, kind: ChartKind) -> Class {
 }
 
 /// The object classes that are read.
-const CLASSES: [Class; 37] = [
+pub(super) const CLASSES: [Class; 37] = [
     class("ACHARE", 4, ChartKind::Anchorage),
     class("BCNCAR", 5, ChartKind::Beacon),
     class("BCNISD", 6, ChartKind::Beacon),
