@@ -35,7 +35,7 @@ const read = (page: Page) =>
   page.evaluate(() => {
     const text = (selector: string) => document.querySelector(selector)?.textContent ?? "";
     const values: Record<string, string> = {};
-    for (const cell of document.querySelectorAll(".readout > div"))
+    for (const cell of document.querySelectorAll(".readout > div, .on-plan > div"))
       values[cell.querySelector("dt")?.textContent ?? ""] =
         cell.querySelector("dd")?.textContent ?? "";
     const end = (name: string) => {
@@ -101,7 +101,8 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
   for (;;) {
     expect(Date.now() - begun, "she is too slow").toBeLessThan(LONGEST_S * 1000);
     const { values } = await read(pilot);
-    const off = Number.parseFloat(values.XTD ?? "") * (values.XTD?.endsWith("P") ? -1 : 1);
+    // After the end of the plan there is none.
+    const off = (Number.parseFloat(values.XTD ?? "") || 0) * (values.XTD?.endsWith("P") ? -1 : 1);
     worst = Math.max(worst, Math.abs(off));
     const [next = "", left] = [values.NEXT, metres(values.DIST)];
     // The wheel goes over when its distance has run out: then that of a later turn is shown, or none.

@@ -42,8 +42,8 @@ test("the first view has the berth, and so the water between, up to 25 lengths a
 });
 
 test("where the berth is farther, or there is none, the first view has the water ahead and the next waypoint", () => {
-  expect(farthest(seen(6000, false))).toBe(6 * 180);
-  expect(farthest(seen(null, false))).toBe(6 * 180);
+  expect(farthest(seen(6000, false))).toBe(4 * 180);
+  expect(farthest(seen(null, false))).toBe(4 * 180);
   expect(farthest(seen(null, false, 1))).toBe(9000);
 });
 

@@ -37,7 +37,7 @@ export interface Scene {
 /** Length of a force arrow per meganewton [px]. */
 export const PX_PER_MN = 70;
 /** A ship of at least this length has the speeds of her ends beside her [px]. */
-const ENDS_FROM_PX = 70;
+const ENDS_FROM_PX = 30;
 /** Length of a lateral-speed arrow per metre a second [px]. */
 const PX_PER_MPS = 220;
 
@@ -596,7 +596,7 @@ export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
 const BERTH_LENGTHS = 25;
 const ROW_LENGTHS = 3;
 /** Without a berth so many lengths ahead of the ship are in the first view. */
-const AHEAD_LENGTHS = 6;
+const AHEAD_LENGTHS = 4;
 
 /**
  * Points that the first view includes: the ship, the berth if she is not far from it, and so the water between; her tugs and

@@ -10,7 +10,7 @@ const UNDER_WAY_MPS = 0.3;
 
 export class PlanReadout {
   private readonly cells = new Map<string, HTMLElement>();
-  readonly root = h("dl", { class: "readout on-plan hidden", "aria-label": "Passage plan" });
+  readonly root = h("dl", { class: "on-plan hidden", "aria-label": "Passage plan" });
 
   constructor() {
     for (const [key, name] of [
