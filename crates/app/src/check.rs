@@ -3,7 +3,7 @@
 use fenderline_campaign::Campaign;
 use fenderline_report::plot::counted;
 use fenderline_scenario::{LoadError, printable_number};
-use fenderline_sim::chart::{Chart, ChartClass};
+use fenderline_sim::chart::{ChartClass, SHORE};
 use fenderline_sim::{Bottom, Simulation};
 use serde_json::{Value, json};
 
@@ -76,7 +76,8 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
             "pairs": setup.pairs.len(),
             "steps": simulation.steps_total(),
             "step_s": setup.step_s,
-            "chart": chart_json(&setup.world.chart),
+            "chart": chart_json(&setup.world.chart.classes),
+            "solid": chart_json(&setup.world.chart.solid),
             "bottom": setup.world.environment.bottom.as_ref().map(Bottom::in_words),
         });
         say_json(&format!("{found:#}\n"))?;
@@ -101,6 +102,9 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     if let Some(left_out) = setup.world.chart.left_out_in_words() {
         say(&format!("left out of the chart: {left_out}\n"))?;
     }
+    if let Some(solid) = setup.world.chart.solid_in_words() {
+        say(&format!("solid, as the body \"{SHORE}\": {solid}\n"))?;
+    }
     if let Some(bottom) = &setup.world.environment.bottom {
         say(&format!("{}\n", bottom.in_words()))?;
     }
@@ -114,13 +118,13 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
 }
 
 /// The objects of a chart that were read and those that were left out, by class of object, as JSON.
-fn chart_json(chart: &Chart) -> Value {
+fn chart_json(classes: &[ChartClass]) -> Value {
     let class = |class: &ChartClass| {
         let left_out =
             class.left_out.iter().map(|(count, why)| json!({ "count": count, "why": why }));
         json!({ "class": class.class, "read": class.read, "left_out": left_out.collect::<Vec<_>>() })
     };
-    chart.classes.iter().map(class).collect()
+    classes.iter().map(class).collect()
 }
 
 /// Prints the JSON Schema of a kind of file.

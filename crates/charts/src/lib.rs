@@ -10,3 +10,4 @@
 
 pub mod bottom;
 pub mod chart;
+pub mod shore;

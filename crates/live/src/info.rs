@@ -67,7 +67,11 @@ impl Info {
         let bodies = setup.bodies.iter().map(|body| BodyInfo {
             name: body.name.clone(),
             fixed: body.mass.is_none(),
-            outline: body.outline.vertices().iter().map(|&at| pair(at)).collect(),
+            // The shore is on the chart already.
+            outline: match body.outline.is_of_parts() {
+                true => Vec::new(),
+                false => body.outline.vertices().iter().map(|&at| pair(at)).collect(),
+            },
         });
         let fenders = setup.fenders.iter().map(|fender| FenderInfo {
             name: fender.name.clone(),

@@ -113,7 +113,9 @@ fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<
     for &(body, ..) in places {
         let (name, own) = (&setup.bodies[body].name, hull(body));
         for (index, other) in setup.bodies.iter().enumerate() {
-            if index != body && of_outlines_m(&own, &hull(index)) <= 0.0 {
+            // Whether she would lie on the shore follows from the chart: see `ashore`.
+            let is_shore = other.outline.is_of_parts();
+            if index != body && !is_shore && of_outlines_m(&own, &hull(index)) <= 0.0 {
                 return Some(match other.is_fixed() {
                     true => format!("{name} would be ashore on {}", other.name),
                     false => format!("the hull of {name} would overlap that of {}", other.name),
@@ -126,7 +128,8 @@ fn in_the_way(places: &[(usize, Pose, f64)], simulation: &Simulation) -> Option<
                 return Some(format!("{name} would lie in the fender {}", of.name));
             }
             let met = (of.body == body).then(|| {
-                let others = (0..setup.bodies.len()).filter(|&other| other != body);
+                let others = (0..setup.bodies.len())
+                    .filter(|&other| other != body && !setup.bodies[other].outline.is_of_parts());
                 others.into_iter().find(|&other| of_outlines_m(&fender(of), &hull(other)) <= 0.0)
             });
             if let Some(Some(other)) = met {

@@ -44,6 +44,7 @@ mod rollers;
 mod rope;
 mod rows;
 mod seakeeping;
+mod shore;
 mod unused;
 mod vessel;
 mod windage;
@@ -132,14 +133,20 @@ pub(crate) fn setup(
     let charted = assembly.chart(file.item(ScenarioKey::CHART).map(Entry::table))?;
     let water = file.given(ScenarioKey::ENVIRONMENT).table();
     let environment = assembly.environment(water, duration_s, &charted)?;
-    let chart = charted.chart;
+    let mut chart = charted.chart;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment, step_s)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     assembly.note_long_waves(file, &environment, &kinds);
     let mut bodies = assembly.bodies(file.given(ScenarioKey::BODY), &kinds, &chart)?;
+    let chart_table = file.item(ScenarioKey::CHART).map(Entry::table);
+    let shore = assembly.shore(chart_table, file, &mut chart, &mut bodies)?;
     let names = Names::new(&bodies, &materials);
-    let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
-    let pairs = assembly.pairs(file.given(ScenarioKey::PAIR).list(), &bodies, &names)?;
+    let decks: vessel::Decks<'_> =
+        kinds.of_bodies().chain(shore.is_some().then_some(None)).collect();
+    let mut pairs = assembly.pairs(file.given(ScenarioKey::PAIR).list(), &bodies, &names)?;
+    if let (Some(table), Some(_)) = (chart_table, &shore) {
+        assembly.pair_with_shore(table, &bodies, &names, &mut pairs)?;
+    }
     let loads = assembly.loads(file.given(ScenarioKey::LOAD).list(), &bodies, &names)?;
     let all_fenders = assembly.fender_tables(file, &bodies, &names)?;
     let fender_tables = Tables::from(all_fenders.as_slice());
@@ -155,6 +162,9 @@ pub(crate) fn setup(
     let of_bodies = file.given(ScenarioKey::BODY).named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
     assembly.check_starts(of_bodies, &kinds, &bodies, &environment)?;
+    if let Some(shore) = &shore {
+        assembly.check_starts_off_shore(file, &bodies, (&chart, shore))?;
+    }
     let in_water = (bodies.as_mut_slice(), &environment);
     let vessels = assembly.vessels(file.given(ScenarioKey::BODY).named(), &kinds, in_water)?;
     let flow =

@@ -50,6 +50,7 @@ mod points_of_attack;
 mod rows;
 mod schema;
 mod seakeeping;
+mod shores;
 mod tanker_in_a_current;
 mod tide;
 mod tugs;

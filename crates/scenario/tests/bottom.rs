@@ -2,8 +2,8 @@
 
 use fenderline_contact::vec2;
 use fenderline_scenario::{Place, Scenario, ScenarioError};
-use fenderline_sim::environment::DepthField;
-use fenderline_sim::{Bottom, Outside};
+use fenderline_sim::environment::{BankMethod, DepthField};
+use fenderline_sim::{Bottom, Outside, Simulation};
 
 const HEAD: &str =
     "[time]\nstep = 1\nduration = 1\n[body.a]\nfixed = true\noutline = [[0, 0], [1, 0], [0, 1]]\n";
@@ -56,6 +56,79 @@ fn outside_may_be_a_depth() {
     let bottom = bottom("survey = [\"a.asc\"]\noutside = \"15 m\"", &[("a.asc", GRID)]).unwrap();
     assert_eq!(bottom.depth_m(vec2(0.0, 0.0)), Some(15.0));
     assert_eq!(bottom.depth_m(vec2(90.0, 0.0)), Some(5.0));
+}
+
+/// A grid of 500 m around the origin, with cells of 10 m: 12 m deep, and 5 m from 50 m east of the origin on.
+fn step_grid() -> String {
+    let row: Vec<&str> = (0..50).map(|column| if column < 30 { "12" } else { "5" }).collect();
+    let row = row.join(" ") + "\n";
+    let head =
+        "ncols 50\nnrows 50\nxllcorner -250\nyllcorner -250\ncellsize 10\nNODATA_value -9999\n";
+    head.to_owned() + &row.repeat(50)
+}
+
+#[test]
+fn banks_of_the_bottom_act_by_the_chosen_method_and_are_told() {
+    let grid = step_grid();
+    let ship = "[body.ship]\nvessel = \"bulk-carrier\"\nposition = [0, 0]\nvelocity = { surge = \"6 kn\" }\n";
+    let with = |keys: &str, more: &str| {
+        let toml = format!(
+            "{HEAD}position = [240, -240]\n{ship}{more}[environment.bottom]\nsurvey = [\"a.asc\"]\noutside = \"12 m\"\n{keys}\n"
+        );
+        read(&toml, &[("a.asc", &grid)]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let banks = |scenario: Scenario| {
+        let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+        simulation.step().expect("a good step").vessel_forces[0].banks
+    };
+    let told = |scenario: &Scenario| -> Vec<String> {
+        let all = scenario.notices.iter().map(ToString::to_string);
+        all.filter(|notice| notice.contains("bank")).collect()
+    };
+    let plain = with("", "");
+    assert_eq!(
+        plain.setup.world.environment.bottom.as_ref().unwrap().banks,
+        Some(BankMethod::Norrbin)
+    );
+    let [notice] = &told(&plain)[..] else { panic!("{:?}", told(&plain)) };
+    assert!(notice.contains("`environment.bottom`") && notice.contains("UNVALIDATED"), "{notice}");
+    let words = plain.setup.world.environment.bottom.as_ref().unwrap().in_words();
+    assert!(words.ends_with("banks by Norrbin's formulas (unvalidated)"), "{words}");
+    let norrbin = banks(plain);
+    assert!(norrbin.sway_n > 0.0 && norrbin.yaw_nm < 0.0, "{norrbin:?}");
+    let by_image = with("banks = \"image\"", "");
+    let [notice] = &told(&by_image)[..] else { panic!("{:?}", told(&by_image)) };
+    assert!(
+        notice.contains("`environment.bottom`") && notice.contains("images of the images"),
+        "{notice}"
+    );
+    let image = banks(by_image);
+    assert!(image.sway_n > 0.0 && image.sway_n != norrbin.sway_n, "{image:?}");
+    let none = with("banks = \"none\"", "");
+    assert!(told(&none).is_empty() && none.setup.world.flow.hulls.is_empty());
+    assert!(
+        none.setup
+            .world
+            .environment
+            .bottom
+            .as_ref()
+            .unwrap()
+            .in_words()
+            .ends_with("no force of banks")
+    );
+    assert_eq!(banks(none).sway_n, 0.0);
+    let twice = with("", "[environment]\nbank = [{ from = [-500, 50], to = [500, 50] }]\n");
+    assert!(
+        told(&twice).iter().any(|notice| notice.contains("counted twice")),
+        "{:?}",
+        told(&twice)
+    );
+    let error = read(
+        &format!("{HEAD}[environment.bottom]\nsurvey = [\"a.asc\"]\nbanks = \"lataire\"\n"),
+        &[("a.asc", GRID)],
+    );
+    let error = error.unwrap_err().to_string();
+    assert!(error.contains("s.toml:9:") && error.contains("environment.bottom.banks"), "{error}");
 }
 
 #[test]

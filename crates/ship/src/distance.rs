@@ -4,7 +4,8 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::{bounded, lesser};
 
 /// Distance from a point to the nearest point of a segment (m). The segment must be longer than 0.
-fn to_segment_m(point: Vec2, [from, to]: [Vec2; 2]) -> f64 {
+#[must_use]
+pub fn to_segment_m(point: Vec2, [from, to]: [Vec2; 2]) -> f64 {
     let along = to - from;
     let share = bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0);
     (point - from - along * share).length()

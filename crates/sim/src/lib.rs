@@ -232,8 +232,8 @@ pub use fenderline_world::world::{
     AzimuthState, BollardSetup, Bottom, CurrentTable, Environment, Fault, Faults, Float, Job,
     LineEnd, LineHandling, Mooring, MooringSetup, NoDepth, NotAtTheSide, Outside, Pilots,
     ProviderSetup, PushJob, Sent, Soundings, ThrusterSetup, Tripped, TugAtWork, TugSetup,
-    VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup,
-    mass_matrix,
+    VesselForces, VesselOrders, VesselSetup, VesselState, Walls, WorldEvent, WorldEventKind,
+    WorldSetup, mass_matrix,
 };
 pub use fenderline_world::{change, chart, external, factors, order};
 pub use output_plan::{OutputPlan, OutputTable};

@@ -14,7 +14,13 @@ pub struct Chart {
     /// For each class of features in the chart's files, how many were read and how many were left out; the classes are
     /// in alphabetical order.
     pub classes: Vec<ChartClass>,
+    /// What of the chart is solid, as a part of the body [`SHORE`]: what was taken and what was left out, by class. Empty
+    /// if nothing is solid.
+    pub solid: Vec<ChartClass>,
 }
+
+/// Name of the body that the solid parts of a chart make.
+pub const SHORE: &str = "shore";
 
 impl Chart {
     /// The numbers of features that were read, class by class, in words; `None` if no feature was read.
@@ -28,23 +34,40 @@ impl Chart {
     /// left out.
     #[must_use]
     pub fn left_out_in_words(&self) -> Option<String> {
-        let mut reasons: Vec<&str> = Vec::new();
-        let all = || self.classes.iter().flat_map(|class| &class.left_out);
-        for (_, why) in all() {
-            if !reasons.contains(&why.as_str()) {
-                reasons.push(why);
-            }
-        }
-        let of_reason = |why: &str| {
-            let classes = self.classes.iter().filter_map(|class| {
-                let (count, _) = class.left_out.iter().find(|(_, of)| of == why)?;
-                Some(format!("{count} {}", class.class))
-            });
-            Some(format!("{} ({why})", listed(classes)?))
-        };
-        let texts: Vec<String> = reasons.into_iter().filter_map(of_reason).collect();
-        (!texts.is_empty()).then(|| texts.join("; "))
+        left_out_of(&self.classes)
     }
+
+    /// What of the chart is solid, and what of these classes is not, by class and number, in words; `None` if nothing is
+    /// solid.
+    #[must_use]
+    pub fn solid_in_words(&self) -> Option<String> {
+        let taken = self.solid.iter().filter(|class| class.read > 0);
+        let taken = listed(taken.map(|class| format!("{} {}", class.read, class.class)))?;
+        Some(match left_out_of(&self.solid) {
+            Some(left_out) => format!("{taken}; not taken: {left_out}"),
+            None => taken,
+        })
+    }
+}
+
+/// What was left out, by class and number, with the reasons; `None`: nothing was.
+fn left_out_of(classes: &[ChartClass]) -> Option<String> {
+    let mut reasons: Vec<&str> = Vec::new();
+    let all = || classes.iter().flat_map(|class| &class.left_out);
+    for (_, why) in all() {
+        if !reasons.contains(&why.as_str()) {
+            reasons.push(why);
+        }
+    }
+    let of_reason = |why: &str| {
+        let classes = classes.iter().filter_map(|class| {
+            let (count, _) = class.left_out.iter().find(|(_, of)| of == why)?;
+            Some(format!("{count} {}", class.class))
+        });
+        Some(format!("{} ({why})", listed(classes)?))
+    };
+    let texts: Vec<String> = reasons.into_iter().filter_map(of_reason).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// Words with commas between them; `None` without words.
@@ -86,6 +109,11 @@ pub struct GeographicPlace {
 pub struct ChartFeature {
     /// Kind of the feature.
     pub kind: ChartKind,
+    /// Class of the feature: an acronym of S-57 such as `SLCONS`, or the word of the kind.
+    pub class: &'static str,
+    /// The chart file of the feature, as an index in the scenario's list of files, and the number of the feature in the
+    /// file, counted from 1.
+    pub place: [usize; 2],
     /// Name of the feature; empty if the feature has no name.
     pub name: String,
     /// Shape and position of the feature.

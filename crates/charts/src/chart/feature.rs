@@ -18,6 +18,8 @@ type Read<T> = Result<T, String>;
 
 /// Reads the features of a GeoJSON file. Error texts do not contain the name of the feature; the caller adds the name.
 pub(super) struct Reading<'r> {
+    /// File and number of the feature that is read: see [`ChartFeature::place`].
+    pub(super) place: [usize; 2],
     pub(super) placing: &'r Placing,
     pub(super) budget: &'r mut Budget,
     /// How the rings of areas are checked.
@@ -57,9 +59,10 @@ impl Reading<'_> {
         let kind = kind(given)?;
         let of_kind = own_attributes(given, kind)?;
         let shapes = self.shapes(raw)?;
+        let class = (kind, kind.word(), self.place);
         let feature = |(shape, _)| {
             check_shape(kind, &shape)?;
-            Ok(charted(kind, shape, &of_kind))
+            Ok(charted(class, shape, &of_kind))
         };
         let features: Vec<ChartFeature> = shapes.into_iter().map(feature).collect::<Read<_>>()?;
         if kind == ChartKind::Name && of_kind.name.is_empty() {
@@ -97,6 +100,7 @@ impl Reading<'_> {
         if !shapes.iter().all(|(shape, _)| fits(shape)) {
             return Err(Refusal::LeftOut("its class does not allow its geometry"));
         }
+        let of_class = (class.kind, class.word, self.place);
         if class.kind == ChartKind::Sounding {
             let in_range = |depth_m: &f64| (DEPTHS_M[0]..=DEPTHS_M[1]).contains(depth_m);
             let depth_of = |third: Option<f64>| third.filter(in_range).or(attributes.depth_m);
@@ -104,12 +108,12 @@ impl Reading<'_> {
                 return Err(Refusal::LeftOut("no depth"));
             }
             let sounding = |(shape, third)| {
-                let feature = charted(class.kind, shape, &attributes);
+                let feature = charted(of_class, shape, &attributes);
                 ChartFeature { depth_m: depth_of(third), ..feature }
             };
             return Ok(shapes.into_iter().map(sounding).collect());
         }
-        let charted = |(shape, _)| charted(class.kind, shape, &attributes);
+        let charted = |(shape, _)| charted(of_class, shape, &attributes);
         Ok(shapes.into_iter().map(charted).collect())
     }
 
@@ -250,9 +254,15 @@ fn check_charted(ring: &[Vec2]) -> Read<()> {
 }
 
 /// Makes the chart's feature for one part of a geometry.
-fn charted(kind: ChartKind, shape: ChartShape, of: &Attributes) -> ChartFeature {
+fn charted(
+    (kind, class, place): (ChartKind, &'static str, [usize; 2]),
+    shape: ChartShape,
+    of: &Attributes,
+) -> ChartFeature {
     ChartFeature {
         kind,
+        class,
+        place,
         name: of.name.clone(),
         shape,
         depth_m: of.depth_m,

@@ -12,7 +12,7 @@ mod s57;
 
 use std::collections::BTreeMap;
 
-use fenderline_sim::chart::{ChartClass, ChartFeature};
+use fenderline_sim::chart::{ChartClass, ChartFeature, ChartKind};
 
 use self::feature::{Reading, Refusal, Rings};
 pub use self::placing::{Budget, Placing};
@@ -48,7 +48,7 @@ impl Counts {
 /// # Errors
 /// Returns the first mistake in the file, with its line and the number and name of its feature.
 pub fn read(
-    (name, text): (&str, &str),
+    (number, name, text): (usize, &str, &str),
     key: &str,
     placing: &Placing,
     budget: &mut Budget,
@@ -62,10 +62,11 @@ pub fn read(
             || s57::class_of(&geojson::Properties::default(), file.layer()),
             |given| s57::class_of(given, file.layer()),
         );
+        let place = [number, index + 1];
         let refused = |why| file.refused(index, &raw.name(), why);
         match found {
             None => {
-                let mut reading = Reading { placing, budget, rings: Rings::Outlines };
+                let mut reading = Reading { place, placing, budget, rings: Rings::Outlines };
                 let read = reading.features(&raw).map_err(refused)?;
                 if let Some(first) = read.first() {
                     counts.add_read(first.kind.word());
@@ -74,7 +75,7 @@ pub fn read(
             }
             Some(Found::NotRead(class)) => counts.add_left_out(&class, "the class is not read"),
             Some(Found::Read(class)) => {
-                let mut reading = Reading { placing, budget, rings: Rings::Charted };
+                let mut reading = Reading { place, placing, budget, rings: Rings::Charted };
                 match reading.of_s57(&raw, class) {
                     Ok(read) => {
                         counts.add_read(class.word);
@@ -97,4 +98,37 @@ pub fn read(
         }
     }
     Ok(features)
+}
+
+/// An error about a feature of a chart file that was read.
+pub fn refused(
+    (name, text): (&str, &str),
+    key: &str,
+    feature: &ChartFeature,
+    why: String,
+) -> ScenarioError {
+    match geojson::File::open(name, text, key, false) {
+        Ok(file) => file.refused(feature.place[1] - 1, &feature.name, why),
+        Err(error) => error,
+    }
+}
+
+/// The words of the classes that may be solid: what stands out of the water and does not give way to a ship.
+pub fn solid_words() -> impl Iterator<Item = &'static str> {
+    let is_solid = |kind: ChartKind| {
+        matches!(
+            kind,
+            ChartKind::Coast
+                | ChartKind::Quay
+                | ChartKind::Pontoon
+                | ChartKind::Building
+                | ChartKind::Mooring
+        )
+    };
+    let kinds = ChartKind::ALL.into_iter().filter(move |kind| is_solid(*kind));
+    s57::CLASSES
+        .iter()
+        .filter(move |class| is_solid(class.kind))
+        .map(|class| class.word)
+        .chain(kinds.map(ChartKind::word))
 }

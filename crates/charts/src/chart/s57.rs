@@ -32,7 +32,7 @@ const fn class(word: &'static str, number: u32, kind: ChartKind) -> Class {
 }
 
 /// The object classes of S-57 that the program reads.
-const CLASSES: [Class; 37] = [
+pub(super) const CLASSES: [Class; 37] = [
     class("ACHARE", 4, ChartKind::Anchorage),
     class("BCNCAR", 5, ChartKind::Beacon),
     class("BCNISD", 6, ChartKind::Beacon),

@@ -54,6 +54,21 @@ pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -
     candidate.face == 0 && !model.ranked.extent(a).widened(closing_m).overlaps(&box_b)
 }
 
+/// Returns true if one of the two outlines is one of parts, and no part of it is near the box around the other outline
+/// in this step. The circle and the box around a coast contain the water and all ships on the water.
+#[inline(never)]
+fn is_off_all_parts(model: &Model, bodies: &Bodies, [a, b]: [usize; 2]) -> bool {
+    let travel_m = |rank: usize| bodies.reach_m[rank] - model.ranked[rank].reach_m;
+    let closing_m = travel_m(a) + travel_m(b) + ROUNDING_M;
+    let is_off = |coast: usize, other: usize| {
+        let other_in_coast = bodies.poses[coast].to(bodies.poses[other]);
+        let place = model.ranked.extent(other).placed(other_in_coast).widened(closing_m);
+        let tree = model.ranked.shapes(coast).tree.filter(|_| model.ranked[coast].is_of_parts);
+        tree.is_some_and(|tree| tree.meeting(place).next().is_none())
+    };
+    is_off(a, b) || is_off(b, a)
+}
+
 /// Adds the candidates for each pair whose circles of reach meet: outline against outline, then each body's fenders
 /// against the outline of the other body. `first` is the number of the first pair in `pairs`.
 #[inline(never)]
@@ -74,8 +89,11 @@ fn push_near(
         let reach = reach_m[one] + reach_m[two];
         let apart = poses[one].position_m - poses[two].position_m;
         if apart.length_squared() <= reach * reach {
-            let candidate = Candidate { a, b, face: 0, material };
-            pairings.push(Pairing { candidate, island, pair: number });
+            let is_of_parts = model.ranked[one].is_of_parts || model.ranked[two].is_of_parts;
+            if !(is_of_parts && is_off_all_parts(model, bodies, [one, two])) {
+                let candidate = Candidate { a, b, face: 0, material };
+                pairings.push(Pairing { candidate, island, pair: number });
+            }
             if has_faces {
                 push_faces(model, bodies, pair, number, pairings);
             }

@@ -492,6 +492,12 @@ fn fingerprint(model: &Model) -> u64 {
         for v in body.outline.vertices() {
             hash.numbers(&[v.x, v.y]);
         }
+        if body.outline.is_of_parts() {
+            for piece in body.outline.pieces() {
+                hash.word(piece.len() as u64);
+                piece.iter().for_each(|v| hash.numbers(&[v.x, v.y]));
+            }
+        }
     }
     let material = |hash: &mut Fnv1a, MaterialId(index): MaterialId| {
         let m = &model.materials[index as usize];

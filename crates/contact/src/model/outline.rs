@@ -53,7 +53,10 @@ pub struct Outline {
     area_m2: f64,
     centroid_m: Vec2,
     radius_m: f64,
+    half_width_m: f64,
     bounds: (Vec2, Vec2),
+    /// For an outline of parts, the index after the last vertex of each ring; empty for an outline of one ring.
+    ring_ends: Vec<usize>,
 }
 
 impl Outline {
@@ -123,10 +126,123 @@ impl Outline {
         }
         let centroid_m = centroid(&pieces, vertices[0]);
         let radius_m = vertices.iter().map(|v| v.length()).fold(0.0, greater);
-        Some(Outline { vertices, pieces, area_m2, centroid_m, radius_m, bounds })
+        let half_width_m = 0.25 * area_m2 / radius_m;
+        let ring_ends = Vec::new();
+        Some(Outline {
+            vertices,
+            pieces,
+            area_m2,
+            centroid_m,
+            radius_m,
+            half_width_m,
+            bounds,
+            ring_ends,
+        })
     }
 
-    /// The vertices in the positive sense, tidied (m).
+    /// Makes one outline of several parts, such as the land of a chart: all parts belong to one body. `borders` are the
+    /// rings that are the border of the whole, also around holes; `parts` are simple polygons that together fill the
+    /// whole. The parts need not be the polygons within the borders: a land of many corners has far more parts than
+    /// borders, so that each part has few corners. Parts may touch. Where parts overlap, contacts count both.
+    ///
+    /// ```
+    /// use fenderline_contact::outline::Outline;
+    /// use fenderline_contact::vec2;
+    /// let square = |x: f64| [(x, 0.0), (x + 5.0, 0.0), (x + 5.0, 5.0), (x, 5.0)].map(|(x, y)| vec2(x, y));
+    /// let parts = [Outline::new(&square(0.0))?.0, Outline::new(&square(20.0))?.0];
+    /// let islands = Outline::of_parts(&[square(0.0).to_vec(), square(20.0).to_vec()], &parts)?;
+    /// assert_eq!(islands.area_m2(), 50.0);
+    /// assert_eq!(islands.rings().count(), 2);
+    /// # Ok::<(), fenderline_contact::outline::OutlineError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`OutlineError::TooFewVertices`] if there are no parts or a border has fewer than three corners;
+    /// [`OutlineError::NonFinite`] and [`OutlineError::TooFar`] for a corner of a border, counted over all borders.
+    pub fn of_parts(borders: &[Vec<Vec2>], parts: &[Outline]) -> Result<Outline, OutlineError> {
+        let vertices = borders.concat();
+        check_places(&vertices)?;
+        if let Some(short) = borders.iter().map(Vec::len).find(|count| *count < 3) {
+            return Err(OutlineError::TooFewVertices { count: short, distinct: short });
+        }
+        if parts.is_empty() || vertices.is_empty() {
+            return Err(OutlineError::TooFewVertices { count: 0, distinct: 0 });
+        }
+        let pieces: Vec<Vec<Vec2>> = parts.iter().flat_map(|part| part.pieces.clone()).collect();
+        let area_m2: f64 = parts.iter().map(|part| part.area_m2).sum();
+        let centroid_m = centroid(&pieces, vertices[0]);
+        let corners = || vertices.iter().chain(parts.iter().flat_map(|part| &part.vertices));
+        let radius_m = corners().map(|v| v.length()).fold(0.0, greater);
+        let bounds = parts.iter().fold(Extent::of(&vertices), |all, part| {
+            all.and(Extent { low_m: part.bounds.0, high_m: part.bounds.1 })
+        });
+        // About the mean of the parts, each of which is far from the origin.
+        let reach = |part: &Outline| {
+            part.vertices.iter().map(|v| (*v - part.centroid_m).length()).fold(0.0, greater)
+        };
+        let half_width_m = 0.25 * area_m2 / parts.iter().map(reach).sum::<f64>();
+        let ring_ends = borders
+            .iter()
+            .scan(0, |end, ring| {
+                *end += ring.len();
+                Some(*end)
+            })
+            .collect();
+        Ok(Outline {
+            vertices,
+            pieces,
+            area_m2,
+            centroid_m,
+            radius_m,
+            half_width_m,
+            bounds: (bounds.low_m, bounds.high_m),
+            ring_ends,
+        })
+    }
+
+    /// True for an outline that [`Outline::of_parts`] has made. Its vertices are those of several rings, one after the
+    /// other.
+    #[must_use]
+    #[inline]
+    pub fn is_of_parts(&self) -> bool {
+        !self.ring_ends.is_empty()
+    }
+
+    /// The rings of the border, each without its first corner at the end (m). An outline that is not of parts has one
+    /// ring, its vertices.
+    pub fn rings(&self) -> impl Iterator<Item = &[Vec2]> + Clone {
+        let whole = (!self.is_of_parts()).then_some(self.vertices.as_slice());
+        let starts = core::iter::once(0).chain(self.ring_ends.iter().copied());
+        let rings = starts.zip(&self.ring_ends).map(|(from, to)| &self.vertices[from..*to]);
+        whole.into_iter().chain(rings)
+    }
+
+    /// The edges of the border, ring by ring (m).
+    pub fn edges(&self) -> impl Iterator<Item = [Vec2; 2]> + Clone + '_ {
+        self.rings().flat_map(|ring| {
+            let ends = ring.iter().skip(1).chain(ring.first());
+            ring.iter().zip(ends).map(|(from, to)| [*from, *to])
+        })
+    }
+
+    /// Simple polygons that together are the outline (m): the outline itself, or the convex pieces of an outline of
+    /// parts.
+    pub fn polygons(&self) -> impl Iterator<Item = &[Vec2]> + Clone {
+        let whole = (!self.is_of_parts()).then_some(self.vertices.as_slice());
+        let pieces = if self.is_of_parts() { self.pieces.as_slice() } else { &[] };
+        whole.into_iter().chain(pieces.iter().map(Vec::as_slice))
+    }
+
+    /// About half the width (m), computed from the area: the area of a convex body is about its length times its width.
+    #[must_use]
+    #[inline]
+    pub(crate) fn half_width_m(&self) -> f64 {
+        self.half_width_m
+    }
+
+    /// The vertices in the positive sense, tidied (m). An outline of parts has the vertices of its rings, one ring after
+    /// the other.
     #[must_use]
     #[inline]
     pub fn vertices(&self) -> &[Vec2] {
@@ -135,7 +251,7 @@ impl Outline {
 
     /// Convex pieces that together are the outline, each in the positive sense (m).
     ///
-    /// All vertices of the pieces are vertices of the outline, bit for bit. An edge of a piece is either an edge of the
+    /// All vertices of the pieces are vertices of the outline, or of its parts, bit for bit. An edge of a piece is either an edge of the
     /// outline or a seam; another piece has the same seam in the opposite direction. An angle of a piece may be
     /// straight. A convex outline has one piece, the outline itself. A needle narrower than 1e-12 of its length is left
     /// out.
@@ -185,6 +301,10 @@ fn check_vertices(vertices: &[Vec2]) -> Result<(), OutlineError> {
     if vertices.len() > MAX_VERTICES {
         return Err(OutlineError::TooManyVertices { count: vertices.len() });
     }
+    check_places(vertices)
+}
+
+fn check_places(vertices: &[Vec2]) -> Result<(), OutlineError> {
     if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
         return Err(OutlineError::NonFinite { vertex });
     }

@@ -40,6 +40,8 @@ pub(crate) struct RankedBody {
     pub(crate) is_alike: bool,
     /// True if the body stands on the ground: it is fixed, or on a pile.
     pub(crate) stands: bool,
+    /// True if the outline is one of parts, which may surround the other body.
+    pub(crate) is_of_parts: bool,
     /// Largest distance of a vertex of the outline from the body's centre of gravity (m).
     pub(crate) radius_m: f64,
     /// Largest distance of a point of the body or of its fenders from the body's centre of gravity (m).
@@ -83,12 +85,14 @@ impl Ranked {
         for (rank, body) in bodies.enumerate() {
             let from = fenders.partition_point(|face| (face.host as usize) < rank);
             let to = fenders.partition_point(|face| face.host as usize <= rank);
-            let corners = body.outline.vertices().iter().map(|v| (v.x.to_bits(), v.y.to_bits()));
+            let of_parts = body.outline.is_of_parts().then(|| body.outline.pieces().concat());
+            let corners = of_parts.as_deref().unwrap_or(body.outline.vertices());
+            let corners = corners.iter().map(|v| (v.x.to_bits(), v.y.to_bits()));
             let (pieces, tree) = *shared.entry(corners.collect::<Vec<_>>()).or_insert_with(|| {
                 let first = ranked.pieces.len() as u32;
                 ranked.pieces.extend(body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)));
                 let own = &ranked.pieces[first as usize..];
-                let tree = (own.len() >= LEAST_WITH_TREE).then(|| {
+                let tree = (own.len() >= LEAST_WITH_TREE || of_parts.is_some()).then(|| {
                     ranked.trees.push(BoxTree::new(own));
                     ranked.trees.len() as u32 - 1
                 });
@@ -101,7 +105,8 @@ impl Ranked {
             ranked.bodies.push(often);
             ranked.piece_ranges.push(pieces);
             ranked.rests.push(seldom);
-            ranked.boxes.push(Extent::of(body.outline.vertices()));
+            let (low_m, high_m) = body.outline.bounds();
+            ranked.boxes.push(Extent { low_m, high_m });
         }
         ranked
     }
@@ -209,6 +214,7 @@ fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
     let on_pile = matches!(body.mobility, Mobility::OnPile { .. });
     let often = RankedBody {
         is_alike: inverse.is_isotropic() && !on_pile,
+        is_of_parts: body.outline.is_of_parts(),
         stands: on_pile || matches!(body.mobility, Mobility::Fixed),
         radius_m,
         reach_m: greater(radius_m, fenders_reach_m),
@@ -217,7 +223,7 @@ fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
         lightest_inverse_mass: inverse.largest_inverse_mass(),
         inverse_of_turning: inverse.inverse_inertia(),
     };
-    let half_width_m = 0.25 * area_m2 / radius_m;
+    let half_width_m = body.outline.half_width_m();
     let kirchhoff = match body.mobility {
         Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             Kirchhoff::new(surge_kg, sway_kg, yaw_inertia_kgm2)

@@ -9,6 +9,7 @@ use crate::geometry::shapes::Shapes;
 use crate::maths::vec2::{Pose, Vec2};
 use crate::model::Model;
 use crate::model::fender::RankedFender;
+use crate::model::outline::Outline;
 use crate::model::reaction::FenderLaw;
 use crate::model::slice::{SideMet, Slice};
 
@@ -40,13 +41,12 @@ impl Model {
     /// number of the fender's face, counted from 1.
     pub(crate) fn edges_met(&self, face: u32, rank: u32) -> impl Iterator<Item = [Vec2; 2]> {
         let slice = self.slices.place(face, rank).map(|place| self.slices.at(place));
-        let outline: &[Vec2] = match slice {
-            None => self.bodies()[self.id_of[rank as usize].0 as usize].outline.vertices(),
-            Some(_) => &[],
+        let outline = match slice {
+            None => Some(&self.bodies()[self.id_of[rank as usize].0 as usize].outline),
+            Some(_) => None,
         };
         let cut = slice.flatten().into_iter().flat_map(Slice::edges_m);
-        let whole = outline.iter().zip(outline.iter().cycle().skip(1));
-        whole.map(|(&from, &to)| [from, to]).chain(cut)
+        outline.into_iter().flat_map(Outline::edges).chain(cut)
     }
 
     /// The [`Slice::side`] of that slice of a body which a fender's face meets. The function also returns `None` for a

@@ -15,6 +15,7 @@ use crate::maths::number::{greater, lesser};
 use crate::maths::vec2::{Pose, Vec2};
 use crate::model::Model;
 use crate::model::fender::RankedFender;
+use crate::model::outline::Outline;
 use crate::overlap::hints::Hints;
 use crate::overlap::lenses::{Overlap, outlines};
 use crate::overlap::patch::{NOWHERE, Parts, Patch};
@@ -227,14 +228,14 @@ fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let by_sides_of = |rank: u32, other: u32| is_all_of(other) || !is_all_of(rank);
     let of_a = by_sides_of(a, b)
-        .then(|| least_sunk_side(outline_of(a).vertices(), patch.centroid_m, corners()))
+        .then(|| least_sunk_side(outline_of(a), patch.centroid_m, corners()))
         .flatten();
     let b_in_a = patch.b_in_a;
     let seen_from_b = corners().map(|v| b_in_a.apply_inverse(v));
     let of_b = by_sides_of(b, a)
         .then(|| {
             let centroid_m = b_in_a.apply_inverse(patch.centroid_m);
-            least_sunk_side(outline_of(b).vertices(), centroid_m, seen_from_b)
+            least_sunk_side(outline_of(b), centroid_m, seen_from_b)
         })
         .flatten();
     match (of_a, of_b) {
@@ -248,12 +249,12 @@ fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
 /// of the patch reach least deep. Returns the depth (m) behind the side that was found, and the outward normal of this
 /// side.
 fn least_sunk_side(
-    sides: &[Vec2],
+    outline: &Outline,
     centroid_m: Vec2,
     corners: impl Iterator<Item = Vec2> + Clone,
 ) -> Option<(f64, Vec2)> {
     let mut best: Option<(f64, Vec2)> = None;
-    for (&start, &end) in sides.iter().zip(sides.iter().cycle().skip(1)) {
+    for [start, end] in outline.edges() {
         let (along, to) = (end - start, centroid_m - start);
         let share = to.dot(along);
         if !(0.0..=along.length_squared()).contains(&share) || along.cross(to) < 0.0 {

@@ -1,5 +1,6 @@
 //! Keys of the depth of the water by place.
 
+use fenderline_sim::environment::BankMethod;
 use serde_json::json;
 
 use crate::choices::{Choice, Choices};
@@ -76,8 +77,36 @@ table_keys! {
              comes there; a length is the depth below datum there.",
             &["\"error\"", "\"15 m\""],
         ),
+        BANKS: OneOf<Option<BankMethod>> = key(
+            "banks",
+            Kind::Choice(&BANKS),
+            Is("\"norrbin\""),
+            "Method for the force of the banks that the bottom has, to both sides of a vessel as far as 10 beams. Cross-sections \
+             at six places along her are cut into level layers, from the surface to the mean depth under her. A layer ends \
+             at a vertical wall, where the bottom first stands above the layer; the vertical wall that stands for a side \
+             has the mean effect of the side's layers. So a vertical bank stands for itself, and a sloping or submerged \
+             bank for a wall farther off. These walls are our assumption: no whole set of published formulas for banks of any \
+             shape could be read. The effect of banks is UNVALIDATED.",
+            &["\"image\"", "\"none\""],
+        ),
     }
 }
+
+static BANKS: Choices<Option<BankMethod>> = Choices(&[
+    Choice {
+        word: "norrbin",
+        value: Some(BankMethod::Norrbin),
+        doc: "Norrbin's formulas for a vertical wall (from memory): suction to the wall, and a moment that turns the bow away. \
+              Three beams off, the suction is 3 to 11 times that of a panel method.",
+    },
+    Choice {
+        word: "image",
+        value: Some(BankMethod::Image),
+        doc: "The flow of the vessel's image behind a wall along her, as for `bank`: suction alone, for vessels of at least \
+              3.5 beams.",
+    },
+    Choice { word: "none", value: None, doc: "No force of banks." },
+]);
 
 /// The kind of coordinates in which a survey gives places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use serde_json::json;
 
 use crate::choices::{Choice, Choices};
-use crate::held::{Number, OneOf, TableOf, Texts};
-use crate::spec::Absent::{Refused, Unless};
+use crate::held::{Name, Number, OneOf, TableOf, Texts};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::table_keys;
 use crate::units::measures as unit;
@@ -12,7 +12,7 @@ use crate::units::measures as unit;
 pub(super) static CHART: TableSpec = TableSpec {
     what: "a chart",
     doc: "A chart from GeoJSON files, which is drawn behind ships and quays. A chart exerts no \
-          force, but bodies may take their outlines from the chart (`chart_outline`), and \
+          force, but its land and quays may be `solid`, bodies may take their outlines from the chart (`chart_outline`), and \
           `environment.bottom` takes depths from the chart. A feature of the files has the \
           property `kind`, such as \"coast\", \"depth_area\" or \"quay\"; or the feature comes from \
           an electronic chart (S-57) in the form in which GDAL writes it: the property `OBJL` or \
@@ -21,7 +21,10 @@ pub(super) static CHART: TableSpec = TableSpec {
     keys: ChartKey::ALL,
     rules: Some(|| {
         json!({
-            "allOf": [{ "properties": { "files": { "minItems": 1 } } }],
+            "allOf": [{ "properties": { "files": { "minItems": 1 }, "solid": { "minItems": 1 } } }],
+            "dependentRequired": {
+                "solid": ["solid_material"], "solid_material": ["solid"], "solid_width": ["solid"]
+            },
             "if": { "properties": { "coordinates": { "const": "metres" } } },
             "then": { "properties": { "projection": false, "origin": false } },
             "else": { "required": ["projection", "origin"] }
@@ -59,6 +62,33 @@ table_keys! {
             Unless("`coordinates` is \"metres\""),
             "Latitude and longitude of the scenario's origin.",
             &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
+        ),
+        SOLID: Texts = key(
+            "solid",
+            Kind::Texts,
+            Means("the chart exerts no force"),
+            "Classes of features that are solid: ships that run into them feel contact forces. The \
+             classes are those of S-57 (LNDARE, COALNE, SLCONS, PONTON, FLODOC, HULKES, MORFAC, \
+             BUISGL), or the kinds coast, quay, pontoon, building and mooring. All of them together \
+             are one fixed body named `shore`. Areas are solid as they are, and lines as strips of \
+             `solid_width`; points are not taken. `check` prints what was taken.",
+            &["[\"LNDARE\", \"SLCONS\"]"],
+        ),
+        SOLID_MATERIAL: Name = key(
+            "solid_material",
+            Kind::MaterialName,
+            Unless("nothing is `solid`"),
+            "Material of the contacts between the shore and each floating body. A pair of bodies that \
+             names `shore` may give another material.",
+            &["\"rock\""],
+        ),
+        SOLID_WIDTH: Number = key(
+            "solid_width",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 50.0 }),
+            Is("\"4 m\""),
+            "Width of the strip that a solid line becomes, half of it on either side of the line. A \
+             hull that comes through half of the width is pushed out on the other side.",
+            &["\"2 m\""],
         ),
     }
 }

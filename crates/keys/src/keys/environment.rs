@@ -481,6 +481,12 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
               the ship / section of the water around her; if the depth is the same everywhere (`depth`), and in wide \
               water, S2 is computed with the section of open water",
     },
+    Choice {
+        word: "icorels_channel",
+        value: Some(Squat::IcorelsChannel),
+        doc: "ICORELS with the blockage of the channel: times Huuska's factor 7.45 s + 0.76, at least 1, with s = 0.98 beam x \
+              draught / section of the water; with one depth, and in water wider than 30 beams, the same as \"icorels\"",
+    },
 ]);
 
 static BANK: TableSpec = TableSpec {

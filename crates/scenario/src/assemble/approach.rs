@@ -324,9 +324,12 @@ impl Assembly<'_, '_> {
         let target = targets.iter().find(|target| target.fender == approach.fender);
         let target = target.expect("the fender must be a fender of the berth");
         let hull = moved(ship.outline.vertices(), pose(ship));
-        let structures = berth.iter().map(|body| {
+        let structures = berth.iter().flat_map(|body| {
             let body = &bodies[*body];
-            (body, moved(body.outline.vertices(), pose(body)))
+            let near = body.outline.polygons().filter(|polygon| {
+                !body.outline.is_of_parts() || are_near(polygon, ship, approach.distance_m)
+            });
+            near.map(move |polygon| (body, moved(polygon, pose(body))))
         });
         let more_m = distance_to_clear_m(&hull, &targets, structures.clone(), target.out);
         // A hull that touches a face from outside does not start inside.
@@ -394,6 +397,19 @@ impl Assembly<'_, '_> {
 }
 
 /// How far a hull must move out of the berth until the hull is clear of the berth (m).
+/// Whether a part of the shore may be in the way of a ship that begins `distance_m` off her berth.
+fn are_near(part: &[Vec2], ship: &BodySetup, distance_m: f64) -> bool {
+    let reach_m = distance_m + 2.0 * ship.outline.radius_m();
+    let ends = |of: fn(&Vec2) -> f64| {
+        let low = part.iter().map(of).fold(f64::INFINITY, libm::fmin);
+        [low, part.iter().map(of).fold(f64::NEG_INFINITY, libm::fmax)]
+    };
+    let ([low, high], [west, east]) = (ends(|v| v.x), ends(|v| v.y));
+    let at = ship.position_m;
+    (low - reach_m..=high + reach_m).contains(&at.x)
+        && (west - reach_m..=east + reach_m).contains(&at.y)
+}
+
 fn distance_to_clear_m<'b>(
     hull: &[Vec2],
     targets: &[Target],

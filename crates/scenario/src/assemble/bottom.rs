@@ -93,7 +93,17 @@ impl Assembly<'_, '_> {
             let (span, path) = place_of(environment, item, about);
             self.note_at(&span, path, text);
         }
-        Ok(Some(Bottom { field: Arc::new(made.field), outside }))
+        let banks = of.given(BottomKey::BANKS).choice();
+        let straight = environment.given(EnvironmentKey::BANK).list();
+        if let (Some(_), Some(first)) = (banks, straight.iter().next()) {
+            let banks = of.path_of(BottomKey::BANKS);
+            let message = format!(
+                "a straight bank acts beside the banks of the bottom: if the bottom has the same bank, its force is counted \
+                 twice; {banks} = \"none\" leaves out those of the bottom"
+            );
+            self.note(first, &message);
+        }
+        Ok(Some(Bottom { field: Arc::new(made.field), outside, banks }))
     }
 
     fn outside(&self, of: Of<'_, BottomKey>) -> Checked<Outside> {

@@ -30,9 +30,9 @@ impl Assembly<'_, '_> {
         let key = table.path_of(ChartKey::FILES);
         let mut budget = Budget::OF_CHART;
         let (mut features, mut counts) = (Vec::new(), Counts::default());
-        for name in files.texts() {
+        for (number, name) in files.texts().iter().enumerate() {
             let into = (&mut counts, &mut *self.notices);
-            let file = (name.as_str(), self.files.text(name));
+            let file = (number, name.as_str(), self.files.text(name));
             features.extend(read(file, &key, &placing, &mut budget, into)?);
         }
         let projected = match (placing, origin) {
@@ -42,7 +42,7 @@ impl Assembly<'_, '_> {
             }
             _ => None,
         };
-        let chart = Chart { features, origin, classes: counts.classes() };
+        let chart = Chart { features, origin, classes: counts.classes(), solid: Vec::new() };
         Ok(Charted { chart, projected })
     }
 

@@ -37,9 +37,7 @@ impl Edge {
 
 /// The edges of an outline.
 pub(super) fn edges(outline: &Outline) -> impl Iterator<Item = Edge> {
-    let vertices = outline.vertices();
-    (0..vertices.len()).map(move |index| {
-        let (from_m, to_m) = (vertices[index], vertices[(index + 1) % vertices.len()]);
+    outline.edges().map(|[from_m, to_m]| {
         let length_m = (to_m - from_m).length();
         let along = (to_m - from_m) * (1.0 / length_m);
         // Vertices run in the positive sense.

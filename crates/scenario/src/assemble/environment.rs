@@ -228,7 +228,16 @@ impl Assembly<'_, '_> {
             );
         }
         // Over a bottom by place the verdict names the depths that a vessel meets.
-        if environment.bottom.is_some() {
+        if let Some(bottom) = &environment.bottom {
+            if let (Some(BankMethod::Norrbin), Some(item), false) =
+                (bottom.banks, surroundings.item(EnvironmentKey::BOTTOM), kinds.all.is_empty())
+            {
+                self.note(
+                    item.table(),
+                    "bank suction is UNVALIDATED: Norrbin's formulas are from memory, and the vertical walls that stand \
+                     for the sections of the bottom are our assumption; `banks = \"none\"` leaves out the force of banks",
+                );
+            }
             return;
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };

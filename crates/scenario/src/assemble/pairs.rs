@@ -26,6 +26,13 @@ impl Pairs {
 }
 
 impl Pairs {
+    /// Adds a pair, unless the file names the pair.
+    pub(super) fn add_if_new(&mut self, pair: PairSetup) {
+        if self.touching.insert(ordered(pair.bodies)) {
+            self.named.push(pair);
+        }
+    }
+
     /// Whether some pair allows two bodies to touch.
     pub(super) fn may_touch(&self, bodies: [usize; 2]) -> bool {
         self.every_other.is_some() || self.touching.contains(&ordered(bodies))

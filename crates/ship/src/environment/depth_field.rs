@@ -2,6 +2,7 @@
 
 use fenderline_contact::{Vec2, vec2};
 
+use super::depth_blocks::Blocks;
 use super::error::EnvironmentError;
 use crate::range::within;
 
@@ -36,6 +37,7 @@ pub struct DepthField {
     /// Depths at the nodes; NaN: no data. The index of the columns (north) varies fastest.
     depths_m: Vec<f32>,
     range_m: [f64; 2],
+    blocks: Blocks,
 }
 
 impl PartialEq for DepthField {
@@ -129,7 +131,8 @@ impl DepthField {
         if range_m[0] > range_m[1] {
             return Err(EnvironmentError::NoData { table: "the depth field" });
         }
-        Ok(DepthField { origin_m, cell_m, columns, rows, depths_m, range_m })
+        let blocks = Blocks::new(columns, rows, &depths_m);
+        Ok(DepthField { origin_m, cell_m, columns, rows, depths_m, range_m, blocks })
     }
 
     /// Depth below datum at a place (m), bilinear in the cell; `None` outside the data, or where a corner of the cell
@@ -165,6 +168,18 @@ impl DepthField {
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         self.range_m
+    }
+
+    /// A depth below datum (m) that no place within a distance of a place undercuts, from blocks of cells: often less
+    /// than the least depth there, never more, apart from rounding. `None`: a place within the distance may have no
+    /// data.
+    #[must_use]
+    pub fn at_least_m(&self, place_m: Vec2, reach_m: f64) -> Option<f64> {
+        let ends = [-reach_m, reach_m].map(|by_m| {
+            let from_m = place_m - self.origin_m + vec2(by_m, by_m);
+            [from_m.x / self.cell_m, from_m.y / self.cell_m]
+        });
+        self.blocks.least_m(ends[0], ends[1])
     }
 
     /// Side of a cell (m).
@@ -273,6 +288,44 @@ mod tests {
             assert_eq!(gradient, vec2(1.0 / 64.0, -1.0 / 32.0));
         }
         assert_eq!(field.range_m(), [plane(-160.0, 320.0), plane(160.0, 80.0)]);
+    }
+
+    /// A ship with this depth under her needs no sounding; a ship over a hole in the data does.
+    #[test]
+    fn no_place_of_an_area_is_shallower_than_the_least_depth_of_its_blocks() {
+        let wavy = |north: f64, east: f64| {
+            15.0 + 3.0 * libm::sin(north / 37.0) * libm::cos(east / 51.0) - east / 200.0
+        };
+        let whole = field(vec2(-900.0, 40.0), 2.5, [731, 410], wavy);
+        let corners = whole.corners_m();
+        let (mut known, mut near) = (0, 0);
+        for (index, place_m) in places(300, corners).enumerate() {
+            let reach_m = [1.0, 12.0, 90.0, 400.0][index % 4];
+            let area = [place_m - vec2(reach_m, reach_m), place_m + vec2(reach_m, reach_m)];
+            let within = places(400, area).map(|at_m| whole.depth_m(at_m));
+            let Some(least_m) = whole.at_least_m(place_m, reach_m) else {
+                assert!(
+                    area[0].x < corners[0].x
+                        || area[0].y < corners[0].y
+                        || area[1].x > corners[1].x
+                        || area[1].y > corners[1].y,
+                    "{place_m:?}"
+                );
+                continue;
+            };
+            let sounded_m = within.map(Option::unwrap).fold(f64::INFINITY, lesser);
+            assert!(least_m <= sounded_m + 1e-6, "{place_m:?}, {reach_m}: {least_m}, {sounded_m}");
+            known += 1;
+            near += usize::from(least_m > sounded_m - 2.0);
+        }
+        assert!(known > 150 && near > known / 2, "{known}, {near}");
+        // A hole, and an area beside it.
+        let mut depths_m = vec![9.0; 100 * 100];
+        depths_m[50 * 100 + 50] = f32::NAN;
+        let holed = DepthField::new(vec2(0.0, 0.0), 1.0, 100, 100, depths_m).unwrap();
+        assert_eq!(holed.at_least_m(vec2(50.0, 50.0), 3.0), None);
+        assert_eq!(holed.at_least_m(vec2(10.0, 10.0), 3.0), Some(9.0));
+        assert_eq!(holed.at_least_m(vec2(f64::NAN, 10.0), 3.0), None);
     }
 
     #[test]

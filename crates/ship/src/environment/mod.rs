@@ -36,6 +36,7 @@
 
 mod bank;
 pub mod current;
+mod depth_blocks;
 mod depth_field;
 mod error;
 mod harmonics;

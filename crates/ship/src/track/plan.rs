@@ -7,6 +7,7 @@
 //! turn of constant radius of bridge practice (read: "Wheel over point", seachest.in, 2015, which takes about the ship's
 //! length for F).
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
 
 use super::error::TrackError;
@@ -222,7 +223,7 @@ impl PassagePlan {
         const STEP_M: f64 = 50.0;
         let edge = |leg: usize, off_m: f64| {
             let (from_m, to_m) = (self.passed_m(leg), self.passed_m(leg + 1));
-            let parts = libm::ceil((to_m - from_m) / STEP_M).max(1.0) as u32;
+            let parts = greater(libm::ceil((to_m - from_m) / STEP_M), 1.0) as u32;
             let point = |part: u32| {
                 let along_m = from_m + (to_m - from_m) * f64::from(part) / f64::from(parts);
                 let place = self.path.at(along_m);

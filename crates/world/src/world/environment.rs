@@ -10,7 +10,9 @@ use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::Sea;
 use fenderline_ship::environment::wind::Wind;
-use fenderline_ship::environment::{Bank, DepthField, EnvironmentError, LongWaves, Tide};
+use fenderline_ship::environment::{
+    Bank, BankMethod, DepthField, EnvironmentError, LongWaves, Tide,
+};
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
 
@@ -40,6 +42,8 @@ pub struct Bottom {
     pub field: Arc<DepthField>,
     /// The depth that is used where the field has no data, or an error there.
     pub outside: Outside,
+    /// Method for the force of the banks that the field has: [`Walls`](super::Walls); `None`: no force.
+    pub banks: Option<BankMethod>,
 }
 
 /// What the program does where a [`DepthField`] has no data.
@@ -82,9 +86,14 @@ impl Bottom {
             Outside::Depth(depth_m) => format!("{depth_m} m where there is no data"),
             Outside::Error => "an error where there is no data".to_owned(),
         };
+        let banks = match self.banks {
+            None => "no force of banks",
+            Some(BankMethod::Norrbin) => "banks by Norrbin's formulas (unvalidated)",
+            Some(BankMethod::Image) => "banks by the image of a vessel",
+        };
         format!(
             "bottom: {north} by {east} nodes to the north and east, cells of {} m; {least_m:.1} to {most_m:.1} m below datum; \
-             {share:.1} % of the nodes without data; {outside}",
+             {share:.1} % of the nodes without data; {outside}; {banks}",
             field.cell_m()
         )
     }

@@ -17,12 +17,13 @@
 //! the end of the step (implicit). So the lift takes and returns the same energy with any time step, and friction never
 //! reverses the ship.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 use fenderline_seakeeping::matrix;
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_ship::hydro::Force;
 
-use super::environment::Environment;
+use super::environment::{Bottom, Environment};
 use super::soundings::{STATIONS, stations};
 use super::vessel::{BOTTOM_FRICTION, SLOW_MPS, VesselSetup};
 
@@ -42,6 +43,8 @@ const WAY: [(f64, f64); 5] = [
 /// Largest number of iterations for the velocity at the end of a step, and the change of velocity at which the
 /// iteration ends (m/s).
 const ITERATIONS: (usize, f64) = (60, 1e-10);
+/// Places and depths may be rounded by as much (m).
+const ROUNDING_M: f64 = 1e-3;
 /// Largest number of changes of the set of stations that touch the bottom.
 const CHANGES: usize = 40;
 
@@ -123,6 +126,17 @@ impl<'a> Keel<'a> {
             bottom_npm: rise_npm * (1.0 + 1.0 / YIELD),
             can_heel: heel_nm.is_some(),
         }
+    }
+
+    /// Whether the bottom is below the keel all around a ship, so that no station touches on a way of this length (m). A
+    /// few look-ups then replace the soundings under all stations along the way.
+    fn is_clear_of(&self, bottom: &Bottom, state: &BodyState, way_m: f64) -> bool {
+        let hull = &self.setup.ship.particulars;
+        // The farthest station from the centre of gravity: a corner of the rectangle of length and beam.
+        let ahead_m = 0.5 * hull.length_m + hull.centre_of_gravity_m.abs();
+        let reach_m = libm::sqrt(ahead_m * ahead_m + 0.25 * hull.beam_m * hull.beam_m);
+        let least_m = bottom.field.at_least_m(state.position_m, reach_m + way_m + ROUNDING_M);
+        least_m.is_some_and(|least_m| least_m >= self.keel_m + ROUNDING_M)
     }
 
     /// The force of the bottom after the ship has moved forward and to starboard (m) and has turned (rad) from the
@@ -274,10 +288,28 @@ impl VesselSetup {
         let axes = Rotation::from_angle(state.heading_rad);
         let own = axes.apply_inverse(state.velocity_mps);
         let before = [own.x, own.y, state.yaw_rate_radps];
+        if keel.is_clear_of(bottom, state, way(&before, step)) {
+            return Force::default();
+        }
         let [surge_n, sway_n, yaw_nm] = mean_force(&keel, state, before, step);
         let ahead_m = self.ship.particulars.centre_of_gravity_m;
         Force { surge_n, sway_n, yaw_nm: yaw_nm + ahead_m * sway_n }
     }
+}
+
+/// The velocity at the end of a step without a load of the bottom.
+fn after_without_load(before: &Vector, Step { mass, given, acts_s, .. }: &Step) -> Vector {
+    let momentum = times(mass, before);
+    solve(mass, &[0, 1, 2].map(|k| momentum[k] + acts_s * given[k]))
+}
+
+/// How far a ship comes from her place on the way of a step on which the bottom does not touch her (m).
+fn way(before: &Vector, step: &Step) -> f64 {
+    let after = after_without_load(before, step);
+    let moved = |speed: &Vector, time_s: f64| {
+        time_s.abs() * libm::sqrt(speed[0] * speed[0] + speed[1] * speed[1])
+    };
+    greater(moved(before, step.lag_s), moved(&after, step.acts_s - step.lag_s))
 }
 
 /// The mean force of the bottom over the ship's path from the time of her last velocity to the time of her next
@@ -287,7 +319,7 @@ fn mean_force(keel: &Keel<'_>, state: &BodyState, before: Vector, step: &Step) -
     let ahead_s = acts_s - lag_s;
     let from = before.map(|speed| -lag_s * speed);
     let momentum = times(mass, &before);
-    let mut after = solve(mass, &[0, 1, 2].map(|k| momentum[k] + acts_s * given[k]));
+    let mut after = after_without_load(&before, step);
     let start = keel.load(state, &from);
     let mut force = [0.0; 3];
     for _ in 0..ITERATIONS.0 {

@@ -158,7 +158,7 @@ mod tests {
         let depths_m = (0..101 * 101).map(node).collect();
         let field = DepthField::new(vec2(-400.0, -400.0), 8.0, 101, 101, depths_m).unwrap();
         Environment {
-            bottom: Some(Bottom { field: Arc::new(field), outside }),
+            bottom: Some(Bottom { field: Arc::new(field), outside, banks: None }),
             tide: Tide::Level(0.5),
             ..Environment::default()
         }

@@ -5,6 +5,7 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
+use super::bank_walls::Walls;
 use super::current_table::CurrentTable;
 use super::environment::{Environment, NoDepth};
 use super::fault::Faults;
@@ -20,9 +21,9 @@ use fenderline_ship::environment::waves::{
 use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
 use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
 use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
-use fenderline_ship::hydro::shallow::{SHALLOWEST_RATIO, width_of_influence_m};
+use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
 use fenderline_ship::hydro::vessels::Origin;
-use fenderline_ship::hydro::{Controls, Force, Mmg, Squat, Velocity};
+use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
 use fenderline_ship::track::{OnPlan, PassagePlan};
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
@@ -387,7 +388,7 @@ impl VesselSetup {
             waves: self.drift(state, environment, velocity_t_s),
             excitation: Force::default(),
             radiation: Force::default(),
-            banks: self.banks(state, velocity, environment, soundings),
+            banks: self.banks((state, velocity), environment, soundings, t_s),
             passing: Force::default(),
             // `World::step` adds the force of a bottom that is not level, which depends on all other forces.
             bottom: match soundings.is_level {
@@ -476,17 +477,22 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Force and moment of all banks by Norrbin's formulas.
+    /// Force and moment of all banks by Norrbin's formulas: straight banks, and the walls for the sections of the bottom.
     fn banks(
         &self,
-        state: &BodyState,
-        velocity: &Velocity,
+        (state, velocity): (&BodyState, &Velocity),
         environment: &Environment,
         soundings: &Soundings,
+        t_s: f64,
     ) -> Force {
         let mut banks =
             environment.banks.iter().filter(|bank| bank.method() == BankMethod::Norrbin).peekable();
-        if banks.peek().is_none() {
+        let of_bottom = environment
+            .bottom
+            .as_ref()
+            .filter(|bottom| bottom.banks == Some(BankMethod::Norrbin))
+            .filter(|_| velocity.surge_mps != 0.0);
+        if banks.peek().is_none() && of_bottom.is_none() {
             return Force::default();
         }
         let hull = &self.ship.particulars;
@@ -500,13 +506,17 @@ impl VesselSetup {
         };
         let water =
             BankWater { density_kgpm3: environment.water_density_kgpm3, depth_m: soundings.mean_m };
-        banks.fold(Force::default(), |sum, bank| {
+        let straight = banks.fold(Force::default(), |sum, bank| {
             let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
             sum + Force { surge_n, sway_n, yaw_nm }
-        })
+        });
+        let (Some(bottom), Some(depth_m)) = (of_bottom, soundings.mean_m) else { return straight };
+        let walls = Walls::beside(hull, state, (bottom, environment.level_m(t_s), depth_m));
+        let [surge_n, sway_n, yaw_nm] = ship.between_walls(walls.per_m, &water);
+        straight + Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// The vessel's squat in the mean depth under her (m), and by [`Squat::BarrassChannel`] in the cross-section of the
+    /// The vessel's squat in the mean depth under her (m), and by a formula for channels in the cross-section of the
     /// water at midship; 0 in deep water.
     pub fn squat_m(
         &self,
@@ -519,12 +529,11 @@ impl VesselSetup {
         };
         let surge_mps = self.velocity(state, environment, t_s).surge_mps;
         let hull = &self.ship.particulars;
-        let section_m2 = match (&environment.bottom, squat) {
-            (Some(bottom), Squat::BarrassChannel) => {
+        let section_m2 = match (&environment.bottom, squat.width_m(hull)) {
+            (Some(bottom), Some(width_m)) => {
                 let midship_m = state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0));
                 let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
-                let half_width_m = 0.5 * width_of_influence_m(hull);
-                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), half_width_m)
+                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), 0.5 * width_m)
             }
             _ => f64::INFINITY,
         };

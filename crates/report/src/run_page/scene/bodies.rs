@@ -8,6 +8,7 @@ use crate::plot::{Frame, Label, Outlined, Place, Stage, shortened};
 /// Longest name in a plan view (characters).
 pub(super) const NAME_LENGTH: usize = 26;
 
+/// The outline of a body for drawing; without vertices for the shore, which the chart draws.
 pub(super) fn outlined(
     body: &BodySetup,
     state: &BodyState,
@@ -15,8 +16,33 @@ pub(super) fn outlined(
     style: usize,
 ) -> Outlined {
     let pose = state.pose();
-    let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+    let drawn = if body.outline.is_of_parts() { &[] } else { body.outline.vertices() };
+    let vertices_m = drawn.iter().map(|v| pose.apply(*v)).collect();
     Outlined { vertices_m, stage, style }
+}
+
+/// The outlines of a body within a frame: those rings of a shore that come into the frame, or the one outline of another
+/// body.
+pub(super) fn outlined_in(
+    frame: Frame,
+    body: &BodySetup,
+    state: &BodyState,
+    stage: Stage,
+    style: usize,
+) -> Vec<Outlined> {
+    if !body.outline.is_of_parts() {
+        return vec![outlined(body, state, stage, style)];
+    }
+    let pose = state.pose();
+    let rings = body.outline.rings().map(|ring| ring.iter().map(|v| pose.apply(*v)));
+    let comes_in = |of: &Frame| {
+        of.low.x <= frame.high.x
+            && of.low.y <= frame.high.y
+            && of.high.x >= frame.low.x
+            && of.high.y >= frame.low.y
+    };
+    let near = rings.filter(|ring| Frame::around(ring.clone()).as_ref().is_some_and(comes_in));
+    near.map(|ring| Outlined { vertices_m: ring.collect(), stage, style }).collect()
 }
 
 /// Number of the colour of each body: floating bodies take the colours in the order of the scenario.

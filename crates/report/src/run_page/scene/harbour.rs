@@ -247,7 +247,9 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             let around = Frame::around(outline.vertices_m.iter().copied());
             frame = joined(frame, around);
         }
-        outlines.push(outline);
+        if !outline.vertices_m.is_empty() {
+            outlines.push(outline);
+        }
     }
     let Some(frame) = frame else { return html! {} };
     let marks = |mark: &&TugMark| {

@@ -10,7 +10,7 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::{Markup, html};
 
-use self::bodies::{NAME_LENGTH, body_label, joined, outlined, styles};
+use self::bodies::{NAME_LENGTH, body_label, joined, outlined, outlined_in, styles};
 use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use super::strongest::strongest;
@@ -80,7 +80,8 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let setup = outcome.setup;
     let styles = styles(setup);
     let order = by_importance(setup, recorder);
-    let drawn: BTreeSet<usize> = order.iter().copied().collect();
+    let is_drawn = |body: &usize| !setup.bodies[*body].outline.is_of_parts();
+    let drawn: BTreeSet<usize> = order.iter().copied().filter(is_drawn).collect();
     let mut outlines = Vec::new();
     let (mut floating, mut fixed) = (None::<Frame>, None::<Frame>);
     for &i in &drawn {
@@ -92,7 +93,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
             outlines.push(outline);
         }
     }
-    let labels = order.iter().take(NAMED).filter_map(|&i| {
+    let labels = order.iter().filter(|body| is_drawn(body)).take(NAMED).filter_map(|&i| {
         let (state, _) = stages(i, outcome, recorder).into_iter().next()?;
         Some(body_label(&setup.bodies[i], state))
     });
@@ -240,12 +241,13 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     // Colours repeat after a few bodies; the colours of this pair must differ.
     let pair_styles =
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
-    let outlines =
-        [0, 1].map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), pair_styles[k]));
     let smaller_m = lesser(bodies[0].outline.radius_m(), bodies[1].outline.radius_m());
     let half_m = bounded(12.0 * peak.contact.depth_m, 0.25 * smaller_m, smaller_m);
     let centre = peak.contact.point_m;
     let frame = Frame::about(centre, half_m);
+    let outlines = [0, 1].into_iter().flat_map(|k| {
+        outlined_in(frame, bodies[k], &peak.states[k], stage(bodies[k]), pair_styles[k])
+    });
     // Along the normal, body 1 is behind the contact and body 2 before it.
     let labels = [0, 1].map(|k| {
         let normal = peak.contact.normal * [-1.0, 1.0][k];
@@ -279,7 +281,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
             significant(peak.contact.depth_m, 3)
         ),
         frame,
-        outlines: outlines.to_vec(),
+        outlines: outlines.collect(),
         fenders: boxes(outcome, &peak.deflections_m, shown),
         harbour: Harbour::default(),
         tracks: Vec::new(),

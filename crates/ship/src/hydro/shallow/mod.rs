@@ -49,8 +49,8 @@ pub use berth::{current_abeam_n, shallow_cross_flow_drag};
 pub use factors::{Corrections, HullFactors, MassFactors, SternFactors};
 pub use limits::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 pub use squat_formulas::{
-    barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m,
-    width_of_influence_m,
+    barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_channel_squat_m,
+    icorels_squat_m, width_of_blockage_m, width_of_influence_m,
 };
 
 use fenderline_contact::number::greater;

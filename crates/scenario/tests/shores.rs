@@ -1,0 +1,184 @@
+//! Solid shores: which features of a chart become the body `shore`, and every mistake with file, feature and place.
+
+use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_scenario::{Scenario, ScenarioError};
+use fenderline_sim::{Setup, Simulation};
+
+/// A basin: land on three sides with a quay area on top of it, a breakwater as a line, a hole in the land, a post.
+const CHART: &str = r#"{ "type": "FeatureCollection", "features": [
+{ "type": "Feature", "properties": { "OBJL": 71, "OBJNAM": "Main" }, "geometry": { "type": "Polygon", "coordinates":
+  [[[-400, -300], [400, -300], [400, 300], [300, 300], [300, 0], [-300, 0], [-300, 300], [-400, 300], [-400, -300]],
+   [[350, 100], [390, 100], [390, 200], [350, 200], [350, 100]]] } },
+{ "type": "Feature", "properties": { "OBJL": 122, "OBJNAM": "Pier" }, "geometry": { "type": "Polygon", "coordinates":
+  [[[-50, -20], [50, -20], [50, 0], [-50, 0], [-50, -20]]] } },
+{ "type": "Feature", "properties": { "OBJL": 122, "OBJNAM": "Mole" }, "geometry": { "type": "LineString", "coordinates":
+  [[300, 300], [100, 320], [20, 320]] } },
+{ "type": "Feature", "properties": { "OBJL": 122, "OBJNAM": "Front" }, "geometry": { "type": "LineString", "coordinates":
+  [[-300, 0], [300, 0]] } },
+{ "type": "Feature", "properties": { "OBJL": 84 }, "geometry": { "type": "Point", "coordinates": [0, 150] } }
+] }"#;
+
+const HEAD: &str = r#"
+[time]
+step = "0.1 s"
+duration = "60 s"
+[material.rock]
+stiffness = "5 MN/m^2"
+friction_static = 0.3
+friction_dynamic = 0.3
+[contact]
+method = "coupled"
+"#;
+
+fn scenario(chart: &str, more: &str, geojson: &str) -> Result<Scenario, ScenarioError> {
+    let text = format!(
+        "{HEAD}[chart]\nfiles = [\"port.geojson\"]\ncoordinates = \"metres\"\n{chart}\n{more}"
+    );
+    Scenario::parse_among(&text, "s.toml", &[], &mut |_| Ok(geojson.to_owned()))
+}
+
+/// A barge at a place, north and east, with a speed ahead.
+fn barge(at: &str, heading: &str, surge: &str) -> String {
+    format!(
+        "[body.barge]\nmass = \"2000 t\"\ngyradius = \"15 m\"\noutline = [[-30, -6], [30, -6], [30, 6], [-30, 6]]\n\
+         position = {at}\nheading = \"{heading}\"\nvelocity = {{ surge = \"{surge}\" }}\n"
+    )
+}
+
+const SOLID: &str = "solid = [\"LNDARE\", \"SLCONS\"]\nsolid_material = \"rock\"";
+
+fn read(at: &str, heading: &str, surge: &str) -> Scenario {
+    match scenario(SOLID, &barge(at, heading, surge), CHART) {
+        Ok(scenario) => scenario,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn run(setup: Setup) -> (BodyState, Simulation) {
+    let mut simulation = Simulation::new(setup).unwrap();
+    while !simulation.is_done() {
+        simulation.step().unwrap();
+    }
+    (simulation.states()[0], simulation)
+}
+
+#[test]
+fn the_shore_is_one_body_with_the_parts_that_were_taken() {
+    let scenario = read("[150, 0]", "0 deg", "0 m/s");
+    assert_eq!(scenario.notices, vec![]);
+    let setup = &scenario.setup;
+    let names: Vec<&str> = setup.bodies.iter().map(|body| body.name.as_str()).collect();
+    assert_eq!(names, ["barge", "shore"]);
+    let shore = &setup.bodies[1].outline;
+    assert!(shore.is_of_parts());
+    // Land and hole, and the mole, 4 m wide.
+    let land_m2 = 800.0 * 300.0 + 2.0 * 100.0 * 300.0 - 40.0 * 100.0;
+    let mole_m2 = 4.0 * (libm::hypot(200.0, 20.0) + 80.0);
+    assert!((shore.area_m2() - land_m2 - mole_m2).abs() < 1e-6, "{}", shore.area_m2());
+    assert_eq!(
+        setup.world.chart.solid_in_words().unwrap(),
+        "1 LNDARE, 1 SLCONS; not taken: 1 SLCONS (lies within a solid area that is taken); 1 SLCONS (runs along or within a solid area)"
+    );
+    assert_eq!(setup.pairs.len(), 1);
+}
+
+#[test]
+fn a_ship_that_runs_into_the_shore_is_stopped_and_pushed_off() {
+    // Southward at the quay, northward at the mole, eastward at the land.
+    for (at, heading, way) in [
+        ("[60, 0]", "180 deg", vec2(-1.0, 0.0)),
+        ("[260, 60]", "0 deg", vec2(1.0, 0.0)),
+        ("[150, 240]", "90 deg", vec2(0.0, 1.0)),
+    ] {
+        // How far the bow is off the border that she runs into.
+        let border_m = match way {
+            Vec2 { x: -1.0, .. } => 0.0,
+            Vec2 { y: 1.0, .. } => 300.0,
+            _ => 318.0,
+        };
+        let off_m = |state: &BodyState| border_m - (state.position_m.dot(way) + 30.0);
+        let (state, simulation) = run(read(at, heading, "1 m/s").setup);
+        assert!(off_m(&state) > 0.0, "{at}: {state:?}");
+        let speed_mps = state.velocity_mps.length();
+        assert!(state.velocity_mps.dot(way) < 0.0, "{at}: {state:?}");
+        assert!(speed_mps < 1.0 + 1e-9, "{at}: {state:?}");
+        let energy = simulation.energy();
+        println!("{at}: {speed_mps} m/s, {energy:?}");
+        assert!(energy.residual_j.abs() < 1.0, "{at}: {energy:?}");
+        assert!(energy.contact_gained_j < 1.0, "{at}: {energy:?}");
+    }
+}
+
+#[test]
+fn a_ship_in_a_hole_of_the_land_is_afloat_and_a_ship_on_the_land_is_refused() {
+    read("[150, 370]", "0 deg", "0 m/s");
+    let error = scenario(SOLID, &barge("[-100, 20]", "0 deg", "0 m/s"), CHART).unwrap_err();
+    assert_eq!(error.key(), Some("body.barge.position"));
+    let text = error.to_string();
+    assert!(
+        text.contains("\"barge\" begins on the solid LNDARE \"Main\", feature 1 of port.geojson, -100 m north and 20 m east"),
+        "{text}"
+    );
+    assert!(text.contains("s.toml:"), "{text}");
+}
+
+#[test]
+fn each_mistake_names_its_key_or_its_feature() {
+    let ship = barge("[150, 0]", "0 deg", "0 m/s");
+    let refused = |chart: &str, more: &str| {
+        let error = scenario(chart, &format!("{ship}{more}"), CHART).unwrap_err();
+        (error.key().map(str::to_owned), error.to_string())
+    };
+    let with = |classes: &str| format!("solid = {classes}\nsolid_material = \"rock\"");
+    for (chart, more, key, words) in [
+        (with("[\"LNDARA\"]"), "", "chart.solid", "did you mean \"LNDARE\"?"),
+        (with("[\"DEPARE\"]"), "", "chart.solid", "not a class of features that can be solid"),
+        (with("[\"PONTON\"]"), "", "chart.solid", "no feature of PONTON"),
+        (with("[\"MORFAC\"]"), "", "chart.solid", "points have no width"),
+        (with("[]"), "", "chart.solid", "is empty"),
+        (with("[\"LNDARE\", \"LNDARE\"]"), "", "chart.solid", "twice"),
+        ("solid = [\"LNDARE\"]".to_owned(), "", "chart.solid_material", "is missing"),
+        ("solid_material = \"rock\"".to_owned(), "", "chart.solid_material", "with `solid`"),
+        (SOLID.replace("rock", "rok"), "", "chart.solid_material", "did you mean \"rock\"?"),
+        (
+            SOLID.to_owned(),
+            "[body.shore]\nfixed = true\noutline = [[0, 0], [1, 0], [0, 1]]\n",
+            "chart.solid",
+            "a body of this name already",
+        ),
+    ] {
+        let (found, text) = refused(&chart, more);
+        assert_eq!(found.as_deref(), Some(key), "{text}");
+        assert!(text.contains(words), "{text}");
+    }
+    // A ring that crosses itself, of a feature with a kind of our own, is refused when the chart is read; one that
+    // touches itself along an edge is refused when it is made solid.
+    let touching = r#"{ "type": "FeatureCollection", "features": [
+{ "type": "Feature", "properties": { "OBJL": 71 }, "geometry": { "type": "Polygon", "coordinates":
+  [[[0, 0], [100, 0], [100, 50], [50, 0], [0, 50], [0, 0]]] } }] }"#;
+    let error = scenario(SOLID.replace(", \"SLCONS\"", "").as_str(), &ship, touching).unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains("feature 1: its border crosses or touches itself"), "{text}");
+    assert!(text.contains("port.geojson"), "{text}");
+}
+
+#[test]
+fn a_pair_of_the_file_counts_before_the_pair_with_the_shore() {
+    let more = "[material.mud]\nstiffness = \"1 MN/m^2\"\nfriction_static = 0\nfriction_dynamic = 0\n\
+                [[pair]]\nbodies = [\"barge\", \"shore\"]\nmaterial = \"mud\"\n";
+    let ship = barge("[150, 0]", "0 deg", "0 m/s");
+    let setup = scenario(SOLID, &format!("{ship}{more}"), CHART).unwrap().setup;
+    assert_eq!(setup.pairs.len(), 1);
+    assert_eq!(setup.materials[setup.pairs[0].material].name, "mud");
+}
+
+#[test]
+fn the_area_of_a_body_is_not_solid_twice() {
+    let more = format!(
+        "{}[body.pier]\nfixed = true\nchart_outline = \"Pier\"\n",
+        barge("[150, 0]", "0 deg", "0 m/s")
+    );
+    let setup = scenario(SOLID, &more, CHART).unwrap().setup;
+    let words = setup.world.chart.solid_in_words().unwrap();
+    assert!(words.contains("1 SLCONS (is the outline of a body)"), "{words}");
+}
