@@ -50,22 +50,22 @@ impl Chart {
 
 /// What was left out, by class and number, with the reasons; `None`: nothing was.
 fn left_out_of(classes: &[ChartClass]) -> Option<String> {
-        let mut reasons: Vec<&str> = Vec::new();
-        let all = || classes.iter().flat_map(|class| &class.left_out);
-        for (_, why) in all() {
-            if !reasons.contains(&why.as_str()) {
-                reasons.push(why);
-            }
+    let mut reasons: Vec<&str> = Vec::new();
+    let all = || classes.iter().flat_map(|class| &class.left_out);
+    for (_, why) in all() {
+        if !reasons.contains(&why.as_str()) {
+            reasons.push(why);
         }
-        let of_reason = |why: &str| {
-            let classes = classes.iter().filter_map(|class| {
-                let (count, _) = class.left_out.iter().find(|(_, of)| of == why)?;
-                Some(format!("{count} {}", class.class))
-            });
-            Some(format!("{} ({why})", listed(classes)?))
-        };
-        let texts: Vec<String> = reasons.into_iter().filter_map(of_reason).collect();
-        (!texts.is_empty()).then(|| texts.join("; "))
+    }
+    let of_reason = |why: &str| {
+        let classes = classes.iter().filter_map(|class| {
+            let (count, _) = class.left_out.iter().find(|(_, of)| of == why)?;
+            Some(format!("{count} {}", class.class))
+        });
+        Some(format!("{} ({why})", listed(classes)?))
+    };
+    let texts: Vec<String> = reasons.into_iter().filter_map(of_reason).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// Words with commas between them; `None` without words.

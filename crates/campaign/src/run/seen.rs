@@ -47,8 +47,8 @@ impl Runner<'_> {
             setup.bodies[body].outline.vertices().iter().map(|vertex| pose.apply(*vertex)).collect()
         };
         let is_shore = |body: &usize| setup.bodies[*body].outline.is_of_parts();
-        let fixed = (0..setup.bodies.len())
-            .filter(|body| !floating.contains(body) && !is_shore(body));
+        let fixed =
+            (0..setup.bodies.len()).filter(|body| !floating.contains(body) && !is_shore(body));
         Some(Seen {
             fixed_m: fixed.map(outline_m).collect(),
             ends_m: floating.iter().map(|body| outline_m(*body)).collect(),

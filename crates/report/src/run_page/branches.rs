@@ -126,7 +126,8 @@ fn plan(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
     let room = Vec2 { x: 1.0, y: 1.0 }
         * (ROOM * fenderline_contact::number::greater(frame.size().x, frame.size().y));
     let frame = Frame { low: frame.low - room, high: frame.high + room };
-    let fixed_bodies = outcome.setup.bodies.iter().filter(|body| body.is_fixed() && !body.outline.is_of_parts());
+    let fixed_bodies =
+        outcome.setup.bodies.iter().filter(|body| body.is_fixed() && !body.outline.is_of_parts());
     let fixed_bodies = fixed_bodies.map(|body| {
         let pose = fenderline_contact::Pose::new(body.position_m, body.heading_rad);
         let vertices_m = body.outline.vertices().iter().map(|corner| pose.apply(*corner)).collect();

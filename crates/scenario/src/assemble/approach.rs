@@ -406,7 +406,8 @@ fn are_near(part: &[Vec2], ship: &BodySetup, distance_m: f64) -> bool {
     };
     let ([low, high], [west, east]) = (ends(|v| v.x), ends(|v| v.y));
     let at = ship.position_m;
-    (low - reach_m..=high + reach_m).contains(&at.x) && (west - reach_m..=east + reach_m).contains(&at.y)
+    (low - reach_m..=high + reach_m).contains(&at.x)
+        && (west - reach_m..=east + reach_m).contains(&at.y)
 }
 
 fn distance_to_clear_m<'b>(

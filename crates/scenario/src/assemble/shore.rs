@@ -43,7 +43,11 @@ impl Assembly<'_, '_> {
         let path = table.path_of(ChartKey::SOLID);
         let complain = |message: String| self.sources.error(&solid.span, &path, message);
         if table.item(ChartKey::SOLID_MATERIAL).is_none() {
-            return Err(self.missing(table, ChartKey::SOLID_MATERIAL, "name the material of the shore"));
+            return Err(self.missing(
+                table,
+                ChartKey::SOLID_MATERIAL,
+                "name the material of the shore",
+            ));
         }
         if solid.texts().is_empty() {
             let message = format!("`{path}` is empty: it must name a class of features");
@@ -222,9 +226,9 @@ impl Assembly<'_, '_> {
                     rounded(body.position_m.y)
                 );
                 let error = self.sources.error(&item.span, &path, message);
-                return Err(error.with_help(
-                    "choose a place in the water: positions are north, then east",
-                ));
+                return Err(
+                    error.with_help("choose a place in the water: positions are north, then east")
+                );
             }
         }
         Ok(())

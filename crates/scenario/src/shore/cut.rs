@@ -311,9 +311,27 @@ mod tests {
     #[test]
     fn a_ring_that_touches_itself_falls_into_rings() {
         // Two squares that share a corner, and a ring that comes back to its border around a hole.
-        let pinched = ring(&[(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (10.0, 5.0), (10.0, 10.0), (5.0, 10.0), (5.0, 5.0), (0.0, 5.0)]);
+        let pinched = ring(&[
+            (0.0, 0.0),
+            (5.0, 0.0),
+            (5.0, 5.0),
+            (10.0, 5.0),
+            (10.0, 10.0),
+            (5.0, 10.0),
+            (5.0, 5.0),
+            (0.0, 5.0),
+        ]);
         assert_eq!(regions(&[pinched]).len(), 2);
-        let holed = ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 0.0), (2.0, 6.0), (6.0, 6.0), (6.0, 2.0)]);
+        let holed = ring(&[
+            (0.0, 0.0),
+            (10.0, 0.0),
+            (10.0, 10.0),
+            (0.0, 10.0),
+            (0.0, 0.0),
+            (2.0, 6.0),
+            (6.0, 6.0),
+            (6.0, 2.0),
+        ]);
         let regions = regions(&[holed]);
         let [region] = regions.as_slice() else { panic!("{regions:?}") };
         assert_eq!(region.holes.len(), 1);

@@ -143,7 +143,10 @@ impl Taken {
                         ));
                     }
                     Err(error) => {
-                        return Err(Refusal::Feature(index, format!("it cannot be solid: {error}")));
+                        return Err(Refusal::Feature(
+                            index,
+                            format!("it cannot be solid: {error}"),
+                        ));
                     }
                 }
             }

@@ -18,8 +18,7 @@ pub(super) fn strips(line: &[Vec2], width_m: f64) -> Vec<[Vec2; 4]> {
         along.quarter_turn() * (1.0 / along.length())
     };
     let normals: Vec<Vec2> = points.windows(2).map(normal).collect();
-    let is_long =
-        |index: usize| (points[index + 1] - points[index]).length() > 2.0 * width_m;
+    let is_long = |index: usize| (points[index + 1] - points[index]).length() > 2.0 * width_m;
     // Half of the width across the line at a joint of two segments, if their strips meet there.
     let joint = |before: usize, after: usize| {
         let cosine = normals[before].dot(normals[after]);
@@ -48,8 +47,7 @@ mod tests {
         let all = strips(&line, 2.0);
         assert_eq!(all.len(), 3);
         assert_eq!([all[0][1], all[0][2]], [all[1][0], all[1][3]]);
-        let area_m2: f64 =
-            all.iter().map(|strip| Outline::new(strip).unwrap().0.area_m2()).sum();
+        let area_m2: f64 = all.iter().map(|strip| Outline::new(strip).unwrap().0.area_m2()).sum();
         assert!((area_m2 - 2.0 * (20.0 + 14.0 * 2f64.sqrt() + 1.0)).abs() < 1e-9, "{area_m2}");
     }
 }

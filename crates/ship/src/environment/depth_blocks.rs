@@ -63,7 +63,8 @@ impl Blocks {
     /// place with data in the area. `None`: the area has a place without data.
     pub(super) fn least_m(&self, low: [f64; 2], high: [f64; 2]) -> Option<f64> {
         let [most_north, most_east] = self.cells.map(|cells| cells as f64);
-        let is_within = low[0] >= 0.0 && low[1] >= 0.0 && high[0] <= most_north && high[1] <= most_east;
+        let is_within =
+            low[0] >= 0.0 && low[1] >= 0.0 && high[0] <= most_north && high[1] <= most_east;
         if !is_within {
             return None;
         }
@@ -84,7 +85,8 @@ impl Blocks {
                 if level.has_gap[block] {
                     return None;
                 }
-                least_m = if level.least_m[block] < least_m { level.least_m[block] } else { least_m };
+                least_m =
+                    if level.least_m[block] < least_m { level.least_m[block] } else { least_m };
             }
         }
         Some(f64::from(least_m))

@@ -304,8 +304,13 @@ mod tests {
             let area = [place_m - vec2(reach_m, reach_m), place_m + vec2(reach_m, reach_m)];
             let within = places(400, area).map(|at_m| whole.depth_m(at_m));
             let Some(least_m) = whole.at_least_m(place_m, reach_m) else {
-                assert!(area[0].x < corners[0].x || area[0].y < corners[0].y
-                    || area[1].x > corners[1].x || area[1].y > corners[1].y, "{place_m:?}");
+                assert!(
+                    area[0].x < corners[0].x
+                        || area[0].y < corners[0].y
+                        || area[1].x > corners[1].x
+                        || area[1].y > corners[1].y,
+                    "{place_m:?}"
+                );
                 continue;
             };
             let sounded_m = within.map(Option::unwrap).fold(f64::INFINITY, lesser);
