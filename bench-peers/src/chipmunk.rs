@@ -150,7 +150,7 @@ fn put(body: Body, state: PeerState) {
 }
 
 /// Makes a body with the position and motion that it has at the start. The body is put at its place before its shape is
-/// added: thousands of shapes at one place would all be pairs to look at.
+/// added: thousands of shapes at one place would all be candidate pairs for contact.
 fn create(space: Space, body: &PeerBody) -> (Body, Shape) {
     let corners: Vec<Vector> = body.outline_m.iter().map(|&corner| vector(corner)).collect();
     // SAFETY: space, body and shape live; the corners live through the call, which copies them.

@@ -1,8 +1,8 @@
 //! The physics engines Box2D 3.2 and Chipmunk 7 behind one small, safe interface, for the benchmarks alone.
 //!
 //! Box2D is built from its sources by the crate `boxdd-sys`. Chipmunk is the library of the system (`libchipmunk-dev`
-//! of Debian, which has Chipmunk's run-time checks on): no crate that builds Chipmunk compiles with a present C
-//! library. A Chipmunk that was built without run-time checks is linked by `RUSTFLAGS="-L FOLDER"`.
+//! of Debian, which has Chipmunk's run-time checks on): no crate that builds Chipmunk from its sources compiles with
+//! today's C library. A Chipmunk that was built without run-time checks is linked by `RUSTFLAGS="-L FOLDER"`.
 //!
 //! Box2D and Chipmunk run with their usual settings, but for gravity and sleep, which are off. This crate is the only
 //! one outside the interfaces of C and of FMI that has `unsafe` code.
@@ -63,7 +63,8 @@ pub trait Peer {
     /// The present position and motion of a body.
     fn state(&self, body: usize) -> PeerState;
 
-    /// One step. Box2D and Chipmunk forget the forces after each step, so that a step sets them anew.
+    /// Moves the world on by one step. Box2D and Chipmunk forget the forces on bodies after each step, so this function
+    /// sets the forces again.
     fn step(&mut self);
 
     /// Pairs in contact.

@@ -2,8 +2,8 @@
 //! rapier2d-f64.
 //!
 //! A force is the mean over a step, found from the change of momentum in the same way for all engines; peaks within the
-//! step are taken from an engine that tells them. Every scene is turned by 0.4 rad and 1 km from the chart's origin, so
-//! that nothing is right because its numbers are round.
+//! step are given only for an engine that reports them. Every scene is turned by 0.4 rad and 1 km from the chart's
+//! origin, so that nothing is right because its numbers are round.
 
 use fenderline_contact::{BodyState, Material, Pose, Vec2, vec2};
 use serde_json::json;
@@ -25,7 +25,7 @@ const BOW_M: f64 = 13.0;
 const HALF_TUG_M: f64 = 16.0;
 const TUG_MPS: f64 = 2.06;
 const PUSH_N: f64 = 500e3;
-/// Width of the wall, and its thickness (m).
+/// Width of the wall, which is also its thickness (m).
 const WALL_M: f64 = 60.0;
 
 /// Mass of the ship: a block of 200 × 32 m on eight fenders of 4 × 4 m.
@@ -101,8 +101,8 @@ fn impact_quantities() -> [Quantity; 4] {
     ]
 }
 
-/// The four quantities of the impact, each the worst of eight gaps between tug and wall. The gap matters: at two
-/// seconds a step the tug goes 4.12 m, and touches the wall early or late in a step.
+/// The four quantities of the impact, each the worst of eight values, for eight gaps between tug and wall at the start.
+/// The gap matters: at two seconds a step the tug goes 4.12 m, and touches the wall early or late in a step.
 fn impact(engine: Engine, step_s: f64) -> [f64; 4] {
     let quantities = impact_quantities();
     let mut worst = quantities.map(|quantity| quantity.right);
@@ -271,7 +271,8 @@ fn chart() -> Pose {
     Pose::new(vec2(1000.0, -700.0), HEADING_RAD)
 }
 
-/// Values of a figure at the time steps; where the right answer is not zero, also their errors.
+/// Makes the printed table: for each figure the values at all time steps and, where the right answer is not zero, the
+/// errors of these values.
 pub(crate) fn table(figures: &[Figure]) -> Table {
     let steps = STEPS_S.map(|step_s| format!("Δt {step_s} s"));
     let mut head = vec!["case", "quantity", "right", "converged", "engine"];
@@ -296,9 +297,9 @@ pub(crate) fn table(figures: &[Figure]) -> Table {
     }
     table.note("right: the exact answer, in closed form.");
     table.note("converged: the answer of the coupled method at a time step of 1e-4 s.");
-    table.note("tug head-on: the worst answer of eight gaps between bow and wall.");
+    table.note("tug head-on: the worst of eight answers, each for another gap between bow and wall at the start.");
     table.note(
-        "rapier2d has rigid contacts of its default softness, and tells no forces within a step.",
+        "rapier2d has rigid contacts with its default setting of softness, and reports no forces within a step.",
     );
     table.note("rapier2d's force is the change of momentum over a step divided by Δt; its depth is the depth at the end of the step.");
     table

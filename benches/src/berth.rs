@@ -11,7 +11,7 @@ use crate::table::Table;
 
 const FILE: &str = "alongside_with_two_tugs.toml";
 const TEXT: &str = include_str!("../../scenarios/berth/alongside_with_two_tugs.toml");
-/// Most rounds of this bench: a run of the berthing takes half a second.
+/// Largest number of rounds of this bench, because one run of the berthing takes half a second.
 const MOST_ROUNDS: usize = 9;
 
 /// Times the whole run.

@@ -8,7 +8,8 @@ use crate::step::Play;
 use crate::table::Table;
 use crate::world::Engine;
 
-/// Name of the scene, number of contacts in it, and the two numbers of steps, which are whole bursts between restarts.
+/// Name of the scene, number of contacts in the scene, and the two numbers of steps. Both are multiples of the number
+/// of counted steps between two restarts of the scene.
 const SCENES: [(&str, u64, u64, u64); 4] = [
     ("tug", 1, 640, 6400),
     ("ship", 8, 640, 3200),

@@ -1,5 +1,6 @@
-//! Times a campaign: berthings of a ship at eight fenders, each 60 s long, at steps of 0.1 s. The time of a run with
-//! its draw and its row stands beside the time of the bare steps, and the time on two threads beside that on one.
+//! Times a campaign: berthings of a ship at eight fenders, each 60 s long, at steps of 0.1 s. The time of a whole run,
+//! which also draws random values and writes a table row, stands beside the time of the run's time steps alone. The
+//! time on two threads stands beside the time on one thread.
 
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -38,7 +39,7 @@ const RUNS: u64 = 40;
 /// Runs in a round on threads: so many that starting the threads takes little of the time.
 const RUNS_ON_THREADS: u64 = 400;
 
-/// How many times as fast as one thread two threads are to be.
+/// Goal for two threads: how many times as fast as one thread they must be.
 const AIM_OF_TWO: f64 = 1.9;
 
 /// Minutes that 10⁶ runs may take on two cores.
@@ -57,7 +58,7 @@ fn runs() -> Result<(Runs, PathBuf), String> {
     Ok((Runs::new(campaign).map_err(|e| e.to_string())?, folder))
 }
 
-/// The bare steps of the campaign's runs: one simulation, started again for each run.
+/// The time steps alone of the campaign's runs, without tables: one simulation, started again for each run.
 fn steps(runs: &Runs, simulation: &mut Simulation) {
     let base = runs.base();
     let mut start = base.setup.start();
@@ -71,7 +72,7 @@ fn steps(runs: &Runs, simulation: &mut Simulation) {
     }
 }
 
-/// Times a campaign and the bare steps of its runs.
+/// Times a campaign, and the time steps alone of its runs.
 ///
 /// # Errors
 /// Fails if the scenario is not good or the folder for temporary files cannot be made.
@@ -136,7 +137,7 @@ pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
         verdict(of_two >= AIM_OF_TWO),
     ]);
     table.note("Times are the least of the rounds by the clock: a ship of 300 m at eight cone fenders, 600 steps a run.");
-    table.note("The time on two cores is half the time of one thread.");
+    table.note("The time on two cores is computed as half the time of one thread.");
     table.note("The last row says how many times as fast as one thread two threads are: the median of the rounds.");
     table.note("Two threads can be no faster than two processes of one thread each.");
     // An error is ignored: it is a folder for temporary files.

@@ -9,12 +9,13 @@ use crate::rounds::{Contender, median, median_ratio, nanoseconds_a_call};
 use crate::shapes;
 use crate::table::Table;
 
-/// Corners of the fender and of the hull, and how many times as fast as parry2d our clip has to be where the two
-/// overlap little.
+/// For polygons that overlap a little: corners of the fender, corners of the hull, and how many times as fast as
+/// parry2d our clip must be.
 const SIZES: [(usize, usize, f64); 4] =
     [(4, 4, 4.0), (8, 24, 12.0), (24, 24, 13.0), (64, 64, 16.0)];
 
-/// Corners of the fender and of the hull in further rows of polygons that are apart and were never near before.
+/// Corners of the fender and of the hull in further rows of the table, whose polygons are apart and were not near each
+/// other in any earlier call.
 const LARGE: [(usize, usize); 3] = [(4, 1000), (200, 200), (1000, 1000)];
 
 /// How many times as fast as parry2d's search for the distance our clip has to be for polygons that are apart.
@@ -65,12 +66,12 @@ pub(crate) fn bench(rounds: usize) -> Table {
     }
     table.note("Times are medians; ratios of times are taken round by round.");
     table.note("parry2d: the function `convex_polygons_intersection_points` of that library finds the overlap.");
-    table.note("In the rows `apart`, also in the row `cold`, parry2d is that library's GJK search with the last \
-                direction kept.");
-    table.note("The rows `apart` ask for the distance of the polygons, or for no more than that they are apart.");
+    table.note("In the rows `apart`, and in the row `cold`, parry2d stands for its GJK search, which starts with the \
+                direction that its last call found.");
+    table.note("In the rows `apart`, each library finds the distance of the two polygons, or finds only that they do not touch.");
     table.note("area differs by: the largest relative difference between our area of the overlap and parry2d's.");
     table.note(
-        "parry2d takes a corner that lies on an edge as rounding puts it, inside or outside.",
+        "parry2d counts a corner that lies on an edge as inside or outside, as rounding decides.",
     );
     table
 }

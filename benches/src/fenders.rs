@@ -17,7 +17,7 @@ use crate::world::Engine;
 const COUNTS: [usize; 3] = [100, 300, 1000];
 
 /// With the largest number of fenders a step is to take at most this time (µs), and the time is to grow at most with
-/// this power of the number.
+/// this power of the number of fenders.
 const MOST_US: f64 = 800.0;
 const MOST_POWER: f64 = 1.15;
 
@@ -29,10 +29,10 @@ enum What {
 }
 
 const ROWS: [(&str, What); 4] = [
-    ("engine, fenders of one quay", What::Engine(Engine::Coupled, Scene::Fenders)),
-    ("engine, each a body of its own", What::Engine(Engine::Coupled, Scene::Blocks)),
-    ("simulator, fenders of one quay", What::Simulator),
-    ("rapier2d, each a body of its own", What::Engine(Engine::Rapier, Scene::Fenders)),
+    ("engine, fenders on one quay", What::Engine(Engine::Coupled, Scene::Fenders)),
+    ("engine, each fender is a body", What::Engine(Engine::Coupled, Scene::Blocks)),
+    ("simulator, fenders on one quay", What::Simulator),
+    ("rapier2d, each fender is a body", What::Engine(Engine::Rapier, Scene::Fenders)),
 ];
 
 pub(crate) fn bench(rounds: usize) -> Table {

@@ -31,8 +31,8 @@ pub(crate) fn bench(rounds: usize) -> Table {
             table.row(row(engine, &plan, count, rounds));
         }
     }
-    table.note("least of the rounds. First step: a new memory and an empty workspace; making the model is off \
-                the clock. Warm: as in `step`.");
+    table.note("least of the rounds. First step: with a new memory and an empty workspace; the time to make \
+                the model does not count. Warm: as in `step`.");
     table
 }
 

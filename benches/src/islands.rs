@@ -9,7 +9,7 @@ use crate::world::Engine;
 /// A kind of island with rising sizes, and the times to reach.
 struct Kind {
     name: &'static str,
-    /// Number of bodies in an island of a size, and the scene of that size.
+    /// Number of bodies in an island whose size parameter is given (the side of a raft, for instance).
     bodies: fn(usize) -> usize,
     scene: fn(usize) -> Scene,
     sizes: &'static [usize],
@@ -58,7 +58,7 @@ pub(crate) fn bench(rounds: usize) -> Table {
     table.note(
         "Times are the least of the rounds; each engine begins anew every 17 steps, as in `step`.",
     );
-    table.note("rapier2d solves no forces: it stops after a fixed number of sweeps.");
+    table.note("rapier2d does not solve for the exact forces: its solver stops after a fixed number of sweeps.");
     table.note("growth: the power of the number of bodies with which the time grows from the first size to the size of the row.");
     table
 }

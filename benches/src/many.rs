@@ -48,7 +48,7 @@ impl Study {
         Ok(Study { method, scenario, simulation })
     }
 
-    /// Runs with speeds of the tug from 0.2 to 2.1 m/s.
+    /// Makes `count` runs, with speeds of the tug that rise from 0.2 to 2.1 m/s.
     fn run(&mut self, count: usize, set_up: SetUp) {
         let mut start = self.scenario.setup.start();
         for run in 0..count {

@@ -82,7 +82,7 @@ pub(crate) fn bench(rounds: usize) -> Table {
     }
     table.note("Figures are medians over the rounds on one core.");
     table.note(
-        "In a step, the forces of hull, propeller and rudder are found once, by Runge-Kutta four times.",
+        "In each step, the semi-implicit integrator computes the ship's forces once, and Runge-Kutta four times.",
     );
     table
 }

@@ -12,7 +12,7 @@ pub(crate) struct Contender<'a> {
 }
 
 impl<'a> Contender<'a> {
-    /// A contender whose whole round is on the clock.
+    /// Makes a contender for which the time of the whole round counts.
     pub(crate) fn clocked(mut round: impl FnMut() + 'a, calls: usize) -> Contender<'a> {
         let round = move || {
             let start = Instant::now();

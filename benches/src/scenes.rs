@@ -14,8 +14,8 @@ pub(crate) const RUBBER: Material = Material {
     restitution: 0.1,
 };
 
-/// Speed at which the bodies of a [`Scene`] come on (m/s), and how deep they are in their fenders at first (m): so
-/// little that rapier2d, which pushes bodies out of each other, keeps all contacts.
+/// Speed at which the bodies of a [`Scene`] come on (m/s), and how deep the bodies are in their fenders at the start
+/// (m): so little that rapier2d, which pushes bodies out of each other, keeps all contacts.
 const APPROACH_MPS: f64 = 0.05;
 const DEPTH_M: f64 = 0.02;
 

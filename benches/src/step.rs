@@ -10,7 +10,8 @@ use crate::world::{Engine, World};
 
 pub(crate) const STEP_S: f64 = 0.1;
 
-/// Steps on the clock after each restart: in them the bodies come on and are pressed together, and no contact ends.
+/// Number of steps after each restart whose time counts: in these steps the bodies come on and are pressed together,
+/// and no contact ends.
 pub(crate) const BURST: usize = 16;
 
 /// Steps of a scene that plays steadily before the clock starts.
@@ -156,7 +157,7 @@ pub(crate) fn bench(rounds: usize, only: Option<Scene>) -> Table {
     table.note("faces: our engine has the fenders as faces of one quay, the other engines have them as blocks.");
     table.note("brief: a step without a report of each contact; wrenches, motions and events are the same as with the report.");
     table.note(
-        "A ratio above 1 says that the peer is faster. Peers stop after a fixed number of sweeps.",
+        "A ratio above 1 says that the peer is faster. Solvers of peers stop after a fixed number of sweeps.",
     );
     table
 }

@@ -54,7 +54,7 @@ pub(crate) enum Engine {
 }
 
 impl Engine {
-    /// The engines whose answers differ.
+    /// The engines that the accuracy table compares.
     pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
 
     /// The variants of our engine, which differ in the time they take.

@@ -1,5 +1,5 @@
-//! Fuzzes the coupled method with random bodies, fenders, curves, loads and steps: no panic, finite states, N ≥ 0 and
-//! F₁ = −F₂.
+//! Fuzzes the coupled method with random bodies, fenders, curves, loads and steps: no panic, finite states, normal
+//! forces N ≥ 0, and opposite contact forces on two bodies.
 #![no_main]
 
 use fenderline_contact::{

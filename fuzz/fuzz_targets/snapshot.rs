@@ -18,7 +18,7 @@ static SCENE: LazyLock<Scene> = LazyLock::new(Scene::new);
 /// The scene of the snapshots: a tug in the corner of an L-shaped quay, and a ship beside her.
 struct Scene {
     model: Model,
-    /// Snapshots of the memory along a run, each with the states of the bodies that follow it.
+    /// Snapshots of the memory along a run, each with the states of the bodies for the next step.
     saved: Vec<(Vec<u8>, [BodyState; 3])>,
 }
 

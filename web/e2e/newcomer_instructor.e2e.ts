@@ -43,7 +43,9 @@ test("a second pilot reads how the helm comes free, and the first one that it is
   await first.getByRole("button", { name: "Release the helm" }).waitFor();
   await second.bringToFront();
   await second.getByRole("button", { name: "Take the helm" }).click();
-  await second.getByText(/^Refused: pilot \d+ holds this control, and must release it first/).waitFor();
+  await second
+    .getByText(/^Refused: pilot \d+ holds this control, and must release it first/)
+    .waitFor();
   await first.getByText(/^pilot \d+ asks for the control that you hold/).waitFor();
   await first.close();
   await second.close();
@@ -60,7 +62,9 @@ test("a run that was ended is among the recorded sessions, the newest first, wit
   await instructor.getByRole("button", { name: "End this run" }).click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
   expect(await instructor.getByRole("img", { name: "Plan of ship" }).isVisible()).toBe(true);
-  const recorded = instructor.locator(".gallery li", { hasText: "The session continues where it ended" });
+  const recorded = instructor.locator(".gallery li", {
+    hasText: "The session continues where it ended",
+  });
   await recorded.first().waitFor();
   expect(await recorded.first().textContent()).toMatch(/\b20\d\d\b.*Saved as berthing-001\./);
   await instructor.screenshot({ path: join(SHOTS, "recorded-sessions.png") });

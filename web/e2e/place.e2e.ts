@@ -70,7 +70,7 @@ test("a run that has begun goes back to its start as a new branch", async () => 
     await page.keyboard.press("u");
   }
   // So that no ship is under the plan's buttons.
-  for (let i = 0; i < 2; i++) await page.getByRole("button", { name: /^Zoom out/ }).click();
+  for (let i = 0; i < 3; i++) await page.getByRole("button", { name: /^Zoom out/ }).click();
   await near("Ship", -180, -60);
 });
 

@@ -17,6 +17,7 @@ export interface Sample {
   rot: number;
   bow_m: number | null;
   stern_m: number | null;
+  cross_track_m: number | null;
   of_energy: number;
   of_reaction: number;
   tension: number;
@@ -48,6 +49,7 @@ export class History {
       rot: rateOfTurn(body[5]),
       bow_m: now?.berth?.bow_m ?? null,
       stern_m: now?.berth?.stern_m ?? null,
+      cross_track_m: now?.plan && now.plan.to_waypoint_m >= 0 ? now.plan.cross_track_m : null,
       of_energy: Math.max(0, ...frame.fenders.map((f) => f.of_energy)) * 100,
       of_reaction: Math.max(0, ...frame.fenders.map((f) => f.of_reaction)) * 100,
       tension:
@@ -74,6 +76,7 @@ export class History {
       rot: rateOfTurn(past.turn_radps[i] ?? 0),
       bow_m: at(past.bow_m, i),
       stern_m: at(past.stern_m, i),
+      cross_track_m: at(past.cross_track_m, i),
       of_energy: (past.of_energy[i] ?? 0) * 100,
       of_reaction: (past.of_reaction[i] ?? 0) * 100,
       tension: (past.of_working[i] ?? 0) * 100,

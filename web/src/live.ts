@@ -92,6 +92,12 @@ export class Live {
       : 1;
   }
 
+  /** Time of the run at the position of this drawing [s]. */
+  time(now_ms: number): number {
+    const [till, from] = [this.frame?.t_s ?? 0, this.previous?.t_s];
+    return from === undefined ? till : from + (till - from) * this.share(now_ms);
+  }
+
   /** The bodies at the position of this drawing. */
   bodies(now_ms: number): (BodyNow | null)[] {
     const { frame, previous } = this;

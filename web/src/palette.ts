@@ -12,8 +12,13 @@ export interface Palette {
   button_edge: string;
   chosen: string;
   chosen_text: string;
+  /** Water so deep that the ship hardly feels the bottom, and all water without a chart of depths. */
   water: string;
-  /** Water that a ship of the scenario can float in, but little more. */
+  /** Where a chart of depths has no depth. */
+  unknown: string;
+  /** Water with the clearance that the mariner asks for, and more. */
+  safe: string;
+  /** Water in which the ship floats, without that clearance. */
   medium: string;
   /** Water that is shallower than her draught. */
   shallow: string;
@@ -22,6 +27,20 @@ export interface Palette {
   land: string;
   land_edge: string;
   grid: string;
+  /** The safety contour. */
+  contour: string;
+  /** Soundings deeper than the safety depth. */
+  sounding: string;
+  fairway: string;
+  /** Buoys and beacons that are neither red nor green, and the edge of all. */
+  mark_yellow: string;
+  mark_white: string;
+  mark_black: string;
+  mark_edge: string;
+  /** A white light. */
+  lamp: string;
+  /** The passage plan. */
+  plan: string;
   own: string;
   own_edge: string;
   tug: string;
@@ -57,13 +76,24 @@ export const PALETTES: Record<PaletteName, Palette> = {
     button_edge: "#71818e",
     chosen: "#0b4f8a",
     chosen_text: "#ffffff",
-    water: "#dcecf7",
-    medium: "#bddcf1",
-    shallow: "#93c3e6",
+    water: "#eef6fb",
+    unknown: "#d4d9dc",
+    safe: "#d3e7f5",
+    medium: "#a5cfec",
+    shallow: "#7ab2dd",
     drying: "#bcc98f",
     land: "#dccb94",
     land_edge: "#6b5a22",
     grid: "#a9c7dc",
+    contour: "#3b4a57",
+    sounding: "#68788a",
+    fairway: "#8a3f84",
+    mark_yellow: "#e2b500",
+    mark_white: "#ffffff",
+    mark_black: "#10161c",
+    mark_edge: "#05101a",
+    lamp: "#b8860b",
+    plan: "#b03a06",
     own: "#71808c",
     own_edge: "#05101a",
     tug: "#e08a2c",
@@ -94,13 +124,24 @@ export const PALETTES: Record<PaletteName, Palette> = {
     button_edge: "#4b6070",
     chosen: "#3d87bd",
     chosen_text: "#04121d",
-    water: "#0e2231",
-    medium: "#12304a",
-    shallow: "#1a4468",
+    water: "#0b1a26",
+    unknown: "#15191c",
+    safe: "#0f2536",
+    medium: "#163a59",
+    shallow: "#1f4f79",
     drying: "#3a4a22",
     land: "#453d22",
     land_edge: "#8d7d48",
     grid: "#1b394d",
+    contour: "#8fa9bb",
+    sounding: "#7f93a3",
+    fairway: "#c084bb",
+    mark_yellow: "#e8c53a",
+    mark_white: "#d3dde5",
+    mark_black: "#05090d",
+    mark_edge: "#b9c7d2",
+    lamp: "#f2e2a0",
+    plan: "#ff9a5c",
     own: "#5c6d7a",
     own_edge: "#d3dde5",
     tug: "#b5722a",
@@ -132,12 +173,23 @@ export const PALETTES: Record<PaletteName, Palette> = {
     chosen: "#4e150d",
     chosen_text: "#ee7436",
     water: "#030000",
-    medium: "#120503",
-    shallow: "#241006",
+    unknown: "#0d0a07",
+    safe: "#0c0302",
+    medium: "#1f0b05",
+    shallow: "#331609",
     drying: "#22180a",
     land: "#1c0c04",
     land_edge: "#5c2c12",
     grid: "#210807",
+    contour: "#a34a2a",
+    sounding: "#8a3a24",
+    fairway: "#8a4a2e",
+    mark_yellow: "#a58a00",
+    mark_white: "#c98a3c",
+    mark_black: "#1a0704",
+    mark_edge: "#c0552e",
+    lamp: "#c98e2c",
+    plan: "#e0601f",
     own: "#3a0f0b",
     own_edge: "#ee7436",
     tug: "#3a1a08",

@@ -1,473 +1,585 @@
 /**
  * The messages between server and page over the websocket `/live?token=…`: JSON text, one message a frame.
  *
- * The server's side is `crates/live/src/message.rs`, `action.rs` and `request.rs`; `crates/live/tests/protocol.rs`
- * compares the names with this file. Orders are in `orders.ts`. Units are
- * SI: metres, seconds, radians, newtons, joules, kilograms. Earth-fixed places are [north, east]; headings and
- * bearings are from north, positive to starboard; body-fixed places are [forward, starboard].
+ * Written from the messages in `crates/live/src` by `cargo xtask protocol`: change them there, not here.
+ * Orders are in `orders.ts`. Units are SI: metres, seconds, radians, newtons, joules, kilograms. Earth-fixed places are
+ * [north, east]; headings and bearings are from north, positive to starboard; body-fixed places are [forward, starboard].
  */
 
 import type { Order } from "./orders";
 
-// ---------------------------------------------------------------- server → page
-
-export type FromServer =
-  Hello | Frame | Prediction | Trial | Past | Planned | Ack | Refused | Notice;
-
-/** Number of this protocol. */
-export const PROTOCOL = 5;
-
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
 
-/** Sent first, and again whenever the scenario, the branch or the claims change. */
-export interface Hello {
+/** State of a body: [north, east, heading, velocity north, velocity east, yaw rate]. */
+export type BodyNow = [number, number, number, number, number, number];
+
+/** A point of a path: [t_s, north, east, heading]. */
+export type PathPoint = [t_s: number, north: number, east: number, heading: number];
+
+export type FromServer = Hello | Frame | Past | Reply;
+
+/** Up to ten times a second: the predicted paths of up to three ships without further orders. */
+export type Prediction = Extract<Reply, { type: "prediction" }>;
+/** An answer to the command `trial`. */
+export type Trial = Extract<Reply, { type: "trial" }>;
+/** For instructors only: what is planned, by time, whenever the plan has changed. */
+export type Planned = Extract<Reply, { type: "planned" }>;
+export type Ack = Extract<Reply, { type: "ack" }>;
+export type Refused = Extract<Reply, { type: "refused" }>;
+export type Notice = Extract<Reply, { type: "notice" }>;
+
+/** A tick as pages get it. The page interpolates between the last two frames. */
+export type Frame = FrameOfAll & {
+  /** For the instructor only: the marks of the exercise. */
+  marks?: ExerciseMarks;
+  /** The events since the last frame. */
+  events: EventNow[];
+};
+
+/** What a page sends. */
+export interface Command {
+  type: "command";
+  /** The page chooses the number; the answer has the same number. */
+  id: number;
+  action: Action;
+}
+
+/** Every command: an order of the table, or one of the others. */
+export type Action = Order | OtherAction;
+export type OtherAction = RecordedAction | Conduct;
+/** An order to a tug in words. */
+export type TugOrder = Extract<RecordedAction, { do: "tug" }>;
+/** What a trial takes: an order of the table, or an order to a tug in words. */
+export type TrialOrder = Order | TugOrder;
+
+/** How grave a verdict or a finding is; `failed`: something broke or was struck, or the results are not valid. */
+export type Gravity = "ok" | "note" | "attention" | "failed";
+
+/** Number of this protocol. */
+export const PROTOCOL = 6;
+
+/** Words for a tug. `stop`: no force; `stand_off`: she keeps clear of the side. */
+export type TugWord = "push" | "pull" | "stop" | "stand_off";
+
+/** Direction of a tug: square to the ship's side, or 45° towards the ship's bow or stern. */
+export type Lead = "square" | "forward" | "aft";
+
+/** Place of a tug at a ship's side. `VesselInfo.places` has the places of each ship. */
+export type Place =
+  | "nearest"
+  | "port shoulder"
+  | "port midships"
+  | "port quarter"
+  | "starboard shoulder"
+  | "starboard midships"
+  | "starboard quarter";
+
+/** Faults of a vessel. Only instructors are told of frozen instruments. */
+export type Fault =
+  | "rudder_stuck"
+  | "follow_up_lost"
+  | "engine_lost"
+  | "thrusters_lost"
+  | "blackout"
+  | "heading_frozen"
+  | "speed_frozen"
+  | "position_frozen";
+
+/** Kinds of features of a chart. */
+export type ChartKind =
+  | "coverage"
+  | "depth_area"
+  | "dredged_area"
+  | "unsurveyed_area"
+  | "depth_contour"
+  | "sounding"
+  | "coast"
+  | "quay"
+  | "pontoon"
+  | "building"
+  | "berth"
+  | "fairway"
+  | "anchorage"
+  | "leading_line"
+  | "bridge"
+  | "overhead_cable"
+  | "rock"
+  | "obstruction"
+  | "wreck"
+  | "mooring"
+  | "landmark"
+  | "light"
+  | "beacon"
+  | "buoy"
+  | "name";
+
+/** Colours of buoys, beacons and lights. */
+export type MarkColour = "red" | "green" | "yellow" | "black" | "white";
+
+/** The side of the fairway on which a lateral mark is, for a ship that enters. */
+export type MarkSide = "port" | "starboard";
+
+/** What a buoy or beacon says, by IALA's system. */
+export type MarkMeaning =
+  | "lateral"
+  | "north"
+  | "east"
+  | "south"
+  | "west"
+  | "isolated_danger"
+  | "safe_water"
+  | "special"
+  | "other";
+
+/** Shapes of buoys and beacons. */
+export type MarkShape = "cone" | "can" | "ball" | "pillar" | "spar" | "barrel" | "tower";
+
+/**
+ * The data from which a page is built. The server sends this message first, and again whenever the scenario, the
+ * branch of the session or the holders of the helms change.
+ */
+export type Hello = {
   type: "hello";
-  /** Another number than `PROTOCOL`: the page is of another version than the program. */
+  /**
+   * Version number of the server's protocol. If the number differs from `PROTOCOL`, page and program are of
+   * different versions.
+   */
   protocol: number;
   role: Role;
   title: string;
-  /** File name of the scenario, as in `gallery`. */
+  /** File name of the scenario; the entry of the scenario in `gallery` has the same name. */
   file: string;
   step_s: number;
-  bodies: BodyInfo[];
-  vessels: VesselInfo[];
-  fenders: FenderInfo[];
-  lines: LineInfo[];
-  anchors: AnchorInfo[];
-  bollards: BollardInfo[];
-  tugs: TugInfo[];
-  traffic: TrafficInfo[];
-  /** The table of orders: words, units and limits. */
-  orders: OrderInfo[];
-  /** The engine telegraph, from full astern to navigation full. */
-  telegraph: TelegraphInfo[];
-  /** The limits of other commands. */
+  bodies: Array<BodyInfo>;
+  vessels: Array<VesselInfo>;
+  fenders: Array<FenderInfo>;
+  lines: Array<LineInfo>;
+  anchors: Array<AnchorInfo>;
+  bollards: Array<BollardInfo>;
+  tugs: Array<TugInfo>;
+  traffic: Array<TrafficInfo>;
+  /** The orders that a page can give, with their words, units and limits. */
+  orders: Array<OrderInfo>;
+  /** The positions of the engine telegraph, from full astern to navigation full. */
+  telegraph: Array<TelegraphInfo>;
+  /** The limits of commands that are not in the table of orders. */
   limits: CommandLimits;
-  /** The controls that this page may use. */
-  mine: Control[];
-  /** The holder of each control; `null`: it is free. */
-  claims: { control: Control; holder: string | null; connected: boolean }[];
-  /** Scenarios that the instructor can open. */
-  /** `berth`: what a new exercise can take of it, in words. */
-  gallery: {
-    file: string;
-    title: string;
-    text: string;
-    berth: string | null;
-    /** When the file of a recording was last written [s since 1970]; `null`: a scenario. */
-    written_unix_s: number | null;
-    /** Whether the instructor can rename and delete it: a recording, or an exercise that was saved from the page. */
-    changeable: boolean;
-  }[];
-  /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
-  berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
+  /** The helms that this page may take. */
+  mine: Array<Control>;
+  /** For each helm, who holds the helm. */
+  claims: Array<Claim>;
+  /** The scenarios and recordings that the instructor can open. */
+  gallery: Array<GalleryEntry>;
+  /** The berth to which the docking board measures distances. */
+  berth: BerthInfo | null;
   depth_m: number | null;
-  /** What is drawn behind ships and quays. */
-  chart: ChartInfo[];
-  /** What the pilot is asked to do; `null`: the scenario has no exercise. */
+  /** The features of the chart, which pages draw behind ships and quays. */
+  chart: Array<ChartInfo>;
+  /** The exercise of the pilot; `null` if the scenario has no exercise. */
   exercise: ExerciseInfo | null;
-  /** For the instructor only: a link for each role, as a path on this server. */
-  links?: { role: Role; path: string }[];
-  /** For the instructor only: what a new exercise can be made of. */
+  /** The link of each role, as a path on this server. Only instructors get the links. */
+  links?: Array<Link>;
+  /** The vessels and fenders of which a new exercise can be made. Only instructors get the library. */
   library?: LibraryInfo;
-  /** For the instructor only: what was deleted and can be put back, the latest last. */
-  deleted?: Hello["gallery"];
-}
-
-export interface LibraryInfo {
-  vessels: LibraryVessel[];
-  fenders: {
-    name: string;
-    /** None: a fender is given by height and rated reaction. */
-    sizes: { designation: string; height_m: number; rated_reaction_n: number }[];
-  }[];
-}
-
-export interface LibraryVessel {
-  name: string;
-  title: string;
-  length_m: number;
-  beam_m: number;
-  draught_m: number;
-  is_tug: boolean;
-}
-
-/** The choices of a new exercise. */
-export interface NewExercise {
-  title: string;
-  berth: {
-    length_m: number;
-    depth_m: number;
-    fender: string;
-    size: string | null;
-    height_m: number | null;
-    rated_reaction_n: number | null;
-    fenders: number;
-    fender_spacing_m: number;
-    bollard_spacing_m: number;
-  };
-  /** File of the gallery whose berth is taken in place of `berth`. */
-  berth_of: string | null;
-  ship: {
-    vessel: string;
-    side: "port" | "starboard";
-    off_m: number;
-    astern_m: number;
-    speed_mps: number;
-  };
-  tugs: { vessel: string; number: number };
-  weather: {
-    wind_mps: number;
-    wind_from_rad: number;
-    gusts: boolean;
-    current_mps: number;
-    current_to_rad: number;
-    visibility_m: number | null;
-  };
-}
+  /** Deleted files that can be put back. Only instructors get the list of deleted files. */
+  deleted?: Array<GalleryEntry>;
+};
 
 export type Role =
   | { name: "instructor" }
-  /** Of the scenario's first ship, or of another. */
   | { name: "pilot"; vessel?: string }
   | { name: "tugmaster"; tug: string }
   | { name: "observer" };
 
-/** A control: a vessel or a tug, by name. One client holds it at a time. */
+/** A helm that a page can hold: that of a vessel or a vector tug, by her name, or that of the session. */
 export type Control = { vessel: string } | { tug: string } | { session: true };
 
-/** An exercise: a goal, and limits that cost points of a score of 100. */
-export interface ExerciseInfo {
+export type Claim = { control: Control; holder: string | null; connected: boolean };
+
+export type Link = { role: Role; path: string };
+
+export type GalleryEntry = {
+  file: string;
+  title: string;
+  text: string;
+  /** The berth of the listed scenario in words, if a new exercise can use the berth. */
+  berth: string | null;
+  /** Time at which the recording's file was last written (seconds since the start of 1970). `None` for a scenario. */
+  written_unix_s: number | null;
+  /**
+   * True if the instructor can rename and delete the listed file. A file can be changed if it is a recording, or
+   * an exercise saved from the page, and lies in the server's folders.
+   */
+  changeable: boolean;
+};
+
+/** The ships, tugs and fenders among which an instructor chooses for a new exercise. */
+export type LibraryInfo = { vessels: Array<LibraryVessel>; fenders: Array<FamilyInfo> };
+
+export type LibraryVessel = {
+  name: string;
+  title: string;
+  length_m: number;
+  beam_m: number;
+  draught_m: number;
+  is_tug: boolean;
+};
+
+export type FamilyInfo = { name: string; sizes: Array<SizeInfo> };
+
+export type SizeInfo = { designation: string; height_m: number; rated_reaction_n: number };
+
+/** The goal of an exercise and its limits. */
+export type ExerciseInfo = {
   task: string;
-  /** Name of the ship. */
+  /** Name of the ship whose berthing is judged. */
   ship: string;
-  /** The conditions in words. They must hold together. */
-  goal: string[];
-  /** For this long. */
+  /** The conditions of the goal in words. All conditions must hold at the same time. */
+  goal: Array<string>;
+  /** Time for which all conditions of the goal must hold (s). */
   hold_s: number;
   time_limit_s: number | null;
-  /** The least score with which it is passed. */
+  /** The least score with which the exercise is passed. */
   pass_mark: number;
-  limits: LimitInfo[];
-  /** Where an anchor must lie; `null` if the goal has no such place. */
+  limits: Array<LimitInfo>;
+  /** Where an anchor must lie; `None` if the goal asks for no place of an anchor. */
   place: PlaceInfo | null;
-}
+};
 
-/** A place of a goal, with how far from it is good enough. */
-export interface PlaceInfo {
-  at_m: Pair;
-  within_m: number;
-}
+/** A place that a goal asks for, and the distance from this place that is still good enough. */
+export type PlaceInfo = { at_m: [number, number]; within_m: number };
 
-export interface LimitInfo {
+export type LimitInfo = {
   key: string;
-  /** What it is about. */
+  /** The quantity that the limit bounds, in words. */
   text: string;
   rule: string;
-  /** The most that it costs. */
+  /** The largest number of points that the limit can cost. */
   points: number;
-  /** The exercise is failed where it is exceeded. */
+  /** True if the exercise is failed when the limit is exceeded. */
   fails: boolean;
-}
+};
 
-export interface OrderInfo {
-  /** The word in `do`. */
+/** An order in the table of orders of `fenderline_sim`. */
+export type OrderInfo = {
+  /** The word of the order in the field `do` of a command. */
   name: string;
-  /** The field that names the target. */
+  /** The field of a command that names the vessel, tug or line to which the order goes. */
   target: "vessel" | "tug" | "line";
-  /** The gear that the target must have. */
+  /** The gear that the vessel, tug or line must have for the order; `null` if the order needs no gear. */
   needs: string | null;
   meaning: string;
-  arguments: ArgumentInfo[];
-}
+  arguments: Array<ArgumentInfo>;
+};
 
-export interface TelegraphInfo {
-  /** The word in scenario files, such as `dead slow ahead`. */
-  word: string;
-  /** Revolutions over full revolutions, negative astern. */
-  share: number;
-}
-
-export interface ArgumentInfo {
-  /** The field. */
+export type ArgumentInfo = {
+  /** Name of the argument's field in a command. */
   name: string;
   kind: "number" | "place" | "name";
-  /** Empty for a share and a name. */
+  /** Unit of the argument; empty for a share and for a name. */
   unit: string;
-  /** The least and the greatest value. */
-  limits: Pair | null;
-  /** The value if it is not given. */
+  /** The least and the greatest value of the argument. */
+  limits: [number, number] | null;
+  /** The value that counts if a command leaves the argument out. */
   default: number | null;
   required: boolean;
   meaning: string;
-}
+};
 
-/** Least and greatest value. */
-export interface CommandLimits {
-  /** Force over a tug's bollard pull, in an order in words. */
-  tug_power: Pair;
-  wind_mps: Pair;
-  current_mps: Pair;
-  visibility_m: Pair;
-  approach_limit_mps: Pair;
-  /** Simulated time over wall time. */
-  pace: Pair;
-  /** Time over which wind or current changes [s]. */
-  over_s: Pair;
-  /** How far a trial looks ahead [s]. */
-  trial_s: Pair;
-}
+/** An order that the engine telegraph can give. */
+export type TelegraphInfo = {
+  /** The telegraph's position as scenario files write it, such as `dead slow ahead`. */
+  word: string;
+  /** Revolutions ordered by the telegraph's position, over full revolutions; negative astern. */
+  share: number;
+};
+
+/**
+ * Limits of the commands that are not in the table of orders: the least and the greatest value of each number. Pages
+ * of the browser get these limits in the message `hello`.
+ */
+export type CommandLimits = {
+  /** Force in an order in words to a tug, as a share of her bollard pull. */
+  tug_power: [number, number];
+  /** Speed of a wind (m/s). */
+  wind_mps: [number, number];
+  /** Speed of a current (m/s). */
+  current_mps: [number, number];
+  /** Visibility (m). */
+  visibility_m: [number, number];
+  /** Limit of the closing speed at the fenders (m/s). */
+  approach_limit_mps: [number, number];
+  /** Pace of the exercise: simulated time over wall time. */
+  pace: [number, number];
+  /** Time over which wind, current or visibility changes (s). */
+  over_s: [number, number];
+  /** Time that a trial looks ahead (s). */
+  trial_s: [number, number];
+};
+
+export type BerthInfo = {
+  body: number;
+  from: [number, number];
+  to: [number, number];
+  facing: [number, number];
+};
 
 /** A feature of the chart. */
-export interface ChartInfo {
-  kind:
-    | "coverage"
-    | "depth_area"
-    | "dredged_area"
-    | "unsurveyed_area"
-    | "depth_contour"
-    | "sounding"
-    | "coast"
-    | "quay"
-    | "pontoon"
-    | "building"
-    | "berth"
-    | "fairway"
-    | "anchorage"
-    | "leading_line"
-    | "bridge"
-    | "overhead_cable"
-    | "rock"
-    | "obstruction"
-    | "wreck"
-    | "mooring"
-    | "landmark"
-    | "light"
-    | "beacon"
-    | "buoy"
-    | "name";
-  /** Empty for none. */
+export type ChartInfo = {
+  kind: ChartKind;
+  /** Name of the feature; empty if the feature has no name. */
   name: string;
-  /** Below chart datum; of areas the least [m]. */
+  /** Depth of the water below chart datum (m); for an area, the least depth. */
   depth_m: number | null;
-  /** Of areas of depth: the greatest [m]. */
+  /** The greatest depth of an area of depth (m). */
   deepest_m: number | null;
-  /** Of bridges and overhead cables: height above the water [m]. */
+  /** Height of a bridge or an overhead cable above the water (m). */
   clearance_m: number | null;
-  /** Of buoys, beacons and lights. */
-  colour: "red" | "green" | "yellow" | "black" | "white" | null;
-  /** The side of the fairway that a lateral mark is on, for a ship that enters. */
-  side: "port" | "starboard" | null;
-  /** Of lights: the character as on a chart, such as "Fl(2) R 6s". */
+  /** Colour of a buoy, beacon or light. */
+  colour: MarkColour | null;
+  /** The side of the fairway on which a lateral mark is, for a ship that enters. */
+  side: MarkSide | null;
+  /** What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water. */
+  meaning: MarkMeaning | null;
+  /** Shape of the body of a buoy or beacon; `null` if the chart does not give the shape. */
+  form: MarkShape | null;
+  /** Character of a light as charts write it, such as "Fl(2) R 6s". */
   character: string | null;
-  /** Of lights [s]. */
+  /** Period of a light (s). */
   period_s: number | null;
-  /** Of lights: directions from the light, clockwise from the first to the second; `null`: all round [rad]. */
-  sector_rad: Pair | null;
-  /** Of lights: nominal range [m]. */
+  /**
+   * Sector of a light: two directions seen from the light, clockwise from the first to the second (rad); `null`
+   * if the light shines all round.
+   */
+  sector_rad: [number, number] | null;
+  /** Nominal range of a light (m). */
   range_m: number | null;
   shape: "point" | "line" | "area";
-  /** Earth-fixed [m]: one place, one line, or the rings of an area, each without a repeated last place. */
-  lines: Pair[][];
-}
+  /** Places on the earth (m): one place, one line, or the rings of an area. A ring does not repeat its first place. */
+  lines: Array<Array<[number, number]>>;
+};
 
-export interface BodyInfo {
+export type BodyInfo = {
   name: string;
   fixed: boolean;
-  /** Body-fixed [m]. */
-  outline: Pair[];
-}
+  /** Corners of the body's outline, in the axes of the body (m). */
+  outline: Array<[number, number]>;
+};
 
-export interface VesselInfo {
+export type VesselInfo = {
   name: string;
-  /** Index into `bodies`. */
+  /** Index of the vessel's body in `bodies`. */
   body: number;
   title: string;
   length_m: number;
   beam_m: number;
   draught_m: number;
-  /** `null`: she has none. */
+  /** Largest angle of the rudder (rad); `null` if the vessel has no rudder. */
   rudder_stop_rad: number | null;
   full_rps: number | null;
-  thrusters: { name: string; along_m: number; force_n: number }[];
-  azimuths: { name: string; at_m: Pair; bollard_n: number }[];
-  /** She is a tug that assists the named vessel or the pilot's ship. */
+  thrusters: Array<ThrusterInfo>;
+  azimuths: Array<AzimuthInfo>;
+  /** True if the vessel is a tug that assists another vessel. */
   is_tug: boolean;
-  /** For a tug, the index of the ship that she serves. */
+  /** Index of the ship that the tug serves. */
   serves: number | null;
-  /** She has a line to the ship that she serves. */
+  /** True if the tug has a line to the ship that the tug serves. */
   has_towline: boolean;
-  /** Places at her side where a tug may work; a tug has none. */
+  /** Places at the ship's side where a tug may work; empty for a tug. */
   places: Place[];
-  /** The orders that she has the gear for. */
-  orders: string[];
-}
+  /** The orders for which the vessel has the gear. */
+  orders: Array<string>;
+  /** The vessel's passage plan; `null` if the vessel has no plan. */
+  plan: PlanInfo | null;
+};
 
-export interface FenderInfo {
+/** A passage plan of a vessel. The program computes tracks and distances, and the page draws them. */
+export type PlanInfo = {
+  name: string;
+  waypoints: Array<WaypointInfo>;
+  wheel_overs: Array<WheelOverInfo>;
+  /** The planned track: legs, and arcs between the legs. */
+  track: Array<[number, number]>;
+  /** For each leg with a corridor, the edge to port and the edge to starboard. */
+  corridor: Array<[Array<[number, number]>, Array<[number, number]>]>;
+};
+
+/** A waypoint of a passage plan. */
+export type WaypointInfo = {
+  /** Name of the waypoint; empty if the waypoint has no name. */
+  name: string;
+  at_m: [number, number];
+  /** Planned speed on the leg that leads to the waypoint (m/s). */
+  speed_mps: number | null;
+};
+
+/** A place at which the wheel goes over for the turn at a waypoint. */
+export type WheelOverInfo = {
+  /** Index of the waypoint among the waypoints of the plan. */
+  waypoint: number;
+  at_m: [number, number];
+  /** Course of the track at the place (rad). */
+  course_rad: number;
+};
+
+export type ThrusterInfo = { name: string; along_m: number; force_n: number };
+
+export type AzimuthInfo = { name: string; at_m: [number, number]; bollard_n: number };
+
+export type FenderInfo = {
   name: string;
   body: number;
-  /** Of the mounting, body-fixed [m]. */
-  at_m: Pair;
+  /** Position of the fender's mounting, in the axes of the body (m). */
+  at_m: [number, number];
   facing_rad: number;
   width_m: number;
   projection_m: number;
   rated_deflection_m: number | null;
   rated_reaction_n: number | null;
   rated_energy_j: number | null;
-}
+};
 
-export interface LineInfo {
+export type LineInfo = {
   name: string;
   ship: number;
-  fairlead_m: Pair;
-  /** Its other end: a point on the earth or on a body; `null`: on board until it is sent to a bollard. */
-  end: { place_m: Pair } | { body: number; at_m: Pair } | null;
+  fairlead_m: [number, number];
+  /**
+   * The place where the line is made fast if nobody orders another. The place is `null` for a line that stays on
+   * board until it is sent to a bollard.
+   */
+  end: LineEndInfo | null;
   breaking_n: number;
-  /** Tension at which an alarm is raised: half of the breaking load. */
+  /** Tension at which the line raises an alarm: half of the breaking load (N). */
   working_n: number;
-  /** Rate of a manual order to its winch [m/s]; `null`: it has none. */
+  /** Rate at which the line's winch carries out a manual order (m/s); `null` if the line has no winch. */
   winch_mps: number | null;
-  /** The farthest bollard to which it can be sent [m]. */
+  /** Distance to the farthest bollard that the line can reach (m). */
   reach_m: number;
-  /** What reaches no farther: a heaving line counts where there is no boat. */
+  /** The thing that limits how far the line reaches: the rope, or a heaving line where there is no boat. */
   reach_by: "the rope" | "a heaving line";
-}
+};
+
+export type LineEndInfo = { place_m: [number, number] } | { body: number; at_m: [number, number] };
 
 /** An anchor with its chain. */
-export interface AnchorInfo {
+export type AnchorInfo = {
   name: string;
-  /** The body of the ship that carries it. */
+  /** Index of the body of the ship that carries the anchor. */
   ship: number;
-  hawse_m: Pair;
-  /** Length of its chain [m]. */
+  hawse_m: [number, number];
+  /** Length of the anchor's chain (m). */
   chain_m: number;
   mass_kg: number;
   breaking_n: number;
-  /** Tension at which the brake of the windlass renders. */
+  /** Tension at which the brake of the windlass renders (N). */
   brake_n: number;
-}
+};
 
 /** A bollard to which lines can be sent. */
-export interface BollardInfo {
+export type BollardInfo = {
   name: string;
   body: number;
-  at_m: Pair;
-  /** How many lines it takes at once. */
+  at_m: [number, number];
+  /** The largest number of lines that the bollard takes at the same time. */
   most_lines: number;
-}
+};
 
 /** A vector tug: only her force on the ship is simulated. Tugs that are vessels are in `vessels`. */
-export interface TugInfo {
+export type TugInfo = {
   name: string;
-  /** Index into `vessels` of the ship that she serves. */
+  /** Index in `vessels` of the ship that the tug serves. */
   vessel: number;
   length_m: number;
   beam_m: number;
   bollard_pull_n: number;
-  push_at_m: Pair;
-  pull_at_m: Pair;
-}
+  push_at_m: [number, number];
+  pull_at_m: [number, number];
+};
 
-/** A ship that passes on a track of her own: no order moves her, and she touches nothing. */
-export interface TrafficInfo {
+/** A ship that passes on a track of her own. No order moves the passing ship, and she touches nothing. */
+export type TrafficInfo = {
   name: string;
-  /** About midship [m]. */
-  outline: Pair[];
-}
+  /** Corners of the ship's outline about midship (m). */
+  outline: Array<[number, number]>;
+};
 
-/** A ship that passes a vessel at rest, and what the flow about her does to the vessel. */
-export interface PassageNow {
-  /** Index into `Hello.vessels`. */
-  vessel: number;
-  /** Index into `Hello.traffic`. */
-  ship: number;
-  /** Clear distance between the outlines [m]. */
-  gap_m: number;
-  /** The nearest points of both outlines, the vessel's first: north and east [m]. */
-  between_m: [Pair, Pair];
-  /** Force of the flow of all other ships on the vessel, forward and to starboard [N]. */
-  force_n: Pair;
-  /** Its moment about midship, bow to starboard [N·m]. */
-  yaw_nm: number;
-}
-
-/** One tick. The page interpolates between the last two. */
-export interface Frame {
+/** A frame without its `events`, because each client gets other events. */
+export type FrameOfAll = {
   type: "frame";
   tick: number;
   t_s: number;
-  /** The server's clock when the tick was made [ms since 1970]. */
+  /** The server's clock when the tick was made (ms since the start of 1970). */
   at_ms: number;
   run: RunState;
-  /** `null`: this page does not see it, as it lies beyond the visibility. */
+  /** Position and motion of each body; `None` if fog hides the body. */
   bodies: (BodyNow | null)[];
-  vessels: VesselNow[];
-  fenders: FenderNow[];
-  contacts: ContactNow[];
-  lines: LineNow[];
-  anchors: AnchorNow[];
-  tugs: TugNow[];
-  /** Of each ship in `Hello.traffic`; she is where her track says. `null`: this page does not see her in the fog. */
+  vessels: Array<VesselNow>;
+  fenders: Array<FenderNow>;
+  contacts: Array<ContactNow>;
+  lines: Array<LineNow>;
+  anchors: Array<AnchorNow>;
+  tugs: Array<TugNow>;
+  /** Position and motion of each passing ship; `None` if fog hides the ship. */
   traffic: (BodyNow | null)[];
-  /** Ships of the traffic that pass vessels at rest, at most one for each vessel; without those that this page does not see. */
-  passages: PassageNow[];
-  /** Wind at the pilot's ship: where it comes from, and its speed; 0 without wind. */
-  wind: { speed_mps: number; from_rad: number };
-  /** Current at the pilot's ship: where it flows to, and its speed. */
-  current: { speed_mps: number; to_rad: number };
-  waves: { height_m: number; period_s: number; from_rad: number } | null;
-  /** How far people see [m]; `null`: clear. */
+  /**
+   * Passing ships that are near a vessel at rest, at most one passing ship for each vessel. Passing ships in the
+   * fog are left out.
+   */
+  passages: Array<PassageNow>;
+  /** Wind at the pilot's ship; a speed of 0 means no wind. */
+  wind: WindNow;
+  /** Current at the pilot's ship. */
+  current: CurrentNow;
+  waves: WavesNow | null;
+  /** Visibility (m); `null` if the air is clear. */
   visibility_m: number | null;
-  /** The speed limit at the fenders, of docking board and alarms [m/s]. */
+  /** The limit of the closing speed at the fenders, which docking board and alarms use (m/s). */
   approach_mps: number;
-  alarms: Alarm[];
-  /** On the run from its start to this tick. */
+  alarms: Array<Alarm>;
+  /** The verdict on the run from the start to this tick. */
   verdict: VerdictNow;
   exercise: ExerciseNow | null;
-  /** For the instructor only: the score of the exercise. */
-  marks?: ExerciseMarks;
-  /** Since the last frame. */
-  events: { t_s: number; text: string }[];
-}
+};
 
-export interface RunState {
+export type RunState = {
   paused: boolean;
-  /** Simulated time over wall time. */
+  /** Pace of the run: simulated time over wall time. */
   pace: number;
-  /** Number of ticks that were late by more than half a step, and the largest delay [ms]. */
+  /** Number of ticks that were late by more than half a step. */
   late_ticks: number;
   latest_ms: number;
   branch: number;
-  branches: { id: number; from_tick: number; ends_tick: number; parent: number | null }[];
-  /** The last tick of this branch: beyond `tick` while rewound. */
+  branches: Array<BranchNow>;
+  /** The last tick of the branch that is shown. While the run is rewound, the last tick lies beyond `Frame.tick`. */
   last_tick: number;
   clients: number;
-  /** The file that is being opened, what the server does (`reads` it, or `plays` a recording again), and the share done. */
-  opening: { file: string; at: "reads" | "plays"; share: number } | null;
-}
+  /** The file that the server is opening; `null` if the server opens no file. */
+  opening: OpeningNow | null;
+};
 
-/** [north, east, heading, velocity north, velocity east, yaw rate]. */
-export type BodyNow = [number, number, number, number, number, number];
+export type OpeningNow = {
+  file: string;
+  /** What the server does with the file: it reads a scenario, or plays a recording again. */
+  at: "reads" | "plays";
+  share: number;
+};
 
-export interface VesselNow {
-  rudder: { order_rad: number; now_rad: number };
-  shaft: { order: number; now: number };
-  thrusters: { order: number; now: number }[];
-  azimuths: {
-    power_order: number;
-    power: number;
-    direction_order_rad: number;
-    direction_rad: number;
-  }[];
-  /** Mode of steering: `hands`, `course`, `speed`, `course+speed`, `station`, `assist`. */
+export type BranchNow = { id: number; from_tick: number; ends_tick: number; parent: number | null };
+
+export type VesselNow = {
+  rudder: RudderNow;
+  shaft: ShareNow;
+  thrusters: Array<ShareNow>;
+  azimuths: Array<AzimuthNow>;
+  /** The vessel's mode of steering: `hands`, `course`, `speed`, `course+speed`, `station` or `assist`. */
   pilot: string;
   course_rad: number | null;
   speed_order_mps: number | null;
-  /** Ahead and to starboard, over ground and through the water [m/s]. */
-  ground_mps: Pair;
-  water_mps: Pair;
-  /** Lateral over ground at the ends, positive to starboard [m/s]. */
+  /** Speed of the vessel over ground, ahead and to starboard (m/s). */
+  ground_mps: [number, number];
+  water_mps: [number, number];
+  /** Lateral speed of the bow over ground, positive to starboard (m/s). */
   bow_mps: number;
   stern_mps: number;
   heel_rad: number;
@@ -475,20 +587,86 @@ export interface VesselNow {
   squat_m: number;
   under_keel_m: number | null;
   aground: boolean;
-  /** Her position at the berth, if there is one. */
+  /** Position of the vessel at the berth; `null` if the scenario has no berth. */
   berth: BerthNow | null;
-  /** For a tug that is a vessel: her order at the ship. */
+  /** Place of the vessel on her passage plan; `null` if the vessel has no plan. */
+  plan: PlanNow | null;
+  /** The order that a tug carries out at her ship; `null` for other vessels. */
   assist: AssistNow | null;
   faults: Fault[];
   /** Thrusters and azimuth units that have tripped, by name. */
-  tripped: string[];
-}
+  tripped: Array<string>;
+};
 
-/**
- * State of an end of a ship, the worst last: clear of the fenders; in contact with them; behind their line where there is
- * none; beyond the last one by more than their spacing; where a hull touched the structure and nobody has acknowledged
- * it; at a fender that was beyond its rating, and nobody has acknowledged it; at one that failed or is beyond its rating; with the hull on the structure.
- */
+/** Where a vessel is on her passage plan. */
+export type PlanNow = {
+  /** Index of the leg, which leads from the waypoint with the same index to the next waypoint. */
+  leg: number;
+  /** Distance from the track, positive to starboard of the track (m). */
+  cross_track_m: number;
+  /** Distance along the track to the waypoint at the end of the leg; negative after the last waypoint (m). */
+  to_waypoint_m: number;
+  /** Distance along the track to the next wheel-over point; `null` if no turn is left (m). */
+  to_wheel_over_m: number | null;
+  /** Course of the leg (rad). */
+  course_rad: number;
+  /** Planned speed on the leg (m/s). */
+  speed_mps: number | null;
+  /** Largest planned cross-track distance; `null` if the leg has no corridor (m). */
+  half_width_m: number | null;
+};
+
+export type RudderNow = { order_rad: number; now_rad: number };
+
+export type ShareNow = { order: number; now: number };
+
+export type AzimuthNow = {
+  power_order: number;
+  power: number;
+  direction_order_rad: number;
+  direction_rad: number;
+};
+
+export type AssistNow = {
+  order: TugWord;
+  /** Force of the order, as a share of the tug's bollard pull. */
+  power: number;
+  /** The place where the tug works; `null` if this place has no name. */
+  place: Place | null;
+  /** How far the tug has come with her order. */
+  state: AssistState;
+  /**
+   * Force of the tug on the ship: the push of the tug, or the tension of her line (N). The thrust of the tug is
+   * larger while part of the thrust moves the tug.
+   */
+  force_n: number;
+};
+
+/** What a tug that is a vessel is doing to carry out her order. */
+export type AssistState =
+  "stands_off" | "comes_alongside" | "alongside" | "pushes" | "takes_up_slack" | "pulls";
+
+/** A ship beside the berth's line of fenders. Bow and stern mean the two ends of the flat part of the ship's side. */
+export type BerthNow = {
+  bow: BerthEnd;
+  stern: BerthEnd;
+  /** The limit of the closing speed at the distance of the nearer end (m/s). */
+  limit_mps: number;
+  bow_lamp: Lamp;
+  stern_lamp: Lamp;
+  /** Distance of the bow from the line of fenders (m). */
+  bow_m: number;
+  stern_m: number;
+  /** Speed of the bow towards the berth (m/s). */
+  bow_mps: number;
+  stern_mps: number;
+  /** Speed of the ship along the berth, positive ahead (m/s). */
+  along_mps: number;
+  /** Angle between ship and berth, positive if the bow is nearer (rad). */
+  angle_rad: number;
+};
+
+/** How an end of a ship lies at the berth. */
 export type BerthEnd =
   | "off"
   | "at_fenders"
@@ -499,397 +677,386 @@ export type BerthEnd =
   | "over_rated"
   | "structure";
 
-/** The docking board's signal for an end: the worse of its speed and its state. */
-export interface Lamp {
-  light: "ok" | "caution" | "alarm";
-  text: string;
-}
+/**
+ * The signal of the docking board for an end of a ship: the worse of two signals, one for the speed of the end and
+ * one for its position.
+ */
+export type Lamp = { light: Light; text: string };
 
-/** A ship beside the berth's line of fenders: the two ends of the flat of her side. */
-export interface BerthNow {
-  bow: BerthEnd;
-  stern: BerthEnd;
-  /** The speed limit at the nearer end's distance [m/s]. */
-  limit_mps: number;
-  bow_lamp: Lamp;
-  stern_lamp: Lamp;
-  /** Distance from the line [m]. */
-  bow_m: number;
-  stern_m: number;
-  /** Speed towards the berth [m/s]. */
-  bow_mps: number;
-  stern_mps: number;
-  /** Speed along the berth, positive ahead [m/s]. */
-  along_mps: number;
-  /** Angle to the berth, positive with the bow nearer [rad]. */
-  angle_rad: number;
-}
+/** A signal of the docking board. */
+export type Light = "ok" | "caution" | "alarm";
 
-export interface AssistNow {
-  order: TugWord;
-  /** Of the order, over her bollard pull. */
-  power: number;
-  /** Where she works, if that is one of the named places. */
-  place: Place | null;
-  /** Progress of her order. */
-  state: "stands_off" | "comes_alongside" | "alongside" | "pushes" | "takes_up_slack" | "pulls";
-  /** Force on the ship: her push, or the tension of her line. Not her thrust, part of which moves herself. */
-  force_n: number;
-}
-
-export interface FenderNow {
+export type FenderNow = {
   deflection_m: number;
   reaction_n: number;
   energy_j: number;
-  /** Share of the rating; 0 if no rating is given. */
+  /** Energy of the fender as a share of the rated energy; 0 if the fender has no rating. */
   of_energy: number;
   of_reaction: number;
   peak_of_energy: number;
   peak_of_reaction: number;
   failed: boolean;
-  /** It has been loaded beyond its rating. */
+  /** True if the fender was loaded beyond its rating at any time. */
   over_rated: boolean;
-  /** Since the start. */
+  /** True if the fender was touched at any time since the start. */
   touched: boolean;
-}
+};
 
-export interface ContactNow {
+export type ContactNow = {
   bodies: [number, number];
   fender: number | null;
-  at_m: Pair;
-  /** On the first body, earth-fixed [N]. */
-  force_n: Pair;
+  at_m: [number, number];
+  /** Force on the first body, north and east (N). */
+  force_n: [number, number];
   slips: boolean;
-}
+};
 
-export interface LineNow {
-  /** `ashore`: it will be made fast by itself; `aboard`: it can be sent to a bollard; `sent`: on its way there. */
+export type LineNow = {
+  /**
+   * A line that is `ashore` will be made fast without an order. A line that is `aboard` can be sent to a
+   * bollard, and a line that is `sent` is on the way to a bollard.
+   */
   state: "ashore" | "aboard" | "sent" | "fast" | "parted";
   tension_n: number;
-  /** The tension is above the working load. */
+  /** True if the tension is above the working load. */
   over_working: boolean;
-  /** The bollard at which it is or to which it was sent: an index into `bollards`. */
+  /** Index of the bollard to which the line is fast or on its way. */
   bollard: number | null;
-  /** Unstretched length outboard [m]. */
+  /** Unstretched length of the line outboard (m). */
   length_m: number | null;
-  /** Time until it is fast [s]; `null` while it waits for line handlers or is not under way. */
+  /**
+   * Time until the line is fast (s). The time is `null` while the line waits for line handlers or is not under
+   * way.
+   */
   fast_in_s: number | null;
   winch: "hold" | "heave" | "pay_out";
-}
+};
 
-export interface AnchorNow {
+export type AnchorNow = {
   state: "housed" | "hanging" | "on_bottom" | "lost";
-  /** Where it lies; `null` unless it is on the bottom. */
-  place_m: Pair | null;
-  /** Chain out [m]. */
+  /** Position of the anchor on the bottom; `null` if the anchor does not lie there. */
+  place_m: [number, number] | null;
+  /** Length of the chain that is out (m). */
   chain_m: number;
-  /** At the hawse pipe. */
+  /** Tension of the chain at the hawse pipe (N). */
   tension_n: number;
-  /** What anchor and chain hold against a horizontal pull. */
+  /** The largest horizontal pull that anchor and chain hold (N). */
   holding_n: number;
   on_bottom_m: number;
-  /** Direction of the chain from the bow; `null` where it leads straight down. */
+  /** Direction of the chain from the bow; `null` if the chain leads straight down. */
   lead_rad: number | null;
   dragging: boolean;
   dragged_m: number;
   windlass: "hold" | "let_go" | "veer" | "heave";
-  /** The chain that shall be out [m]; `null` while the brake holds. */
+  /** Length of chain that the windlass shall put out (m); `null` while the brake holds. */
   to_m: number | null;
-  /** The windlass cannot heave against the tension. */
+  /** True if the windlass cannot heave against the tension. */
   stalled: boolean;
-  /** As the forecastle reports it: "2 shackles out, leads 11 o'clock, medium stay". */
+  /** The report from the forecastle about the anchor. */
   report: string;
-  faults: AnchorFault[];
-}
+  faults: Array<AnchorFault>;
+};
 
-export interface TugNow {
+/** A fault of an anchor. [`fenderline_sim::anchor::AnchorFaults`] describes the faults. */
+export type AnchorFault = "windlass_failed" | "does_not_bite";
+
+export type TugNow = {
   order: "push" | "pull" | "stop";
-  /** Of the order, over her bollard pull. */
+  /** Force of the order, as a share of the tug's bollard pull. */
   power: number;
   order_n: number;
   order_direction_rad: number;
   force_n: number;
-  /** Direction of the force on the ship, from the ship's bow. */
+  /** Direction of the tug's force on the ship, from the ship's bow (rad). */
   direction_rad: number;
   limited: boolean;
-  /** She has dropped out and carries out no orders. */
+  /** True if the tug has dropped out and carries out no orders. */
   out: boolean;
-}
+};
 
-export interface Alarm {
+/** A ship that passes a vessel at rest. */
+export type PassageNow = {
+  /** Index of the vessel at rest in `Hello.vessels`. */
+  vessel: number;
+  /** Index of the passing ship in `Hello.traffic`. */
+  ship: number;
+  /** Clear distance between the outlines of both ships (m). */
+  gap_m: number;
+  /** The nearest points of both outlines, north and east (m): first the point of the vessel at rest. */
+  between_m: [[number, number], [number, number]];
+  /** Force of the flow of all passing ships on the vessel, forward and to starboard (N). */
+  force_n: [number, number];
+  /** Moment of this flow on the vessel about midship, positive bow to starboard (N·m). */
+  yaw_nm: number;
+};
+
+export type WindNow = { speed_mps: number; from_rad: number };
+
+export type CurrentNow = { speed_mps: number; to_rad: number };
+
+export type WavesNow = { height_m: number; period_s: number; from_rad: number };
+
+export type Alarm = {
   level: "caution" | "alarm";
-  /** Kind and subject. At most one alarm with a key is active. */
+  /** Kind and subject of the alarm. At most one alarm with a key is active. */
   key: string;
   text: string;
-  /** Time when it was raised, or became an alarm. */
+  /** Time when the caution was raised, or became an alarm (s). */
   since_s: number;
-  /** Its cause is present. Otherwise it only waits to be acknowledged. */
+  /** True while the cause of the alarm is present. Otherwise the alarm only waits to be acknowledged. */
   stands: boolean;
   acknowledged: boolean;
-}
+};
 
-/** An exercise at this tick. */
-export interface ExerciseNow {
-  state: "running" | "reached" | "time_over";
-  ended_s: number | null;
-  /** How long the goal has been fulfilled. */
-  held_s: number;
-  /** In the order of the goal. */
-  conditions: { met: boolean; now: string }[];
-}
+export type EventNow = { t_s: number; text: string };
 
-/** The marks of an exercise up to this tick. */
-export interface ExerciseMarks {
-  score: number;
-  /** `null`: still open. */
-  passed: boolean | null;
-  /** In the order of the limits. */
-  limits: LimitNow[];
-}
-
-export interface LimitNow {
-  /** The worst value so far. */
-  worst: string | null;
-  exceeded: boolean;
-  /** What it cost so far. */
-  points: number;
-  /** What exceeded it, when and by how much. */
-  why: string | null;
-}
-
-/** How grave a verdict or a finding is; `failed`: something broke or was struck, or the results are not valid. */
-export type Gravity = "ok" | "note" | "attention" | "failed";
-
-/** The worst that was found in the run, in the words of the terminal and the report. */
-export interface VerdictNow {
+/** The verdict on the run: its worst finding, in the words of the terminal and of the report. */
+export type VerdictNow = {
   key: string;
   text: string;
   gravity: Gravity;
-  /** The worst first. */
-  findings: { key: string; gravity: Gravity; text: string }[];
-}
+  /** All findings of the run, the worst finding first. */
+  findings: Array<FindingNow>;
+};
 
-/** [t_s, north, east, heading]. */
-export type PathPoint = [t_s: number, north: number, east: number, heading: number];
+export type FindingNow = { key: string; gravity: Gravity; text: string };
 
-export interface ShipPath {
-  /** Index into `vessels`. */
-  vessel: number;
-  path: PathPoint[];
-}
+/** The state of an exercise as everybody gets it. */
+export type ExerciseNow = {
+  state: "running" | "reached" | "time_over";
+  ended_s: number | null;
+  /** Time for which all conditions of the goal have held (s). */
+  held_s: number;
+  /** The conditions of the goal, in the order of `ExerciseInfo.goal`. */
+  conditions: Array<ConditionNow>;
+};
 
-/**
- * Up to ten times a second: the predicted paths without further orders of up to three ships. The pilot's ship first, then the
- * other ships, then the tugs.
- */
-export interface Prediction {
-  type: "prediction";
-  tick: number;
-  paths: ShipPath[];
-}
+export type ConditionNow = { met: boolean; now: string };
 
-/** An answer to `trial`, first with what is known so far, at last complete. The ships are those of `prediction`. */
-export interface Trial {
-  type: "trial";
-  /** Of the command. */
-  id: number;
-  /** The tick from which it begins. */
-  tick: number;
-  horizon_s: number;
-  /** The paths reach the horizon. */
-  complete: boolean;
-  paths: ShipPath[];
-  /** What would be struck or broken, in sentences without a full stop; once it has ended. */
-  findings: string[];
-}
+/** The marks of an exercise: its score, and the state of its limits. Only the frames of instructors contain the marks. */
+export type ExerciseMarks = {
+  score: number;
+  /** True if the exercise is passed; `null` while this is still open. */
+  passed: boolean | null;
+  /** The limits, in the order of `ExerciseInfo.limits`. */
+  limits: Array<LimitNow>;
+};
 
-/**
- * The answer to `history`, before its acknowledgement: what strip charts and log show of the last half hour before the
- * present tick, once a second, column by column. Loads are the greatest of each second.
- */
-export interface Past {
+export type LimitNow = {
+  /** The worst value of the limited quantity so far, with its unit. */
+  worst: string | null;
+  exceeded: boolean;
+  /** Number of points that the limit has cost so far. */
+  points: number;
+  /** The event that exceeded the limit, with its time and the excess. */
+  why: string | null;
+};
+
+/** The past of a session up to the present tick. Each field of the past is a column of values over time. */
+export type Past = {
   type: "history";
-  /** Index of the vessel of which speeds and distances are; `null`: there is no vessel. */
+  /** Index of the vessel to which the speeds and distances of the past belong. */
   vessel: number | null;
-  t_s: number[];
-  /** At the berth if there is one, else sideways over ground at the ends; `null`: there is no vessel. */
-  bow_mps: (number | null)[];
-  stern_mps: (number | null)[];
-  ahead_mps: number[];
-  turn_radps: number[];
-  /** Distance to the berth. */
-  bow_m: (number | null)[];
-  stern_m: (number | null)[];
-  /** Greatest load of a fender over its rating, of a line over its working load. */
-  of_energy: number[];
-  of_reaction: number[];
-  of_working: number[];
-  /** The sizes of all contact forces together [N]. */
-  contact_n: number[];
-  /** With alarms that began; `level` is theirs. */
-  events: Then[];
-}
+  t_s: Array<number>;
+  /**
+   * Speed of the bow towards the berth, or sideways over ground if there is no berth (m/s); `null` if there is
+   * no vessel.
+   */
+  bow_mps: Array<number | null>;
+  stern_mps: Array<number | null>;
+  ahead_mps: Array<number>;
+  turn_radps: Array<number>;
+  /** Distance of the bow from the berth (m). */
+  bow_m: Array<number | null>;
+  stern_m: Array<number | null>;
+  /** Distance from the track of the vessel's passage plan, positive to starboard of the track (m). */
+  cross_track_m: Array<number | null>;
+  /** Largest energy of any fender as a share of its rated energy. */
+  of_energy: Array<number>;
+  of_reaction: Array<number>;
+  of_working: Array<number>;
+  /** Sum of the sizes of all contact forces (N). */
+  contact_n: Array<number>;
+  /** Events and alarms of the past. For an alarm, `level` is the level of the alarm. */
+  events: Array<Then>;
+};
 
-export interface Then {
-  t_s: number;
-  text: string;
-  level: Alarm["level"] | null;
-}
+/** An event of the past, or an alarm that began; an alarm has its level. */
+export type Then = { t_s: number; text: string; level: Alarm["level"] | null };
 
-/** For instructors only: what is planned, by time, whenever it has changed. */
-export interface Planned {
-  type: "planned";
-  events: PlannedNow[];
-}
+export type Reply =
+  | { type: "prediction"; tick: number; paths: Array<ShipPath> }
+  | {
+      type: "trial";
+      id: number;
+      tick: number;
+      horizon_s: number;
+      complete: boolean;
+      paths: Array<ShipPath>;
+      findings: Array<string>;
+    }
+  | { type: "planned"; events: Array<PlannedNow> }
+  | { type: "ack"; id: number; tick: number }
+  | { type: "refused"; id: number | null; reason: string }
+  | { type: "notice"; text: string };
 
-export interface PlannedNow {
+/** A planned event of the instructor, and what became of it. */
+export type PlannedNow = {
   id: number;
   at_s: number;
-  event: OtherAction;
+  event: RecordedAction;
   state: "waits" | "fired" | "cancelled" | "refused";
-  /** Why it could not be carried out. */
+  /** The reason why the planned event could not be carried out. */
   reason: string | null;
-}
+};
 
-export interface Ack {
-  type: "ack";
-  id: number;
-  /** The tick in which it takes effect. */
-  tick: number;
-}
+/** The predicted path of a vessel. Each point of the path has time (s), north and east (m), and heading (rad). */
+export type ShipPath = {
+  /** Index of the vessel in `Hello.vessels`. */
+  vessel: number;
+  path: PathPoint[];
+};
 
-export interface Refused {
-  type: "refused";
-  id: number | null;
-  reason: string;
-}
+/** A command that is not in the table of orders. */
+export type RecordedAction =
+  | {
+      do: "tug";
+      tug: string;
+      order: TugWord;
+      /** Force as a share of the tug's bollard pull. An order to push or pull needs a force. */
+      power?: number;
+      lead: Lead;
+      place: Place;
+    }
+  | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }
+  | { do: "current"; speed_mps: number; to_rad: number; over_s?: number }
+  | { do: "part_line"; line: string }
+  | { do: "anchor_fault"; anchor: string; fault: AnchorFault; on: boolean }
+  | { do: "tug_out"; tug: string; on: boolean }
+  | { do: "plan"; at_s: number; event: RecordedAction }
+  | { do: "cancel_planned"; id: number }
+  | { do: "visibility"; distance_m: number | null; over_s?: number }
+  | { do: "fault"; vessel: string; fault: Fault; on: boolean }
+  | { do: "thruster_out"; vessel: string; thruster: string; on: boolean }
+  | { do: "place"; vessel: string; at_m: [number, number]; heading_rad: number; ahead_mps?: number }
+  | { do: "approach_limit"; speed_mps: number }
+  | { do: "acknowledge"; key: string }
+  | { do: "note"; text?: string };
 
-/** A text to be shown for a while: a client joined or left, the session was rewound. */
-export interface Notice {
-  type: "notice";
-  text: string;
-}
-
-// ---------------------------------------------------------------- page → server
-
-export interface Command {
-  type: "command";
-  /** Chosen by the page; the answer has the same. */
-  id: number;
-  action: Action;
-}
-
-/** Every command: an order of the table, or one of the others. */
-export type Action = Order | OtherAction;
-
-/** Words for a tug. `stop`: no force; `stand_off`: keep clear of the side. */
-export type TugWord = "push" | "pull" | "stop" | "stand_off";
-/** Direction of a tug: square to the side, or 45° towards the ship's bow or stern. */
-export type Lead = "square" | "forward" | "aft";
-/** Place of a tug at the ship's side. `VesselInfo.places` has those of each ship. */
-export type Place =
-  | "nearest"
-  | "port shoulder"
-  | "port midships"
-  | "port quarter"
-  | "starboard shoulder"
-  | "starboard midships"
-  | "starboard quarter";
-
-/** What a trial takes: an order of the table, or one to a tug in words. */
-export type TrialOrder = Order | TugOrder;
-
-export interface TugOrder {
-  do: "tug";
-  tug: string;
-  order: TugWord;
-  power?: number;
-  lead: Lead;
-  place: Place;
-}
-
-export type OtherAction =
-  /** To a tug of either kind, in words: the server finds force, direction and place. `power` is over her bollard pull; a push and a pull need it. */
-  | TugOrder
-  // Claims.
+/**
+ * A command to the session itself: about helms, time, branches or files. The recording keeps only what a
+ * command to the session causes.
+ */
+export type Conduct =
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }
-  /** The name of the person at this page: 1 to 30 characters. */
-  | { do: "name"; name: string }
-  /** `key`: a secret of this page that it keeps over a reload, 32 hexadecimal digits. */
-  | { do: "seat"; key: string }
-  /**
-   * Shows where orders would take the ships, on a copy of the run. `trial` messages with the number of this command follow. A new
-   * trial of this page ends the one before.
-   */
-  | { do: "trial"; orders: TrialOrder[]; horizon_s: number }
-  /** Gives up to 16 orders at once: all of them or none. */
-  | { do: "give"; orders: TrialOrder[] }
-  // For the instructor only.
   | { do: "pause" }
   | { do: "resume" }
   | { do: "single_step" }
   | { do: "pace"; pace: number }
   | { do: "rewind"; tick: number }
-  /** Continues from the rewound state as a new branch. */
   | { do: "branch" }
   | { do: "show_branch"; id: number }
-  /** Acknowledged when it begins. `run.opening` has the progress. If it fails, a `refused` without `id` has the reason. */
   | { do: "load"; file: string }
   | { do: "stop_opening" }
+  | { do: "name"; name: string }
+  | { do: "seat"; key: string }
+  | { do: "trial"; orders: TrialOrder[]; horizon_s: number }
+  | { do: "give"; orders: TrialOrder[] }
+  | { do: "history"; vessel?: string }
+  | { do: "report" }
   | { do: "save"; name: string }
-  /**
-   * Renames a recording or a saved exercise; `name` is without ending. Never to a name that is taken. These three are acknowledged when
-   * they are done.
-   */
+  | { do: "save_exercise"; name: string; title: string; replace: boolean }
   | { do: "rename"; file: string; name: string }
-  /** Moves it among the deleted files. Not what is being recorded or run. */
   | { do: "delete"; file: string }
   | { do: "put_back"; file: string }
-  /** Sends `Past`, once a second: of the ship of the link, to the instructor of any ship. */
-  | { do: "history"; vessel?: string }
-  /**
-   * Saves a new exercise in the gallery's folder, under a name without ending. A name that is taken is refused, unless it
-   * may be replaced. It is acknowledged when it is saved.
-   */
-  | { do: "create"; of: { name: string; exercise: NewExercise; replace: boolean } }
-  /** Makes the report of the session up to now. When it is acknowledged, `/report` with the instructor's token has it. */
-  | { do: "report" }
-  /** Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug. Recorded. */
-  | { do: "acknowledge"; key: string }
-  /** The instructor's note for the debriefing: one line of at most 300 characters; without a text, a mark. Recorded. */
-  | { do: "note"; text?: string }
-  /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
-  /** `null`: clear. */
-  | { do: "visibility"; distance_m: number | null; over_s?: number }
-  | { do: "approach_limit"; speed_mps: number }
-  /** At once, or over a time. */
-  | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }
-  | { do: "current"; speed_mps: number; to_rad: number; over_s?: number }
-  | { do: "part_line"; line: string }
-  | { do: "anchor_fault"; anchor: string; fault: AnchorFault; on: boolean }
-  /** A vector tug drops out, or comes back. */
-  | { do: "tug_out"; tug: string; on: boolean }
-  /** Plans weather or a fault for a time of the run. */
-  | { do: "plan"; at_s: number; event: OtherAction }
-  | { do: "cancel_planned"; id: number }
-  | { do: "fault"; vessel: string; fault: Fault; on: boolean }
-  /** One thruster or azimuth unit trips, or comes back. */
-  | { do: "thruster_out"; vessel: string; thruster: string; on: boolean }
-  /** Places a ship before the first step: her centre of gravity. Refused with the reason where she cannot be. */
-  | { do: "place"; vessel: string; at_m: Pair; heading_rad: number; ahead_mps?: number }
-  /** Saves the present state as an exercise of the gallery, as `create` does a new one. */
-  | { do: "save_exercise"; name: string; title: string; replace: boolean };
+  | { do: "create"; of: Creation };
 
-export type AnchorFault = "windlass_failed" | "does_not_bite";
+/** An exercise that is to be made from the user's choices, and its name in the gallery. */
+export type Creation = {
+  /** Name of the exercise's file, without the ending. */
+  name: string;
+  /** The choices. */
+  exercise: NewExercise;
+  /** True if the exercise may replace an exercise of the same name. */
+  replace: boolean;
+};
 
-/** Those of frozen instruments are only sent to instructors: their own page shows the truth. */
-export type Fault =
-  | "rudder_stuck"
-  | "follow_up_lost"
-  | "engine_lost"
-  | "thrusters_lost"
-  | "blackout"
-  | "heading_frozen"
-  | "speed_frozen"
-  | "position_frozen";
+/** The choices. */
+export type NewExercise = {
+  /** Title of the scenario. */
+  title: string;
+  /** The straight berth, which is not used if `berth_of` names another scenario. */
+  berth: NewBerth;
+  /** File name of the scenario whose berth is taken, for [`NewExercise::text_at`]. */
+  berth_of: string | null;
+  /** The ship. */
+  ship: NewShip;
+  /** The tugs. */
+  tugs: NewTugs;
+  /** The weather. */
+  weather: NewWeather;
+};
+
+/** A straight quay with a row of equal fenders. The quay's face runs north, with the water to the west. */
+export type NewBerth = {
+  /** Length of the quay (m). */
+  length_m: number;
+  /** Depth of the water (m). */
+  depth_m: number;
+  /** Family of the fenders in the library. */
+  fender: string;
+  /** Size of the fenders in the library; if `None`, height and reaction are given. */
+  size: string | null;
+  /** Height of a fender (m), where no size is given. */
+  height_m: number | null;
+  /** Rated reaction of a fender (N), where no size is given. */
+  rated_reaction_n: number | null;
+  /** Number of fenders. */
+  fenders: number;
+  /** Distance between fenders (m). */
+  fender_spacing_m: number;
+  /** Distance between bollards (m). */
+  bollard_spacing_m: number;
+};
+
+/** A ship of the library on her way to the berth. */
+export type NewShip = {
+  /** Name in the library. */
+  vessel: string;
+  /** The side of the ship that is to lie at the berth. */
+  side: BerthingSide;
+  /** Distance from the ship's side to the face of the quay at the start (m). */
+  off_m: number;
+  /** Distance of the ship at the start, astern of the middle of the berth (m). */
+  astern_m: number;
+  /** Speed ahead of the ship at the start (m/s). */
+  speed_mps: number;
+};
+
+/** Sides of a ship. */
+export type BerthingSide = "port" | "starboard";
+
+/** Equal tugs of the library, each on a line at the ship's side towards the water. */
+export type NewTugs = {
+  /** Name in the library. */
+  vessel: string;
+  /** How many. */
+  number: number;
+};
+
+/** Wind, current and visibility. */
+export type NewWeather = {
+  /** Speed of the wind (m/s). */
+  wind_mps: number;
+  /** Direction from which the wind comes (rad). */
+  wind_from_rad: number;
+  /** Whether the wind has gusts. */
+  gusts: boolean;
+  /** Speed of the current (m/s). */
+  current_mps: number;
+  /** Direction to which the current runs (rad). */
+  current_to_rad: number;
+  /** Visibility (m); `None`: clear. */
+  visibility_m: number | null;
+};

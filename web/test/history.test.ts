@@ -31,6 +31,7 @@ function past(from_s: number, till_s: number): Past {
     turn_radps: all(0),
     bow_m: all(5),
     stern_m: all(6),
+    cross_track_m: all(-4),
     of_energy: all(0.25),
     of_reaction: all(0),
     of_working: all(0),
@@ -71,7 +72,9 @@ test("the past is asked for after the first frame, a jump, and another branch; n
   expect(await asks()).toBe(2);
   requests.frame(frame(3, 1));
   expect(await asks()).toBe(3);
-  request.mockImplementation(() => Promise.resolve("the past of the session was sent a moment ago"));
+  request.mockImplementation(() =>
+    Promise.resolve("the past of the session was sent a moment ago"),
+  );
   requests.forget();
   requests.frame(frame(4, 1));
   await vi.advanceTimersByTimeAsync(20_000);

@@ -43,7 +43,16 @@ const WRITTEN: [texts: (keyof Palette)[], on: (keyof Palette)[]][] = [
   [["path", "wind", "current"], ["panel"]],
 ];
 /** What lies below the labels of the plan. */
-const BELOW: (keyof Palette)[] = ["water", "land", "own", "tug"];
+const BELOW: (keyof Palette)[] = [
+  "water",
+  "unknown",
+  "safe",
+  "medium",
+  "shallow",
+  "land",
+  "own",
+  "tug",
+];
 /** WCAG AA; ours for large texts too. */
 const LEAST = 4.5;
 

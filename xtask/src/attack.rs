@@ -15,7 +15,8 @@ use crate::step::{Done, Step};
 const SECONDS: u64 = 600;
 /// Time of the attack in continuous integration (s): long enough to show that each part works.
 const SECONDS_OF_GATE: u64 = 120;
-/// Seed of the attack in continuous integration: a fixed seed, so that the outcome depends on the change alone.
+/// Seed of the attack in continuous integration: a fixed seed, so that the outcome depends only on the change under
+/// test.
 const SEED_OF_GATE: u64 = 20_261_122;
 
 /// This step belongs to `cargo xtask test all`.
@@ -33,7 +34,8 @@ struct Part {
 enum Kind {
     /// One test, named by its file and its function.
     Test { test: &'static str },
-    /// Tests that take a number of cases in place of a time; for each environment variable, the cases per second.
+    /// Tests that take a number of cases in place of a time. `counts` names environment variables, each with the number
+    /// of cases to try for each second of the attack.
     Counted { tests: &'static [&'static str], counts: &'static [(&'static str, u64)] },
     /// A test of the live server with steering and hostile clients.
     LiveLoad,
@@ -107,7 +109,7 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "hosts",
-        what: "hosts in C that move bodies at a stroke, pass wrong velocities, step by 1e-9 to 1e6 s and alter \
+        what: "hosts in C that teleport bodies, pass wrong velocities, step by 1e-9 to 1e6 s and alter \
                saved states",
         attack: test("attack_hosts::inconsistent_hosts"),
     },

@@ -14,7 +14,7 @@ use crate::step::{Done, Step};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// The step that builds the book, for `cargo xtask test all` and alone.
+/// The step that builds the book, as a part of `cargo xtask test all` or alone.
 pub(crate) const STEP: Step = Step { name: "the book", run: book };
 
 /// Folder for the data from which the book is made.

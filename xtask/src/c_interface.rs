@@ -15,7 +15,8 @@ use crate::wrappers;
 
 /// Default number of random sequences of calls.
 pub(crate) const SEQUENCES: u64 = 100_000;
-/// The numbers of sequences under sanitizers and under valgrind, which are slow, are the full number divided by these.
+/// Sanitizers and valgrind are slow: they run the full number of sequences divided by `SANITIZED_SHARE` and by
+/// `VALGRIND_SHARE`.
 const SANITIZED_SHARE: u64 = 4;
 const VALGRIND_SHARE: u64 = 1000;
 

@@ -27,6 +27,7 @@ mod oldest_rust;
 mod pages;
 mod passivity;
 mod program;
+mod protocol;
 mod same_bits;
 mod scenarios;
 mod sentences;
@@ -76,6 +77,7 @@ usage: cargo xtask test                   what a change must pass and Rust alone
        cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (default: 20 s)
        cargo xtask pages                  the live server's pages: checked, built, driven in a browser
+       cargo xtask protocol               the pages' types of the messages, written from the messages in Rust
        cargo xtask npm                    the npm package: built, made small, tested under Node, timed
        cargo xtask page                   that, and the page without a server, in target/page, driven in a browser
        cargo xtask nautical               sentences for chart programs, each read by two parsers
@@ -134,6 +136,7 @@ fn main() -> ExitCode {
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
         ["npm"] => browser::npm_command(),
+        ["protocol"] => protocol::protocol_command(),
         ["page"] => browser::page_command(),
         ["book"] => step::run_all(&[book::STEP]),
         ["circles"] => step::run_all(&[circles::STEP]),

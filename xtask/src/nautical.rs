@@ -1,4 +1,4 @@
-//! Lets independent parsers, two for each kind, read the sentences for chart programs.
+//! Lets independent parsers, two for NMEA and two for AIS, read the sentences for chart programs.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -14,7 +14,7 @@ const PARSERS: [&str; 4] =
 /// Folder below the build folder in which the parsers are installed.
 const FOLDER: &str = "target/nautical-python";
 
-/// The step that lets parsers read the sentences, for `cargo xtask test all` and alone.
+/// The step that lets parsers read NMEA and AIS sentences, as a part of `cargo xtask test all` or alone.
 pub(crate) const STEP: Step =
     Step { name: "sentences for chart programs, by two parsers each", run: parsers };
 

@@ -1,6 +1,8 @@
 //! `cargo xtask sentences SEED [COUNT] [PATH...]`: draws sentences at random, for a reader who has not seen the code.
 //!
 //! The reader says each sentence again in other words. A sentence that cannot be said again is a riddle, and is mended.
+//! Beside the sentence stands what every reader of the book and of rustdoc has in sight: the paragraph of the sentence,
+//! and the declaration that a doc comment describes, without the body of the declaration.
 //! Sentences come from doc comments, from texts in the code (errors, columns, help) and from Markdown documents.
 //! Sentences from tests are left out. A `PATH` limits the draw to files whose paths begin with it.
 
@@ -13,6 +15,8 @@ use crate::command::run_quietly;
 pub(crate) const COUNT: usize = 50;
 /// A shorter sentence, such as "Name of the body.", is not drawn.
 const FEWEST_WORDS: usize = 5;
+/// The declaration around a field or a method is looked for in at most this number of lines above it.
+const MOST_LINES_UP: usize = 400;
 /// Abbreviations whose full stop does not end a sentence.
 const ABBREVIATIONS: [&str; 15] = [
     "al.", "cf.", "e.g.", "eq.", "Eq.", "eqs.", "Eqs.", "Fig.", "Figs.", "i.e.", "No.", "p.",
@@ -29,12 +33,18 @@ struct Sentence {
     /// Kind of text: `doc`, `text` or `document`.
     kind: &'static str,
     words: String,
+    /// The whole paragraph, if it has more words than the sentence.
+    paragraph: Option<String>,
+    /// The declaration that a doc comment describes, with the outer declaration in which it stands put before it.
+    declaration: Option<String>,
 }
 
 /// A paragraph of one kind: its lines with their numbers.
 #[derive(Default)]
 struct Paragraph {
     lines: Vec<(usize, String)>,
+    /// The row of the table whose cell the paragraph is.
+    row: Option<String>,
 }
 
 /// Draws and prints sentences of the tracked files.
@@ -42,8 +52,14 @@ pub(crate) fn sentences_command(seed: u64, count: usize, paths: &[&str]) -> Exit
     match tracked_sentences(paths) {
         Ok(all) => {
             for (number, sentence) in draw(&all, seed, count).iter().enumerate() {
-                let Sentence { file, line, kind, words } = sentence;
+                let Sentence { file, line, kind, words, paragraph, declaration } = sentence;
                 println!("{:>3}  {file}:{line} ({kind})\n     {words}", number + 1);
+                if let Some(declaration) = declaration {
+                    println!("     [describes: {declaration}]");
+                }
+                if let Some(paragraph) = paragraph {
+                    println!("     [in the paragraph: {paragraph}]");
+                }
             }
             println!("\ndrawn from {} sentences with seed {seed}", all.len());
             ExitCode::SUCCESS
@@ -76,8 +92,18 @@ fn of_file(name: &str, text: &str) -> Vec<Sentence> {
     let mut found = Vec::new();
     let mut add = |kind, paragraphs: Vec<Paragraph>| {
         for paragraph in paragraphs {
+            let whole = paragraph.words();
+            let last = paragraph.lines.last().map_or(0, |(line, _)| *line);
+            let declaration = if kind == "doc" { declaration_after(text, last) } else { None };
             for (line, words) in paragraph.sentences() {
-                found.push(Sentence { file: name.to_owned(), line, kind, words });
+                found.push(Sentence {
+                    file: name.to_owned(),
+                    line,
+                    kind,
+                    paragraph: (whole != words).then(|| whole.clone()),
+                    words,
+                    declaration: declaration.clone(),
+                });
             }
         }
     };
@@ -101,6 +127,28 @@ fn doc_lines(source: &str) -> Vec<(usize, &str)> {
     (1..).zip(source.lines().map(stripped)).collect()
 }
 
+/// The first declaration below the line `last` of a doc comment, with the outer declaration in whose braces it stands
+/// put before it. `None` for the comment of a whole file.
+fn declaration_after(source: &str, last: usize) -> Option<String> {
+    let is_doc = |line: &str| line.trim_start().starts_with("//");
+    let is_attribute = |line: &str| line.trim_start().starts_with("#[");
+    let lines: Vec<&str> = source.lines().collect();
+    if lines.get(last.checked_sub(1)?)?.trim_start().starts_with("//!") {
+        return None;
+    }
+    let skipped = |line: &&str| is_doc(line) || is_attribute(line) || line.trim().is_empty();
+    let below = last + lines[last..].iter().take_while(|line| skipped(line)).count();
+    let own = lines.get(below)?;
+    let indent = |line: &str| line.len() - line.trim_start().len();
+    let around = lines[..below].iter().rev().filter(|line| !skipped(line));
+    let around = around.take(MOST_LINES_UP).find(|line| indent(line) < indent(own));
+    let head = |line: &str| line.trim().trim_end_matches(['{', '(', ',', ' ']).to_owned();
+    Some(match around {
+        Some(around) if indent(own) > 0 => format!("{}: {}", head(around), head(own)),
+        _ => head(own),
+    })
+}
+
 /// Paragraphs, list items and table cells of a Markdown text, without code, headings and tags.
 fn markdown(lines: &[(usize, &str)]) -> Vec<Paragraph> {
     let mut found = Vec::new();
@@ -115,7 +163,10 @@ fn markdown(lines: &[(usize, &str)]) -> Vec<Paragraph> {
         if is_fence || in_code || is_row || line.is_empty() || line.starts_with(['#', '<']) {
             found.push(std::mem::take(&mut open));
             if is_row && !in_code {
-                let cell = |cell: &str| Paragraph { lines: vec![(number, cell.trim().to_owned())] };
+                let cell = |cell: &str| Paragraph {
+                    lines: vec![(number, cell.trim().to_owned())],
+                    row: Some(line.to_owned()),
+                };
                 found.extend(line.split('|').map(cell));
             }
             continue;
@@ -154,7 +205,7 @@ fn literals(source: &str) -> Vec<Paragraph> {
             rest = after;
             if is_prose(&text) {
                 let lines = text.split('\n').map(|part| (line, part.trim().to_owned()));
-                found.push(Paragraph { lines: lines.collect() });
+                found.push(Paragraph { lines: lines.collect(), row: None });
             }
         } else if rest.starts_with("'\"'") || rest.starts_with("'\\") {
             rest = rest.get(3..).unwrap_or("");
@@ -203,6 +254,15 @@ fn is_prose(text: &str) -> bool {
 }
 
 impl Paragraph {
+    /// All words of the paragraph, or of the row of the table, in one line.
+    fn words(&self) -> String {
+        if let Some(row) = &self.row {
+            return row.clone();
+        }
+        let words = self.lines.iter().flat_map(|(_, line)| line.split_whitespace());
+        words.collect::<Vec<_>>().join(" ")
+    }
+
     /// Sentences of the paragraph that are long enough, each with the number of its first line.
     fn sentences(&self) -> Vec<(usize, String)> {
         let words: Vec<(usize, &str)> = self
@@ -317,9 +377,35 @@ mod tests {
     }
 
     #[test]
+    fn a_sentence_has_its_paragraph_and_what_it_describes() {
+        let source = "/// A body that does not move at all.\npub struct Quay {\n    /// Its height above the water. Heights are in \
+                      metres there.\n    #[serde(default)]\n    pub height_m: f64,\n}\n";
+        let found = of_file("crates/a/src/lib.rs", source);
+        let declarations: Vec<&str> =
+            found.iter().filter_map(|s| s.declaration.as_deref()).collect();
+        assert_eq!(
+            declarations,
+            [
+                "pub struct Quay",
+                "pub struct Quay: pub height_m: f64",
+                "pub struct Quay: pub height_m: f64"
+            ]
+        );
+        assert_eq!(found[0].paragraph, None);
+        let whole = "Its height above the water. Heights are in metres there.";
+        assert_eq!(found[2].paragraph.as_deref(), Some(whole));
+    }
+
+    #[test]
     fn the_same_seed_draws_the_same_sentences_and_none_twice() {
-        let sentence =
-            |line| Sentence { file: String::new(), line, kind: "doc", words: String::new() };
+        let sentence = |line| Sentence {
+            file: String::new(),
+            line,
+            kind: "doc",
+            words: String::new(),
+            paragraph: None,
+            declaration: None,
+        };
         let all: Vec<Sentence> = (0..100).map(sentence).collect();
         let lines = |seed| draw(&all, seed, 50).iter().map(|s| s.line).collect::<Vec<_>>();
         assert_eq!(lines(1), lines(1));

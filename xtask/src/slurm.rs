@@ -92,7 +92,9 @@ fn slurm() -> Result<Done, String> {
             std::fs::read(&path).map_err(|e| format!("{}: {e}", path.display()))
         };
         if read("whole")? != read("merged")? {
-            return Err(format!("the {table} of the array differs from that of one process"));
+            return Err(format!(
+                "the {table} of the array of tasks differs from the {table} of one process"
+            ));
         }
     }
     println!("an array of {TASKS} tasks gives the tables of one process, byte for byte");

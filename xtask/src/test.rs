@@ -229,8 +229,8 @@ fn tests_built() -> Result<Done, String> {
     built::program("dev").map(|_| Done::Good)
 }
 
-/// With this seed the property tests draw the same cases every time, so that the outcome depends on the change only.
-/// Without the seed, `cargo test` draws new cases, as the fuzz targets do.
+/// With this seed the property tests draw the same cases every time, so that the outcome depends only on the change
+/// under test. Without the seed, `cargo test` draws new cases, as the fuzz targets do.
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
     let mut tests = cargo(["test"]);

@@ -13,7 +13,7 @@ use crate::step::{Done, Step, run_all};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// The step that checks the workflows, for `cargo xtask test all` and alone.
+/// The step that checks the workflows, as a part of `cargo xtask test all` or alone.
 pub(crate) const STEP: Step = Step { name: "workflows", run: workflows };
 
 const FOLDER: &str = ".github/workflows";

@@ -1,4 +1,5 @@
-//! Compares the branches of a recorded session: each branch is simulated again from the start of the session.
+//! Compares the branches of a recorded live session. A branch begins where people went back to an earlier time and
+//! steered anew; each branch is simulated again from the start of the session.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_live::{Repeat, Session};

@@ -117,7 +117,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What was read of a chart and what was left out, by class.
+/// The objects of a chart that were read and those that were left out, by class of object, as JSON.
 fn chart_json(classes: &[ChartClass]) -> Value {
     let class = |class: &ChartClass| {
         let left_out =

@@ -55,7 +55,7 @@ pub(crate) enum Command {
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
     Validate(ValidateArgs),
-    /// Standard manoeuvres of a vessel, with the measures of ITTC and IMO
+    /// Run standard manoeuvres of a vessel, and print the quantities that ITTC and IMO define
     Manoeuvre(ManoeuvreArgs),
     /// List the built-in vessels, or print every number of one vessel with its source
     Vessels(VesselsArgs),
@@ -123,7 +123,7 @@ pub(crate) struct InitArgs {
     /// Example
     #[arg(value_enum, value_name = "EXAMPLE", default_value_t = Example::Berthing)]
     pub(crate) example: Example,
-    /// New file to write; one that is there is not replaced [default: print the example]
+    /// New file to write; an existing file is not replaced [default: print the example]
     #[arg(short, long, value_name = "SCENARIO.toml", value_parser = output_file())]
     pub(crate) out: Option<PathBuf>,
     /// List the examples
@@ -240,7 +240,7 @@ pub(crate) enum FitStanding {
     Found,
     /// Computed
     Derived,
-    /// The curves are still to be checked against the document
+    /// The curves were not yet checked against the document that they come from
     Recalled,
 }
 
@@ -462,7 +462,7 @@ pub(crate) struct CampaignRunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct CampaignMergeArgs {
-    /// Campaign file of the shares
+    /// Campaign file whose runs were made in shares
     #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
     pub(crate) campaign: PathBuf,
     /// Folders of all shares, in any order
@@ -658,7 +658,7 @@ pub(crate) struct FmuArgs {
 /// Kind of FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FmuKind {
-    /// The contact engine: inputs are states of bodies, outputs are wrenches and fenders
+    /// The contact engine: inputs are states of bodies, outputs are wrenches on bodies and results of fenders
     Engine,
     /// The whole scenario: inputs are controls and external forces, outputs are states and forces
     Simulation,
@@ -813,7 +813,8 @@ pub(crate) struct LimitArgs {
     /// Scenario file; `-` reads it from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Key of the scenario to change, such as passing.feeder.speed; larger values must be worse
+    /// Key of the scenario to change, such as passing.feeder.speed; larger values must bring the run nearer to its
+    /// limits
     #[arg(long, value_name = "KEY")]
     pub(crate) key: String,
     /// Smallest value of the key, with its unit, such as "2 kn"

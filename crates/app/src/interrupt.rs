@@ -11,7 +11,7 @@ use tokio::sync::oneshot;
 use crate::failure::INTERRUPTED;
 
 /// The returned channel receives a message at the first Ctrl-C; the second Ctrl-C ends the program. A separate thread
-/// listens for Ctrl-C, so that the other threads may wait for anything.
+/// listens for Ctrl-C, so that the other threads may block.
 ///
 /// # Errors
 /// Fails if the system gives no thread.
@@ -48,7 +48,7 @@ impl Interrupt {
         Interrupt(asked)
     }
 
-    /// An `Interrupt` that only the given flag asks for, not Ctrl-C.
+    /// Makes an `Interrupt` that is asked for by setting the given flag, and not by Ctrl-C.
     pub(crate) fn asked_by(flag: &Arc<AtomicBool>) -> Interrupt {
         Interrupt(Arc::clone(flag))
     }

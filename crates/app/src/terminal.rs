@@ -10,23 +10,23 @@ use fenderline_scenario::{escaped_json, printable_text};
 
 use crate::failure::Failure;
 
-/// Whether the user wants errors and answers only.
+/// Whether the user wants only errors and answers; an answer is the output that the user asked for, such as a list.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Whether standard output takes nothing but answers.
+/// Whether only answers go to standard output, and no words about what a command has done.
 static IS_ANSWER_ONLY: AtomicBool = AtomicBool::new(false);
 
-/// From now on nothing but errors and answers is printed.
+/// From now on only errors are printed, and answers: the output that the user asked for.
 pub(crate) fn be_quiet() {
     IS_QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Whether nothing but errors and answers is printed.
+/// Whether only errors are printed, and answers: the output that the user asked for.
 pub(crate) fn is_quiet() -> bool {
     IS_QUIET.load(Ordering::Relaxed)
 }
 
-/// From now on standard output takes nothing but answers, so that it is JSON as a whole.
+/// From now on only the output that the user asked for goes to standard output, so that all of the output is JSON.
 pub(crate) fn answer_only() {
     IS_ANSWER_ONLY.store(true, Ordering::Relaxed);
 }

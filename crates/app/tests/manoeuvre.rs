@@ -161,7 +161,7 @@ fn a_depth_of_water_is_shown_beside_deep_water() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     for said in [
         "still water 12.42 m deep, 1.15 draughts, beside deep water,",
-        "note: --depth: 1.15 draughts; corrections are valid from 1.2 on; here the corrections follow their tangent",
+        "note: --depth: 1.15 draughts; corrections are valid from 1.2 on; here the corrections are extrapolated",
         "Froude number of depth of 1.12",
         "port, deep",
         "turning_port_shallow.csv",

@@ -2,7 +2,7 @@
 //!
 //! | subject | module |
 //! |---|---|
-//! | the verdict on a run, and the laws that a run can leave | [`verdict`] |
+//! | the verdict on a run, and the physical laws whose range a run can leave | [`verdict`] |
 //! | statistics of motions and lines | [`statistics`] |
 //! | a simulated berthing, compared with the berthing formulas | [`berthing`] |
 //! | totals of each pair of bodies | [`summary`] |

@@ -22,7 +22,7 @@ pub enum CampaignError {
     },
     /// A table that cannot be read.
     Table(TableError),
-    /// A mistake in a file of values, with its place.
+    /// A mistake in a file from which a variable takes its values, with the place of the mistake.
     Values {
         /// The file.
         file: PathBuf,

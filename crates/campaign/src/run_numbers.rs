@@ -11,11 +11,12 @@ use std::ops::Range;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RunNumbers {
-    /// The first number of the share.
+    /// The first run number of the share of a campaign to which the set belongs.
     first: u64,
-    /// Step from one number of the share to the next.
+    /// Step from one run number of the share to the next.
     stride: u64,
-    /// Ranges of places in the share, each with the count of places before it.
+    /// The places in the share whose run numbers are in the set, as ranges; each range comes with the count of the
+    /// set's numbers before the range.
     ranges: Vec<(u64, Range<u64>)>,
     count: u64,
 }
@@ -49,7 +50,7 @@ impl RunNumbers {
         self.count
     }
 
-    /// The run number at a place of the set, counted from 0.
+    /// The run number at the place `place` of the set, counted from 0.
     #[must_use]
     pub fn get(&self, place: u64) -> Option<u64> {
         if place >= self.count {

@@ -69,7 +69,8 @@ impl StopRule {
 
 /// Half the width of the confidence interval divided by the estimate; `None` if there are too few values.
 fn half_width(rule: &Stop, values: Vec<f64>) -> Option<f64> {
-    let confidence = Confidence::new(rule.confidence).expect("the key has its bounds");
+    let confidence =
+        Confidence::new(rule.confidence).expect("the key `confidence` is within its bounds");
     let sample = Sample::new(values).ok()?;
     match rule.statistic {
         Statistic::Mean => {

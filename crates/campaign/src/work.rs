@@ -16,9 +16,9 @@ const WAITING: usize = 1024;
 /// Largest number of threads that make runs: more than any machine has, and few enough that each can be started.
 pub const MOST_THREADS: usize = 1024;
 
-/// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until `is_stopped`. `use_row` gets each row
-/// on the calling thread, in the order in which the runs end; if it returns false, no further run is begun and no
-/// further row is used.
+/// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until all runs are made or `is_stopped`
+/// returns true. `use_row` gets each row on the calling thread, in the order in which the runs end; if it returns
+/// false, no further run is begun and no further row is used.
 ///
 /// # Errors
 /// Fails with the error that `use_row` returns; no row is used after the error.

@@ -53,8 +53,8 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, value: T, name: &str) -> Ou
 /// Copies a structure from the caller. The structure's first member is the structure's size.
 ///
 /// # Safety
-/// The caller's promise (see the top of this file) for the whole structure; if the member `size` is wrong, the promise
-/// for that member alone.
+/// The caller promises (see the top of this file) that the whole structure is readable, or, if the member `size` is
+/// wrong, that this member is readable.
 pub(crate) unsafe fn read_sized<T: Copy>(pointer: *const T, name: &str) -> Outcome<T> {
     check_size(pointer, name)?;
     // SAFETY: as the caller promises; by its size the whole structure is there.

@@ -109,9 +109,9 @@ pub unsafe extern "C" fn fl_builder_add_body(
 }
 
 /// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
-/// begin with (0, 0), with rising deflections. Without points the force follows the law of the paper: the material's
-/// stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
-/// `index` is NULL. fl_builder_build() checks the fender's numbers.
+/// begin with (0, 0), with rising deflections. Without points the force follows the law of the TransNav paper (Moreno
+/// et al. 2023): the material's stiffness times the area of the overlap. The index of the fender, counted from 0, is
+/// stored to `*index` unless `index` is NULL. fl_builder_build() checks the fender's numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender(
     builder: *mut FlBuilder,

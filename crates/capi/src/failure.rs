@@ -32,7 +32,7 @@ pub enum FlStatus {
     NoSuch = 9,
     /// A step was asked for before the states of all floating bodies were set, or a result before the first step.
     OutOfOrder = 10,
-    /// What the call asks for is what the call asks for is not available with the engine's settings.
+    /// The result that the call asks for is not available with the engine's settings.
     NotAvailable = 11,
     /// The bytes are not a saved engine or not a dump: truncated, changed or of another version.
     BadBytes = 12,

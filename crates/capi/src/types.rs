@@ -21,7 +21,8 @@ pub const FL_NONE: u32 = u32::MAX;
 pub const FL_METHOD_DEFAULT: u32 = 0;
 /// fl_settings.method: all contacts of a step are solved together with the loads.
 pub const FL_METHOD_COUPLED: u32 = 1;
-/// fl_settings.method: the method of the paper, which treats each pair of bodies by itself and without loads.
+/// fl_settings.method: the method of the TransNav paper (Moreno et al. 2023), which treats each pair of bodies by
+/// itself and without loads.
 pub const FL_METHOD_PAPER: u32 = 2;
 
 /// fl_settings.host: a direct host. A direct host passes the states at the start of each step, and all loads. A direct
@@ -35,8 +36,8 @@ pub const FL_HOST_DIRECT: u32 = 0;
 /// returns wrenches with which the host follows the engine's motion. Coupled method only.
 pub const FL_HOST_COSIMULATION: u32 = 1;
 
-/// fl_settings.coriolis: the Coriolis terms are where `fenderline run` has them with the scenario's integrator; without
-/// a scenario FL_CORIOLIS_BY_ENGINE holds.
+/// fl_settings.coriolis: the engine or the host's loads have the Coriolis terms, as in `fenderline run` with the
+/// scenario's integrator; without a scenario, FL_CORIOLIS_BY_ENGINE is taken.
 pub const FL_CORIOLIS_DEFAULT: u32 = 0;
 /// fl_settings.coriolis: the host's loads do not contain the Coriolis and centripetal terms of a body's added mass; the
 /// engine adds them.

@@ -1,10 +1,10 @@
 //! Stage 1 of a step, "admit": checks the host's input before anything changes.
 
 use crate::error::StepError;
-use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::Wrench;
-use crate::state::{BodyState, FURTHEST_M};
+use crate::state::body_state::{BodyState, FURTHEST_M};
+use crate::state::memory::Memory;
+use crate::state::report::Wrench;
 
 /// Largest velocities, heading, load and time step that a host may give (m/s, rad/s, rad, N, s). Larger velocities,
 /// loads or time steps are a mistake of the host, and forces could overflow.

@@ -21,8 +21,8 @@
 //!
 //! # Example
 //!
-//! A ship of 36,000 t drifts at 0.1 m/s onto a quay. The program that calls the engine, the *host*, adds
-//! the contact wrench to its own forces and integrates the ship's motion.
+//! In this example a ship of 36,000 t drifts at 0.1 m/s onto a quay. The program that calls the engine, the *host*,
+//! adds the contact wrench to its own forces and integrates the ship's motion.
 //!
 //! ```
 //! use fenderline_contact::*;
@@ -109,89 +109,51 @@ extern crate alloc;
 extern crate std;
 
 mod admit;
-mod angle;
-mod bodies;
-mod body;
 mod broad;
-mod bytes;
-mod candidates;
 mod coupled;
 mod error;
-mod events;
-mod face;
-mod face_frame;
-mod fender;
 mod geometry;
-pub mod hash;
-mod hints;
 mod host;
 mod inherit;
-mod inherited;
-mod kirchhoff;
 mod law;
-mod lean;
-mod lenses;
-mod levers;
 mod limit;
-mod mass;
-mod matching;
-mod material;
-mod memory;
-mod met;
+mod maths;
 mod model;
-mod neighbours;
-pub mod number;
-pub mod outline;
 mod overlap;
-mod pair;
 mod panel;
-mod patch;
 mod pause;
-mod pile;
-mod ranked;
-mod ranked_pile;
-mod reaction;
-mod renew;
-mod report;
-mod results;
-mod room;
-mod several;
-mod slice;
-mod snapshot;
-mod spread;
 mod state;
 mod step;
 mod touch;
-mod unloading;
-mod vec2;
-mod workspace;
 
-pub use body::{Body, Mobility};
-pub use bytes::SNAPSHOT_VERSION;
 pub use coupled::press_out::MAX_PUSH_OUT_MPS;
 pub use coupled::{advance, advance_from_engine_states, advance_in_place};
 pub use error::{DisplayNumber, ModelError, RestoreError, StepError};
-pub use fender::{Fender, ReactionFactors};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;
 pub use host::{CoSimHost, DirectHost, HostIntegration, HostSettings, HostWorkspace};
 pub use law::normal::combined_angle_rad;
-pub use material::{BodyId, FenderId, Material, MaterialId};
-pub use memory::Memory;
+pub use maths::vec2::{Pose, Rotation, Vec2, vec2};
+pub use maths::{hash, number};
+pub use model::body::{Body, Mobility};
+pub use model::fender::{Fender, ReactionFactors};
+pub use model::material::{BodyId, FenderId, Material, MaterialId};
+pub use model::outline;
+pub use model::outline::{Outline, OutlineError, OutlineNotice};
+pub use model::pile::{Pile, PileMotion};
+pub use model::reaction::{FenderLaw, Stop};
+pub use model::renew::{Renewal, RenewalBuffers};
+pub use model::slice::{SideMet, Slice};
+pub use model::unloading::Unloading;
 pub use model::{Model, ModelBuilder, Pair};
-pub use outline::{Outline, OutlineError, OutlineNotice};
 pub use panel::report::PanelMotion;
 pub use panel::{Panel, TensionChain};
-pub use pile::{Pile, PileMotion};
-pub use reaction::{FenderLaw, Stop};
-pub use renew::{Renewal, RenewalBuffers};
-pub use report::{
+pub use state::body_state::BodyState;
+pub use state::bytes::SNAPSHOT_VERSION;
+pub use state::memory::Memory;
+pub use state::report::{
     Contact, ContactImpulse, ContactWork, Displacement, EnergyParts, Event, EventKind, ForceParts,
     Friction, Wrench,
 };
-pub use slice::{SideMet, Slice};
-pub use state::BodyState;
+pub use state::workspace::Workspace;
 pub use step::step;
-pub use unloading::Unloading;
-pub use vec2::{Pose, Rotation, Vec2, vec2};
-pub use workspace::Workspace;

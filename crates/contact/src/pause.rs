@@ -2,11 +2,11 @@
 
 use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
-use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
-use crate::state::BodyState;
-use crate::workspace::Workspace;
+use crate::state::body_state::BodyState;
+use crate::state::memory::Memory;
+use crate::state::report::{ContactImpulse, ContactWork, Displacement, Wrench};
+use crate::state::workspace::Workspace;
 
 /// Takes a step of 0 s. A step of 0 s does not change the memory. In a step of 0 s wrenches and contacts stay those of
 /// the last step; impulses, work, displacements and events are zero or empty; the states at the end are the input

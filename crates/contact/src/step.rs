@@ -1,31 +1,31 @@
 //! Computes one step of the paper's method, stage by stage.
 
 use crate::admit;
-use crate::bodies::{Bodies, Displaced, PoseChange};
 use crate::broad;
+use crate::broad::bodies::{Bodies, Displaced, PoseChange};
 use crate::error::StepError;
-use crate::events::report_patch;
-use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::hints::Hints;
-use crate::inherited::Inherited;
+use crate::inherit::inherited::Inherited;
 use crate::law::friction;
 use crate::law::normal::{damper_n, factor, normal_force};
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
-use crate::memory::{ContactMemory, Memory, PatchMemory, PlaceMemory};
+use crate::maths::vec2::Vec2;
 use crate::model::Model;
+use crate::model::fender::RankedFender;
 use crate::overlap;
+use crate::overlap::hints::Hints;
+use crate::overlap::patch::Patch;
 use crate::panel::chains::{Broken, add_parted};
 use crate::panel::report::PanelMotion;
-use crate::patch::Patch;
 use crate::pause::pause;
-use crate::report::{Contact, ContactImpulse, EnergyParts, Wrench};
-use crate::results::Results;
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
+use crate::state::events::report_patch;
+use crate::state::memory::{ContactMemory, Memory, PatchMemory, PlaceMemory};
+use crate::state::report::{Contact, ContactImpulse, EnergyParts, Wrench};
+use crate::state::results::Results;
+use crate::state::workspace::Workspace;
 use crate::touch::{Movers, Scene, arms_m, touch, touch_again};
-use crate::vec2::Vec2;
-use crate::workspace::Workspace;
 
 /// Computes the contact forces between all bodies by the paper's method, for the step of `step_s` seconds that begins
 /// at `states`. `states` are in the order in which the bodies were added.

@@ -72,7 +72,8 @@ pub struct FenderDef<'a> {
     pub projection_m: f64,
     /// Reaction of the fender as a function of its deflection.
     pub law: FenderLaw,
-    /// Law by which the fender's reaction falls as the hull moves back; `None`: by the restitution of the material.
+    /// Law by which the fender's reaction falls as the hull moves back; `None` means that the reaction falls by the
+    /// restitution of the material.
     pub unloading: Option<Unloading>,
     /// Index of the fender's material: friction, restitution, damping and, for an area law,
     /// stiffness.

@@ -365,8 +365,10 @@ fn left_to_the_host(setup: &Setup) -> Vec<String> {
     ];
     let notice = |(count, what): (usize, &str)| match count {
         0 => None,
-        1 => Some(format!("left to the host: 1 {what}")),
-        _ => Some(format!("left to the host: {count} of the kind \"{what}\"")),
+        1 => Some(format!("the engine leaves to the host: 1 {what} of the scenario")),
+        _ => Some(format!(
+            "the engine leaves to the host: {count} parts of the scenario of the kind \"{what}\""
+        )),
     };
     parts.into_iter().filter_map(notice).collect()
 }

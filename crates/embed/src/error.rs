@@ -93,7 +93,9 @@ impl fmt::Display for EngineError {
                 write!(f, "the outline of body `{body}` is not valid: {error}")
             }
             EngineError::Settings(why) | EngineError::NotAvailable(why) => f.write_str(why),
-            EngineError::Name { what, name, why } => write!(f, "the {what} name `{name}` {why}"),
+            EngineError::Name { what, name, why } => {
+                write!(f, "the name `{name}` of a {what} {why}")
+            }
             EngineError::NoSuch { what, index, count } => {
                 write!(
                     f,

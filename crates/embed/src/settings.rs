@@ -22,8 +22,8 @@ pub enum Host {
     /// step for a direct host is a step of [`fenderline_contact::DirectHost`] or, with the paper's method, a call of
     /// [`fenderline_contact::step`].
     Direct {
-        /// Who computes the Coriolis terms; `None`: as in `fenderline run` with the scenario's integrator, or the
-        /// engine if there is no scenario.
+        /// Whether the engine or the host computes the Coriolis terms. `None` means the side that `fenderline run` with
+        /// the scenario's integrator would choose, or the engine if there is no scenario.
         coriolis: Option<CoriolisTerms>,
     },
     /// A co-simulation host, which moves its bodies itself, may give old states and need not give loads. Each step for

@@ -30,7 +30,7 @@ const MAGIC: &[u8; 8] = b"fndrmbed";
 const VERSION: u32 = 4;
 
 impl Engine {
-    /// Saves all of this engine that steps change, as bytes.
+    /// Saves as bytes all parts of this engine that steps change.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
         let plan = &*self.plan;

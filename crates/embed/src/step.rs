@@ -83,8 +83,8 @@ impl Engine {
         Ok(self.results()?.wrenches)
     }
 
-    /// Notes where the results are: after a step they are in the workspace. A pause of a restored engine keeps the
-    /// results that were saved with the engine.
+    /// Notes where the engine keeps its latest results: after a step, the results are in the workspace. A pause of a
+    /// restored engine keeps the results that were saved with the engine.
     fn keep_results(&mut self, step_s: f64) {
         match &mut self.latest {
             Latest::Saved(saved) if step_s == 0.0 => saved.pause(&self.states),

@@ -78,7 +78,7 @@ fn the_same_states_give_the_same_bits_as_a_run() {
 #[test]
 fn notices_name_the_parts_that_are_left_to_the_host() {
     let notices = engine(BERTH, &Settings::default()).notices().join("\n");
-    assert!(notices.contains("left to the host: 1 load"), "{notices}");
+    assert!(notices.contains("the engine leaves to the host: 1 load"), "{notices}");
 }
 
 #[test]

@@ -140,7 +140,7 @@ impl Bundle {
         let no = BundleError::NotABundle;
         let bundle: Value = serde_json::from_str(json).map_err(|_| no("JSON"))?;
         if bundle["form"] != json!(FORM) {
-            return Err(no("form version that this library can read"));
+            return Err(no("format version that this library can read"));
         }
         let text = |key: &str| bundle[key].as_str().map(str::to_owned);
         let change =

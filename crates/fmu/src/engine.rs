@@ -23,7 +23,7 @@ pub(crate) struct EngineRun {
     pub(crate) placed: Vec<i32>,
 }
 
-/// How far the engine has begun, where the host's states come delayed.
+/// How far the start of the engine has come, for a host whose states reach the engine some steps late.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beginning {
     /// Number of steps that are still skipped, because the host's states may not be valid yet.

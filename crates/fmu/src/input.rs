@@ -22,7 +22,7 @@ pub(crate) enum Input {
     Thruster(usize, usize),
     AzimuthPower(usize, usize),
     AzimuthDirection(usize, usize),
-    /// Whether the master controls a vector tug; the value is true or false.
+    /// Whether the master controls a vector tug, a tug that is only a force on a vessel; the value is true or false.
     ExternalTugControl(usize),
     TugForce(usize),
     TugDirection(usize),

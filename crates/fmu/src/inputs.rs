@@ -250,7 +250,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// The values of a table's inputs.
+/// The table of an FMU's variables, with the values of the inputs among the variables.
 pub(crate) struct Inputs<'a> {
     pub(crate) table: &'a Table,
     pub(crate) values: &'a [f64],

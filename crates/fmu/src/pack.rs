@@ -17,7 +17,7 @@ pub(crate) const BUNDLE_FILE: &str = "scenario.json";
 /// The licence of the libraries in an FMU.
 pub(crate) const LICENCE: &str = include_str!("license.txt");
 
-/// An FMU, and the file beside the FMU.
+/// An FMU, and the description for the Open Simulation Platform, which is a file beside the FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packed {
     /// The bytes of the FMU, which are the same for the same scenario, program and libraries.

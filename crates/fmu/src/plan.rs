@@ -101,8 +101,8 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
         (
             "following",
             "true: the host integrates its bodies with the engine's wrenches, and the engine keeps \
-             them on its solution; false: wrenches are the mean contact forces of a step that \
-             starts at the input states",
+             the bodies on the motion that the engine computes; false: wrenches are the mean \
+             contact forces of a step that starts at the input states",
             Setting::Following,
             coupled,
         ),

@@ -9,7 +9,7 @@
 //! | 4 | kind of the run: 0 not initialized, 1 an engine, 2 a simulation |
 //! | 4, 4 each | for an engine: number of first steps still to skip, or all bits set if the engine has started; repositioning counter of each body |
 //! | 4 + length | its own bytes |
-//! | 8, 4 + 20 each | for a simulation: number of steps; each change of an input with step, variable and value |
+//! | 8, 4+20 each | for a simulation: number of steps; each change of an input with step, variable and value |
 //! | 8 | FNV-1a hash of all bytes before this hash |
 //!
 //! A simulation is saved as its inputs and restored by repeating its steps with them: the same input gives the same

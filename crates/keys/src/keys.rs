@@ -29,6 +29,7 @@ pub mod order;
 pub mod output;
 pub mod panel;
 pub mod passing;
+pub mod plan;
 pub mod provider;
 pub mod quantities;
 pub mod report;
@@ -247,6 +248,14 @@ table_keys! {
             Is("{}"),
             "Ships that pass the vessels of the scenario, by name. The flow about a passing ship \
              pushes the vessels that she passes.",
+            &[],
+        ),
+        PLAN: NamedOf<plan::PlanKey> = key(
+            "plan",
+            Kind::Named(&plan::PLAN),
+            Is("{}"),
+            "Passage plans of vessels, by name: waypoints, turns, speeds and corridors. Pages and \
+             reports draw a plan and compare the vessel's way with the plan.",
             &[],
         ),
         EXERCISE: TableOf<exercise::ExerciseKey> = key(

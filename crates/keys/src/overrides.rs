@@ -1,4 +1,4 @@
-//! Overrides of single keys from the command line. They are applied to the tables of the scenario file before the
+//! Overrides of single keys from the command line. Overrides are applied to the tables of the scenario file before the
 //! tables are checked.
 
 mod apply;

@@ -19,8 +19,8 @@ pub struct Sources<'a> {
     pub text: &'a str,
     /// The overrides that replace values of keys in the file.
     pub overrides: &'a [Override],
-    /// Marks for finding lines and columns. They are computed when the first place is asked for, because a scenario
-    /// without errors and warnings needs no marks.
+    /// Marks for finding lines and columns. The marks are computed when the first place is asked for, because a
+    /// scenario without errors and warnings needs no marks.
     marks: OnceCell<Vec<Mark>>,
 }
 
@@ -86,7 +86,8 @@ impl Sources<'_> {
         Some((own, origin))
     }
 
-    /// The origin that a span of this file is for values of another file; errors about those values point to this span.
+    /// Makes the origin of values that stand in another file, which this file names at the span `span`: errors about
+    /// these values point to the span.
     pub fn origin(&self, span: &Span) -> Origin {
         Origin { place: self.place(span), snippet: self.snippet(span), note: None }
     }

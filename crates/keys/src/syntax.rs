@@ -61,7 +61,7 @@ fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> Scena
     };
     sources
         .syntax_error(span, key, message)
-        .with_help("keep only one of the two, or rename one of them")
+        .with_help("give the key or table only once, or rename one of the two")
 }
 
 /// Number, from 1, of the line that first gives a key or a table, within the text `before` the second occurrence of the

@@ -125,7 +125,7 @@ macro_rules! table_keys {
         #[derive(Debug)]
         $vis enum $keys {}
 
-        #[allow(dead_code, reason = "some keys are only checked, or read with all others")]
+        #[allow(dead_code, reason = "no code looks up a key that is only checked, or read with all keys of its table")]
         impl $keys {
             /// The declarations of the keys, in the order in which the documentation shows the keys.
             $vis const ALL: &'static [$crate::spec::KeySpec] = &[$($spec),*];
@@ -143,8 +143,9 @@ macro_rules! table_keys {
     };
 }
 
-/// Declares keys that several tables share, for code that reads all these tables:
-/// `shared_keys! { pub SectionsKey of PassingKey and InteractionKey { SECTIONS: OneOf<SectionsBy> } }`.
+/// Declares keys that several tables share, for code that reads all these tables.
+///
+/// An example is `shared_keys!{ pub SectionsKey of PassingKey and InteractionKey { SECTIONS: OneOf<SectionsBy> } }`.
 #[macro_export]
 macro_rules! shared_keys {
     (

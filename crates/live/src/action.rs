@@ -8,6 +8,8 @@ use fenderline_sim::{Change, Fault};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
+#[cfg(test)]
+use ts_rs::TS;
 
 use crate::approach::ApproachLimit;
 use crate::named_order::NamedOrder;
@@ -25,21 +27,27 @@ pub enum Action {
 
 /// A command that is not in the table of orders.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(TS))]
+#[cfg_attr(test, ts(rename = "RecordedAction"))]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-#[allow(missing_docs, reason = "protocol.ts explains the fields")]
+#[allow(missing_docs, reason = "the commands are explained")]
 pub enum OtherAction {
     /// An order in words to a tug: a vector tug or a tug that is a vessel. The simulation works out how strongly, in
     /// which direction and at which place of the ship the tug pushes or pulls.
     Tug {
         tug: String,
         #[serde(with = "crate::word")]
+        #[cfg_attr(test, ts(type = "TugWord"))]
         order: TugWord,
         /// Force as a share of the tug's bollard pull. An order to push or pull needs a force.
         #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, ts(optional))]
         power: Option<f64>,
         #[serde(default, with = "crate::word")]
+        #[cfg_attr(test, ts(type = "Lead"))]
         lead: Lead,
         #[serde(default, with = "crate::word")]
+        #[cfg_attr(test, ts(type = "Place"))]
         place: SidePlace,
     },
     /// Sets the mean wind at a height of 10 m, at once or over a time. The gusts of the scenario go on, in proportion
@@ -48,6 +56,7 @@ pub enum OtherAction {
         speed_mps: f64,
         from_rad: f64,
         #[serde(default, skip_serializing_if = "is_zero")]
+        #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
         over_s: f64,
     },
     /// Replaces the current by a uniform current, at once or over a time.
@@ -55,13 +64,14 @@ pub enum OtherAction {
         speed_mps: f64,
         to_rad: f64,
         #[serde(default, skip_serializing_if = "is_zero")]
+        #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
         over_s: f64,
     },
     /// Makes a line part.
     PartLine { line: String },
     /// Begins or ends a fault of an anchor or of its windlass.
     AnchorFault { anchor: String, fault: AnchorFault, on: bool },
-    /// Makes a vector tug drop out, or brings her back.
+    /// Makes a vector tug, a tug that is only a force on a vessel, drop out, or brings her back.
     TugOut { tug: String, on: bool },
     /// Plans a change of the weather, or a fault, for a later time.
     Plan { at_s: f64, event: Box<OtherAction> },
@@ -73,12 +83,14 @@ pub enum OtherAction {
         #[serde(default)]
         distance_m: Option<f64>,
         #[serde(default, skip_serializing_if = "is_zero")]
+        #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
         over_s: f64,
     },
     /// Begins or ends a fault of a vessel.
     Fault {
         vessel: String,
         #[serde(with = "crate::word")]
+        #[cfg_attr(test, ts(type = "Fault"))]
         fault: Fault,
         on: bool,
     },
@@ -90,6 +102,7 @@ pub enum OtherAction {
         at_m: Pair,
         heading_rad: f64,
         #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, ts(optional))]
         ahead_mps: Option<f64>,
     },
     /// Sets the limit of a ship's closing speed at the fenders. A closing speed above the limit raises an alarm.
@@ -99,6 +112,7 @@ pub enum OtherAction {
     /// Writes a note for the debriefing. A note without a text is a mark. A note does not change the simulated world.
     Note {
         #[serde(default, skip_serializing_if = "String::is_empty")]
+        #[cfg_attr(test, ts(optional, as = "Option<String>"))]
         text: String,
     },
 }
@@ -134,6 +148,7 @@ impl OtherAction {
 /// Limits of the commands that are not in the table of orders: the least and the greatest value of each number. Pages
 /// of the browser get these limits in the message `hello`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
 pub struct CommandLimits {
     /// Force in an order in words to a tug, as a share of her bollard pull.
     pub tug_power: Pair,
@@ -210,6 +225,7 @@ impl<'de> Deserialize<'de> for Action {
 
 /// A fault of an anchor. [`fenderline_sim::anchor::AnchorFaults`] describes the faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(TS))]
 #[serde(rename_all = "snake_case")]
 pub enum AnchorFault {
     /// The windlass has no power.

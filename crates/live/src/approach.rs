@@ -19,6 +19,7 @@ pub struct ApproachLimit {
 
 /// A signal of the docking board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Light {
     /// Green.

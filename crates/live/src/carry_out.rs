@@ -16,8 +16,7 @@ use crate::{happening, place, world_change};
 /// scenario.
 ///
 /// # Errors
-/// Returns why the command is refused, in words for the person who gave it. If the command is refused, it changes
-/// nothing.
+/// Returns why the command is refused, in words for the person who gave the command. A refused command changes nothing.
 pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<bool, Refusal> {
     match action {
         Action::Order(named) => {

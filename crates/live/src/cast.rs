@@ -1,5 +1,5 @@
-//! The roles of a scenario's vessels, which are the pilot's own ship, other ships and tugs, and the helm that a command
-//! belongs to.
+//! The roles of a scenario's vessels, which are the pilot's own ship, other ships and tugs, and the helm from which a
+//! command is given.
 
 use fenderline_sim::order::{TargetKind, towline};
 use fenderline_sim::{LineEnd, Setup, VesselSetup};
@@ -22,7 +22,7 @@ pub struct Cast {
     pub vessels: Vec<String>,
     /// For each vessel, whether she is a tug.
     pub is_tug: Vec<bool>,
-    /// Names of the vector tugs, in the order of the set-up.
+    /// Names of the vector tugs, which are only forces on vessels and have no hull, in the order of the set-up.
     pub tugs: Vec<String>,
     /// For each vector tug, the index of the vessel that the tug serves.
     pub tug_serves: Vec<usize>,
@@ -36,20 +36,20 @@ pub struct Cast {
     anchors: Vec<(String, usize)>,
 }
 
-/// The helm from which a command is given.
+/// The helm, or other place of control, from which a command is given. The helm decides who may give the command.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Helm {
     /// The helm of a vessel or of a vector tug.
     Of(Control),
     /// The helms of the vessels at a line's ends, or of the vessel that carries an anchor; holds the vessels' names.
     Line(Vec<String>),
-    /// The helm for weather, faults, and the places of ships before the start.
+    /// The place from which weather, faults, and the places of ships before the start are controlled.
     World,
-    /// The helm for the speed limit of the docking board and of the alarms of an approach.
+    /// The place from which the speed limit of the docking board and of an approach's alarms is set.
     Board,
     /// An alarm in the list of alarms. The alarm book decides who may acknowledge an alarm.
     Alarm,
-    /// The helm for the notes for the debriefing.
+    /// The place from which people write notes for the debriefing.
     Notes,
 }
 

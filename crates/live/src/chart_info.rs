@@ -30,6 +30,8 @@ fn info(feature: &ChartFeature) -> ChartInfo {
         sector_rad: light.and_then(|light| light.sector_rad),
         range_m: light.and_then(|light| light.range_m),
         side: feature.mark.and_then(|mark| mark.side).map(|side| side.word()),
+        meaning: feature.mark.map(|mark| mark.meaning.word()),
+        form: feature.mark.and_then(|mark| mark.shape).map(|shape| shape.word()),
         shape,
         lines,
     }

@@ -20,6 +20,7 @@ use crate::message::{
 };
 use crate::order_info::{order_infos, telegraph};
 use crate::pair::pair;
+use crate::plan;
 
 /// The working load of a cable as a share of its breaking load. The guideline for ropes gives no working load of
 /// cables, so that the share is our choice.
@@ -149,6 +150,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
         has_towline,
         places: if is_tug { Vec::new() } else { places(setup, vessel) },
         orders: orders.collect(),
+        plan: vessel.plan.as_ref().map(plan::info),
     }
 }
 

@@ -38,6 +38,7 @@ mod outlook;
 mod pair;
 mod past;
 mod place;
+mod plan;
 mod prediction;
 mod present;
 mod recording;
@@ -51,6 +52,8 @@ mod shown;
 mod source;
 mod speeds;
 mod trial;
+#[cfg(test)]
+mod typescript;
 mod watched;
 mod word;
 mod world_change;

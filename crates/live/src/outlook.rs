@@ -58,8 +58,8 @@ impl Outlook {
         Reply::Prediction { tick, paths }
     }
 
-    /// Forgets the latest prediction. After that, the next prediction starts from the beginning, as it must for another
-    /// run.
+    /// Forgets the latest prediction. The next prediction then starts from the beginning, as is necessary if another
+    /// run is predicted.
     pub fn forget(&mut self) {
         self.latest = None;
     }

@@ -48,6 +48,7 @@ pub(crate) struct ShipSample {
     pub(crate) turn_radps: f64,
     pub(crate) bow_m: Option<f64>,
     pub(crate) stern_m: Option<f64>,
+    pub(crate) cross_track_m: Option<f64>,
 }
 
 impl Sample {
@@ -115,7 +116,7 @@ impl Past {
         }
     }
 
-    /// A number that is another after each change of the past.
+    /// A number that changes with each change of the past.
     pub(crate) fn version(&self) -> u64 {
         self.version
     }
@@ -194,6 +195,7 @@ impl Past {
             history.turn_radps.push(libm::round(of.turn_radps * 1e6) / 1e6);
             history.bow_m.push(of.bow_m.map(short));
             history.stern_m.push(of.stern_m.map(short));
+            history.cross_track_m.push(of.cross_track_m.map(short));
             history.of_energy.push(short(sample.of_energy));
             history.of_reaction.push(short(sample.of_reaction));
             history.of_working.push(short(sample.of_working));
@@ -230,6 +232,7 @@ mod tests {
             turn_radps: 0.0,
             bow_m: None,
             stern_m: None,
+            cross_track_m: None,
         };
         Sample {
             t_s,

@@ -3,32 +3,36 @@
 use fenderline_author::NewExercise;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+#[cfg(test)]
+use ts_rs::TS;
 
 use crate::action::Action;
 use crate::refusal::Refusal;
 
-/// A helm: a vessel by her name, a vector tug by her name, or the session.
+/// A helm that a page can hold: that of a vessel or a vector tug, by her name, or that of the session.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(test, derive(TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
     /// The helm of a vessel: rudder, engine and thrusters.
     Vessel(String),
-    /// A vector tug.
+    /// The helm of a vector tug: her force and its direction.
     Tug(String),
     /// The helm of the session itself: pause, rewind, weather and the like. The bool is always `true` in JSON.
-    Session(bool),
+    Session(#[cfg_attr(test, ts(type = "true"))] bool),
 }
 
 /// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that both agree.
 macro_rules! conducts {
-    ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty),* },)*) => {
+    ($($(#[$doc:meta])* $name:ident = $word:literal { $($(#[$of:meta])* $field:ident: $type:ty),* },)*) => {
         /// A command to the session itself: about helms, time, branches or files. The recording keeps only what a
         /// command to the session causes.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[cfg_attr(test, derive(TS))]
         #[serde(tag = "do", deny_unknown_fields)]
-        #[allow(missing_docs, reason = "the fields are explained in protocol.ts")]
+        #[allow(missing_docs, reason = "the commands are explained")]
         pub enum Conduct {
-            $($(#[$doc])* #[serde(rename = $word)] $name { $($field: $type),* },)*
+            $($(#[$doc])* #[serde(rename = $word)] $name { $($(#[$of])* $field: $type),* },)*
         }
 
         impl Conduct {
@@ -38,8 +42,9 @@ macro_rules! conducts {
     };
 }
 
-/// An exercise to make from choices, and its name in the gallery.
+/// An exercise that is to be made from the user's choices, and its name in the gallery.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(TS))]
 #[serde(deny_unknown_fields)]
 pub struct Creation {
     /// Name of the exercise's file, without the ending.
@@ -67,7 +72,7 @@ conducts! {
     Rewind = "rewind" { tick: u64 },
     /// Begins a new branch at the tick to which the run is rewound.
     Branch = "branch" {},
-    /// Shows another branch of the session, at its end.
+    /// Shows the end of another branch of the session.
     ShowBranch = "show_branch" { id: usize },
     /// Opens another scenario or a saved session. Frames report the progress.
     Load = "load" { file: String },
@@ -80,12 +85,12 @@ conducts! {
     Seat = "seat" { key: String },
     /// Shows where orders would take the ships, by means of a copy of the run. The answers to the page carry the number
     /// of the command that began the trial.
-    Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
+    Trial = "trial" { #[cfg_attr(test, ts(type = "TrialOrder[]"))] orders: Vec<Action>, horizon_s: f64 },
     /// Gives several orders at once. Either all of the orders are given or none of them.
-    Give = "give" { orders: Vec<Action> },
-    /// Asks for the past of the session that strip charts and log show. The values are those of the own ship, or of the
-    /// ship that `vessel` names.
-    History = "history" { vessel: Option<String> },
+    Give = "give" { #[cfg_attr(test, ts(type = "TrialOrder[]"))] orders: Vec<Action> },
+    /// Asks for the last half hour of the session: the values that strip charts show, and the events that the log
+    /// shows. The values are those of the own ship, or of the ship that `vessel` names.
+    History = "history" { #[cfg_attr(test, ts(optional))] vessel: Option<String> },
     /// Makes the report of the session up to now. The page can fetch the report when this command is acknowledged.
     Report = "report" {},
     /// Saves a copy of the recording under a name.

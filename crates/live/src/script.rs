@@ -19,7 +19,7 @@ pub(crate) enum Fate {
     Refused(String),
 }
 
-/// An event that is planned for a time.
+/// An event that the instructor or the scenario has planned for a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Planned {
     pub(crate) id: u64,

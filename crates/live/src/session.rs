@@ -29,8 +29,8 @@ use crate::refusal::Refusal;
 use crate::script::Script;
 use crate::source::Source;
 
-/// A branch of a session: the commands from a tick on. At ticks before the branch begins, the commands of its parent
-/// branch apply.
+/// A branch of a session: the commands that were given from one tick on. At ticks before the branch begins, the
+/// commands of its parent branch apply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// The branch from which this branch begins; `None` for the first branch.
@@ -160,7 +160,7 @@ impl Session {
         })
     }
 
-    /// The scenario with its files.
+    /// The scenario of the session, with the files that the scenario names.
     #[must_use]
     pub fn source(&self) -> &Source {
         &self.source
@@ -184,7 +184,7 @@ impl Session {
         &self.info
     }
 
-    /// The alarms in the list after the present tick.
+    /// The list of alarms as it is after the present tick.
     #[must_use]
     pub fn alarms(&self) -> &AlarmBook {
         &self.now.alarms
@@ -213,7 +213,7 @@ impl Session {
         self.exercise().map(|exercise| exercise::info(exercise, self.simulation().setup()))
     }
 
-    /// The marks of the exercise so far, for the instructor's page.
+    /// The score and the deductions of the exercise so far, for the instructor's page.
     #[must_use]
     pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
         self.exercise().map(|exercise| exercise::marks(exercise, self.simulation().setup()))
@@ -323,7 +323,7 @@ impl Session {
         }
     }
 
-    /// Reports an event at the present tick.
+    /// Adds a text to the events of the session, at the present tick.
     fn tell(&mut self, text: String) {
         let t_s = self.now.simulation.time_s();
         let then = Then { t_s, text: text.clone(), level: None };
@@ -349,7 +349,7 @@ impl Session {
         Ok(self.past.before(tick, t_s, of, |tick| self.segment(self.current, tick).0))
     }
 
-    /// A number that is another after each change of [`Session::history`].
+    /// Three numbers, of which at least one changes whenever the result of [`Session::history`] changes.
     #[must_use]
     pub fn history_version(&self) -> (usize, u64, u64) {
         (self.current, self.now.tick, self.past.version())
@@ -511,7 +511,7 @@ impl Session {
         Ok(())
     }
 
-    /// Lets the session go to a tick of the current branch. Before this, the session may be in a state of any branch.
+    /// Brings the session to a tick of the current branch, whatever tick and branch its present state belongs to.
     fn go_to(&mut self, tick: u64) {
         self.restore(tick);
         while self.now.tick < tick {
@@ -559,7 +559,7 @@ impl Session {
             // The branch has no checkpoint. Its first state is the parent's state at that tick, before the commands of
             // the tick.
             let Some(parent) = self.branches[segment].parent else {
-                unreachable!("the start of the first branch is never dropped")
+                unreachable!("the checkpoint at the start of the first branch is never dropped")
             };
             (to, at) = (from, parent);
         }
@@ -595,7 +595,7 @@ impl Session {
     /// Goes to the end of another branch.
     ///
     /// # Errors
-    /// Fails if there is no branch with the number `id`.
+    /// Fails if there is no branch with the number `branch`.
     pub fn go_to_branch(&mut self, branch: usize) -> Result<(), Refusal> {
         if branch >= self.branches.len() {
             return Err(Refusal::new(format_args!("there is no branch {branch}")));

@@ -4,6 +4,7 @@ use fenderline_contact::Vec2;
 
 use crate::frozen::{Frozen, Place, place};
 use crate::message::{Frame, Role};
+use crate::plan;
 use crate::session::Session;
 use crate::speeds::{Speeds, speeds};
 
@@ -63,8 +64,11 @@ impl Session {
             (own.ground_mps, own.water_mps) = (shown.ground_mps, shown.water_mps);
             (own.bow_mps, own.stern_mps) = (shown.bow_mps, shown.stern_mps);
         }
-        if let Some(Place { centre_m, .. }) = place {
+        if let Some(Place { centre_m, midship_m }) = place {
             (*north_m, *east_m) = (centre_m.x, centre_m.y);
+            let of = &self.simulation().setup().world.vessels[vessel];
+            frame.vessels[vessel].plan =
+                of.plan.as_ref().map(|plan| plan::now(&plan.at(midship_m)));
         }
     }
 }

@@ -26,8 +26,8 @@ pub struct Trial {
 
 impl Session {
     /// Begins a trial in the present state of the session. A trial may also begin while the run is rewound. The orders
-    /// are given at once to a copy of the run, by the rules of real orders. The trial ends `horizon_s` seconds after it
-    /// began.
+    /// are given at once to a copy of the run, by the rules of real orders. The trial looks
+    /// `horizon_s` seconds of simulated time ahead.
     ///
     /// # Errors
     /// Fails for a horizon beyond the limits, or with the reason why one of the orders was refused.

@@ -20,12 +20,13 @@ pub struct Watched {
     cast: Cast,
     info: Info,
     now: Now,
-    /// The events since the last frame was made.
+    /// The events since the last frame (message with the present state) was made.
     events: Vec<EventNow>,
 }
 
 impl Watched {
-    /// Takes a simulation before its first step. Pages show the title and the file's name.
+    /// Watches a simulation from before its first step. Pages show `title`, the title of the run, and `file`, the name
+    /// of the scenario's file.
     #[must_use]
     pub fn new(
         simulation: Simulation,
@@ -61,8 +62,9 @@ impl Watched {
         Ok(())
     }
 
-    /// Notes alarms and events of the last step, for frames. Pages need these notes after every step, because a contact
-    /// during a single step raises an alarm too. A run that no page shows can leave the notes out and save their cost.
+    /// Keeps the alarms and events of the last step for the next frame. Call this after every step of a run that pages
+    /// show, because a contact during a single step raises an alarm too. A run that no page shows can leave these calls
+    /// out and save their cost.
     pub fn note(&mut self) {
         frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, .. } = &self.now;

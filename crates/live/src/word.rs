@@ -1,4 +1,5 @@
-//! Writes words of `fenderline_sim` into JSON and reads them: `#[serde(with = "crate::word")]`.
+//! Writes a value of an enum of `fenderline_sim` into JSON as the word that names the value, and reads the value from
+//! the word: `#[serde(with = "crate::word")]`.
 
 use fenderline_sim::order::Word;
 use serde::de::Error;

@@ -74,7 +74,8 @@ pub(crate) fn vessel_named(cast: &Cast, name: &str) -> Result<usize, Refusal> {
     index.ok_or_else(|| Refusal::new(format_args!("there is no vessel `{name}`")))
 }
 
-/// Turns a change of the simulation into an action with the names of the scenario.
+/// Turns a change of the weather or a fault, in which vessels and their parts are indices, into the action that a page
+/// shows, in which they have the names of the scenario.
 pub(crate) fn named(change: &Change, cast: &Cast, setup: &Setup) -> OtherAction {
     let vessel = |index: usize| cast.vessels[index].clone();
     match *change {

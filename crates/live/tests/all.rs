@@ -11,6 +11,7 @@ mod instruments;
 mod outlook;
 mod passage;
 mod place;
+mod plan;
 mod present;
 mod protocol;
 mod recordings;

@@ -94,8 +94,8 @@ impl Bits {
     }
 }
 
-/// Characters of a message that a sentence holds: a sentence has at most 82 characters, of which 62 are left for the
-/// message.
+/// Largest number of characters of a message in one sentence: a sentence has at most 82 characters, of which 62 are
+/// left for the message.
 const LETTERS: usize = 60;
 
 /// The sentences of an AIS message: `AIVDM` for other ships, `AIVDO` for the own ship.

@@ -14,7 +14,8 @@ use crate::errors;
 use crate::parallel;
 use crate::whole;
 
-/// A campaign whose file was read: the draws of its runs, and the runs themselves. It is immutable.
+/// A campaign whose file was read: the values of the variables that are drawn for each run, and the runs themselves. It
+/// is immutable.
 #[pyclass(frozen, module = "fenderline.campaign", name = "Campaign")]
 pub(crate) struct Campaign {
     path: PathBuf,
@@ -85,7 +86,7 @@ impl Campaign {
         self.runs.draws().heads().iter().map(|head| head.name.clone()).collect()
     }
 
-    /// Columns of the campaign's table after `case`, each with name, unit and meaning.
+    /// Columns of the campaign's table after the column `case`, each with name, unit and meaning.
     #[getter]
     fn columns(&self) -> Vec<(String, String, String)> {
         let named = |head: &fenderline_campaign::Head| {

@@ -209,9 +209,10 @@ impl Engine {
         self.peak_wrenches.view(py)
     }
 
-    /// The engine's states at the end of the step, in rows as in `states`; only for a direct host with the coupled
-    /// method. As in a leapfrog scheme, velocities are half a step older than positions (half of the last sub-step, if
-    /// contacts needed several): pass them back unchanged. The array is read-only; each step overwrites it.
+    /// The states of the bodies at the end of the step, as the engine computed them, in rows as in `states`. They
+    /// exist only for `host="direct"` with `method="coupled"`. As in a leapfrog scheme, velocities are half a step
+    /// older than positions (half of the last sub-step, if contacts needed several): pass them back unchanged. The
+    /// array is read-only; each step overwrites it.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
@@ -394,7 +395,7 @@ fn unknown_choice(what: &str, given: &str, known: &str) -> PyErr {
     errors::bad_argument(format!("{what} is {given:?}, but must be one of: {known}"))
 }
 
-/// Time (s) that `count` steps of a copy of an engine take without Python; for the bench.
+/// Time (s) that `count` steps of a copy of an engine take without Python; for the benchmark `bench.py`.
 #[pyfunction]
 pub(crate) fn seconds_of_steps(
     engine: &Engine,

@@ -152,8 +152,8 @@ impl Fleet {
         self.times.view(py)
     }
 
-    /// Largest energy that each fender has stored so far over its rated energy, an array (simulations, fenders); NaN
-    /// without a rating. The array is read-only; each step overwrites it.
+    /// Largest energy that each fender has stored so far, divided by its rated energy: an array (simulations, fenders);
+    /// NaN without a rating. The array is read-only; each step overwrites it.
     #[getter]
     fn fender_energy_shares(&self, py: Python<'_>) -> Py<PyAny> {
         self.energy_shares.view(py)

@@ -1,5 +1,5 @@
-//! The inputs that a simulation has got, in their order. A new simulation with the same inputs gives the same bits; so
-//! a simulation is pickled as its inputs.
+//! The inputs that a simulation has got, in the order in which it got them. A new simulation with the same inputs gives
+//! the same bits; so a simulation is pickled as its inputs.
 
 use fenderline_contact::Wrench;
 

@@ -25,7 +25,7 @@ type Done = (Vec<BodyState>, Summary);
 enum Failed {
     NoRun(NoRun),
     Step(SimError),
-    /// The user has stopped the runs, so that the user does not see this error.
+    /// The user has stopped the runs. This error is not shown to the user.
     Stopped,
 }
 

@@ -16,11 +16,11 @@ pub(crate) fn threads(given: Option<usize>) -> usize {
 /// The results that one thread computed, each with the index of its item.
 type Share<T> = Vec<(usize, T)>;
 
-/// Gives the indices below `count` in order to `others` other threads, one at a time because runs differ in length,
-/// until `goes_on` returns false. Each thread has its own data for `work`, which `own` makes. Meanwhile the calling
-/// thread runs `here`; with the channel that it gets, `here` learns that all other threads have ended, and with the
-/// worker it can take indices too. The results are in the order of the indices, and every index that a thread took is
-/// done.
+/// Runs `work` for the indices below `count` on `others` other threads, until `goes_on` returns false. Each thread
+/// takes one index after the other, because pieces of work differ in length. Each thread has its own data for `work`,
+/// which `own` makes. Meanwhile the calling thread runs `here` with two arguments: a channel that tells when all other
+/// threads have ended, and a function with which the calling thread works on indices too. The results are in the order
+/// of the indices, and the work of every index that a thread took is done.
 fn spread<T: Send, W>(
     (count, others): (usize, usize),
     own: impl Fn() -> W + Sync,
@@ -94,7 +94,7 @@ pub(crate) enum Ended<E> {
     Stopped,
 }
 
-/// Time between two calls of `watch`.
+/// Time between two calls of the function `watch` of [`each_watched`].
 const WATCH: Duration = Duration::from_millis(20);
 
 /// Runs `work` for each index as [`each`] does, but only on other threads; meanwhile the calling thread calls `watch`

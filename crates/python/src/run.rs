@@ -1,4 +1,4 @@
-//! A simulation with its controls, as code without Python uses it.
+//! A simulation with its controls, for code that runs on threads without Python.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub(crate) struct Run {
     /// The last value of each control; NaN for a control that was never set, which stays with an order of the scenario
     /// or a pilot.
     set: Vec<f64>,
-    /// Whether the set-up equals that of the scenario in all but its start.
+    /// Whether the set-up of the simulation equals that of the scenario, except perhaps for the start of the run.
     pub(crate) is_of_scenario: bool,
 }
 

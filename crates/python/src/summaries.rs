@@ -32,7 +32,7 @@ impl Summary {
     }
 }
 
-/// The summaries of runs that follow each other, and the number of the first run.
+/// The summaries of runs with consecutive numbers, and the number of the first run.
 #[derive(Clone, Copy)]
 struct Runs<'s> {
     first: usize,
@@ -138,7 +138,7 @@ fn quantities<'s, S: 's, T>(
     columns
 }
 
-/// All summary tables of runs that follow each other; `first` is the number of the first run.
+/// All summary tables of runs with consecutive numbers; `first` is the number of the first run.
 pub(crate) fn all_tables(setup: &Setup, first: usize, summaries: &[Summary]) -> Vec<KeptTable> {
     let runs = Runs { first, summaries };
     vec![
@@ -254,7 +254,7 @@ fn berthings_table(all: Runs<'_>) -> KeptTable {
             (
                 "eccentricity_measured",
                 "1",
-                "energy that fenders and piles took, over the kinetic energy",
+                "energy that fenders and piles took, divided by the kinetic energy",
             ),
             |b| b.eccentricity_measured,
         ),
@@ -323,7 +323,7 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
         texts("text", "the finding in one sentence", rows.iter().map(|(_, f)| f.sentence(setup))),
         texts(
             "law",
-            "the law or data that the run left, as in summary.json; empty for other findings",
+            "the law or data whose range the run left, as in summary.json; empty for other findings",
             rows.iter().map(|(_, f)| f.departure().map_or("", |d| d.law.row().key).to_owned()),
         ),
         column(
@@ -331,7 +331,7 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             (
                 "from_s",
                 "s",
-                "when the run first left the law or data; NaN for other \
+                "when the run first left the range of the law or data; NaN for other \
             findings",
             ),
             |f| f.departure().map_or(f64::NAN, |d| d.first_s),
@@ -341,7 +341,7 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             (
                 "lasting_s",
                 "s",
-                "time outside the law or data in all; NaN for other \
+                "total time outside the range of the law or data; NaN for other \
             findings",
             ),
             |f| f.departure().map_or(f64::NAN, |d| d.lasting_s),
@@ -351,7 +351,7 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             (
                 "share_of_run",
                 "1",
-                "time outside the law or data over the time of the run; NaN for \
+                "time outside the range of the law or data, divided by the time of the run; NaN for \
                 other findings",
             ),
             |f| f.departure().map_or(f64::NAN, |d| d.share_of_run),

@@ -71,7 +71,7 @@ pub(crate) fn joined(pieces: Vec<Vec<KeptTable>>) -> Vec<KeptTable> {
     all
 }
 
-/// Adds the rows of other columns, which hold values of the same kind.
+/// Adds the rows of the columns `others` to the column `own`; all of them hold values of the same kind.
 fn add_rows(own: &mut KeptValues, others: impl Iterator<Item = KeptValues>) {
     let mut all_words = Words::default();
     if let KeptValues::Texts { words, .. } = own {

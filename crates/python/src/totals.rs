@@ -1,4 +1,4 @@
-//! Counts what happens in a simulation beside its steps, for the summary as a tree.
+//! Counts the events of a simulation and adds up totals, for the summary that `Simulation.summary_tree` returns.
 
 use fenderline_results::{Events, Interrupted, Outcome, ProviderNotices, WorldTotals, summary};
 use fenderline_scenario::Scenario;
@@ -36,7 +36,7 @@ impl Totals {
         self.world.add(step);
     }
 
-    /// Marks the exercise by the state after a step.
+    /// Updates the score of the exercise with the state of the simulation after a step.
     pub(crate) fn mark(&mut self, simulation: &Simulation) {
         if let Some(exercise) = &mut self.exercise {
             exercise.update(simulation);

@@ -1,4 +1,4 @@
-//! Variants of a scenario, which have the same bodies, fenders and controls with other numbers.
+//! Variants of a scenario: they have the same bodies, fenders and controls, but other numbers in some keys.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -82,7 +82,7 @@ impl Common {
 
 /// What a run of a variant begins with.
 pub(crate) enum Variant {
-    /// The scenario's run, with another start.
+    /// The start of the variant, which differs from the scenario in nothing else.
     Start(Box<Start>),
     /// A run that was made for the variant alone.
     Run(Box<Run>),

@@ -1,4 +1,5 @@
-//! Reads whole numbers that a Python caller gives: a Python number has no bounds, ours have, and errors say so.
+//! Reads numbers that a Python caller gives. A whole number in Python may be as large as you like, but a number in Rust
+//! has bounds; an error names the bounds.
 
 use std::ops::Range;
 
@@ -13,17 +14,17 @@ pub(crate) const MOST_STEPS: i64 = 1_000_000_000;
 /// Most simulations that take their steps together: memory for all of them is taken at once.
 const MOST_AT_ONCE: i64 = 1_000_000;
 
-/// Reads the number of steps of a call.
+/// Reads the number of steps that one call of a method shall take.
 pub(crate) fn steps(given: &Bound<'_, PyAny>) -> PyResult<u64> {
     within(given, "steps", [0, MOST_STEPS]).map(|number| number as u64)
 }
 
-/// Reads the number of steps by which a host is late.
+/// Reads the number of steps by which the states that a host gives may be old.
 pub(crate) fn delay_steps(given: &Bound<'_, PyAny>) -> PyResult<u32> {
     within(given, "delay_steps", [0, i64::from(u32::MAX)]).map(|number| number as u32)
 }
 
-/// Reads the number of steps that the bench repeats.
+/// Reads the number of steps that the benchmark `bench.py` takes.
 pub(crate) fn count(given: &Bound<'_, PyAny>) -> PyResult<u64> {
     within(given, "count", [0, MOST_STEPS]).map(|number| number as u64)
 }
@@ -59,7 +60,7 @@ pub(crate) fn berthed_within_m(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     real(given, "berthed_within_m")
 }
 
-/// Reads names of controls, each with its full value.
+/// Reads names of controls, each with the value that the number 1 in an action sets.
 pub(crate) fn levers(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
     named(given, "levers", "names with numbers")
 }
@@ -78,7 +79,7 @@ fn real(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     named(given, name, "a number")
 }
 
-/// Reads a value of a kind, with errors that name the argument.
+/// Reads an argument of the type `T`; an error gives the argument's name `name` and the expected kind `kind`.
 fn named<'py, T: FromPyObjectOwned<'py>>(
     given: &Bound<'py, PyAny>,
     name: &str,

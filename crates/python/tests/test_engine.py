@@ -231,4 +231,4 @@ def test_conflicting_settings_are_refused(scenarios: Path) -> None:
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018
     berth = Scenario.load(scenarios / "berth" / "alongside_with_two_tugs.toml")
-    assert "left to the host: 2 of the kind \"tug\"" in Engine(berth).notices
+    assert "the engine leaves to the host: 2 parts of the scenario of the kind \"tug\"" in Engine(berth).notices

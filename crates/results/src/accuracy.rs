@@ -31,8 +31,8 @@ impl EstimateError {
 }
 
 /// The accuracy of a vessel's estimated data, one line each: ratios outside the range of the formulas, and the errors
-/// of the formulas on ships with references. The list is empty for a vessel with given data of hull, propeller and
-/// rudder.
+/// of the formulas on ships with known reference values. The list is empty for a vessel with given data of hull,
+/// propeller and rudder.
 pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
     let Some(route) = origin.estimate_method else { return Vec::new() };
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();

@@ -12,7 +12,7 @@ pub struct BranchOutcome {
     pub parent: Option<usize>,
     /// Time at which the branch splits off (s).
     pub from_s: f64,
-    /// End of the branch (s).
+    /// Time at which the branch ends (s).
     pub ends_s: f64,
     /// The verdict on the run up to the end of the branch.
     pub verdict: Verdict,

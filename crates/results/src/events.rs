@@ -22,7 +22,7 @@ pub fn event_key(kind: EventKind) -> &'static str {
     }
 }
 
-/// The name of an event of a vessel, tug, line or anchor in result files.
+/// The name of an event of a vessel, tug, mooring line or anchor in result files.
 #[must_use]
 pub fn world_event_key(kind: WorldEventKind) -> &'static str {
     match kind {

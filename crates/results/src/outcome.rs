@@ -14,7 +14,7 @@ use crate::recorded_session::RecordedSession;
 use crate::run_events::Events;
 use crate::world_totals::WorldTotals;
 
-/// The place at which a run was interrupted.
+/// The time step and the time at which a run was interrupted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interrupted {
     /// Steps taken.
@@ -28,7 +28,7 @@ pub struct Interrupted {
 }
 
 impl Interrupted {
-    /// Notes where a simulation is stopped.
+    /// The step and the time at which a simulation is stopped.
     pub fn of(simulation: &Simulation) -> Interrupted {
         Interrupted {
             steps: simulation.steps_taken(),
@@ -56,7 +56,7 @@ pub struct Outcome<'a> {
     pub setup: &'a Setup,
     /// Notices of the scenario.
     pub notices: &'a [String],
-    /// The place at which the run was interrupted, if it was.
+    /// The step and the time at which the run was interrupted, if it was.
     pub interrupted: Option<Interrupted>,
     /// Number of steps taken.
     pub steps: u64,
@@ -76,9 +76,9 @@ pub struct Outcome<'a> {
     pub dolphins: &'a [DolphinSummary],
     /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
-    /// Statistics of motions and lines; `None` if the scenario does not ask for them.
+    /// Statistics of motions and mooring lines; `None` if the scenario does not ask for them.
     pub statistics: Option<&'a Statistics>,
-    /// The value found for each limit of the scenario.
+    /// For each limit that the scenario sets to motions, lines or fenders: the value that the run reached.
     pub limit_values: &'a [f64],
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,

@@ -2,7 +2,7 @@
 
 use crate::branch::BranchOutcome;
 
-/// A branch of a session that people steered, which a run repeats.
+/// A recorded live session that a run repeats. People steered the session; the run repeats one branch of the session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedSession {
     /// Name of the recording's file, without its folder.
@@ -36,7 +36,7 @@ pub struct LogLine {
     /// Time at which an alarm was acknowledged (s), and the person; `None` if nobody acknowledged it, and for entries
     /// that are no alarms.
     pub acknowledged: Option<(f64, String)>,
-    /// Equal for alarms of one kind about the same things; empty for other entries.
+    /// A key that is the same for all alarms of one kind about the same things; empty for entries that are no alarms.
     pub key: String,
 }
 

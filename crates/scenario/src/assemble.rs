@@ -36,6 +36,7 @@ mod panel;
 mod particulars;
 mod passing;
 mod performance;
+mod plan;
 mod plausible;
 mod providers;
 mod response;
@@ -233,6 +234,7 @@ pub(crate) fn setup(
     };
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
+    assembly.plans(file.given(ScenarioKey::PLAN).named(), &mut setup, &names)?;
     assembly.note_holes_at_fenders(file, &setup);
     assembly.note_late_arrivals(of_bodies, &setup);
     assembly.note_draughts(file, fender_tables, &setup);
@@ -245,7 +247,7 @@ pub(crate) fn setup(
     Ok((setup, output, exercise))
 }
 
-/// Reads an order to a vessel, tug, line or anchor of a set-up.
+/// Reads an order to a vessel, tug, mooring line or anchor of a set-up.
 pub(crate) fn order(
     sources: &Sources<'_>,
     table: Of<'_, OrderKey>,

@@ -54,8 +54,6 @@
 //! ```
 
 mod assemble;
-mod bottom;
-mod chart;
 mod data_files;
 mod files;
 mod hydrodynamics;
@@ -64,7 +62,6 @@ mod load;
 mod order;
 mod scenario;
 mod schema;
-mod shore;
 mod variant;
 mod vessels;
 

@@ -1,4 +1,4 @@
-//! Reads a single order for a simulation that is running.
+//! Reads the text of a single order to a vessel, tug, mooring line or anchor, for a simulation that is running.
 
 use fenderline_sim::{Order, Setup};
 

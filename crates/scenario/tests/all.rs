@@ -44,6 +44,7 @@ mod order_under_way;
 mod overrides;
 mod panels;
 mod passing;
+mod plan;
 mod plausible;
 mod points_of_attack;
 mod rows;

@@ -172,7 +172,7 @@ fn an_abnormal_berthing_has_the_factor_in_its_speed() {
     assert_eq!(
         sentence,
         "ship meets quay, fender a_3, with her starboard side 25.0 m forward of midship at 0.184 m/s and 0.0°; abnormal \
-         berthing: 1.50 times the energy, 1.22 times the speed of 0.150 m/s"
+         berthing: 1.50 times the energy, 1.22 times the normal speed of 0.150 m/s"
     );
     assert_eq!(
         setup.approaches[0].start_sentence(&setup),

@@ -2,8 +2,8 @@
 
 use fenderline_contact::vec2;
 use fenderline_scenario::{Place, Scenario, ScenarioError};
-use fenderline_sim::environment::DepthField;
-use fenderline_sim::{Bottom, Outside};
+use fenderline_sim::environment::{BankMethod, DepthField};
+use fenderline_sim::{Bottom, Outside, Simulation};
 
 const HEAD: &str =
     "[time]\nstep = 1\nduration = 1\n[body.a]\nfixed = true\noutline = [[0, 0], [1, 0], [0, 1]]\n";
@@ -56,6 +56,79 @@ fn outside_may_be_a_depth() {
     let bottom = bottom("survey = [\"a.asc\"]\noutside = \"15 m\"", &[("a.asc", GRID)]).unwrap();
     assert_eq!(bottom.depth_m(vec2(0.0, 0.0)), Some(15.0));
     assert_eq!(bottom.depth_m(vec2(90.0, 0.0)), Some(5.0));
+}
+
+/// A grid of 500 m around the origin, with cells of 10 m: 12 m deep, and 5 m from 50 m east of the origin on.
+fn step_grid() -> String {
+    let row: Vec<&str> = (0..50).map(|column| if column < 30 { "12" } else { "5" }).collect();
+    let row = row.join(" ") + "\n";
+    let head =
+        "ncols 50\nnrows 50\nxllcorner -250\nyllcorner -250\ncellsize 10\nNODATA_value -9999\n";
+    head.to_owned() + &row.repeat(50)
+}
+
+#[test]
+fn banks_of_the_bottom_act_by_the_chosen_method_and_are_told() {
+    let grid = step_grid();
+    let ship = "[body.ship]\nvessel = \"bulk-carrier\"\nposition = [0, 0]\nvelocity = { surge = \"6 kn\" }\n";
+    let with = |keys: &str, more: &str| {
+        let toml = format!(
+            "{HEAD}position = [240, -240]\n{ship}{more}[environment.bottom]\nsurvey = [\"a.asc\"]\noutside = \"12 m\"\n{keys}\n"
+        );
+        read(&toml, &[("a.asc", &grid)]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let banks = |scenario: Scenario| {
+        let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+        simulation.step().expect("a good step").vessel_forces[0].banks
+    };
+    let told = |scenario: &Scenario| -> Vec<String> {
+        let all = scenario.notices.iter().map(ToString::to_string);
+        all.filter(|notice| notice.contains("bank")).collect()
+    };
+    let plain = with("", "");
+    assert_eq!(
+        plain.setup.world.environment.bottom.as_ref().unwrap().banks,
+        Some(BankMethod::Norrbin)
+    );
+    let [notice] = &told(&plain)[..] else { panic!("{:?}", told(&plain)) };
+    assert!(notice.contains("`environment.bottom`") && notice.contains("UNVALIDATED"), "{notice}");
+    let words = plain.setup.world.environment.bottom.as_ref().unwrap().in_words();
+    assert!(words.ends_with("banks by Norrbin's formulas (unvalidated)"), "{words}");
+    let norrbin = banks(plain);
+    assert!(norrbin.sway_n > 0.0 && norrbin.yaw_nm < 0.0, "{norrbin:?}");
+    let by_image = with("banks = \"image\"", "");
+    let [notice] = &told(&by_image)[..] else { panic!("{:?}", told(&by_image)) };
+    assert!(
+        notice.contains("`environment.bottom`") && notice.contains("images of the images"),
+        "{notice}"
+    );
+    let image = banks(by_image);
+    assert!(image.sway_n > 0.0 && image.sway_n != norrbin.sway_n, "{image:?}");
+    let none = with("banks = \"none\"", "");
+    assert!(told(&none).is_empty() && none.setup.world.flow.hulls.is_empty());
+    assert!(
+        none.setup
+            .world
+            .environment
+            .bottom
+            .as_ref()
+            .unwrap()
+            .in_words()
+            .ends_with("no force of banks")
+    );
+    assert_eq!(banks(none).sway_n, 0.0);
+    let twice = with("", "[environment]\nbank = [{ from = [-500, 50], to = [500, 50] }]\n");
+    assert!(
+        told(&twice).iter().any(|notice| notice.contains("counted twice")),
+        "{:?}",
+        told(&twice)
+    );
+    let error = read(
+        &format!("{HEAD}[environment.bottom]\nsurvey = [\"a.asc\"]\nbanks = \"lataire\"\n"),
+        &[("a.asc", GRID)],
+    );
+    let error = error.unwrap_err().to_string();
+    assert!(error.contains("s.toml:9:") && error.contains("environment.bottom.banks"), "{error}");
 }
 
 #[test]
@@ -199,7 +272,7 @@ fn each_mistake_of_a_survey_names_file_and_line() {
         (GRID.replace("7 8 9", "7 99999 9"), 7, "between -12000 and 12000"),
         (format!("{GRID}3 3\n"), 9, "more than 3 × 2 values"),
         (GRID.replace("xllcorner -15", "xllcorner 5e5"), 6, "more than 200 km"),
-        ("1 2 3\n1 2\n".to_owned(), 2, "a row of a survey has x, y and z"),
+        ("1 2 3\n1 2\n".to_owned(), 2, "each row of a survey needs three numbers: x, y and z"),
         ("1 2 3\n1 2 a\n".to_owned(), 2, "\"a\" is not a number"),
         ("1 2 3\n\n6e5 2 3\n".to_owned(), 3, "more than 200 km"),
     ] {
@@ -241,7 +314,7 @@ fn keys_that_do_not_fit_are_refused() {
         (
             "survey = [\"a.asc\"]\nsurvey_coordinates = \"utm\"",
             "environment.bottom.survey_coordinates",
-            "about the origin",
+            "a chart with an origin",
         ),
         ("survey = [\"b.asc\"]", "environment.bottom.survey", "cannot read b.asc"),
     ] {
@@ -379,7 +452,7 @@ fn a_survey_in_a_chart_counts_where_it_has_data() {
 fn cells_that_are_too_many_are_refused_and_coarse_cells_are_told() {
     let file = made_up();
     let error = bottom("chart = \"least\"\ncell = 0.1", &[("c.geojson", &file)]).unwrap_err();
-    assert!(error.to_string().contains("at most 4000000 are made"), "{error}");
+    assert!(error.to_string().contains("at most 4000000 are allowed"), "{error}");
     assert_eq!(error.key(), Some("environment.bottom.cell"));
     let large = file.replace("400]", "80000]").replace("500,", "90000,");
     let toml = format!("{HEAD}{METRES}[environment.bottom]\nchart = \"least\"\n");

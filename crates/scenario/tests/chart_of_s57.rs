@@ -3,7 +3,9 @@
 
 use fenderline_contact::vec2;
 use fenderline_scenario::{Scenario, ScenarioError};
-use fenderline_sim::chart::{Chart, ChartKind, ChartShape, MarkColour, MarkSide};
+use fenderline_sim::chart::{
+    Chart, ChartKind, ChartShape, MarkColour, MarkMeaning, MarkShape, MarkSide,
+};
 
 const TOML: &str = "[time]\nstep = 1\nduration = 1\n[body.a]\nfixed = true\noutline = [[0, 0], [1, 0], [0, 1]]\n\
                     [chart]\nfiles = [\"c.geojson\"]\ncoordinates = \"metres\"\n";
@@ -83,15 +85,26 @@ fn marks_and_lights_have_their_colours_sides_and_sectors() {
         "BOYLAT",
         &[
             feature("\"CATLAM\": 1, \"COLOUR\": [ \"4\" ], \"OBJNAM\": \"Buoy 3\"", &point),
-            feature("\"CATLAM\": 2, \"COLOUR\": \"3,1\", \"OBJNAM\": null", &point),
+            feature("\"CATLAM\": 2, \"COLOUR\": \"3,1\", \"OBJNAM\": null, \"BOYSHP\": 4", &point),
         ],
     ));
     let mark = |index: usize| buoys.features[index].mark.unwrap();
     assert_eq!((mark(0).colour, mark(0).side), (MarkColour::Green, Some(MarkSide::Port)));
     assert_eq!((mark(1).colour, mark(1).side), (MarkColour::Red, Some(MarkSide::Starboard)));
     assert_eq!(buoys.features[0].name, "Buoy 3");
-    let cardinal = chart(&layer("BOYCAR", &[feature("\"COLOUR\": [2, 6]", &point)]));
-    assert_eq!(cardinal.features[0].mark.unwrap().colour, MarkColour::Black);
+    assert_eq!((mark(0).shape, mark(1).shape), (None, Some(MarkShape::Pillar)));
+    assert_eq!(mark(0).meaning, MarkMeaning::Lateral);
+    let of_mark = |class, properties: &str| {
+        chart(&layer(class, &[feature(properties, &point)])).features[0].mark.unwrap()
+    };
+    let cardinal = of_mark("BOYCAR", "\"COLOUR\": [2, 6], \"CATCAM\": 3, \"BOYSHP\": 5");
+    assert_eq!((cardinal.colour, cardinal.meaning), (MarkColour::Black, MarkMeaning::South));
+    assert_eq!(cardinal.shape, Some(MarkShape::Spar));
+    let safe = of_mark("BOYSAW", "\"COLOUR\": [3, 1], \"BOYSHP\": 3");
+    assert_eq!((safe.meaning, safe.shape), (MarkMeaning::SafeWater, Some(MarkShape::Ball)));
+    let tower = of_mark("BCNISD", "\"BCNSHP\": 3");
+    assert_eq!((tower.meaning, tower.shape), (MarkMeaning::IsolatedDanger, Some(MarkShape::Tower)));
+    assert_eq!(of_mark("BOYSPP", "\"COLOUR\": 6").meaning, MarkMeaning::Special);
 
     let lights = chart(&layer(
         "LIGHTS",
@@ -153,7 +166,7 @@ fn what_is_left_out_is_counted_with_its_reason() {
         "1 DEPARE (no DRVAL1)",
         "1 DEPARE (DRVAL2 is less than DRVAL1)",
         "1 DEPARE (no geometry)",
-        "1 DEPARE (its geometry is not one of its class)",
+        "1 DEPARE (its class does not allow its geometry)",
         "1 DEPARE (its ring crosses itself)",
         "1 OBJL 119 (the class is not read)",
         "1 M_COVR (CATCOV 2: no coverage)",

@@ -59,7 +59,7 @@ fn the_goal_follows_anchor_chain_and_brake_and_is_reached_when_she_is_brought_up
     assert_eq!(assessment.setup().berth, None, "an anchorage needs no berth");
     give(&mut of, Action::Anchor(0, AnchorAction::LetGo { chain_m: SHACKLE_M }));
     steps(&mut of, &mut assessment, 2.0);
-    assert_eq!(now(&assessment), "port not on the bottom, 0.4 shackles out");
+    assert_eq!(now(&assessment), "port not on the bottom, 0.4 shackles of chain out");
     steps(&mut of, &mut assessment, 60.0);
     assert!(now(&assessment).starts_with("port 1.0 shackles out, "), "{}", now(&assessment));
     assert!(!assessment.conditions()[0].is_met, "a shackle is not four");

@@ -268,10 +268,10 @@ fn the_keys_that_a_setting_stands_for() {
 
 #[test]
 fn settings_that_meet_nothing_are_refused() {
-    check_set("fender.b_*.tolerance=0", "fender.b_*.tolerance", "fits nothing");
+    check_set("fender.b_*.tolerance=0", "fender.b_*.tolerance", "no table that the pattern");
     check_set("fender.a_9.tolerance=0", "fender_row.a.exception.a_9", "\"a_1\" to \"a_8\"");
     check_set("fender.b.tolerance=0", "fender", "the file has no `fender`");
-    check_set("body.x*.mass=0", "body.x*.mass", "fits nothing");
+    check_set("body.x*.mass=0", "body.x*.mass", "no table that the pattern");
     check_set("material.*=0", "material.*", "stands for whole tables");
     check_set("fender_row.a.tolerence=0", "fender_row.a.tolerence", "did you mean `tolerance`?");
     check_set("fender.a_3.tolerence=0", "fender_row.a.exception.a_3.tolerence", "`tolerance`");

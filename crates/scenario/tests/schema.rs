@@ -224,7 +224,7 @@ fn fulls() -> Vec<Json> {
         "bottom".to_owned(),
         json!({
             "survey": ["depths.asc"], "survey_coordinates": "metres", "survey_values": "depths",
-            "chart": "interpolated", "cell": "50 m", "outside": "30 m"
+            "chart": "interpolated", "cell": "50 m", "outside": "30 m", "banks": "image"
         }),
     );
     let mut anchored = full();

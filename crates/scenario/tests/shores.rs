@@ -74,7 +74,7 @@ fn the_shore_is_one_body_with_the_parts_that_were_taken() {
     assert!(shore.is_of_parts());
     // Land and hole, and the mole, 4 m wide.
     let land_m2 = 800.0 * 300.0 + 2.0 * 100.0 * 300.0 - 40.0 * 100.0;
-    let mole_m2 = 4.0 * (200f64.hypot(20.0) + 80.0);
+    let mole_m2 = 4.0 * (libm::hypot(200.0, 20.0) + 80.0);
     assert!((shore.area_m2() - land_m2 - mole_m2).abs() < 1e-6, "{}", shore.area_m2());
     assert_eq!(
         setup.world.chart.solid_in_words().unwrap(),

@@ -145,8 +145,8 @@ async fn exchange(
     }
 }
 
-/// A frame with the events that this client has not received yet. For an instructor, the frame includes the marks of
-/// the exercise.
+/// The latest frame (the message with the present state), with the events that this client has not received yet. For an
+/// instructor, the frame includes the score and the deductions of the exercise.
 fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);
     let new: Vec<_> = new.map(|(_, event)| event.clone()).collect();

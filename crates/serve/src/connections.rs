@@ -37,7 +37,8 @@ struct Inside {
     all: Vec<(u64, Peer, Arc<Notify>)>,
 }
 
-/// The place of a connection. Dropping the [`Place`] frees the place for another connection.
+/// The place that one connection holds, of the limited number of places. Dropping the [`Place`] frees the place for
+/// another connection.
 #[derive(Debug)]
 pub(crate) struct Place {
     connections: Arc<Connections>,

@@ -1,6 +1,6 @@
 //! The simulation's thread. The simulation's thread steps the session at the pace of wall time, carries out the
-//! commands of clients and publishes the latest frame. The simulation's thread waits for nothing except the clock: a
-//! slow client misses frames, and a flood of commands is refused.
+//! commands of clients and publishes the latest frame, which is the message with the present state. The simulation's
+//! thread waits for nothing except the clock: a slow client misses frames, and a flood of commands is refused.
 
 mod chart_output;
 mod client;
@@ -44,9 +44,11 @@ use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
 
-/// Least wall time between two frames for the pages, even if the simulation runs faster.
+/// Least wall time between two frames (messages with the present state) for the pages, even if the simulation runs
+/// faster.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(33);
-/// Wall time between two frames of a paused session. Frames of a paused session show a page that the server still runs.
+/// Wall time between two frames of a paused session. A paused session still sends frames, so that a page knows
+/// that the server is running.
 /// While a file is being opened, frames come more often, to show the progress.
 const BETWEEN_PAUSED_FRAMES: Duration = Duration::from_secs(1);
 const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);
@@ -282,7 +284,7 @@ impl Engine {
         self.session.frame(unix_ms(), run)
     }
 
-    /// The marks of the exercise, as JSON; `None` without an exercise.
+    /// The score and the deductions of the exercise, as JSON; `None` without an exercise.
     fn marks(&self) -> Option<Text> {
         self.session.exercise_marks().map(|marks| message::text(&marks).into())
     }

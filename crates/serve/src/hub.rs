@@ -28,8 +28,8 @@ pub(crate) type Text = Arc<str>;
 /// The latest round of sentences for chart programs.
 pub(crate) type Sentences = Option<Arc<[String]>>;
 
-/// A published frame, and the last events with their numbers. By the numbers, clients that missed frames still get
-/// every event.
+/// A published frame (a message with the state of the session), and the last events with their numbers. By the numbers,
+/// clients that missed frames still get every event.
 #[derive(Clone, Debug)]
 pub(crate) struct Published {
     /// The frame for roles from which nothing is hidden.
@@ -39,7 +39,7 @@ pub(crate) struct Published {
     /// Frames for the roles from which fog hides something.
     pub(crate) in_fog: Arc<[InFog]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
-    /// The marks of the exercise as JSON, for instructors.
+    /// The score and the deductions of the exercise as JSON, for instructors.
     pub(crate) marks: Option<Text>,
 }
 

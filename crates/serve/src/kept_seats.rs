@@ -119,8 +119,8 @@ pub(crate) fn read(path: &Path) -> Result<Option<KeptSeats>, String> {
     }
 }
 
-/// Writes a file of links in place of a former file. On systems with users, other users of the machine cannot read the
-/// file of links.
+/// Writes a file of links in place of a former file. Where the operating system has user
+/// accounts, other accounts cannot read the file with the links to the pages.
 fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
     let failed = |e: io::Error| format!("{}: {e}", path.display());
     let text = serde_json::to_string(seats).map_err(|e| failed(e.into()))?;

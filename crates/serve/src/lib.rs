@@ -9,7 +9,7 @@
 //! | `pacer` | its clock |
 //! | `claims`, `permit`, `role_words` | which client may use which control, and what each role may do |
 //! | `recorder`, `saved` | write a session to its file; read and replay a recording |
-//! | `kept_seats` | links and holders of controls beside the recording, for a server that starts again |
+//! | `kept_seats` | the file beside the recording with links and holders of controls, for a server that starts again |
 //! | `gallery`, `opening` | the files that can be opened; opening and saving on another thread |
 //! | `file_change`, `file_name` | renaming, deleting and putting back files of the gallery; names of new files |
 //! | `instruments` | the sentences of ships' instruments |
@@ -106,7 +106,7 @@ pub struct Options {
     /// UDP address of a chart program to which sentences are sent.
     pub nmea_udp: Option<SocketAddr>,
     /// Geographic position of the scenario's origin in the sentences to chart programs. With `None`, positions count
-    /// from the origin of the scenario's chart, or from 0° N 0° E without a chart.
+    /// from the origin of the scenario's nautical chart, or from 0° N 0° E without a chart.
     pub origin: Option<ChartOrigin>,
     /// Function that makes the report of a session for the page.
     pub report: MakeReport,
@@ -154,7 +154,7 @@ const ANY_6: IpAddr = IpAddr::V6(std::net::Ipv6Addr::UNSPECIFIED);
 /// Number of connections that may wait until the server accepts them.
 const BACKLOG: u32 = 256;
 
-/// A server that listens. The simulation's thread of the server is running.
+/// A server that listens for clients, and whose thread of the simulation is running.
 pub struct Server {
     runtime: Runtime,
     listener: TcpListener,

@@ -98,8 +98,8 @@ impl NewFile {
     ///
     /// # Errors
     /// Fails if the name is taken and must not be replaced. Fails too if the path is a link or is not a file. Fails too
-    /// if the choices do not make an exercise. Fails too if the file system gives an error. A call that fails leaves no
-    /// change.
+    /// if the choices do not make an exercise. Fails too if the file system gives an error. A call that fails
+    /// changes no file.
     pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
         let replaces = self.replaces()?;
         let folder = self.to.parent().unwrap_or(Path::new(""));

@@ -22,9 +22,9 @@ const BLOCK: usize = 256 << 10;
 /// Progress of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Progress {
-    /// Number of bytes of the recording that are read and checked, and their total.
+    /// Number of bytes of the recording that were read and checked so far, and the number of all its bytes.
     Reading(u64, u64),
-    /// Number of ticks of the recording that are replayed, and their total.
+    /// Number of ticks of the recording that were replayed so far, and the number of all its ticks.
     Replaying(u64, u64),
 }
 

@@ -9,7 +9,6 @@
 //! |---|---|
 //! | forces of hull, propeller, rudder and thruster; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
-//! | motion in six degrees of freedom from hydrodynamic data: exciting forces, memory, drift | [`seakeeping`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | mooring lines and winches | [`mooring`] |
 //! | anchors, windlass and holding ground | [`anchor`] |
@@ -32,6 +31,5 @@ pub mod mooring;
 pub mod passing;
 pub mod random;
 pub mod range;
-pub mod seakeeping;
 pub mod track;
 pub mod tug;

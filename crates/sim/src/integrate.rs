@@ -67,7 +67,7 @@ impl Rate {
     }
 }
 
-/// A step of forward Euler: moves positions with the old velocities, as the paper's simulator does.
+/// A step of forward Euler: moves positions with the old velocities, as the simulator of Moreno et al. (2023) does.
 pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     BodyState {
         position_m: state.position_m + rate.velocity_mps * step_s,

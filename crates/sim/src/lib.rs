@@ -158,13 +158,13 @@
 //! The crate re-exports what its users need of three crates: `fenderline-ship` (physics of a ship), `fenderline-world`
 //! (set-up, state and records) and `fenderline-assess` (verdict, statistics).
 //!
-//! One step of [`Simulation::step`] has these parts; files of `fenderline-world` are marked W:
+//! [`Simulation::step`] calls these functions in turn; files of `fenderline-world` are marked W:
 //!
-//! 1. `gather_loads`: sums the loads of the set-up and of the host, then of vessels, tugs, lines and environment (W
-//!    `world/state.rs`).
+//! 1. `gather_loads`: sums the loads of the set-up and of the host program, then of vessels, tugs, lines and
+//!    environment (W `world/state.rs`).
 //! 2. `turn_momentum`: computes Coriolis and centripetal terms over the step (W `turning.rs`).
-//! 3. `advance_bodies`: computes the contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's
-//!    method) and the new states (`integrate.rs`).
+//! 3. `advance_bodies`: computes the contact forces (`fenderline_contact::advance_in_place`, or `step` for the method
+//!    of Moreno et al. 2023) and the new states (`integrate.rs`).
 //! 4. `update_world`: computes heel and trim of the vessels under all forces.
 //! 5. `account_energy`: computes the work of each contact and load, and the energy ledger (W `contact_totals.rs`, W
 //!    `ledger.rs`).
@@ -199,11 +199,12 @@ pub use fenderline_assess::summary::PairSummary;
 pub use fenderline_assess::verdict::{
     Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, fender_finding,
 };
+pub use fenderline_seakeeping as seakeeping;
 pub use fenderline_ship::chain::{ChainGrade, ChainLink, ChainSize};
 pub use fenderline_ship::range::OutOfRange;
 pub use fenderline_ship::{
-    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing,
-    seakeeping, track, tug,
+    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing, track,
+    tug,
 };
 pub use fenderline_world::approach::{Approach, Side};
 pub use fenderline_world::chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
@@ -231,8 +232,8 @@ pub use fenderline_world::world::{
     AzimuthState, BollardSetup, Bottom, CurrentTable, Environment, Fault, Faults, Float, Job,
     LineEnd, LineHandling, Mooring, MooringSetup, NoDepth, NotAtTheSide, Outside, Pilots,
     ProviderSetup, PushJob, Sent, Soundings, ThrusterSetup, Tripped, TugAtWork, TugSetup,
-    VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup,
-    mass_matrix,
+    VesselForces, VesselOrders, VesselSetup, VesselState, Walls, WorldEvent, WorldEventKind,
+    WorldSetup, mass_matrix,
 };
 pub use fenderline_world::{change, chart, external, factors, order};
 pub use output_plan::{OutputPlan, OutputTable};

@@ -30,8 +30,8 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) step_s: f64,
 }
 
-/// Work that the loads of the set-up and of the host do in a step (J). `order` is the order in which the bodies are
-/// summed.
+/// Work that the loads of the set-up and of the host program do in a step (J). `order` is the order in which the bodies
+/// are summed.
 pub(crate) fn plain_work_j(
     order: &[usize],
     inertias: &[Inertia],
@@ -43,8 +43,8 @@ pub(crate) fn plain_work_j(
 }
 
 impl LoadedStep<'_> {
-    /// Work of each kind of load, except the loads of the set-up and of the host: force times displacement over the
-    /// ground.
+    /// Work of each kind of load, except the loads of the set-up and of the host program: force times displacement over
+    /// the ground.
     pub(crate) fn works(&self) -> LoadWork {
         let mut works = LoadWork::default();
         for &vessel in &self.order.vessels {

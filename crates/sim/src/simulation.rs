@@ -58,8 +58,8 @@ use fenderline_world::world::{NoDepth, VesselSetup, VesselState, World, motions}
 pub struct Simulation {
     // Constant in a run.
     setup: Setup,
-    /// Clones share the contact model until a hull with outlines by height changes it. Because clones share the contact
-    /// model, the processor's cache needs it only once for a thousand simulations side by side.
+    /// Clones share the contact model until a hull with outlines at several heights changes it. Because clones share
+    /// the contact model, the processor's cache needs it only once for a thousand simulations side by side.
     model: Arc<Model>,
     inertias: Vec<Inertia>,
     steps_total: u64,
@@ -71,7 +71,7 @@ pub struct Simulation {
     memory: Memory,
     world: World,
     changes: Changes,
-    /// For hulls with outlines by height, the outlines that fenders meet.
+    /// The outlines that fenders meet on hulls with outlines at several heights.
     sides: Sides,
     // Results of the last step, and totals of the run.
     work: Workspace,
@@ -143,8 +143,8 @@ impl Simulation {
     /// Advances the simulation by one time step. Steps beyond the run's duration are allowed.
     ///
     /// # Errors
-    /// [`SimError`] if a state exceeds the limits of the contact engine, for example in a run that diverges, or if a
-    /// vessel is where no depth is known. The simulation is then unchanged.
+    /// Returns a [`SimError`] if the state of a body exceeds the limits of the contact engine, for example in a run
+    /// that diverges, or if a vessel is where no depth is known. The simulation is then unchanged.
     pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
         let t_s = self.time_s();
         // Changes are rare, so a copy of the whole simulation costs little.
@@ -185,7 +185,8 @@ impl Simulation {
         self.world.sound(&self.setup.world, &self.states, t_s).map_err(named)
     }
 
-    /// Copies the parts that a failing step would leave half-changed. The world is copied only if steps change it.
+    /// Copies the parts that a failing step would leave half-changed. The state of vessels, tugs, lines and anchors is
+    /// copied only if steps change it.
     fn backup(&mut self) {
         if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.buffers.backup.copy_from(&self.memory);
@@ -208,8 +209,8 @@ impl Simulation {
         }
     }
 
-    /// Sums all loads on each body except contact: the loads of the set-up and of the host, and the forces of vessels,
-    /// tugs, lines and anchors.
+    /// Sums all loads on each body except contact: the loads of the set-up and of the host program, and the forces of
+    /// vessels, tugs, lines and anchors.
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
@@ -226,7 +227,7 @@ impl Simulation {
         before.clone_from(&self.states);
     }
 
-    /// Renews, for hulls with outlines by height, the outlines that fenders meet.
+    /// Renews the outlines that fenders meet on hulls with outlines at several heights.
     fn cut_hulls(&mut self, t_s: f64) {
         if self.sides.is_empty() {
             return;

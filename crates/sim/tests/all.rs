@@ -3,6 +3,7 @@
 
 mod anchor;
 mod banks;
+mod banks_by_place;
 mod depth_by_place;
 mod env_moored;
 mod env_mooring;

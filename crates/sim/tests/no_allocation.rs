@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use fenderline_contact::vec2;
 use fenderline_scenario::Scenario;
-use fenderline_sim::environment::DepthField;
+use fenderline_sim::environment::{BankMethod, DepthField};
 use fenderline_sim::hydro::Squat;
 use fenderline_sim::{Bottom, Outside, Setup, Simulation};
 
@@ -108,7 +108,11 @@ fn a_warm_step_on_a_slope_allocates_nothing() {
     let field = DepthField::new(vec2(-500.0, -500.0), 10.0, 101, 101, depths_m).expect("a field");
     let environment = &mut setup.world.environment;
     environment.depth_m = None;
-    environment.bottom = Some(Bottom { field: Arc::new(field), outside: Outside::Error });
+    environment.bottom = Some(Bottom {
+        field: Arc::new(field),
+        outside: Outside::Error,
+        banks: Some(BankMethod::Norrbin),
+    });
     environment.squat = Some(Squat::BarrassChannel);
     // High water is 3 m above datum; her keel is 14 m under the water.
     setup.bodies[0].position_m.y = -200.0;

@@ -116,6 +116,7 @@ fn run(
                 response: None,
                 drift: None,
                 seakeeping: None,
+                plan: None,
             }],
             orders: orders
                 .into_iter()

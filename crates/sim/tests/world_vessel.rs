@@ -60,6 +60,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 response: None,
                 drift: None,
                 seakeeping: None,
+                plan: None,
             }],
             orders: vec![Order {
                 at_s: 0.0,

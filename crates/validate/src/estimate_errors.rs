@@ -1,5 +1,6 @@
 //! The errors of ships that are estimated from their main particulars, which are reported with every estimated ship.
-//! The errors come from the rows of `validation/estimated_ships.toml` that compare a ship with a reference.
+//! The errors come from the rows of `validation/estimated_ships.toml`, which compare estimated ships with reference
+//! values.
 
 use std::sync::OnceLock;
 
@@ -23,8 +24,8 @@ const NAMES: [&str; 4] = [
     "first overshoot of 20°/20°",
 ];
 
-/// The errors of the formulas that estimated a vessel; empty if nothing of her is estimated, or the errors of the formulas
-/// are not known.
+/// The errors of the formulas with which a vessel was estimated; empty if none of her data are estimated, or if the
+/// errors of the formulas are not known.
 pub fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
     match origin.estimate_method {
         Some(EstimateMethod::YoshimuraMasumoto) => {

@@ -1,4 +1,4 @@
-//! Draws the paper's figures from our runs, and the outlines in these runs.
+//! Draws the figures of the paper of Moreno et al. (2023) from our runs, and the outlines of the bodies in these runs.
 
 use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 use fenderline_sim::BodySetup;
@@ -11,29 +11,31 @@ use fenderline_report::plot::{
     plain,
 };
 
-/// Runs of experiment 1, in which the time step varies: names of the runs and of their lines in the charts.
+/// Runs of experiment 1 of Moreno et al. (2023), in which the time step varies: names of the runs and of their lines in
+/// the charts.
 const STEPS: [(&str, &str); 4] = [
     ("paper/experiment_1_step_0.1s", "Δt 0.1 s"),
     ("paper/experiment_1_step_0.5s", "Δt 0.5 s"),
     ("paper/experiment_1_step_1s", "Δt 1 s"),
     ("paper/experiment_1_step_2s", "Δt 2 s"),
 ];
-/// Runs of experiment 2, in which the approach speed varies: names of the runs and of their lines in the charts.
+/// Runs of experiment 2 of Moreno et al. (2023), in which the approach speed varies: names of the runs and of their
+/// lines in the charts.
 const SPEEDS: [(&str, &str); 4] = [
     ("paper/experiment_2_4kn", "4 kn"),
     ("paper/experiment_2_2kn", "2 kn"),
     ("paper/experiment_2_1kn", "1 kn"),
     ("paper/experiment_2_0.5kn", "0.5 kn"),
 ];
-/// Time at which the charts end, when the last push has ended (s).
+/// Time at which the charts of experiment 1 end (s); tug and ship no longer push each other then.
 const END_OF_EXPERIMENT_1_S: f64 = 10.0;
 const END_OF_EXPERIMENT_2_S: f64 = 12.0;
-/// Time step from which on each step of a run is marked in the chart, because there are few (s).
+/// Shortest time step (s) with which each step of a run is marked in the chart; such runs have few steps.
 const MARKED_STEP_S: f64 = 0.5;
 
 const FORCE: (&str, &str, f64) = ("normal force", "MN", 1e-6);
 
-/// Draws Fig. 9 of the paper: normal force over time for the four time steps.
+/// Draws Fig. 9 of Moreno et al. (2023): normal force over time for the four time steps.
 pub(super) fn figure_9(runs: &Runs) -> Markup {
     let (label, unit, factor) = FORCE;
     chart(
@@ -46,7 +48,7 @@ pub(super) fn figure_9(runs: &Runs) -> Markup {
     )
 }
 
-/// Draws Fig. 10 of the paper: relative speed for the four time steps, with the expected final speed.
+/// Draws Fig. 10 of Moreno et al. (2023): relative speed for the four time steps, with the expected final speed.
 pub(super) fn figure_10(runs: &Runs) -> Markup {
     let run = &runs[STEPS[0].0];
     chart(
@@ -58,7 +60,7 @@ pub(super) fn figure_10(runs: &Runs) -> Markup {
     )
 }
 
-/// Draws Fig. 11 of the paper: relative speed for the four approach speeds.
+/// Draws Fig. 11 of Moreno et al. (2023): relative speed for the four approach speeds.
 pub(super) fn figure_11(runs: &Runs) -> Markup {
     let references = SPEEDS.iter().enumerate().map(|(index, (name, _))| Reference {
         // The lines of the slow runs are too close together for texts of their own.
@@ -75,7 +77,7 @@ pub(super) fn figure_11(runs: &Runs) -> Markup {
     )
 }
 
-/// Draws Fig. 11 of the paper again, with each speed as a share of its initial value.
+/// Draws Fig. 11 of Moreno et al. (2023) again, with each speed as a share of its initial value.
 pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
     let run = &runs[SPEEDS[0].0];
     let value = expected_final_mps(run) / run.pair.approach_speed_mps;
@@ -91,7 +93,7 @@ pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
     )
 }
 
-/// Draws Fig. 12 of the paper: normal force over time for the four approach speeds.
+/// Draws Fig. 12 of Moreno et al. (2023): normal force over time for the four approach speeds.
 pub(super) fn figure_12(runs: &Runs) -> Markup {
     let (label, unit, factor) = FORCE;
     chart(

@@ -1,4 +1,5 @@
-//! Writes `validation.html`: what is compared, the table, and the paper's figures from our runs.
+//! Writes `validation.html`: what is compared, the table, and the figures of the paper of Moreno et al. (2023) from our
+//! runs.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};

@@ -8,7 +8,8 @@ use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
 use fenderline_report::plot::{plain, significant};
 
-/// Writes all that `validate` prints: tables of numbers by subject, statements, mismatches, and the count.
+/// Writes all that `validate` prints: tables of numbers by subject, the statements, the rows that do not match, and how
+/// many rows are within tolerance.
 pub(super) fn tables(rows: &[Row]) -> String {
     let mut text = numbers(rows);
     text.push('\n');

@@ -173,7 +173,7 @@ impl Source {
     /// Reads the text of a file of published numbers: its sources with their numbers and statements.
     ///
     /// # Errors
-    /// Fails with the fault in the file, with case and key.
+    /// Fails with a message that says what is wrong in the file, at which case and key.
     pub(super) fn parse(text: &str) -> Result<Vec<Source>, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };

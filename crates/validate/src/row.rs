@@ -61,7 +61,7 @@ impl Row {
         }
     }
 
-    /// The fault of the row, if it has one.
+    /// What is wrong with the row, in words; `None` if nothing is wrong.
     pub(super) fn complaint(&self) -> Option<String> {
         let what = match (&self.compared, self.is_ok, self.is_known_mismatch()) {
             (Compared::Number { .. }, false, false) => "out of tolerance",

@@ -1,4 +1,4 @@
-//! Makes natively the runs with which the tests of the npm package compare the runs in WebAssembly.
+//! Runs scenarios in a native program; the tests of the npm package compare their runs in WebAssembly with these runs.
 //!
 //! `native hash STEPS SCENARIO...` prints, for each scenario, the fingerprint of the state after at most STEPS steps.
 //! `native time SCENARIO` prints the time that a step of the scenario's whole run takes (ns), the median of several
@@ -63,7 +63,7 @@ fn start(scenario: &str) -> Result<Run, String> {
     Run::new(&source, Wanted::default()).map_err(|problem| problem.details().text.clone())
 }
 
-/// The tables in the folder of the scenario, which the scenario may name.
+/// The texts of the CSV files in the scenario's folder, by file name; the scenario may refer to these files.
 fn tables(scenario: &Path) -> std::io::Result<BTreeMap<String, String>> {
     let mut tables = BTreeMap::new();
     for entry in std::fs::read_dir(scenario.parent().unwrap_or(Path::new(".")))? {

@@ -55,8 +55,8 @@ impl HostedEngine {
         made
     }
 
-    /// Fills the arrays with the values before the first step. The arrays stay where they are, because JavaScript's
-    /// views need this.
+    /// Fills the arrays with the values before the first step. The arrays stay at the same addresses in memory, because
+    /// JavaScript's views need this.
     fn show_start(&mut self) {
         let initial = self.engine.initial_states();
         self.states.set(initial.iter().map(of_state));
@@ -93,10 +93,10 @@ impl HostedEngine {
         Ok(())
     }
 
-    /// Marks a body as placed anew: see [`Engine::mark_teleported`].
+    /// Tells the engine that a body is put at a new place instead of moving there: see [`Engine::mark_teleported`].
     ///
     /// # Errors
-    /// Fails if no body has the given name.
+    /// Fails if no body has the index `body`.
     pub fn mark_teleported(&mut self, body: usize) -> Result<(), Problem> {
         Ok(self.engine.mark_teleported(body)?)
     }
@@ -145,7 +145,7 @@ impl HostedEngine {
         self.loads.numbers()
     }
 
-    /// Result array: the wrenches for the host, [`crate::numbers::WRENCH_FIELDS`] of each body.
+    /// Result array: the contact wrenches for the host program, [`crate::numbers::WRENCH_FIELDS`] of each body.
     #[must_use]
     pub fn wrenches(&self) -> &[f64] {
         self.wrenches.numbers()
@@ -157,7 +157,7 @@ impl HostedEngine {
         self.peak_wrenches.numbers()
     }
 
-    /// Result array: the engine's states at the step's end; empty if the host moves the bodies.
+    /// Result array: the engine's states at the step's end; empty if the host program moves the bodies.
     #[must_use]
     pub fn states_after(&self) -> &[f64] {
         self.states_after.numbers()

@@ -22,7 +22,8 @@ pub fn berth(source: &Source<'_>) -> Result<Option<String>, Problem> {
 }
 
 /// Makes the text of a scenario from a user's choices, which are the JSON of `NewExercise` in `web/src/protocol.ts`.
-/// `berth` is the scenario whose berth the exercise takes, if it takes one. Overrides of that scenario do not count.
+/// `berth` is the scenario whose berth the exercise takes, if it takes one. The overrides of keys in `berth` have no
+/// effect.
 ///
 /// # Errors
 /// Fails for choices that do not have the form of `NewExercise`, or that make no exercise.

@@ -11,7 +11,8 @@ pub const LARGEST_TEXT_BYTES: usize = 16 << 20;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem(Box<Details>);
 
-/// What is wrong in an error, and where. Fields that do not apply to the error are `None`.
+/// The contents of an error: what is wrong, and the file, the line or the key that is wrong. Fields that do not apply
+/// to the error are `None`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Details {
     /// Kind of the error: `scenario`, `setup`, `step`, `model`, `engine`, `exercise` or `call`.
@@ -49,7 +50,7 @@ impl Problem {
         self
     }
 
-    /// What is wrong in the error, and where.
+    /// The contents of the error: what is wrong, and where in the scenario.
     #[must_use]
     pub fn details(&self) -> &Details {
         &self.0

@@ -9,7 +9,7 @@ use fenderline_contact::{Contact, Friction, Material, PanelMotion, TensionChain}
 /// The kinds of chains of a fender, by the motion or load that a chain holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChainKind {
-    /// A tension chain holds the outward motion of the panel at the place of the chain.
+    /// A tension chain stops the panel from moving outward at the place of the chain.
     Tension,
     /// A shear chain holds the motion of the panel along the berth, in both directions.
     Shear,

@@ -6,12 +6,13 @@ use fenderline_contact::Vec2;
 /// A chart in the scenario's coordinates; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// The features of the chart, in the order of the chart's files. A geometry of several parts gives several features
-    /// of the chart.
+    /// The features of the chart, in the order of the chart's files. A feature of several parts in a file gives several
+    /// features of this list.
     pub features: Vec<ChartFeature>,
-    /// The place of the scenario's origin, if the chart was given in longitude and latitude.
+    /// Latitude and longitude of the scenario's origin, if the chart was given in longitude and latitude.
     pub origin: Option<GeographicPlace>,
-    /// What was read and what was left out, by class, in alphabetical order.
+    /// For each class of features in the chart's files, how many were read and how many were left out; the classes are
+    /// in alphabetical order.
     pub classes: Vec<ChartClass>,
     /// What of the chart is solid, as a part of the body [`SHORE`]: what was taken and what was left out, by class. Empty
     /// if nothing is solid.
@@ -22,14 +23,15 @@ pub struct Chart {
 pub const SHORE: &str = "shore";
 
 impl Chart {
-    /// What was read, by class and number, in words; `None` without a chart.
+    /// The numbers of features that were read, class by class, in words; `None` if no feature was read.
     #[must_use]
     pub fn read_in_words(&self) -> Option<String> {
         let read = self.classes.iter().filter(|class| class.read > 0);
         listed(read.map(|class| format!("{} {}", class.read, class.class)))
     }
 
-    /// What was left out, by class and number, with the reasons; `None`: nothing was.
+    /// The numbers of features that were left out, class by class, with the reasons, in words; `None` if no feature was
+    /// left out.
     #[must_use]
     pub fn left_out_in_words(&self) -> Option<String> {
         left_out_of(&self.classes)
@@ -74,14 +76,14 @@ fn listed(words: impl Iterator<Item = String>) -> Option<String> {
     (!words.is_empty()).then(|| words.join(", "))
 }
 
-/// What was read of a class of features.
+/// How many features of one class were read from the chart's files, and how many were left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChartClass {
-    /// The class: an acronym of S-57 such as `DEPARE`, or the word of a kind.
+    /// Name of the class: an acronym of S-57 such as `DEPARE`, or the word for a kind of feature ([`ChartKind::word`]).
     pub class: String,
     /// Number of features that were read; a feature of several parts counts once.
     pub read: usize,
-    /// Features that were left out: how many, and why.
+    /// For each reason to leave features of this class out, how many were left out, and the reason.
     pub left_out: Vec<(usize, String)>,
 }
 
@@ -116,29 +118,31 @@ pub struct ChartFeature {
     pub name: String,
     /// Shape and position of the feature.
     pub shape: ChartShape,
-    /// Depth below chart datum; for an area, the least depth (m). `None` where the chart gives none.
+    /// Depth of the feature below chart datum; for an area, the least depth (m). `None` if the chart gives no depth for
+    /// the feature.
     pub depth_m: Option<f64>,
-    /// The greatest depth of an area below chart datum (m). `None` where the chart gives none.
+    /// The greatest depth of an area below chart datum (m). `None` if the chart gives no greatest depth for the
+    /// feature.
     pub deepest_m: Option<f64>,
-    /// Colour and side of a buoy or beacon; `None` for other kinds.
+    /// Colour and side of a buoy or beacon; `None` for other kinds of features.
     pub mark: Option<ChartMark>,
-    /// What a light shows; `None` for other kinds.
+    /// Colour, character, sector and range of a light; `None` for other kinds of features.
     pub light: Option<ChartLight>,
-    /// Height of a bridge or overhead cable above the water, at the level that the chart counts heights from (m).
+    /// Height of a bridge or overhead cable above the level from which the chart counts heights (m).
     pub clearance_m: Option<f64>,
 }
 
 /// What a light shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartLight {
-    /// Colour; a light that changes its colour has its first one.
+    /// Colour of the light; if the light changes its colour, the first of its colours.
     pub colour: MarkColour,
-    /// Character as on a chart, such as `Fl(2) R 6s`; empty if the chart does not give it.
+    /// Character of the light as printed on charts, such as `Fl(2) R 6s`; empty if the chart gives no character.
     pub character: String,
     /// Period (s).
     pub period_s: Option<f64>,
-    /// Directions from the light between which it is seen, clockwise from the first to the second (rad from north).
-    /// `None`: all round.
+    /// Directions from the light between which the light is seen, clockwise from the first direction to the second (rad
+    /// from north). `None` if the light is seen all round.
     pub sector_rad: Option<[f64; 2]>,
     /// Nominal range (m).
     pub range_m: Option<f64>,
@@ -149,9 +153,9 @@ pub struct ChartLight {
 pub enum ChartKind {
     /// The area that the chart covers.
     Coverage,
-    /// An area in which the water has at least some depth.
+    /// An area for which the chart gives the least depth of the water.
     DepthArea,
-    /// An area that is dredged to some depth.
+    /// An area that is dredged to a depth that the chart gives.
     DredgedArea,
     /// An area of unknown depth.
     UnsurveyedArea,
@@ -159,7 +163,7 @@ pub enum ChartKind {
     DepthContour,
     /// A depth that was measured at a point.
     Sounding,
-    /// Land, or the line where it begins.
+    /// An area of land, or the coastline.
     Coast,
     /// A quay, pier or jetty.
     Quay,
@@ -200,7 +204,7 @@ pub enum ChartKind {
 }
 
 impl ChartKind {
-    /// All kinds, in the order in which they are drawn.
+    /// All kinds of features, in the order in which pages draw them.
     pub const ALL: [ChartKind; 25] = [
         ChartKind::Coverage,
         ChartKind::DepthArea,
@@ -261,7 +265,7 @@ impl ChartKind {
         }
     }
 
-    /// Areas in which the chart gives a depth.
+    /// True for the two kinds of areas for which the chart gives a depth: depth areas and dredged areas.
     #[must_use]
     pub fn is_area_of_depth(self) -> bool {
         matches!(self, ChartKind::DepthArea | ChartKind::DredgedArea)
@@ -299,6 +303,110 @@ pub struct ChartMark {
     pub colour: MarkColour,
     /// The side of the fairway that the mark shows to an entering ship; `None` for a mark that is not a lateral mark.
     pub side: Option<MarkSide>,
+    /// What the mark says, by IALA's system.
+    pub meaning: MarkMeaning,
+    /// Shape of the mark; `None` if the chart does not give the shape.
+    pub shape: Option<MarkShape>,
+}
+
+/// What a mark says, by IALA's maritime buoyage system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkMeaning {
+    /// A side of a fairway.
+    Lateral,
+    /// The safe water lies to the north of the mark.
+    North,
+    /// The safe water lies to the east of the mark.
+    East,
+    /// The safe water lies to the south of the mark.
+    South,
+    /// The safe water lies to the west of the mark.
+    West,
+    /// A danger under the mark, with safe water all round.
+    IsolatedDanger,
+    /// Safe water all round.
+    SafeWater,
+    /// An area or a thing of its own kind.
+    Special,
+    /// The chart does not say.
+    Other,
+}
+
+impl MarkMeaning {
+    /// All meanings.
+    pub const ALL: [MarkMeaning; 9] = [
+        MarkMeaning::Lateral,
+        MarkMeaning::North,
+        MarkMeaning::East,
+        MarkMeaning::South,
+        MarkMeaning::West,
+        MarkMeaning::IsolatedDanger,
+        MarkMeaning::SafeWater,
+        MarkMeaning::Special,
+        MarkMeaning::Other,
+    ];
+
+    /// The word for this meaning in GeoJSON files and in messages to web pages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            MarkMeaning::Lateral => "lateral",
+            MarkMeaning::North => "north",
+            MarkMeaning::East => "east",
+            MarkMeaning::South => "south",
+            MarkMeaning::West => "west",
+            MarkMeaning::IsolatedDanger => "isolated_danger",
+            MarkMeaning::SafeWater => "safe_water",
+            MarkMeaning::Special => "special",
+            MarkMeaning::Other => "other",
+        }
+    }
+}
+
+/// Shapes of buoys and beacons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkShape {
+    /// A cone.
+    Cone,
+    /// A can.
+    Can,
+    /// A ball.
+    Ball,
+    /// A pillar: a narrow tower on a float.
+    Pillar,
+    /// A spar, stake or pole.
+    Spar,
+    /// A barrel.
+    Barrel,
+    /// A tower.
+    Tower,
+}
+
+impl MarkShape {
+    /// All shapes.
+    pub const ALL: [MarkShape; 7] = [
+        MarkShape::Cone,
+        MarkShape::Can,
+        MarkShape::Ball,
+        MarkShape::Pillar,
+        MarkShape::Spar,
+        MarkShape::Barrel,
+        MarkShape::Tower,
+    ];
+
+    /// The word for this shape in GeoJSON files and in messages to web pages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            MarkShape::Cone => "cone",
+            MarkShape::Can => "can",
+            MarkShape::Ball => "ball",
+            MarkShape::Pillar => "pillar",
+            MarkShape::Spar => "spar",
+            MarkShape::Barrel => "barrel",
+            MarkShape::Tower => "tower",
+        }
+    }
 }
 
 /// Colours of buoys and beacons.

@@ -27,9 +27,9 @@ pub struct ContactTotals {
     /// Sum of the energy that ended contacts created (J).
     gained_j: f64,
     has_begun: bool,
-    /// Index of the entry of `all` that the last search found.
+    /// Index of the entry of `all` that the last search for a contact found.
     last: usize,
-    /// For each entry of `all`, the entry that the last search found after this entry.
+    /// For each entry of `all`, the index of the entry that was searched for after this entry the last time.
     following: Vec<usize>,
 }
 

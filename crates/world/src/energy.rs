@@ -33,15 +33,16 @@ pub struct ContactEnergy {
     pub hysteresis_j: f64,
     /// Damping loss of the contact (J).
     pub damping_j: f64,
-    /// Restitution loss: energy that the springs released and the limiter withheld from the bodies (J).
+    /// Restitution loss: energy that the springs released but that the bodies did not get, because the contact force
+    /// was limited (J).
     pub restitution_j: f64,
     /// Friction loss, and the numerical damping of the implicit shear spring (J).
     pub friction_j: f64,
     /// Accumulated stored energy that does not agree with the spring (J). For a fender the residual energy is the
     /// difference from the spring's potential at each step; for any contact it also includes the energy that is left
     /// when the contact ends. For fenders the residual energy is a discretisation error, which decreases with the time
-    /// step. Between outlines the residual energy also contains the energy that the rotation of the chord normal
-    /// creates (negative) or loses, because the force law between outlines has no potential.
+    /// step. Between outlines the residual energy also contains the energy that is created (negative) or lost as the
+    /// normal of the overlap's chord turns, because the force law between outlines has no potential.
     pub residual_j: f64,
 }
 

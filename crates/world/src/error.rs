@@ -35,11 +35,11 @@ pub enum SetupError {
     },
     /// A particular of the berthing is out of range.
     Berthing(BerthingError),
-    /// A number of a tug is out of range.
+    /// A numeric value of a tug, such as her bollard pull, is out of range.
     Tug {
         /// Name of the tug.
         tug: String,
-        /// What is wrong with the number.
+        /// Which number is out of range, and the range.
         error: OutOfRange,
     },
     /// The environment is invalid.
@@ -50,25 +50,25 @@ pub enum SetupError {
     Anchor(AnchorError),
     /// A number of the handling of lines is out of range.
     LineHandling {
-        /// What is wrong with the number.
+        /// Which number is out of range, and the range.
         error: OutOfRange,
     },
     /// A planned change cannot be carried out.
     Change(ChangeError),
     /// An order cannot be carried out.
     Order(OrderError),
-    /// The set-up has a vessel and the paper's contact method, which has one mass for all directions.
+    /// The set-up has a vessel and the contact method of Moreno et al. (2023), which has one mass for all directions.
     VesselByPaperMethod {
         /// Index of the vessel's body.
         body: usize,
     },
-    /// The set-up has a body with outlines at several heights and the paper's contact method.
+    /// The set-up has a body with outlines at several heights and the contact method of Moreno et al. (2023).
     HullByPaperMethod {
         /// Index of the body.
         body: usize,
     },
-    /// The set-up has a flexible dolphin and the paper's contact method, or a flexible dolphin and an integrator that
-    /// is not semi-implicit.
+    /// The set-up has a flexible dolphin and the contact method of Moreno et al. (2023), or a flexible dolphin and an
+    /// integrator that is not semi-implicit.
     DolphinNeedsEngine {
         /// Name of the dolphin's body.
         body: String,
@@ -193,7 +193,7 @@ impl std::error::Error for StepFault {}
 pub struct NoDepthUnder {
     /// Name of the vessel's body.
     pub body: String,
-    /// The place under the hull.
+    /// The place under the hull at which no depth is known.
     pub place: NoDepth,
 }
 

@@ -15,7 +15,7 @@
 //! | changes of the weather, faults | [`change`] |
 //! | fenders, their panels and chains | [`fender`], [`panel`], [`chain`] |
 //! | flexible dolphins | [`dolphin`] |
-//! | hulls with outlines by height | [`hull`] |
+//! | hulls with outlines at several heights | [`hull`] |
 //! | how a ship approaches her berth | [`approach`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
 //! | limits on motions, lines and fenders | [`limit`] |

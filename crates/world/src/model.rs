@@ -12,11 +12,11 @@ use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{BodySetup, Integrator, Method, Setup};
 use crate::world::{mass_matrix, motions};
-use fenderline_ship::seakeeping::Motion;
+use fenderline_seakeeping::Motion;
 
 impl Setup {
-    /// The contact model of the bodies of the set-up alone. The function is for host programs that move their bodies
-    /// themselves and use only the contact engine.
+    /// The contact engine's model of the bodies in the set-up, for use without a simulation. The function is for host
+    /// programs that move their bodies themselves and use only the contact engine.
     ///
     /// Method and integrator decide what the inertia of a body contains. In the coupled method with the semi-implicit
     /// integrator, the engine adds the Coriolis terms itself, as in a simulation.

@@ -1,4 +1,4 @@
-//! Names of parts in sentences.
+//! Names of bodies, fenders and other things of a set-up, as sentences use them.
 
 /// A name with the kind of the named thing before it, as in `Fender north`, unless the name already begins with this
 /// kind, as in `fender_9`.

@@ -27,8 +27,8 @@ pub struct StepRecord<'a> {
     /// Work and energy of each contact in this step: one entry per fender and hull, or per pair of outlines. Contacts
     /// that ended after the last step are included.
     pub contact_energies: &'a [ContactEnergy],
-    /// For each contact, how the fender meets a hull with outlines by height; `None` for other contacts. The list is
-    /// empty in a run without such hulls.
+    /// For each contact, how the fender meets a hull with outlines at several heights; `None` for other contacts. The
+    /// list is empty in a run without such hulls.
     pub hull_touches: &'a [Option<HullTouch>],
     /// Panels on several cones that hulls press in this step.
     pub panels: &'a [PanelMotion],

@@ -29,10 +29,10 @@ pub struct Inertia {
 impl Inertia {
     /// The inertia of a body that is neither a vessel nor a dolphin.
     ///
-    /// In the coupled method, surge, sway and yaw each have an added mass. In the paper's method, the mass in every
-    /// direction is the displacement plus the *smaller* of the two added masses (§3.1 of the paper). The limiter and
-    /// the motion both use this mass. If the limiter used a different mass from the motion, the limiter would not give
-    /// the rebound speed γV⁰.
+    /// In the coupled method, surge, sway and yaw each have an added mass. In the method of Moreno et al. (2023), the
+    /// mass in every direction is the displacement plus the *smaller* of the two added masses (§3.1 of their paper).
+    /// Both the limit of the contact force and the motion use this mass. With another mass in the limit than in the
+    /// motion, the body would not rebound at the speed γV⁰.
     pub fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
         let Some(m) = mass else {
             return Inertia {

@@ -1,4 +1,4 @@
-//! The data that may differ between runs of one simulation that the host does not build anew: initial states of the
+//! The data that may differ between two runs if a host program starts the same simulation again: initial states of the
 //! bodies, wind and current.
 
 use fenderline_contact::Vec2;
@@ -37,7 +37,7 @@ impl BodyStart {
 }
 
 impl Setup {
-    /// The start of this set-up.
+    /// The initial states, the wind and the current of this set-up.
     #[must_use]
     pub fn start(&self) -> Start {
         let environment = &self.world.environment;
@@ -48,8 +48,8 @@ impl Setup {
         }
     }
 
-    /// Writes the start of this set-up in place, without allocation if the numbers of bodies are equal and there is no
-    /// gust and no file.
+    /// Writes the initial states, the wind and the current of this set-up into `start`, without allocation if `start`
+    /// has as many bodies, the wind has no gusts, and wind and current come from no file.
     pub fn start_into(&self, start: &mut Start) {
         start.bodies.clear();
         start.bodies.extend(self.bodies.iter().map(BodyStart::of));
@@ -58,9 +58,9 @@ impl Setup {
     }
 
     /// True if `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and
-    /// cannot fail. The result is false if more than the states depends on the start: piles, hulls by height, lines
-    /// that must fit between their ends, planned changes, and the study of a berthing. `Simulation::restart` then
-    /// builds the simulation anew.
+    /// cannot fail. The result is false if more than the states depends on the start: piles, hulls with outlines at
+    /// several heights, lines that must fit between their ends, planned changes, and the study of a berthing.
+    /// `Simulation::restart` then builds the simulation anew.
     #[must_use]
     pub fn restarts_in_place(&self) -> bool {
         let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();
@@ -70,7 +70,7 @@ impl Setup {
             && self.berthing.is_none()
     }
 
-    /// Replaces the start of this set-up.
+    /// Replaces the initial states, the wind and the current of this set-up.
     ///
     /// # Panics
     /// Panics if the number of initial states is not the number of bodies.

@@ -7,9 +7,9 @@
 //! from the heading before the step to the heading after the step. And the wrench does no work on the vessel, so only
 //! the other forces change the kinetic energy.
 //!
-//! The module calculates in the ship's axes at the start of the step. In these axes the mass is constant at the start,
-//! and the ship turns by a small angle. The formulas for differences between the two headings use the sine and versine
-//! of the angle of the turn, so that no digits cancel.
+//! The module calculates in the ship's axes at the start of the step. In these axes the ship's mass matrix at the start
+//! of the step is constant, and the ship turns by a small angle in the step. The formulas for differences between the
+//! two headings use the sine and versine of the angle of the turn, so that no digits cancel.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
@@ -31,7 +31,7 @@ pub enum YawRateAt {
     End,
 }
 
-/// How the integrator does a step.
+/// How the integrator takes a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningStep {
     /// Length of the step (s).
@@ -181,14 +181,14 @@ struct Turn<'a> {
 }
 
 impl Turn<'_> {
-    /// The mean wrench of the turn.
+    /// The wrench (force and moment), mean over a step, that turns the vessel's momentum with her heading.
     ///
-    /// With the mass matrices M₀ and M₁ at the two headings, the impulse of the wrench is −(M₁ − M₀)V₁, so that only
-    /// the loads change M V. The moment of the wrench is the Munk moment −Δ u v at the middle of the turn. This wrench
-    /// should do the work −½V₁ᵀ(M₁ − M₀)V₁, so that only the loads change ½VᵀMV. But the work that the wrench does
-    /// differs from this value by a small amount: of third order in Δt in a steady turn, of second order where the turn
-    /// begins. The reason is that the integrators turn the heading with one of the two yaw rates and not with their
-    /// mean. A wrench along the mean momentum adds the missing work.
+    /// With the mass matrices M₀ and M₁ at the two headings and the velocity V₁ after the step, the impulse of the
+    /// wrench is −(M₁ − M₀)V₁, so that only the loads change M V. The moment of the wrench is the Munk moment −Δ u v at
+    /// the middle of the turn. This wrench should do the work −½V₁ᵀ(M₁ − M₀)V₁, so that only the loads change ½VᵀMV.
+    /// But the work that the wrench does differs from this value by a small amount: of third order in Δt in a steady
+    /// turn, of second order where the turn begins. The reason is that the integrators turn the heading with one of the
+    /// two yaw rates and not with their mean. A wrench along the mean momentum adds the missing work.
     fn wrench(&self, inertia: &Inertia, step: &TurningStep) -> Wrench {
         let Turn { before, after, turned_rad } = *self;
         let middle = Rotation::from_angle(0.5 * turned_rad);

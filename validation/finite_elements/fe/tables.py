@@ -120,7 +120,7 @@ def impacts():
 
 
 def cost():
-    return f"{studies.read('time.csv')[0]['processor_seconds']:.0f} s of processor time for the studies; the comparison adds some."
+    return f"The studies take {studies.read('time.csv')[0]['processor_seconds']:.0f} s of processor time; the comparison takes more."
 
 
 TABLES = {

@@ -1,5 +1,5 @@
 /** The instructor's choice of how far people see. */
-import type { Frame, Hello, OtherAction } from "../protocol";
+import type { Frame, Hello, RecordedAction } from "../protocol";
 import { button, h, setAttribute, setText } from "../ui/dom";
 
 /** Distances to choose from [m]: from thick fog to haze. */
@@ -20,7 +20,7 @@ export class Visibility {
 
   /** `happen` gives a command, at once or later; `over_s` is the time over which it changes. */
   constructor(
-    happen: (event: OtherAction) => Promise<boolean>,
+    happen: (event: RecordedAction) => Promise<boolean>,
     over_s: () => number,
     { limits }: Hello,
   ) {

@@ -1,21 +1,22 @@
 /** Draws the chart behind ships and quays: depths, coast, quays, fairways, bridges, dangers, marks, lights, names. */
 import { type Camera, toScreen } from "../geometry";
-import type { Palette } from "../palette";
+import { PALETTES, type Palette } from "../palette";
 import type { ChartInfo, Pair } from "../protocol";
 import { fixed } from "../units";
+import { MARK_PX, drawMark } from "./buoys";
+import { Depths, type Limits, depthColour } from "./depths";
 import { Rank } from "./labels";
-import { polygon } from "./marks";
+import { drawLight } from "./lights";
 import type { Scene } from "./scene";
+import { drawSoundings, written } from "./soundings";
 
-/** Half the size of a buoy [px]. */
-const MARK_PX = 6;
 /** From these scales on, names of marks and depths of contours are written [px/m]. */
 const NAMES_FROM = 0.25;
 const DEPTHS_FROM = 0.08;
 /** Most words of the chart in one picture: placing them takes time. */
 const MOST_WORDS = 60;
-/** Water of less depth than this many draughts of the pilot's ship has a colour of its own. */
-const MEDIUM_DRAUGHTS = 1.5;
+/** Width of the safety contour [px]. */
+const CONTOUR_PX = 2.6;
 
 /** Lines and areas in earth axes (east to the right, north down), made once for each chart. */
 const paths = new WeakMap<ChartInfo, Path2D>();
@@ -43,21 +44,20 @@ function lookDown(to: CanvasRenderingContext2D, camera: Camera): void {
   to.translate(-centre[1], -centre[0]);
 }
 
-/** The deepest draught of ships that are no tugs: the water that is shallow for them is shown so. */
-const draught = (scene: Scene): number =>
-  Math.max(0, ...scene.hello.vessels.filter((v) => !v.is_tug).map((v) => v.draught_m));
+/** The depths of each chart. */
+const depths = new WeakMap<readonly ChartInfo[], Depths>();
 
-function depthColour(depth_m: number, draught_m: number, colours: Palette): string {
-  if (depth_m < 0) return colours.drying;
-  if (depth_m < draught_m) return colours.shallow;
-  return depth_m < MEDIUM_DRAUGHTS * draught_m ? colours.medium : colours.water;
+function depthsOf({ hello, to }: Scene): Depths {
+  const known = depths.get(hello.chart);
+  if (known) return known;
+  const found = new Depths(hello.chart, pathOf, to);
+  depths.set(hello.chart, found);
+  return found;
 }
 
 /** Kinds of lines and areas, in the order in which they are drawn. */
 const SHAPES = [
-  "depth_area",
   "unsurveyed_area",
-  "dredged_area",
   "depth_contour",
   "coast",
   "building",
@@ -100,85 +100,135 @@ const DASHED: ReadonlySet<string> = new Set([
 
 /** Lines and areas, below everything else. */
 export function drawChart(scene: Scene): void {
-  const { to, camera, colours, hello } = scene;
-  const draught_m = draught(scene);
+  const { to, camera, colours, hello, limits } = scene;
+  to.save();
+  lookDown(to, camera);
+  to.lineJoin = "round";
+  const px = 1 / camera.pixels_per_m;
+  const dash = [14 * px, 8 * px];
+  drawDepths(scene, px, dash);
   for (const kind of SHAPES) {
+    to.lineWidth = (kind === "bridge" ? 3 : kind === "quay" ? 2 : 1.2) * px;
+    to.setLineDash(DASHED.has(kind) ? dash : []);
+    to.strokeStyle = DASHED.has(kind)
+      ? colours.dim
+      : kind === "depth_contour"
+        ? colours.grid
+        : colours.land_edge;
+    if (kind === "fairway" || kind === "leading_line") to.strokeStyle = colours.fairway;
     for (const feature of hello.chart) {
       if (feature.kind !== kind || feature.shape === "point") continue;
-      to.save();
-      lookDown(to, camera);
       const path = pathOf(feature);
-      to.lineJoin = "round";
-      const width_px = kind === "bridge" ? 3 : kind === "quay" ? 2 : 1.2;
-      to.lineWidth = width_px / camera.pixels_per_m;
-      const fill = fillOf(feature, draught_m, colours);
+      const fill = fillOf(feature, limits, colours);
       if (fill) {
         to.fillStyle = fill;
         to.fill(path, "evenodd");
       }
-      if (DASHED.has(kind)) {
-        to.setLineDash([14 / camera.pixels_per_m, 8 / camera.pixels_per_m]);
-        to.strokeStyle = colours.dim;
-      } else {
-        to.strokeStyle = kind === "depth_contour" ? colours.grid : colours.land_edge;
-      }
-      if (kind !== "depth_area" && kind !== "unsurveyed_area") to.stroke(path);
-      to.restore();
+      if (kind !== "unsurveyed_area") to.stroke(path);
     }
+    if (kind === "depth_contour") drawSafetyContour(scene, px);
+  }
+  to.restore();
+}
+
+/** Areas of depth, dredged areas with their edges. */
+function drawDepths(scene: Scene, px: number, dash: number[]): void {
+  const { to, colours, limits } = scene;
+  const known = depthsOf(scene);
+  for (const { feature, path } of known.areas) {
+    to.fillStyle = depthColour(feature.depth_m ?? 0, limits, colours);
+    to.fill(path, "evenodd");
+    if (feature.kind !== "dredged_area") continue;
+    to.strokeStyle = colours.dim;
+    to.lineWidth = 1.2 * px;
+    to.setLineDash(dash);
+    to.stroke(path);
+    to.setLineDash([]);
   }
 }
 
+/** The safety contour, over the other contours. */
+function drawSafetyContour(scene: Scene, px: number): void {
+  const { to, colours, limits } = scene;
+  to.strokeStyle = colours.contour;
+  to.lineWidth = CONTOUR_PX * px;
+  to.lineCap = "round";
+  to.stroke(depthsOf(scene).safetyContour(limits.safety_m));
+  to.lineCap = "butt";
+}
+
 /** The colour of an area; `undefined`: only its edge is drawn. */
-function fillOf(feature: ChartInfo, draught_m: number, colours: Palette): string | undefined {
+function fillOf(feature: ChartInfo, of: Limits, colours: Palette): string | undefined {
   if (feature.shape !== "area") return undefined;
   const { kind, depth_m } = feature;
-  if (kind === "depth_area" || kind === "dredged_area")
-    return depthColour(depth_m ?? 0, draught_m, colours);
   // A danger of unknown depth is as dangerous as a shallow one.
   if (kind === "rock" || kind === "obstruction" || kind === "wreck")
-    return depthColour(depth_m ?? 0, draught_m, colours);
+    return depthColour(depth_m ?? 0, of, colours);
   if (kind === "unsurveyed_area") return colours.grid;
   return SOLID.has(kind) ? colours.land : undefined;
 }
 
-/** Buoys, beacons, lights, dangers and words, over the chart and below ships. */
+/** Soundings, buoys, beacons, lights, dangers and words, over the chart and below ships. */
 export function drawChartMarks(scene: Scene): void {
-  const { to, camera, colours, hello } = scene;
+  const { to, camera, colours, hello, limits } = scene;
+  drawSoundings(to, camera, colours, hello.chart, limits.safety_m);
+  // Lamps over marks, as they stand on them.
+  for (const isLamp of [false, true])
+    for (const feature of hello.chart) {
+      if (feature.shape !== "point" || (feature.kind === "light") !== isLamp) continue;
+      const at = feature.lines[0]?.[0];
+      const on = at && toScreen(camera, at);
+      if (!on || !isNear(on, camera)) continue;
+      if (isLamp)
+        drawLight(to, on, feature, camera.up_rad, colours, {
+          t_s: scene.t_s,
+          isDark: colours !== PALETTES.day,
+        });
+      else if (feature.kind === "buoy" || feature.kind === "beacon")
+        drawMark(to, on, feature, colours);
+      else drawPoint(to, on, feature, colours);
+    }
   let words = 0;
   hello.chart.forEach((feature, index) => {
-    const at = middle(feature);
+    const text = wordsOf(feature, camera);
+    const at = text && words < MOST_WORDS ? middle(feature) : undefined;
     if (!at) return;
     const on = toScreen(camera, at);
     if (!isNear(on, camera)) return;
-    const isMark = feature.kind === "buoy" || feature.kind === "beacon";
-    if (isMark) drawMark(to, on, feature, colours);
-    else if (feature.shape === "point") drawPoint(to, on, feature, camera, colours);
-    const text = wordsOf(feature, camera);
-    if (!text || words === MOST_WORDS) return;
     words += 1;
+    const isName = feature.kind === "name";
+    const isMark = feature.kind === "buoy" || feature.kind === "beacon";
     scene.labels.push({
       key: `chart ${index}`,
       text,
       rank: Rank.Detail,
       at: on,
-      off: feature.shape === "point" && !isText(feature) ? [0, -MARK_PX - 12] : [0, 0],
-      colour: isMark || feature.kind === "name" ? colours.text : colours.dim,
-      size: feature.kind === "name" ? 13 : 11,
+      off: feature.shape === "point" && !isName ? [0, MARK_PX + 8] : [0, 0],
+      colour: isMark || isName ? colours.text : colours.dim,
+      size: isName ? 13 : 11,
     });
   });
 }
-
-/** Features that are words alone. */
-const isText = ({ kind }: ChartInfo): boolean => kind === "name" || kind === "sounding";
 
 function isNear([x, y]: Pair, { width, height }: Camera): boolean {
   return x > -40 && y > -40 && x < width + 40 && y < height + 40;
 }
 
-/** Where a feature's mark or words are: its place, or the middle place of its line. Areas have no words. */
+const middles = new WeakMap<ChartInfo, Pair>();
+
+/** Where a feature's words are: its place, the middle place of its line, or among the corners of its area. */
 function middle(feature: ChartInfo): Pair | undefined {
   const line = feature.lines[0];
-  if (!line || feature.shape === "area") return undefined;
+  if (!line) return undefined;
+  if (feature.shape === "area") {
+    let found = middles.get(feature);
+    if (!found) {
+      const sum = line.reduce<Pair>((all, [n, e]) => [all[0] + n, all[1] + e], [0, 0]);
+      found = [sum[0] / line.length, sum[1] / line.length];
+      middles.set(feature, found);
+    }
+    return found;
+  }
   if (line.length !== 2) return line[Math.floor(line.length / 2)];
   const [[n1, e1], [n2, e2]] = line as [Pair, Pair];
   // Nearer to the beginning, where a ship comes from, than to the marks at its end.
@@ -192,13 +242,15 @@ function wordsOf(feature: ChartInfo, { pixels_per_m }: Camera): string {
     case "depth_contour":
       return pixels_per_m > DEPTHS_FROM ? `${fixed(feature.depth_m ?? 0, 0)} m` : "";
     case "leading_line":
+    case "fairway":
+    case "anchorage":
+    case "berth":
       return pixels_per_m > DEPTHS_FROM ? feature.name : "";
-    case "sounding":
-      return pixels_per_m > DEPTHS_FROM ? sounding(feature.depth_m ?? 0) : "";
     case "rock":
     case "wreck":
     case "obstruction":
-      return pixels_per_m > NAMES_FROM && feature.depth_m !== null ? sounding(feature.depth_m) : "";
+      if (pixels_per_m <= NAMES_FROM || feature.depth_m === null) return "";
+      return written(feature.depth_m).filter(Boolean).join(".");
     case "bridge":
     case "overhead_cable":
       if (pixels_per_m <= DEPTHS_FROM || feature.clearance_m === null) return "";
@@ -214,15 +266,11 @@ function wordsOf(feature: ChartInfo, { pixels_per_m }: Camera): string {
   }
 }
 
-/** A depth as charts write it: with a decimal up to 31 m. */
-const sounding = (depth_m: number): string => fixed(depth_m, depth_m < 31 ? 1 : 0);
-
-/** Lights with their sectors, dangers, and posts; names and soundings have words alone. */
+/** Dangers and posts; names and soundings have words alone. */
 function drawPoint(
   to: CanvasRenderingContext2D,
   [x, y]: Pair,
   feature: ChartInfo,
-  { up_rad }: Camera,
   colours: Palette,
 ): void {
   const s = MARK_PX;
@@ -231,26 +279,6 @@ function drawPoint(
   to.strokeStyle = colours.text;
   to.beginPath();
   switch (feature.kind) {
-    case "light": {
-      to.strokeStyle = to.fillStyle = {
-        red: colours.port,
-        green: colours.starboard,
-        yellow: colours.caution,
-        black: colours.text,
-        white: colours.caution,
-      }[feature.colour ?? "white"];
-      to.arc(x, y, 0.4 * s, 0, 2 * Math.PI);
-      to.fill();
-      if (feature.sector_rad) {
-        // A direction from north is an angle from east on the screen; both run clockwise.
-        const [from, until] = feature.sector_rad.map((of) => of - up_rad - Math.PI / 2) as Pair;
-        to.beginPath();
-        to.lineWidth = 3;
-        to.arc(x, y, 4 * s, from, until <= from ? until + 2 * Math.PI : until);
-      }
-      to.stroke();
-      break;
-    }
     case "rock":
     case "wreck":
     case "obstruction":
@@ -287,50 +315,4 @@ function drawPoint(
       break;
   }
   to.restore();
-}
-
-/** A can for port, a cone for starboard, otherwise a ball; a beacon stands on a base. */
-function drawMark(
-  to: CanvasRenderingContext2D,
-  [x, y]: Pair,
-  feature: ChartInfo,
-  colours: Palette,
-): void {
-  const s = MARK_PX;
-  to.strokeStyle = colours.text;
-  to.lineWidth = 1.2;
-  if (feature.kind === "beacon") {
-    to.beginPath();
-    to.moveTo(x - s, y + s + 3);
-    to.lineTo(x + s, y + s + 3);
-    to.moveTo(x, y + s);
-    to.lineTo(x, y + s + 3);
-    to.stroke();
-  }
-  if (feature.side === "port")
-    polygon(to, [
-      [x - s * 0.8, y - s],
-      [x + s * 0.8, y - s],
-      [x + s * 0.8, y + s],
-      [x - s * 0.8, y + s],
-    ]);
-  else if (feature.side === "starboard")
-    polygon(to, [
-      [x, y - s * 1.1],
-      [x + s, y + s],
-      [x - s, y + s],
-    ]);
-  else {
-    to.beginPath();
-    to.arc(x, y, s * 0.85, 0, 2 * Math.PI);
-  }
-  to.fillStyle = {
-    red: colours.port,
-    green: colours.starboard,
-    yellow: colours.caution,
-    black: colours.text,
-    white: colours.panel,
-  }[feature.colour ?? "white"];
-  to.fill();
-  to.stroke();
 }

@@ -14,6 +14,7 @@ import { type Live, isOfTug } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair, PathPoint } from "../protocol";
 import { fenderLoad, fixed, spoken, tonnes } from "../units";
+import type { Limits } from "./depths";
 import { type Label, Rank } from "./labels";
 import { arrow, polygon, stroke } from "./marks";
 
@@ -25,19 +26,27 @@ export interface Scene {
   frame: Frame;
   bodies: (BodyNow | null)[];
   live: Live;
+  /** Time of the run at this drawing. */
+  t_s: number;
+  /** Depths at which the shades of the chart change. */
+  limits: Limits;
   /** Drawn last, so that none lies over another. */
   labels: Label[];
 }
 
 /** Length of a force arrow per meganewton [px]. */
 export const PX_PER_MN = 70;
+/** A ship of at least this length has the speeds of her ends beside her [px]. */
+const ENDS_FROM_PX = 30;
 /** Length of a lateral-speed arrow per metre a second [px]. */
 const PX_PER_MPS = 220;
 
 export const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
-export function drawWater({ to, camera, colours }: Scene): void {
-  to.fillStyle = colours.water;
+export function drawWater({ to, camera, colours, hello }: Scene): void {
+  // Where a chart of depths has none, the depth is not known.
+  const isCharted = hello.chart.some(({ kind }) => kind === "depth_area");
+  to.fillStyle = isCharted ? colours.unknown : colours.water;
   to.fillRect(0, 0, camera.width, camera.height);
 }
 
@@ -515,6 +524,8 @@ export function drawBowAndStern(scene: Scene): void {
   const body = bodies[info?.body ?? -1];
   const outline = hello.bodies[info?.body ?? -1]?.outline;
   if (!info || !now || !body || !outline) return;
+  // Beside a small ship on the screen the values would hide the chart; board and conning display have them.
+  if (info.length_m * camera.pixels_per_m < ENDS_FROM_PX) return;
   const half = info.length_m / 2;
   const quay = hello.berth && bodies[hello.berth.body];
   const towardShore = hello.berth && quay ? turned(quay[2], times(hello.berth.facing, -1)) : null;
@@ -581,25 +592,43 @@ export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
   );
 }
 
+/** The berth is in the first view if it is within this many lengths of the ship; nearer fenders than the second all count. */
+const BERTH_LENGTHS = 25;
+const ROW_LENGTHS = 3;
+/** Without a berth so many lengths ahead of the ship are in the first view. */
+const AHEAD_LENGTHS = 4;
+
 /**
- * Points that the first view includes: the ship, the fenders near her, her tugs and the ends of her lines. Without a vessel:
- * all that floats, and the fenders.
+ * Points that the first view includes: the ship, the berth if she is not far from it, and so the water between; her tugs and
+ * the ends of her lines. `all`: the berth wherever it is. Without a vessel: all that floats, and the fenders.
  */
-export function firstLook(hello: Hello, bodies: (BodyNow | null)[], live: Live): Pair[] {
+export function firstLook(
+  hello: Hello,
+  bodies: (BodyNow | null)[],
+  live: Live,
+  all: boolean,
+): Pair[] {
   const { frame } = live;
   const info = hello.vessels[live.ship()];
   const now = bodies[info?.body ?? -1];
   const outline = hello.bodies[info?.body ?? -1]?.outline ?? [];
   if (!info || !now) return allAfloat(hello, bodies);
   const places = outline.map((at) => onEarth(now, at));
-  const berth = hello.fenders.map((f) => onEarth(bodies[f.body] ?? now, f.at_m));
-  const near = berth.filter((at) => length(minus(at, [now[0], now[1]])) < info.length_m * 3);
+  const here: Pair = [now[0], now[1]];
+  const far = (at: Pair) => length(minus(at, here));
+  const berth = berthOf(hello, bodies, info.body);
+  const nearest = Math.min(...berth.map(far));
+  const isShown = all || nearest <= BERTH_LENGTHS * info.length_m;
+  const shown = isShown
+    ? berth.filter((at) => far(at) <= nearest + ROW_LENGTHS * info.length_m)
+    : [];
+  // Without a berth: the water ahead.
+  const ahead: Pair[] = shown.length > 0 ? [] : [[AHEAD_LENGTHS * info.length_m, 0]];
   const tugs = hello.vessels
     .filter((v) => v.is_tug)
     .flatMap(({ body }): Pair[] => {
       const tug = bodies[body];
-      if (!tug || length(minus([tug[0], tug[1]], [now[0], now[1]])) > info.length_m * 0.75)
-        return [];
+      if (!tug || far([tug[0], tug[1]]) > info.length_m * 0.75) return [];
       return hello.bodies[body]?.outline.map((at) => onEarth(tug, at)) ?? [];
     });
   // Vector tugs are drawn about one tug length off the side.
@@ -613,7 +642,37 @@ export function firstLook(hello: Hello, bodies: (BodyNow | null)[], live: Live):
   const other = hello.berth && !hello.bodies[hello.berth.body]?.fixed ? hello.berth.body : -1;
   const mother = bodies[other];
   const hull = mother ? (hello.bodies[other]?.outline ?? []).map((at) => onEarth(mother, at)) : [];
-  return [...places, ...near, ...tugs, ...alongside, ...moored, ...hull];
+  // *Fit* has the rest of the passage plan too, the first view the next waypoint where there is no berth near.
+  const on = frame?.vessels[live.ship()]?.plan;
+  const isAhead = (i: number) => on && on.to_waypoint_m >= 0 && i > on.leg;
+  const planned = (info.plan?.waypoints ?? [])
+    .filter((_, i) => isAhead(i) && (all || (shown.length === 0 && i === (on?.leg ?? 0) + 1)))
+    .map(({ at_m }) => at_m);
+  return [
+    ...places,
+    ...shown,
+    ...planned,
+    ...ahead.map((at) => onEarth(now, at)),
+    ...tugs,
+    ...alongside,
+    ...moored,
+    ...hull,
+  ];
+}
+
+/** Places of the berth: the fenders that are no tug's; without fenders the structures; without those the quays of the chart. */
+function berthOf(hello: Hello, bodies: (BodyNow | null)[], own: number): Pair[] {
+  const fenders = hello.fenders.flatMap((fender): Pair[] => {
+    const on = bodies[fender.body];
+    return on && fender.body !== own && !isOfTug(fender, hello) ? [onEarth(on, fender.at_m)] : [];
+  });
+  if (fenders.length > 0) return fenders;
+  const fixed = hello.bodies.flatMap(({ fixed: isFixed, outline }, i): Pair[] => {
+    const on = bodies[i];
+    return isFixed && on ? outline.map((at) => onEarth(on, at)) : [];
+  });
+  if (fixed.length > 0) return fixed;
+  return hello.chart.flatMap(({ kind, lines }) => (kind === "quay" ? lines.flat() : []));
 }
 
 function allAfloat(hello: Hello, bodies: (BodyNow | null)[]): Pair[] {

@@ -1,7 +1,7 @@
 /** The instructor's weather and faults. */
 import { Visibility } from "../controls/visibility";
 import type { Page } from "../page";
-import type { AnchorFault, Fault, Frame, Hello, OtherAction, Pair } from "../protocol";
+import type { AnchorFault, Fault, Frame, Hello, RecordedAction, Pair } from "../protocol";
 import { button, h, setAttribute, setText, sureButton } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { KNOT_MPS, clock, fixed, heading, spoken, toKnots } from "../units";
@@ -151,7 +151,7 @@ export class Conditions implements View {
     this.planned = planned;
     const over_s = () => planned.over_s();
     // What is planned for later is in the list of what is planned.
-    const applied = async (event: OtherAction, over_s: number): Promise<Applied> => {
+    const applied = async (event: RecordedAction, over_s: number): Promise<Applied> => {
       const isNow = planned.after_s() === 0;
       const done = await planned.happen(event);
       return { done, over_s: isNow ? over_s : 0 };

@@ -15,6 +15,7 @@ const STILL_MPS = 0.005;
 
 class End {
   private readonly distance = h("output", { class: "digits distance" }, "–");
+  private readonly unit = h("span", { class: "unit" }, "m");
   private readonly speed = h("output", { class: "digits speed" }, "–");
   private readonly way = h("span", { class: "way" });
   private readonly lamp = h("div", { class: "lamp" }, "–");
@@ -25,7 +26,7 @@ class End {
       "section",
       { class: "end", "aria-label": name },
       h("h3", {}, name),
-      h("div", { class: "figure" }, this.distance, h("span", { class: "unit" }, "m")),
+      h("div", { class: "figure" }, this.distance, this.unit),
       h("div", { class: "figure" }, this.speed, h("span", { class: "unit" }, "m/s")),
       this.way,
       this.lamp,
@@ -33,7 +34,13 @@ class End {
   }
 
   show(end: BerthEnd, lamp: Lamp, off_m: number, closing_mps: number): void {
-    setText(this.distance, fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0));
+    // Four digits have no room.
+    const isFar = Math.abs(off_m) >= 999.5;
+    setText(
+      this.distance,
+      isFar ? fixed(off_m / 1000, 2) : fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0),
+    );
+    setText(this.unit, isFar ? "km" : "m");
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
     setText(
       this.way,

@@ -4,13 +4,24 @@ import { drawFog } from "../draw/fog";
 import { drawAnchors } from "../draw/anchors";
 import { drawPlace } from "../draw/place";
 import * as scene from "../draw/scene";
+import { limits } from "../draw/depths";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { drawPassagePlan } from "../draw/passage_plan";
 import { drawPassages } from "../draw/passages";
 import { drawPlacing } from "../draw/placing";
 import { drawTraffic } from "../draw/traffic";
 import { drawTrial } from "../draw/trial";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
-import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
+import {
+  type Camera,
+  add,
+  fitted,
+  minus,
+  roundLength,
+  toEarth,
+  toScreen,
+  zoomed,
+} from "../geometry";
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
 import type { BodyNow, Frame, Pair } from "../protocol";
@@ -18,6 +29,8 @@ import type { Placing } from "../placing";
 import type { Trial } from "../trial";
 import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
+import { PlanReadout } from "./plan_readout";
+import { Safety } from "./safety";
 import { Tools } from "./tools";
 import type { View } from "./view";
 
@@ -38,7 +51,7 @@ type PlanCanvas = HTMLCanvasElement & { labelled?: { placed: Placed[]; taken: Bo
 /** A canvas of at most this width is a phone's. */
 const PHONE_PX = 480;
 /** A plan narrower than this has no room for its scale bar beside the tools [px]. */
-const TOOLS_PX = 720;
+const TOOLS_PX = 900;
 
 export class Plan implements View {
   readonly root: HTMLElement;
@@ -47,13 +60,17 @@ export class Plan implements View {
   );
   private camera: Camera = { centre: [0, 0], pixels_per_m: 1, up_rad: 0, width: 1, height: 1 };
   private looked = false;
+  /** The next look shows everything, as *Fit* does. */
+  private fits = false;
   private follows = true;
   /** Position of the followed ship when the camera was last moved with her [m]. */
   private lastShip: Pair | null = null;
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
   private readonly readout = new Readout();
+  private readonly onPlan = new PlanReadout();
   private readonly measuring = new Tools();
+  private readonly safety = new Safety(() => this.draught());
   /** The pointer that turns the bearing line. */
   private turning: number | null = null;
   private readonly tools: HTMLElement;
@@ -88,6 +105,7 @@ export class Plan implements View {
       "div",
       { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
       this.measuring.row,
+      this.safety.row,
       button("+", () => this.zoom(ZOOM_STEP), { name: "Zoom in (+)" }),
       button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Zoom out (−)" }),
       button("Fit", () => this.fit(), { name: "Fit: ship and berth (0)" }),
@@ -95,12 +113,20 @@ export class Plan implements View {
       this.upButton,
       this.pathButton,
       this.measuring.opener,
+      this.safety.opener,
     );
     this.root = h(
       "section",
       { class: "plan", "aria-label": "Plan view" },
       this.readout.root,
-      h("div", { class: "plan-surface" }, this.surface.root, this.measuring.cursor, this.tools),
+      h(
+        "div",
+        { class: "plan-surface" },
+        this.surface.root,
+        this.onPlan.root,
+        this.measuring.cursor,
+        this.tools,
+      ),
     );
     this.listen();
   }
@@ -112,15 +138,22 @@ export class Plan implements View {
 
   tick(frame: Frame): void {
     this.readout.tick(frame, this.live);
+    this.onPlan.tick(frame, this.live);
   }
 
   zoom(by: number, about?: Pair): void {
-    const middle: Pair = about ?? [this.camera.width / 2, this.camera.height / 2];
-    this.camera = zoomed(this.camera, by, middle);
+    const { width, height } = this.camera;
+    // A ship that is followed stays where she is on the screen.
+    const ship = this.follows && this.shipNow(performance.now());
+    const own = ship && toScreen(this.camera, [ship[0], ship[1]]);
+    const isSeen = own && own[0] > 0 && own[1] > 0 && own[0] < width && own[1] < height;
+    this.camera = zoomed(this.camera, by, about ?? (isSeen ? own : [width / 2, height / 2]));
   }
 
+  /** Shows ship and berth, however far apart they are. */
   fit(): void {
     this.looked = false;
+    this.fits = true;
     this.setFollow(true);
   }
 
@@ -145,6 +178,11 @@ export class Plan implements View {
     this.measuring.open();
   }
 
+  /** Shows and hides the choice of the safety contour. */
+  depths(): void {
+    this.safety.open();
+  }
+
   turnUp(): void {
     const order: Up[] = this.live.hello?.berth ? ["north", "head", "berth"] : ["north", "head"];
     this.setUp(order[(order.indexOf(this.up) + 1) % order.length] ?? "north");
@@ -166,6 +204,19 @@ export class Plan implements View {
     const ship = this.shipNow(performance.now());
     if (on && ship) this.camera.centre = [ship[0], ship[1]];
     this.lastShip = null;
+  }
+
+  /** The draught of the ship that the page is about, else the deepest one [m]. */
+  private draught(): number {
+    const { live } = this;
+    const own = live.vessel(live.ship());
+    if (own && !own.is_tug) return own.draught_m;
+    return Math.max(0, ...(live.hello?.vessels ?? []).map((v) => v.draught_m));
+  }
+
+  /** Height of the values of the passage plan over the canvas [px]. */
+  private planHeight(): number {
+    return this.onPlan.isShown ? this.onPlan.root.offsetHeight : 0;
   }
 
   private shipNow(now_ms: number): BodyNow | null {
@@ -202,6 +253,8 @@ export class Plan implements View {
       frame,
       bodies,
       live: this.live,
+      t_s: this.live.time(now_ms),
+      limits: limits(this.draught(), this.safety.clearance_m),
       labels: [],
     };
     scene.drawWater(all);
@@ -211,6 +264,7 @@ export class Plan implements View {
     drawChartMarks(all);
     drawFog(all);
     drawPlace(all);
+    drawPassagePlan(all);
     scene.drawBerth(all);
     if (this.prediction) {
       scene.drawOtherPaths(all);
@@ -232,7 +286,8 @@ export class Plan implements View {
     const ship = bodies[this.live.body()];
     if (ship) this.measuring.draw({ ...all, ship });
     const taken = [drawRose(to, this.camera, colours, frame), ...trial];
-    if (this.measuring.has("scale")) taken.push(drawScale(to, this.camera, colours));
+    if (this.measuring.has("scale"))
+      taken.push(drawScale(to, this.camera, colours, this.planHeight()));
     this.label(to, all.labels, taken, colours, now_ms);
     // For tests, which cannot read a canvas.
     const { centre, pixels_per_m } = this.camera;
@@ -263,7 +318,7 @@ export class Plan implements View {
     }
     if (now_ms - this.looked_ms > LOOK_MS) {
       this.looked_ms = now_ms;
-      this.covered = [this.tools, this.measuring.cursor].map(
+      this.covered = [this.tools, this.measuring.cursor, this.onPlan.root].map(
         ({ offsetLeft, offsetTop, offsetWidth, offsetHeight }) => [
           offsetLeft,
           offsetTop,
@@ -289,7 +344,7 @@ export class Plan implements View {
     if (!hello) return;
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
     this.looked = true;
-    const places = scene.firstLook(hello, bodies, this.live);
+    const places = scene.firstLook(hello, bodies, this.live, this.fits);
     if (
       first &&
       hello.berth &&
@@ -298,7 +353,9 @@ export class Plan implements View {
     )
       this.setUp("berth");
     this.turn();
-    this.camera = fitted(this.camera, places, [58, 64, 74]);
+    // Where there is room, clear of the rose in the corner.
+    const sides = this.camera.width > TOOLS_PX / 1.5 ? 112 : 64;
+    this.camera = fitted(this.camera, places, [58 + this.planHeight(), sides, 74]);
     // A followed ship keeps her place on the screen, not its centre, so that the berth stays in view too.
     const ship = this.shipNow(performance.now());
     this.lastShip = ship ? [ship[0], ship[1]] : null;
@@ -454,10 +511,15 @@ class Readout {
 }
 
 /** The scale bar. Returns its box. */
-function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): Box {
+function drawScale(
+  to: CanvasRenderingContext2D,
+  camera: Camera,
+  colours: Palette,
+  below: number,
+): Box {
   const long = roundLength(Math.min(180, camera.width * 0.25) / camera.pixels_per_m);
   // On a phone and on a tablet the tools take the foot.
-  const [left, top] = [14, camera.width < TOOLS_PX ? 18 : camera.height - 16];
+  const [left, top] = [14, camera.width < TOOLS_PX ? below + 18 : camera.height - 16];
   const right = left + long * camera.pixels_per_m;
   stroke(to, [left, top], [right, top], colours.text, 3);
   for (const x of [left, (left + right) / 2, right])

@@ -1,7 +1,7 @@
 /** When the instructor's changes happen: at once or later, at once or over a time; and the list of what is planned. */
 import { visibilityWords } from "../controls/visibility";
 import type { Page } from "../page";
-import type { Frame, OtherAction, PlannedNow } from "../protocol";
+import type { Frame, RecordedAction, PlannedNow } from "../protocol";
 import { button, h, setText } from "../ui/dom";
 import { clock, fixed, heading, spoken, toKnots } from "../units";
 
@@ -19,7 +19,7 @@ const STATES: Record<PlannedNow["state"], string> = {
 };
 
 /** A planned event in words. */
-export function eventWords(event: OtherAction): string {
+export function eventWords(event: RecordedAction): string {
   switch (event.do) {
     case "wind":
     case "current": {
@@ -85,7 +85,7 @@ export class Planned {
   }
 
   /** Gives a command now, or plans it. */
-  async happen(event: OtherAction): Promise<boolean> {
+  async happen(event: RecordedAction): Promise<boolean> {
     const after_s = this.after_s();
     if (after_s === 0) return this.page.order(event);
     const at_s = (this.page.live.frame?.t_s ?? 0) + after_s;

@@ -15,6 +15,8 @@ interface Strip {
     dash?: number[];
   }[];
   least: [number, number];
+  /** It is shown only where it has values. */
+  optional?: boolean;
 }
 
 const STRIPS: Strip[] = [
@@ -33,6 +35,12 @@ const STRIPS: Strip[] = [
       { label: "bow", key: "bow_m", colour: "path" },
       { label: "stern", key: "stern_m", colour: "wind", dash: [6, 3] },
     ],
+  },
+  {
+    title: "Cross-track distance, m, positive to starboard",
+    least: [-10, 10],
+    optional: true,
+    series: [{ label: "off the track", key: "cross_track_m", colour: "plan" }],
   },
   {
     title: "Speed ahead, kn",
@@ -124,7 +132,8 @@ export class Strips implements View {
           .flatMap((s) => strip.series.map(({ key }) => s[key]))
           .filter((v) => v !== null);
         // A strip without a value in the whole run says nothing.
-        if (this.whole) setClass(chart.root, "hidden", values.length === 0 && shown.length > 0);
+        if (this.whole || strip.optional)
+          setClass(chart.root, "hidden", values.length === 0 && shown.length > 0);
         chart.setScale("y", {
           min: Math.min(strip.least[0], ...values),
           max: Math.max(strip.least[1], ...values) * 1.05,

@@ -1,5 +1,5 @@
-//! Decides whether a tag may be released: all files that name a version must name that of the tag, and the changelog
-//! must have a section for it, which becomes the text of the release.
+//! Decides whether a tag may be released: all files that name a version must name the tag's version, and the changelog
+//! must have a section for this version, which becomes the text of the release.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,5 @@
-//! Collects from a campaign's rows what the program shows of them.
+//! Reads the result rows of a campaign and collects what the program shows: verdicts, the most used fender, failed
+//! runs.
 
 use fenderline_campaign::store::Store;
 use fenderline_campaign::{CampaignError, Cell, Head, Row, Runs};

@@ -259,7 +259,7 @@ fn rows(table: &CaseTable) -> Markup {
             }
         }
         @if table.rows.len() > MOST_ROWS {
-            p { "The first " (MOST_ROWS) " of " (table.rows.len()) " rows; all are in cases.csv." }
+            p { "The first " (MOST_ROWS) " of " (table.rows.len()) " rows are shown; cases.csv has all rows." }
         }
     }
 }

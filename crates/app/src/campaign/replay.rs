@@ -23,7 +23,9 @@ pub(super) fn replay(args: &CampaignReplayArgs) -> Result<(), Failure> {
         words[place] = out.display().to_string();
     }
     let cli = Cli::try_parse_from(words).map_err(Failure::input)?;
-    let Command::Run(run) = cli.command else { unreachable!("the words are those of `run`") };
+    let Command::Run(run) = cli.command else {
+        unreachable!("the command line is one of `fenderline run`")
+    };
     crate::run::run(&run)
 }
 

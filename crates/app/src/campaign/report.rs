@@ -150,8 +150,8 @@ fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
         .collect()
 }
 
-/// The ships' paths of the first runs. For the paths so many runs are simulated again as a limited number of time steps
-/// allows.
+/// The ships' paths of the first runs. To find the paths, as many runs are simulated again as a limited number of time
+/// steps allows.
 fn seen(runs: &Runs) -> Vec<Seen> {
     let setup = &runs.base().setup;
     let affordable = (SEEN_STEPS * setup.step_s / setup.duration_s) as u64;

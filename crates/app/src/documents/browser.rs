@@ -3,7 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Environment variable that names the browser; it goes before all other places.
+/// Environment variable that names the browser; it takes precedence over all other places where browsers are looked
+/// for.
 pub(super) const VARIABLE: &str = "FENDERLINE_BROWSER";
 
 /// Names of browser programs that are looked for in the folders of PATH, in this order.

@@ -28,7 +28,8 @@ pub(super) struct Library {
 }
 
 impl Library {
-    /// Checks the library's version, and tries the library if this machine can load it.
+    /// Checks the library's version. If this machine can load the library, checks also that the library makes an
+    /// instance of the FMU.
     ///
     /// # Errors
     /// Fails if the library cannot go into an FMU of the plan.

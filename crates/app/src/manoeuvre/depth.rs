@@ -60,7 +60,7 @@ impl Shallow {
         } else if self.ratio < PUBLISHED_RATIO {
             all.push(format!(
                 "--depth: {ratio} draughts; corrections are valid from {PUBLISHED_RATIO} on; here \
-                 the corrections follow their tangent"
+                 the corrections are extrapolated"
             ));
         }
         let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * self.depth_m).sqrt();

@@ -1,4 +1,4 @@
-//! `fenderline manoeuvre`: standard manoeuvres of a vessel, with the measures of ITTC and IMO.
+//! `fenderline manoeuvre`: runs standard manoeuvres of a vessel, and prints the quantities that ITTC and IMO define.
 //!
 //! Module `catalogue` has the manoeuvres, `conditions` the user's options, `depth` shallow water, and `imo` the limits
 //! of MSC.137(76). Module `trials` carries the manoeuvres out; `section` holds the measured results; `printed`, `json`

@@ -24,7 +24,7 @@ fn write_one(folder: &Path, track: &Track) -> Result<String, Failure> {
 fn text(track: &Track) -> Vec<u8> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let mut put = |record: &[String]| {
-        table.write_record(record).expect("a table in memory takes every row");
+        table.write_record(record).expect("a table in memory accepts every row");
     };
     let head = [
         "t_s",
@@ -53,5 +53,5 @@ fn text(track: &Track) -> Vec<u8> {
         ];
         put(&values.map(|value| format!("{value:?}")));
     }
-    table.into_inner().expect("a table in memory ends")
+    table.into_inner().expect("a table in memory can be finished")
 }

@@ -15,8 +15,8 @@ use super::section::{Row, Section, Track, Unit};
 use crate::cli::Manoeuvre;
 use crate::failure::Failure;
 
-/// Time step divided by the time in which the ship sails her own length (a time step of 0.08 s for KVLCC2). Half the
-/// time step changes no result by a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
+/// Time step divided by the time in which the ship sails her own length (a time step of 0.08 s for KVLCC2). With half
+/// this time step, no result changes by more than a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
 const STEP: f64 = 0.002;
 /// Propeller revolutions at full astern divided by the revolutions of the approach.
 const ASTERN: f64 = -0.7;
@@ -150,7 +150,7 @@ impl Trial<'_> {
             columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
             notes: vec![
-                "The track is that of midship, from the start of the rudder; constant revolutions.",
+                "The track is that of midship, from the start of the rudder's turn; constant revolutions.",
             ],
             tracks,
         })

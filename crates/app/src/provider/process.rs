@@ -14,8 +14,8 @@ use super::protocol;
 /// Longest line that a provider may write (bytes).
 const LONGEST_LINE: u64 = 64 * 1024;
 
-/// Most questions without answer. A pipe of any system holds so many questions, so that a provider that does not read
-/// cannot block the run.
+/// Largest number of questions to a provider that wait for an answer. A pipe of any operating system holds this number
+/// of questions, so that a provider that does not read them cannot block the run.
 const UNANSWERED: u64 = 8;
 /// Number of timeouts in a row after which the run no longer waits for a provider, until the provider answers again.
 const PATIENCE: u32 = 3;

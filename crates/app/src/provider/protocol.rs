@@ -6,8 +6,8 @@
 //! | program, each step | `{"n": 0, "t_s": 0.0, "step_s": 0.1, "x_m": …, "y_m": …, "heading_rad": …, "u_mps": …, "v_mps": …, "r_radps": …}` |
 //! | provider, each step | `{"n": 0, "force_n": [north, east], "moment_nm": …}` or `{"n": 0, "body_force_n": [forward, starboard], "moment_nm": …}` |
 //!
-//! `n` counts the questions. An answer repeats it, so that a late answer is recognised. u and v are
-//! in the body's axes; moments are about its centre of gravity, positive to starboard.
+//! `n` counts the questions. An answer repeats `n`, so that a late answer is recognised. u and v are in the body's
+//! axes; moments are about the body's centre of gravity, positive to starboard.
 
 use fenderline_contact::{Rotation, Vec2, Wrench, vec2};
 use fenderline_sim::external::ForceRequest;

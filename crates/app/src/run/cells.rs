@@ -18,7 +18,8 @@ pub(super) fn decimal(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
 }
 
-/// The heads and the units of a catalogue's columns, each aligned to the right and after two spaces.
+/// The heads and the units of the columns of a table, each aligned to the right and after two spaces; `catalogue` lists
+/// the quantities.
 pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> [String; 2] {
     let mut rows = [String::new(), String::new()];
     for column in catalogue.shown {
@@ -30,7 +31,7 @@ pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> [String; 2] {
     rows
 }
 
-/// The values of one part in a catalogue's columns; `-` where the part has no value.
+/// The values of one row of a table, for one part of the run such as a fender; `-` where the part has no value.
 pub(super) fn values<S, T>(catalogue: &Catalogue<S, T>, setup: &S, summary: &T) -> String {
     let mut row = String::new();
     for column in catalogue.shown {

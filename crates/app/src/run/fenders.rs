@@ -36,7 +36,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let [heads, units] = heads(&FENDERS);
     for (name, touch, columns, catalogue, share) in [
         ("fender", "first touch", heads, "of catalogue", "of rated"),
-        ("", "s", units, "d / r / e, %", "%"),
+        ("", "s", units, "defl/reac/en, %", "%"),
     ] {
         let _ =
             writeln!(text, "{name:<width$}  {touch:>11}{columns}  {catalogue:>15}  {share:>14}");

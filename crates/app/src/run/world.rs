@@ -8,7 +8,7 @@ use fenderline_report::plot::{shortened, times};
 use fenderline_results::{AnchorVerdict, LINES, LineTotals, LineVerdict, Outcome};
 use fenderline_sim::MooringSetup;
 
-/// Largest number of lines of text for each kind of part.
+/// Largest number of lines of text for each kind of part, such as vessels or mooring lines.
 const ROWS: usize = 12;
 
 /// The lines about vessels, tugs, mooring lines, anchors and providers; empty if the scenario has none of these.
@@ -74,7 +74,7 @@ fn warnings(outcome: &Outcome<'_>, text: &mut String) {
         if totals.limited.s() > 0.0 {
             let _ = writeln!(
                 text,
-                "tug {}: for {:.1} s less than ordered, because of speed and angle",
+                "tug {}: for {:.1} s its force was less than ordered, because of speed and angle",
                 one_line(&tug.tug.name),
                 totals.limited.s()
             );
@@ -82,11 +82,13 @@ fn warnings(outcome: &Outcome<'_>, text: &mut String) {
     }
     for (key, count) in outcome.providers.counts() {
         let what = match *key {
-            "provider_held" => "did not answer in time; the last force was held",
-            "provider_dropped" => "was silent for too long; the force was DROPPED",
-            "provider_refused" => "gave a force that is not finite or too large; it was REFUSED",
-            "provider_died" => "ENDED before the run did",
-            _ => "answered again",
+            "provider_held" => "the program did not answer in time; its last force was held",
+            "provider_dropped" => "the program was silent for too long; its force was DROPPED",
+            "provider_refused" => {
+                "the program gave a force that is not finite or too large; this force was REFUSED"
+            }
+            "provider_died" => "the program ENDED before the run did",
+            _ => "the program answered again",
         };
         let _ = writeln!(text, "provider: {}: {what}", times(*count));
     }

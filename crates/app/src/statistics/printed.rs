@@ -104,7 +104,9 @@ fn remarks(column: &Column<'_>) -> String {
 
 fn fits(column: &Column<'_>) -> String {
     let findings = &column.findings;
-    let mut text = String::from("\nFits by maximum likelihood, the smallest AIC first\n");
+    let mut text = String::from(
+        "\nLaws fitted by maximum likelihood, in the order of AIC, the smallest AIC first\n",
+    );
     let tail = findings.tail.map_or(String::new(), |tail| {
         format!("of {} above {}", tail.count, words::number(tail.above))
     });

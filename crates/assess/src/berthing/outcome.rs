@@ -60,7 +60,7 @@ pub struct BerthingOutcome {
     pub configuration: f64,
     /// Berthing energy ½ M V² Cm Ce Cs Cc (J) with the chosen Cm, and with the design speed if one is given.
     pub energy_j: f64,
-    /// Berthing energy by the formula of `energy_j`, but with the speed of the run at the first touch (J).
+    /// Berthing energy by the formula of `energy_j`, but with the speed that the ship has in the run at the first touch (J).
     pub energy_at_touch_j: f64,
     /// Berthing energy by the formula of `energy_j`, but with the Cm of each added mass formula in turn (J).
     pub energies_j: [Option<f64>; 4],

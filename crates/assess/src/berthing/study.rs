@@ -15,8 +15,8 @@ use fenderline_world::fender::FenderSetup;
 use fenderline_world::record::{ContactEnergy, StepRecord};
 use fenderline_world::rigid_body::Inertia;
 
-/// The fenders that the ship meets together are complete when the first of them is compressed by this share of its
-/// rated deflection.
+/// The list of the fenders that the ship meets together is complete when the first of these fenders is compressed by
+/// this share of its rated deflection.
 const GROUP_SHARE: f64 = 0.1;
 
 /// Data of the ship's first touch of a fender.

@@ -47,7 +47,7 @@ struct Met {
     beyond: [Option<[f64; 2]>; 2],
 }
 
-/// All laws and data that the run has left so far. The memory for this list does not grow with the run.
+/// All laws and data whose range the run has left so far. The memory for this list does not grow with the run.
 #[derive(Clone, Debug)]
 pub(super) struct Departures {
     left: Vec<Left>,
@@ -116,8 +116,8 @@ impl Departures {
         }
     }
 
-    /// The laws that the run has left, in the order of [`Law::TABLE`]. `run_s` is the simulated time of the run so far
-    /// (s). `gain` is true if the contacts of the run have gained energy in total.
+    /// The laws whose range the run has left, in the order of [`Law::TABLE`]. `run_s` is the simulated time of the run
+    /// so far (s). `gain` is true if the contacts of the run have gained energy in total.
     pub(super) fn departures(&self, setup: &Setup, run_s: f64, gain: bool) -> Vec<Departure> {
         let departure = |left: &Left| {
             let lasting_s = left.steps.map_or(run_s, |steps| f64::from(steps) * setup.step_s);
@@ -155,7 +155,7 @@ impl Departures {
         }
     }
 
-    /// Notes the laws that are left from the start of the run to its end.
+    /// Notes the laws whose range the run leaves from its start to its end.
     fn note_what_holds_always(&mut self, setup: &Setup) {
         let environment = &setup.world.environment;
         let mut always = |law, subject, extent| {
@@ -210,7 +210,7 @@ impl Departures {
         }
     }
 
-    /// Notes the laws that overlaps of outlines and contacts of fenders leave in this step.
+    /// Notes the laws whose range is left in this step by overlaps of outlines or by contacts of fenders.
     fn add_contacts(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (index, contact) in step.contacts.iter().enumerate() {
             let Some(fender) = contact.fender else {

@@ -102,6 +102,21 @@ pub enum Finding {
         /// How long the vessel was aground (s).
         lasting_s: f64,
     },
+    /// A vessel left the corridor of her passage plan.
+    LeftCorridor {
+        /// The vessel.
+        vessel: usize,
+        /// Index of the leg on which the vessel was farthest outside.
+        leg: usize,
+        /// Start of the first step in which the vessel was outside (s).
+        first_s: f64,
+        /// How long the vessel was outside (s).
+        lasting_s: f64,
+        /// Cross-track distance where the vessel was farthest outside, positive to starboard of the track (m).
+        cross_track_m: f64,
+        /// Half of the width of the corridor there (m).
+        half_width_m: f64,
+    },
     /// A limit of the scenario was exceeded.
     LimitExceeded {
         /// The limit that was exceeded, by its index in [`fenderline_world::limit::StatisticsSetup::limits`].
@@ -232,9 +247,9 @@ impl Finding {
             Finding::StartInside { .. } => Verdict::StartInside,
             Finding::Aground { .. } => Verdict::Aground,
             Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
-            Finding::LimitExceeded { .. } | Finding::AboveWithFactor { .. } => {
-                Verdict::LimitExceeded
-            }
+            Finding::LimitExceeded { .. }
+            | Finding::AboveWithFactor { .. }
+            | Finding::LeftCorridor { .. } => Verdict::LimitExceeded,
             Finding::AboveCatalogue { .. } => Verdict::AboveCatalogue,
             Finding::NoSideAtFender { .. } => Verdict::NoSideAtFender,
             Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
@@ -296,7 +311,9 @@ impl Finding {
                 vec![setup.world.statistics.limits[limit].name.as_str()]
             }
             Finding::PileYielded { body: of, .. } => vec![body(of)],
-            Finding::Aground { vessel, .. } => vec![body(setup.world.vessels[vessel].body)],
+            Finding::Aground { vessel, .. } | Finding::LeftCorridor { vessel, .. } => {
+                vec![body(setup.world.vessels[vessel].body)]
+            }
             Finding::OutsideLaw(departure) => departure.subject.names(setup),
             Finding::NoFenderTouched => vec![],
         }
@@ -373,6 +390,27 @@ impl Finding {
             ),
             Finding::Aground { first_s, lasting_s, .. } => {
                 format!("{} was aground from {first_s:.1} s for {}", names[0], duration(lasting_s))
+            }
+            Finding::LeftCorridor {
+                vessel,
+                leg,
+                first_s,
+                lasting_s,
+                cross_track_m,
+                half_width_m,
+            } => {
+                let plan = setup.world.vessels[vessel].plan.as_ref();
+                let to = plan.map_or("", |plan| plan.waypoints()[leg + 1].name.as_str());
+                let to =
+                    if to.is_empty() { format!("waypoint {}", leg + 2) } else { to.to_owned() };
+                let side = if cross_track_m < 0.0 { "port" } else { "starboard" };
+                format!(
+                    "{} left the corridor of her passage plan from {first_s:.1} s for {}: {:.0} m to {side} of the \
+                     track on the leg to {to}, where {half_width_m:.0} m are planned",
+                    names[0],
+                    duration(lasting_s),
+                    cross_track_m.abs()
+                )
             }
             Finding::FenderOverRated { quantity, share, .. } => {
                 format!(

@@ -235,7 +235,7 @@ impl Law {
             "flow_left_out",
             Verdict::Extrapolated,
             "two vessels that act on each other are nearer than half the mean of their beams",
-            "the engine uses a part of the flow between the vessels, none below a quarter of the mean of their beams",
+            "the engine reduces the flow between the vessels, and leaves it out for gaps below a quarter of the mean of their beams",
         ),
         row(
             Law::ProviderSilent,
@@ -254,7 +254,7 @@ impl Law {
     }
 }
 
-/// The part of a run that left a law; the indices point into the [`fenderline_world::setup::Setup`].
+/// The part of a run that left the range of a law; the indices point into the [`fenderline_world::setup::Setup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The run as a whole, without a particular body, fender or vessel.
@@ -278,16 +278,17 @@ pub enum Subject {
     Provider(usize),
 }
 
-/// A law that a run left, with the part of the run concerned, the time, and how far the run was outside the range.
+/// A law whose range a run left, with the part of the run concerned, the time, and how far the run was outside the
+/// range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// The law.
     pub law: Law,
-    /// The part of the run that left the law, such as a vessel or a fender.
+    /// The part of the run that left the range of the law, such as a vessel or a fender.
     pub subject: Subject,
-    /// Start of the first step in which the law was left (s).
+    /// Start of the first step in which the run was outside the range of the law (s).
     pub first_s: f64,
-    /// How long the run was outside the law in all (s).
+    /// How long the run was outside the range of the law in all (s).
     pub lasting_s: f64,
     /// `lasting_s` divided by the time of the run so far; 1 if the law was left from start to end.
     pub share_of_run: f64,

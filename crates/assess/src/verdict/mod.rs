@@ -10,9 +10,9 @@
 //! | `verdict/factored.rs` | findings that result from the user's partial factors |
 //! | `verdict/fender.rs` | findings on a single fender |
 //! | `verdict/watch.rs` | the totals that a run keeps, step by step, for its verdict |
-//! | `verdict/law.rs` | the table of all laws and data that a run can leave |
-//! | `verdict/departures.rs` | finds, step by step, where a run leaves its laws and its data |
-//! | `verdict/said.rs` | the sentences on the laws that a run has left |
+//! | `verdict/law.rs` | the table of all physical laws and data whose range a run can leave |
+//! | `verdict/departures.rs` | finds, step by step, where a run leaves the range of its laws and its data |
+//! | `verdict/said.rs` | the sentences on the laws whose range a run has left |
 //! | `verdict/start.rs` | bodies that start inside each other |
 
 mod departures;

@@ -1,4 +1,4 @@
-//! Writes the sentences on the laws that a run has left.
+//! Writes the sentences on the laws whose range a run has left.
 
 use super::finding::{duration, length};
 use super::law::{Departure, Law, Subject};
@@ -122,7 +122,9 @@ impl Departure {
                 Subject::Ratio { vessel, ratio } => {
                     format!("{}: {}", names[0], setup.world.vessels[vessel].origin.outside[ratio])
                 }
-                _ => unreachable!("an estimate is outside its range by a ratio of dimensions"),
+                _ => unreachable!(
+                    "an estimate is outside its range because of a ratio of the ship's dimensions"
+                ),
             },
             Law::PassingSpeed => format!(
                 "{} passes at {value:.2} of the speed of long waves: the computed flow has no waves, and the forces \

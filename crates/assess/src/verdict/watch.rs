@@ -8,6 +8,7 @@ use super::factored::factored;
 use super::fender::{above_catalogue, chains_parted, fender_finding};
 use super::finding::Finding;
 use fenderline_ship::anchor::{AnchorPosition, LostBy};
+use fenderline_ship::track::OnPlan;
 use fenderline_world::dolphin::DolphinSummary;
 use fenderline_world::fender::FenderSummary;
 use fenderline_world::hull::SideMissed;
@@ -58,6 +59,32 @@ struct LineWatch {
 /// brings up to her anchor or heaves in most of her chain. Our choice.
 const DRAGGED_M: f64 = 10.0;
 
+/// How a vessel left the corridor of her passage plan.
+#[derive(Clone, Copy, Debug, Default)]
+struct CorridorWatch {
+    outside: Lasting,
+    /// The farthest that she was outside (m), and where she was then.
+    farthest_m: f64,
+    at: Option<OnPlan>,
+}
+
+impl CorridorWatch {
+    fn add(&mut self, now: OnPlan, t_s: f64) {
+        let Some(outside_m) = now.outside_m() else { return };
+        self.outside.count(t_s);
+        if outside_m > self.farthest_m {
+            (self.farthest_m, self.at) = (outside_m, Some(now));
+        }
+    }
+
+    fn finding(self, vessel: usize, step_s: f64) -> Option<Finding> {
+        let (first_s, lasting_s) = self.outside.first_and_lasting(step_s)?;
+        let OnPlan { leg, cross_track_m, half_width_m, .. } = self.at?;
+        let half_width_m = half_width_m?;
+        Some(Finding::LeftCorridor { vessel, leg, first_s, lasting_s, cross_track_m, half_width_m })
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 struct AnchorWatch {
     /// Time at which the anchor first dragged (s), and how far the anchor dragged in all (m).
@@ -75,6 +102,7 @@ pub struct Watch {
     starts: Vec<Finding>,
     touches: Vec<Touch>,
     aground: Vec<Lasting>,
+    corridors: Vec<CorridorWatch>,
     lines: Vec<LineWatch>,
     anchors: Vec<AnchorWatch>,
     departures: Departures,
@@ -105,6 +133,7 @@ impl Watch {
             starts,
             touches: Vec::new(),
             aground: vec![Lasting::default(); setup.world.vessels.len()],
+            corridors: vec![CorridorWatch::default(); setup.world.vessels.len()],
             lines: vec![LineWatch::default(); setup.world.lines.len()],
             anchors: vec![AnchorWatch::default(); setup.world.anchors.len()],
             departures: Departures::new(setup),
@@ -118,10 +147,12 @@ impl Watch {
         setup: &Setup,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
     ) {
-        let Watch { protected, starts, touches, aground, lines, anchors, departures } = self;
+        let Watch { protected, starts, touches, aground, corridors, lines, anchors, departures } =
+            self;
         *starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
         touches.clear();
         aground.fill(Lasting::default());
+        corridors.fill(CorridorWatch::default());
         lines.fill(LineWatch::default());
         anchors.fill(AnchorWatch::default());
         departures.restart(setup);
@@ -157,6 +188,11 @@ impl Watch {
         for (own, now) in self.aground.iter_mut().zip(step.vessels) {
             if now.aground {
                 own.count(step.t_s);
+            }
+        }
+        for (own, vessel) in self.corridors.iter_mut().zip(&setup.world.vessels) {
+            if let Some(now) = vessel.on_plan(&step.states[vessel.body]) {
+                own.add(now, step.t_s);
             }
         }
         for ((own, line), now) in self.lines.iter_mut().zip(&setup.world.lines).zip(step.lines) {
@@ -235,6 +271,9 @@ impl Watch {
                 first_s,
                 lasting_s,
             }));
+        }
+        for (vessel, own) in self.corridors.iter().enumerate() {
+            all.extend(own.finding(vessel, step_s));
         }
         for (line, own) in self.lines.iter().enumerate() {
             let working_n = setup.world.lines[line].line.kind.working_load_n();

@@ -24,6 +24,7 @@ const MOST_BOLLARDS: usize = 60;
 
 /// The choices.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct NewExercise {
     /// Title of the scenario.
@@ -43,6 +44,7 @@ pub struct NewExercise {
 
 /// A straight quay with a row of equal fenders. The quay's face runs north, with the water to the west.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct NewBerth {
     /// Length of the quay (m).
@@ -67,6 +69,7 @@ pub struct NewBerth {
 
 /// A ship of the library on her way to the berth.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct NewShip {
     /// Name in the library.
@@ -83,6 +86,7 @@ pub struct NewShip {
 
 /// Sides of a ship.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum BerthingSide {
     /// Port side to the quay: the ship comes from the north.
@@ -93,6 +97,7 @@ pub enum BerthingSide {
 
 /// Equal tugs of the library, each on a line at the ship's side towards the water.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct NewTugs {
     /// Name in the library.
@@ -103,6 +108,7 @@ pub struct NewTugs {
 
 /// Wind, current and visibility.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct NewWeather {
     /// Speed of the wind (m/s).

@@ -103,7 +103,7 @@ pub(super) struct Hull {
     beam_m: f64,
     /// Place of the ship's centre of gravity at the start, north and east (m).
     at_m: Vec2,
-    /// Directions in which the ship's bow points and in which the water lies from the berth.
+    /// Direction in which the ship's bow points, and direction from the berth to the water.
     ahead: Vec2,
     to_sea: Vec2,
     /// Side of the ship at which the quay lies: 1 starboard, −1 port.

@@ -7,7 +7,7 @@ use toml::de::{DeInteger, DeTable, DeValue};
 
 type Pair<'t, 'a> = (&'t str, &'t DeValue<'a>);
 
-/// The keys of a table by their places in the file.
+/// The keys of a table, in the order of their places in the file.
 fn in_order<'t, 'a>(table: &'t DeTable<'a>) -> Vec<Pair<'t, 'a>> {
     let mut pairs: Vec<_> = table.iter().collect();
     pairs.sort_by_key(|(name, _)| name.span().start);

@@ -76,7 +76,7 @@ fn without_first_comment(text: &str) -> &str {
     rest.trim_start()
 }
 
-/// The value of a key that was set, in the checked document.
+/// Finds the value at `path`, a list of nested keys, in a table of TOML.
 fn value_at<'t, 'a>(table: &'t DeTable<'a>, path: &[String]) -> Option<&'t DeValue<'a>> {
     let (first, deeper) = path.split_first()?;
     let mut value = table.get(first.as_str())?.get_ref();
@@ -99,7 +99,7 @@ fn value_of(text: &str) -> Value {
 }
 
 /// Sets the value at a path below an item, or removes the key. Tables on the way that do not exist are made, unless the key
-/// is removed. `depth` is the number of names above the item.
+/// is removed. `depth` is the number of keys that lead from the top of the file to the item.
 fn change(item: &mut Item, path: &[String], value: Option<Value>, depth: usize) {
     let Some((name, deeper)) = path.split_first() else { return };
     if let Ok(index) = name.parse::<usize>()
@@ -142,7 +142,8 @@ fn change(item: &mut Item, path: &[String], value: Option<Value>, depth: usize) 
     }
 }
 
-/// The same for an item of a list, which goes by its number.
+/// Does the same as [`change`] in a list of TOML: sets or removes the value at the path `deeper` below the list's entry
+/// number `index`.
 fn in_list(item: &mut Item, index: usize, deeper: &[String], value: Option<Value>, depth: usize) {
     if let Some(tables) = item.as_array_of_tables_mut() {
         if index >= tables.len() {

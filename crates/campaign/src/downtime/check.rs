@@ -5,7 +5,8 @@ use super::outcome::Outcome;
 use super::plan::DowntimePlan;
 use crate::statistics::{Confidence, Estimate, wilson};
 
-/// Single hours that were run with their own weather, compared with their states.
+/// A comparison of single hours, which were run with their own weather, with the states (groups of similar hours) that
+/// stand for these hours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatesCheck {
     /// Number of hours that were drawn.
@@ -13,19 +14,21 @@ pub struct StatesCheck {
     /// Number of drawn hours for which both the hour and its state could be run: the following numbers are of these
     /// hours.
     pub compared: usize,
-    /// Number of hours that are lost both with their own weather and by their state.
+    /// Number of hours that are lost in both runs: in the run with the hour's own weather, and in the run of the hour's
+    /// state.
     pub both: usize,
-    /// Number of hours that are lost by their state, but not with their own weather: for these the states count too
-    /// much.
+    /// Number of hours that are lost in the run of their state, but not in the run with their own weather: for these
+    /// hours the states count too much downtime.
     pub by_state_alone: usize,
-    /// Number of hours that are lost with their own weather, but not by their state: for these the states count too
-    /// little.
+    /// Number of hours that are lost in the run with their own weather, but not in the run of their state: for these
+    /// hours the states count too little downtime.
     pub as_it_is_alone: usize,
-    /// Number of hours that are lost neither with their own weather nor by their state.
+    /// Number of hours that are lost neither in the run with their own weather nor in the run of their state.
     pub neither: usize,
-    /// Share of hours that do not agree with their state, with Wilson's interval; `None` if no hour could be compared.
+    /// Share of hours for which the run with the hour's own weather and the run of the hour's state disagree, with
+    /// Wilson's interval; `None` if no hour could be compared.
     pub disagree: Option<Estimate>,
-    /// Share of hours that are lost when run singly, with Wilson's interval.
+    /// Share of hours that are lost in the run with their own weather, with Wilson's interval.
     pub lost_as_they_are: Option<Estimate>,
     /// Probability of the confidence intervals.
     pub confidence: Confidence,

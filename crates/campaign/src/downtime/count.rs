@@ -1,4 +1,5 @@
-//! Counts the lost hours: an hour is lost if its state is lost.
+//! Counts the hours that a berth loses to the weather: an hour is lost if the run of its state (its group of similar
+//! hours) exceeds a limit.
 
 use core::fmt;
 
@@ -149,7 +150,8 @@ impl DowntimeTable {
     }
 }
 
-/// The group of a property, and the function that gives the place of a weather row in the group.
+/// The lost hours grouped by one property, and the function that says to which value of the property a weather row
+/// belongs.
 type Placed<'p> = (Group, Box<dyn Fn(usize) -> usize + 'p>);
 
 /// The groups that a weather has (month, wave direction, wind direction), still without counted hours.

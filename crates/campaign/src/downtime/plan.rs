@@ -30,7 +30,7 @@ pub(crate) enum Given {
 pub struct DowntimePlan {
     weather: Weather,
     states: Vec<State>,
-    /// The state of each row of the weather.
+    /// Index of the state (group of similar hours) to which each row of the weather belongs.
     state_of: Vec<usize>,
     /// Weather rows of the sampled hours, which are run with their own weather, in rising order.
     sample: Vec<usize>,

@@ -1,6 +1,7 @@
-//! The quantities of a weather: their columns, and the keys of the scenario that they set.
+//! The quantities of the weather, such as the wind speed: their columns in a weather file, and the scenario's keys that
+//! they set.
 
-/// An agent of the weather that acts on the ship.
+/// An agent of the weather that acts on the ship, such as the wind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Agent {
     /// Waves.
@@ -43,8 +44,8 @@ pub struct Quantity {
     pub(super) range: [f64; 2],
 }
 
-/// All quantities of a weather. The quantities of one agent stand together; a weather file must have all of them or
-/// none. The ranges of the quantities are those of the scenario's keys.
+/// All quantities that a weather file can have. The quantities of one agent stand together; a weather file must have
+/// all of them or none. The ranges of the quantities are those of the scenario's keys.
 pub(super) static QUANTITIES: [Quantity; 8] = [
     Quantity {
         column: "hs_m",

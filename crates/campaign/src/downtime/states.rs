@@ -4,7 +4,7 @@
 //! quantity's mean, again and again, until there are as many states as wanted. Spread is measured by the effect on a
 //! ship: for waves in height, for wind and current in the square of the speed. A change of direction (rad), or of the
 //! period relative to its mean, counts as the same relative change of the strength. The spread of each agent is divided
-//! by its spread over the whole weather, so that waves, wind, current and level count alike.
+//! by its spread over the whole weather, so that waves, wind, current and water level count alike.
 
 use core::f64::consts::{PI, TAU};
 

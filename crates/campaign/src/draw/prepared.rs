@@ -171,8 +171,8 @@ impl Draws {
         self.at(run, probabilities.as_deref())
     }
 
-    /// The values of the variables at the given probabilities, one for each variable; the probabilities of formulas are
-    /// not used. Rare-event methods, which choose the probabilities themselves, use this function.
+    /// The values of the variables at the given probabilities, one for each variable; the probabilities of variables
+    /// with formulas are not used. Rare-event methods, which choose the probabilities themselves, use this function.
     ///
     /// # Errors
     /// Fails if the campaign has no random plan, if there is not one probability for each variable, or if a probability

@@ -11,7 +11,7 @@ use fenderline_keys::origin::Origin;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::typed_key::{AnyKey, Key};
 
-/// The weather at a berth, and how the weather is run.
+/// The weather at a berth, and how the hours of the weather become runs of the scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Downtime {
     /// Weather file with a series or a scatter diagram, CSV or Parquet.

@@ -29,7 +29,7 @@ pub enum Plan {
         /// Number of runs.
         number: u64,
     },
-    /// One draw of each variable in each of `number` parts of equal probability.
+    /// Each variable has one draw in each of `number` parts of its range that have equal probability.
     LatinHypercube {
         /// Number of runs.
         number: u64,
@@ -44,7 +44,7 @@ pub enum Plan {
         /// The table file, CSV or Parquet.
         file: PathBuf,
     },
-    /// The runs are the states of a weather, and some of its single hours.
+    /// The runs are the states (groups of similar hours) of the weather at a berth, and some single hours.
     Downtime(Downtime),
 }
 
@@ -65,7 +65,7 @@ impl Plan {
     }
 }
 
-/// Largest number of runs of a Sobol sequence: the library's sequence is so long.
+/// Largest number of runs of a Sobol sequence: the library's sequence has no more points.
 const MOST_OF_SOBOL: u64 = 1 << 16;
 
 /// Largest product of runs and variables of a Latin hypercube: the order of each variable's parts is held in memory, in
@@ -251,8 +251,8 @@ pub(super) fn read(
     }
 }
 
-/// Reads the correlations. Each is between two variables with a law or measured values, and is given once for each
-/// pair.
+/// Reads the correlations. Each correlation is between two variables with a probability law or measured values. A pair
+/// of variables has at most one correlation.
 pub(super) fn correlations(
     sources: &Sources<'_>,
     file: Of<'_, CampaignFileKey>,

@@ -67,7 +67,7 @@ pub struct Target {
     pub keys: Vec<String>,
     /// Unit of the numbers; empty for SI, and for plain numbers.
     pub unit: String,
-    /// Whether an empty unit in the file says that the numbers are plain.
+    /// Whether the file gives an empty unit, which says that the numbers have no unit.
     pub is_plain: bool,
     /// Places of the keys and the law in the campaign's file, for error messages.
     pub origins: TargetOrigins,

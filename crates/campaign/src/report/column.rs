@@ -213,7 +213,7 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
                  statistics, that of a fit by the delta method. The band of a fit holds if the \
                  values follow the law of the fit."
             ))
-            @if rows.iter().any(|row| words::by_data(&row.by_data).contains('?')) { " A question mark: the data do not reach there." }
+            @if rows.iter().any(|row| words::by_data(&row.by_data).contains('?')) { " A question mark says that the data do not reach this level." }
         }
     }
 }
@@ -277,9 +277,9 @@ fn fits(findings: &Findings) -> Markup {
             }
         } }
         p class="note" {
-            "By maximum likelihood, the smallest AIC first. AIC, distance and A² judge the fit to \
-             all data. The last column judges the tail, which decides a design value: it is the \
-             number of values that the law expects in the tail, beside the number in the data."
+            "Laws are fitted by maximum likelihood, and the smallest AIC comes first. AIC, distance \
+             and A² judge the fit to all data. The last column judges the tail, which decides a design value: it is \
+             the number of values that the law expects in the tail, beside the number in the data."
         }
     }
 }
@@ -307,7 +307,7 @@ pub(super) fn methods(asked: &Asked) -> Markup {
             li { "The law to quote is chosen among the laws that fit all values (Kolmogorov and \
                 Smirnov, 1 %), that expect as many values in the tail as the data have (within 2.6 \
                 standard deviations of a count), and whose design value the data do not contradict \
-                and decide within a factor of ten. Of these laws the law with the smallest AIC is \
+                and whose band spans less than a factor of ten. Of these laws the law with the smallest AIC is \
                 quoted. Without such a law, the law over the threshold is quoted; else no law." }
             @if asked.traffic.is_some() {
                 li { "With n berthings a year the value of T years is exceeded by one berthing with probability p, where \

@@ -7,7 +7,7 @@ use super::{Output, column};
 use crate::statistics::convergence::{Step, steps};
 use crate::statistics::design::Asked;
 
-/// Largest number of points of the chart: so many numbers of runs get an estimate.
+/// Largest number of points of the chart: the estimate is shown for at most this many different numbers of runs.
 const STEPS: usize = 40;
 
 /// Probability with which a run exceeds the quantile that the chart shows.
@@ -22,8 +22,9 @@ pub(super) fn section(outputs: &[Output<'_>], asked: &Asked) -> Markup {
     html! {
         @if !charts.is_empty() {
             h2 { "Convergence" }
-            p { "Each line is the estimate of the first runs. If the line still moves at the end, \
-                or its band is wider than you need, make more runs." }
+            p { "Each point of a line is the estimate from the first runs, up to this number of runs. \
+                If the line still moves at the end, or its band is wider than you need, make more \
+                runs." }
             @for chart in charts { (chart.render()) }
         }
     }

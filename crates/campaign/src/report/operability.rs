@@ -70,10 +70,13 @@ fn sentence(required: f64, limit: Limit, unit: &str) -> String {
     let share = format!("At least {} % of the runs succeed", plain(100.0 * required, 3));
     match limit {
         Limit::At(speed) => {
-            format!("{share} up to a wind of {} {unit}, over all directions.", words::number(speed))
+            format!(
+                "{share}: this holds up to a wind of {} {unit}, over all directions.",
+                words::number(speed)
+            )
         }
         Limit::Beyond(speed) => format!(
-            "{share} up to {} {unit}, the strongest wind of the campaign: the limit lies beyond.",
+            "{share}: this holds up to {} {unit}, the strongest wind of the campaign; the limit lies beyond.",
             words::number(speed)
         ),
         Limit::Below(speed) => format!(
@@ -81,7 +84,7 @@ fn sentence(required: f64, limit: Limit, unit: &str) -> String {
             plain(100.0 * required, 3),
             words::number(speed)
         ),
-        Limit::Unknown => "No run has a wind.".to_owned(),
+        Limit::Unknown => "No run has a wind speed.".to_owned(),
     }
 }
 

@@ -10,7 +10,7 @@ use crate::run::Seen;
 /// Largest number of runs whose ships are drawn at the end of the run: more ships would cover each other.
 const ENDS: usize = 25;
 
-/// Room around the ships, as a share of the size of the scene.
+/// Margin of the plan view around the ships, as a share of the size of the drawn scene.
 const ROOM: f64 = 0.04;
 
 /// The section with the plan view; empty if there are no runs.
@@ -48,7 +48,7 @@ pub(super) fn section(seen: &[Seen]) -> Markup {
         arrows: Vec::new(),
         labels: Vec::new(),
         note: format!(
-            "Lines: centres of gravity. Outlines: the ships at the end, of the first {} runs.",
+            "Lines: centres of gravity. Outlines: the ships at the end of the run, for the first {} runs.",
             seen.len().min(ENDS)
         ),
     };

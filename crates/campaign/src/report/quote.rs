@@ -59,7 +59,7 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
             }
         };
         let sentence = format!(
-            "Quote the law {title}: {why}. Its value of {} is {}.{beyond}",
+            "Quote the law {title}: {why}. Its design value for {} is {}.{beyond}",
             words::rarity(row.rarity),
             with_unit(&words::with_band(value), unit)
         );
@@ -129,7 +129,7 @@ fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
         }
     }
     if words::contradiction(findings, place).is_some() {
-        return Some("with a rare value below the largest of the data".to_owned());
+        return Some("with a rare design value below the largest value of the data".to_owned());
     }
     words::undecided(findings, place).map(|_| "with a tail that the data do not decide".to_owned())
 }

@@ -10,7 +10,7 @@ use fenderline_sim::{FenderSetup, FenderSummary, MooringSetup, Setup, Simulation
 use super::motion::Excursion;
 use crate::row::{Cell, Head};
 
-/// An output of one part of the scenario.
+/// An output of one part of the scenario, such as a fender or a line.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Named {
     Fender(usize, &'static OfFender),
@@ -186,7 +186,7 @@ fn unit_and_meaning<S, T>(of: &Quantity<S, T>) -> (&'static str, &'static str) {
     (of.output.map_or(of.unit, |(_, scale)| scale.unit), of.meaning)
 }
 
-/// The value in the unit of the output.
+/// The value of a quantity in a run, in the unit of the output.
 fn value<S, T>(of: &Quantity<S, T>, setup: &S, summary: &T) -> Option<f64> {
     let value = of.amount(setup, Some(summary)).number()?;
     Some(of.output.map_or(value, |(_, scale)| scale.product(value)))

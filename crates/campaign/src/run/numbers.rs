@@ -108,7 +108,7 @@ impl Numbers {
 
 /// The reasons why the ship cannot stay at the berth: first graver findings by their verdicts, then exceeded limits by
 /// their names, the most exceeded limit first. A run that left the range of its data is in doubt, as its verdict says;
-/// doubt alone is no reason to leave.
+/// doubt alone is no reason to leave the berth.
 fn lost_by(setup: &Setup, findings: &[Finding]) -> String {
     let limits = &setup.world.statistics.limits;
     let is_reason = |of: Verdict| of.gravity() >= Gravity::Attention && of != Verdict::OutsideData;

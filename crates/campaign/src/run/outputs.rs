@@ -32,7 +32,7 @@ impl Outputs {
     ///
     /// # Errors
     /// Fails if an output names an unknown part or quantity or is given twice, or if a formula cannot be read or uses a
-    /// number that is unknown or stands below it.
+    /// number that is unknown or that comes after the formula in the file.
     pub(super) fn new(
         campaign: &Campaign,
         setup: &Setup,

@@ -2,7 +2,7 @@
 
 use super::{Confidence, Moments, Quantile, Sample, value_exceeded};
 
-/// The estimates of the first runs.
+/// The estimates that the first `runs` runs of a campaign give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Number of runs.

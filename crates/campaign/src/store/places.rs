@@ -1,7 +1,7 @@
 //! The places of the runs' records in a journal. The number of runs is known in advance; memory is used only for runs
 //! that have rows.
 
-/// Number of runs of a page of places (a page takes 128 KiB).
+/// The places are kept in pages of memory: number of runs for which a page has places (a page takes 128 KiB).
 const PAGE: usize = 1 << 14;
 
 /// The places of the records in a journal, by the number of the run.

@@ -5,12 +5,12 @@ use alloc::vec::Vec;
 use crate::coupled::assemble::Diagnostics;
 use crate::coupled::constraint::{Constraint, Forces, Side};
 use crate::coupled::sub_step::SubStep;
-use crate::material::BodyId;
-use crate::memory::PatchMemory;
+use crate::maths::number::{greater, lesser};
 use crate::model::Model;
-use crate::number::{greater, lesser};
-use crate::patch::Patch;
-use crate::report::{
+use crate::model::material::BodyId;
+use crate::overlap::patch::Patch;
+use crate::state::memory::PatchMemory;
+use crate::state::report::{
     Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction, Wrench,
 };
 use crate::touch::{Scene, Touch, arms_m};

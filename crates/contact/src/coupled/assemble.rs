@@ -6,26 +6,26 @@ use crate::coupled::constraint::{Constraint, Forces, Laws};
 use crate::coupled::held::Held;
 use crate::coupled::motion::{Role, kick_s};
 use crate::coupled::press_out::{Placement, opening_mps};
-use crate::events::{note, report_patch};
-use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::inherited::Inherited;
+use crate::inherit::inherited::Inherited;
 use crate::law::damper::{Answered, Growth, damper};
 use crate::law::friction::Slide;
 use crate::law::normal::{factor, normal_force};
-use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Response};
-use crate::material::Material;
-use crate::memory::PatchMemory;
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Vec2;
 use crate::model::Model;
-use crate::number::{greater, lesser};
+use crate::model::fender::RankedFender;
+use crate::model::mass::{InverseMatrix, Response};
+use crate::model::material::Material;
+use crate::model::unloading::{Loading, PLAYS, unload};
+use crate::overlap::patch::Patch;
 use crate::panel::chains::{Broken, add_parted};
 use crate::panel::report::PanelMotion;
-use crate::patch::Patch;
-use crate::report::{Event, EventKind, ForceParts, Friction};
+use crate::state::events::{note, report_patch};
+use crate::state::memory::PatchMemory;
+use crate::state::report::{Event, EventKind, ForceParts, Friction};
+use crate::touch::levers::Levers;
 use crate::touch::{Movers, Scene, Touch, touch, touch_again};
-use crate::unloading::{Loading, PLAYS, unload};
-use crate::vec2::Vec2;
 
 /// The data that the report of a contact in a sub-step needs besides [`Constraint`] and [`PatchMemory`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -94,7 +94,8 @@ impl Start<'_> {
     }
 }
 
-/// Buffers that the contact laws write to, besides the data of the contact.
+/// Lists and buffers that the contact laws fill besides the data of the contact: events, motions of panels, parted
+/// chains.
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) clip: &'w mut ClipBuffers,
@@ -294,7 +295,8 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
 /// limits the reaction: only the unloading law reduces the reaction.
 const UNBOUNDED_MPS: f64 = 1e12;
 
-/// The state of a fender's unloading law: the tops of its play elements, and the energy lost (J).
+/// The state of a fender's unloading law: the top of each play operator of the law's hysteresis (J), and the energy
+/// lost (J).
 #[derive(Clone, Copy)]
 struct Unloaded {
     tops_j: [f64; PLAYS],
@@ -303,8 +305,8 @@ struct Unloaded {
     share: f64,
 }
 
-/// Replaces the forces and the stored energy of a touch by those of the fender's unloading law. The touch has the
-/// forces and the energy of loading; the fender's unloading law gives the new values.
+/// Replaces the forces and the stored energy in `touch`, which follow the fender's loading curve, by those of the
+/// fender's unloading law.
 #[inline(never)]
 fn apply_unloading(
     model: &Model,
@@ -349,7 +351,7 @@ fn note_panel(
     PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
 }
 
-/// Adds the force and the energy that the fender of a touch holds to `held`.
+/// Adds to `held` the force and the energy that the fender of a contact holds.
 pub(crate) fn add_held(
     held: &mut Held,
     model: &Model,

@@ -5,14 +5,14 @@
 //! the normal n and the tangent t.
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
-use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Response};
-use crate::material::Material;
-use crate::number::{greater, lesser};
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Vec2;
+use crate::model::mass::{InverseMatrix, Response};
+use crate::model::material::Material;
+use crate::state::body_state::Velocity;
+use crate::state::report::Friction;
+use crate::touch::levers::Levers;
 use crate::touch::{Movers, Touch};
-use crate::vec2::Vec2;
 
 /// The solver damps the sweeps over a sliding contact if they would overshoot by more than this factor. With less
 /// overshoot the sweeps converge without damping, in less than 50 sweeps.
@@ -381,8 +381,8 @@ impl Constraint {
         greater((mean_mps + root) * self.force_per_speed(h), 0.0)
     }
 
-    /// Tangential force T and speeds of a contact that sticks, if N = f and no other contact acts. `free` are the
-    /// speeds of the contact without contact forces.
+    /// Tangential force T and speeds of a contact that sticks, if its normal force N equals the law's force f and no
+    /// other contact acts. `free` are the speeds of the contact without contact forces.
     #[inline]
     pub(crate) fn sticking(&self, free: Speeds, h: f64) -> (f64, Speeds) {
         let k = &self.inverse_mass;
@@ -397,16 +397,17 @@ impl Constraint {
         (tangential_n, speeds)
     }
 
-    /// Returns true if N = f and this tangential force keep within all bounds of the contact. `speeds` are the speeds
-    /// of the contact under the forces of all contacts.
+    /// Returns true if the law's force f as normal force, and the tangential force `tangential_n`, keep within all
+    /// bounds of the contact. `speeds` are the speeds of the contact under the forces of all contacts.
     #[inline]
     pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
         speeds.normal_mps >= -self.rebound_mps
             && self.has_energy_and_holds(speeds, (self.law_n, tangential_n), h)
     }
 
-    /// Returns true if this normal force, and this tangential force of the sticking spring, keep within the available
-    /// energies and Coulomb's limit. `speeds` are the speeds of the contact under the forces of all contacts.
+    /// Returns true if the normal force `normal_n`, and the tangential force `tangential_n` of a sticking contact, keep
+    /// within the available energies and Coulomb's limit. `speeds` are the speeds of the contact under the forces of
+    /// all contacts.
     #[inline(always)]
     pub(crate) fn has_energy_and_holds(
         &self,
@@ -419,7 +420,8 @@ impl Constraint {
             && self.shear.is_within_bounds(tangential_n, normal_n, speeds.tangential_mps, h)
     }
 
-    /// Sets the forces of the contact to N = f and to this tangential force of the sticking spring.
+    /// Sets the normal force of the contact to the law's force f, and the tangential force to `tangential_n`, the force
+    /// of the shear spring of a sticking contact.
     #[inline(always)]
     pub(crate) fn set_sticking(&mut self, speeds: Speeds, tangential_n: f64) {
         self.forces = Forces { normal_n: self.law_n, tangential_n, friction: Friction::Stick };
@@ -461,7 +463,7 @@ impl Constraint {
         (self.jacobian(side), side.sign())
     }
 
-    /// The part of the Jacobian that belongs to the body on this side, with the sign of body A.
+    /// The part of the Jacobian that belongs to the body on this side, with the signs for a body that is body A.
     #[inline(always)]
     pub(crate) fn jacobian(&self, side: Side) -> Jacobian {
         Jacobian {

@@ -10,14 +10,14 @@ use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::{Group, Island};
 use crate::coupled::newton::NewtonBuffers;
 use crate::coupled::{release, solve};
-use crate::events::note;
+use crate::inherit::inherited::Inherited;
 use crate::inherit::{Inheritance, continues_alone};
-use crate::inherited::Inherited;
-use crate::memory::{Past, PatchMemory};
+use crate::maths::room::room_for;
 use crate::model::Model;
-use crate::patch::Patch;
-use crate::report::{Event, EventKind};
-use crate::room::room_for;
+use crate::overlap::patch::Patch;
+use crate::state::events::note;
+use crate::state::memory::{Past, PatchMemory};
+use crate::state::report::{Event, EventKind};
 
 /// The contact constraints of a sub-step, and the solver's buffers.
 #[derive(Clone, Debug, Default)]

@@ -20,9 +20,9 @@
 
 use crate::coupled::constraint::{Constraint, Forces, NormalBound, Side, Speeds};
 use crate::coupled::direct_system::{Push, Stiffness, System};
-use crate::mass::InverseMatrix;
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
+use crate::state::report::Friction;
 use crate::touch::Movers;
 
 /// Largest number of corrections of the assumed bounds in one solve.
@@ -65,7 +65,7 @@ pub(crate) fn solve(
     solve_below_law(bodies, body, &response, constraints, h)
 }
 
-/// Does the same as [`solve`] for the case that some contacts are below their law's force.
+/// Does the same as [`solve`] for the case that some contacts have less force than their law gives.
 #[inline(never)]
 fn solve_below_law(
     bodies: &mut [Velocity],
@@ -91,8 +91,8 @@ fn solve_below_law(
     false
 }
 
-/// Solves the contacts of a body at the bounds in [`Constraint::bound`]; without `BELOW_LAW`, all contacts have their
-/// law's force.
+/// Solves the contacts of a body, each contact at the bound in its [`Constraint::bound`]; without `BELOW_LAW`, all
+/// contacts have the force of their law.
 // Not inlined: it needs all registers.
 #[inline(never)]
 fn solve_at_bounds<const BELOW_LAW: bool>(
@@ -152,7 +152,8 @@ fn solve_at_bounds<const BELOW_LAW: bool>(
 }
 
 /// Finds the contact whose law's force drives the bodies apart fastest beyond γ v_ref, and makes this contact tight.
-/// Only this one contact is made tight, because with its force reduced the other contacts may be right.
+/// Only this one contact is made tight, because when its force is reduced, the bounds assumed for the other contacts
+/// may be right.
 fn tighten(constraints: &mut [Constraint]) {
     let mut fastest = None;
     let mut least_mps = 0.0;
@@ -187,8 +188,9 @@ fn add<const BELOW_LAW: bool>(
     stiffness.add(&jacobian, constraint.shear.slope);
 }
 
-/// Sets the normal force of each tight contact so that V_n⁺ = −γ v_ref there, and adds these forces to the body's
-/// velocity and push. Returns false if the equations do not determine these normal forces.
+/// Sets the normal force of each tight contact so that V_n⁺ = −γ v_ref there, and adds the effect of these forces to
+/// the body's velocity and to the sum of the contact forces on the body. Returns false if the equations do not
+/// determine these normal forces.
 ///
 /// A normal force N changes the velocity of the body by N w, where w is the change by a unit force. The sums Σ_k
 /// (j_i·w_k) N_k must bring the normal speed V_n,i⁺ of each tight contact to −γ v_ref.
@@ -344,9 +346,9 @@ mod tests {
     use super::*;
     use crate::coupled::constraint::Laws;
     use crate::law::friction::Slide;
-    use crate::material::Material;
+    use crate::maths::vec2::vec2;
+    use crate::model::material::Material;
     use crate::touch::Touch;
-    use crate::vec2::vec2;
     use alloc::vec::Vec;
 
     const RUBBER: Material = Material {

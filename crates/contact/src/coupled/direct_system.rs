@@ -2,9 +2,9 @@
 //! body.
 
 use crate::coupled::constraint::{Constraint, Jacobian};
-use crate::mass::InverseMatrix;
-use crate::state::Velocity;
-use crate::vec2::{Vec2, vec2};
+use crate::maths::vec2::{Vec2, vec2};
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
 
 /// Sum of the contact forces −N n + T t on the floating body, and the moment of this sum. N and T are the normal and
 /// the tangential force on the floating body.

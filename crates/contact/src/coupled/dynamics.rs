@@ -9,28 +9,29 @@
 use alloc::vec::Vec;
 
 use crate::admit::{admit_call, admit_loads, admit_states, is_sound};
-use crate::bodies::{Bodies, Displaced, PoseChange};
-use crate::candidates::Pairing;
+use crate::broad::bodies::{Bodies, Displaced, PoseChange};
+use crate::broad::candidates::Pairing;
 use crate::coupled::island::{Group, Island};
 use crate::coupled::motion::{Role, SpeedBound, acceleration, kick_s};
 use crate::coupled::moving_pile::MovingPile;
 use crate::coupled::sub_step::SubStep;
 use crate::error::StepError;
-use crate::mass::InverseMatrix;
-use crate::memory::{Memory, NOT_BEHIND};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Pose;
 use crate::model::Model;
-use crate::number::{greater, lesser};
-use crate::patch::Patch;
-use crate::ranked::Rest;
-use crate::report::{Displacement, Wrench};
-use crate::results::Results;
-use crate::state::{BodyState, Velocity};
-use crate::vec2::Pose;
+use crate::model::mass::InverseMatrix;
+use crate::model::ranked::Rest;
+use crate::overlap::patch::Patch;
+use crate::state::body_state::{BodyState, Velocity};
+use crate::state::memory::{Memory, NOT_BEHIND};
+use crate::state::report::{Displacement, Wrench};
+use crate::state::results::Results;
 
 /// The data of the bodies that the coupled method needs. Lists are by rank.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dynamics {
-    /// Layout of the model for which all lists are valid. `None` if the last step used another method, or failed.
+    /// Hash of the layout (bodies, pairs and materials) of the model for which all lists are valid. `None` if the last
+    /// step used another method, or failed.
     pub(crate) layout: Option<u64>,
     /// Ranks of the fixed bodies with a velocity, such as lock gates.
     pub(crate) moving_fixed: Vec<u32>,
@@ -423,7 +424,8 @@ fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
-/// Moves a body's pose with the body's state, and turns the body's momentum.
+/// Updates the pose of a body to the body's new state. If the body's mass differs between surge and sway, the function
+/// also changes the velocities by Kirchhoff's equations.
 fn turn_with(body: &Rest, state: &mut BodyState, pose: &mut Pose, h: f64) {
     let before = core::mem::replace(pose, state.pose()).rotation;
     if let Some(kirchhoff) = &body.kirchhoff {

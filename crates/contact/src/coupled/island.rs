@@ -4,12 +4,12 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::candidates::Pairing;
+use crate::broad::candidates::Pairing;
 use crate::coupled::motion::Role;
+use crate::maths::room::room_for;
 use crate::model::Model;
-use crate::pair::JOINED;
-use crate::patch::Patch;
-use crate::room::room_for;
+use crate::model::pair::JOINED;
+use crate::overlap::patch::Patch;
 
 /// The islands of a step. Computed by [`Islands::split`].
 #[derive(Clone, Debug, Default)]
@@ -42,7 +42,8 @@ pub(crate) struct Group {
     pub(crate) patches: Range<usize>,
     /// Ranks of the group's moving bodies, in ascending order.
     pub(crate) bodies: Vec<u32>,
-    /// The indices at which the group's patches, places and hints begin in the memory of the next step.
+    /// The indices at which the group's patches, places of patches and search hints begin in their three lists in the
+    /// memory of the next step.
     pub(crate) first: [usize; 3],
     /// The index at which the group's contacts begin in the results.
     pub(crate) first_contact: usize,

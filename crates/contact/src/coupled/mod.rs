@@ -44,21 +44,21 @@ mod unknowns;
 use alloc::vec::Vec;
 
 use crate::admit::refuse_piles;
-use crate::bodies::Displaced;
 use crate::broad;
-use crate::candidates::{Candidates, Pairing};
+use crate::broad::bodies::Displaced;
+use crate::broad::candidates::{Candidates, Pairing};
 pub(crate) use crate::coupled::assemble::add_held;
 use crate::coupled::dynamics::HostInput;
 use crate::coupled::sub_steps::SubSteps;
 use crate::error::StepError;
-use crate::events::note;
-use crate::memory::Memory;
 use crate::model::Model;
 use crate::pause::pause;
-use crate::report::{Contact, Displacement, EventKind, Wrench};
-use crate::results::Results;
-use crate::state::BodyState;
-use crate::workspace::Workspace;
+use crate::state::body_state::BodyState;
+use crate::state::events::note;
+use crate::state::memory::Memory;
+use crate::state::report::{Contact, Displacement, EventKind, Wrench};
+use crate::state::results::Results;
+use crate::state::workspace::Workspace;
 
 /// Computes the contact forces by the coupled method, for the step of `step_s` seconds that begins at `states`, and the
 /// states at the end of the step. `states` and `loads` are in the order in which bodies were added. `loads` is all that

@@ -1,9 +1,9 @@
 //! The data that decide how a body moves in a step of the coupled method: its role and the bounds on its speed.
 
-use crate::mass::InverseMatrix;
-use crate::ranked::RankedBody;
-use crate::report::Wrench;
-use crate::state::{BodyState, Velocity};
+use crate::model::mass::InverseMatrix;
+use crate::model::ranked::RankedBody;
+use crate::state::body_state::{BodyState, Velocity};
+use crate::state::report::Wrench;
 
 /// The role of a body in a step of the coupled method. `Role` is kept apart from [`SpeedBound`] and other data, because
 /// the stages that need the role of every body of every contact read little else.

@@ -1,7 +1,7 @@
 //! The state of a pile within a step of the coupled method.
 
-use crate::pile::PileState;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
+use crate::model::pile::PileState;
 
 /// A pile that moves with its body within a step.
 #[derive(Clone, Copy, Debug, Default)]

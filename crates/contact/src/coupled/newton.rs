@@ -21,9 +21,9 @@ use alloc::vec::Vec;
 use crate::coupled::block_cholesky::Triple;
 use crate::coupled::constraint::{Change, Constraint, Forces, NormalBound, Speeds};
 use crate::coupled::unknowns::{Row, Unknowns};
-use crate::mass::InverseMatrix;
-use crate::number::{greater, lesser};
-use crate::state::Velocity;
+use crate::maths::number::{greater, lesser};
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
 
 /// The stiff lines that replace the contact forces in a Newton acceleration.
 #[derive(Clone, Copy, Debug)]
@@ -98,8 +98,8 @@ pub(crate) struct NewtonBuffers {
     pub(crate) unknowns: Unknowns,
     /// One [`Trial`] per contact of the island.
     trials: Vec<Trial>,
-    /// For each floating body by its place: the last Newton step, and the change of the velocity by all Newton steps so
-    /// far.
+    /// For each floating body, in the order of elimination: the last Newton step, and the change of the velocity by all
+    /// Newton steps so far.
     pub(crate) step: Vec<Triple>,
     moved: Vec<Triple>,
 }

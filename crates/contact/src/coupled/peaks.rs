@@ -6,9 +6,9 @@
 
 use alloc::vec::Vec;
 
-use crate::candidates::Pairing;
+use crate::broad::candidates::Pairing;
 use crate::model::Model;
-use crate::report::Wrench;
+use crate::state::report::Wrench;
 
 /// The greatest wrench of one body in a group of islands that take the step together. A fixed body may be in several
 /// groups of islands.

@@ -4,21 +4,21 @@
 //! [`crate::pile`]. The pile's deflection is kept for the time to which the velocity belongs, so that the midpoint rule
 //! holds to the last bit. The position of a body on a pile follows from the pile's deflection and the body's velocity.
 
-use crate::bodies::{Bodies, Displaced};
+use crate::broad::bodies::{Bodies, Displaced};
 use crate::coupled::dynamics::{Dynamics, HostInput};
 use crate::coupled::island::Group;
 use crate::coupled::motion::{SpeedBound, kick_s};
 use crate::coupled::moving_pile::MovingPile;
 use crate::coupled::sub_step::SubStep;
 use crate::coupled::sub_step_count::MOST_SUB_STEPS;
-use crate::mass::InverseMatrix;
-use crate::memory::Memory;
+use crate::maths::number::{bounded, greater, lesser};
+use crate::maths::vec2::Vec2;
 use crate::model::Model;
-use crate::number::{bounded, greater, lesser};
-use crate::pile::{PileMotion, PileState};
-use crate::report::{Displacement, Wrench};
-use crate::results::Results;
-use crate::vec2::Vec2;
+use crate::model::mass::InverseMatrix;
+use crate::model::pile::{PileMotion, PileState};
+use crate::state::memory::Memory;
+use crate::state::report::{Displacement, Wrench};
+use crate::state::results::Results;
 
 /// Largest ωh, natural frequency times sub-step, of a body on a pile that touches nothing. At this value of ωh the
 /// relative error of the pile's period is 3e-5.

@@ -16,8 +16,8 @@
 //! even if the host displaces the bodies a little meanwhile. A contact that began by the bodies' own motion is never
 //! pressed out.
 
-use crate::memory::PatchMemory;
-use crate::number::{greater, lesser};
+use crate::maths::number::{greater, lesser};
+use crate::state::memory::PatchMemory;
 
 /// V_out: the largest speed at which a contact presses apart bodies that were placed into one another (m/s).
 pub const MAX_PUSH_OUT_MPS: f64 = 0.08;
@@ -70,8 +70,8 @@ impl Placement<'_> {
             && (old.normal_force_n < AT_LAW * self.law_n || self.has_not_closed())
     }
 
-    /// Returns true if a contact whose law's force is the smaller force has not closed yet. Pressing out lasts until
-    /// the bodies close again.
+    /// Returns true if the bodies have not closed again yet. The function is for a contact whose law gives less force
+    /// than the speed law: such a contact presses its bodies out until they close again.
     #[cold]
     fn has_not_closed(&self) -> bool {
         let hit_mps = if self.restitution.is_none() { MAX_PUSH_OUT_MPS } else { 0.0 };

@@ -5,7 +5,10 @@
 //! V_n + γ v_ref). The gradient of the minimised function is the balance of momentum with N = mid(0, N at which the
 //! bound is tight, f). With a variable for each max, finding the minimum is a quadratic programme.
 
-#![allow(clippy::disallowed_methods, reason = "these are expected values, not results")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the numbers are expected values of a test, not results of the engine"
+)]
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -19,13 +22,13 @@ use crate::coupled::constraint::{Constraint, Forces, Laws, Side};
 use crate::coupled::newton::NewtonBuffers;
 use crate::coupled::solve::{REPORTED_MPS, solve_island};
 use crate::law::friction::Slide;
-use crate::mass::InverseMatrix;
-use crate::material::Material;
-use crate::memory::PatchMemory;
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::maths::vec2::{Vec2, vec2};
+use crate::model::mass::InverseMatrix;
+use crate::model::material::Material;
+use crate::state::body_state::Velocity;
+use crate::state::memory::PatchMemory;
+use crate::state::report::Friction;
 use crate::touch::Touch;
-use crate::vec2::{Vec2, vec2};
 
 const H: f64 = 0.05;
 const MASS_KG: f64 = 1e6;

@@ -1,10 +1,10 @@
 //! Release: lets contacts come apart if they store more energy than balances their load.
 
 use crate::coupled::constraint::Constraint;
-use crate::memory::PatchMemory;
+use crate::maths::number::greater;
 use crate::model::Model;
-use crate::number::greater;
-use crate::patch::Patch;
+use crate::overlap::patch::Patch;
+use crate::state::memory::PatchMemory;
 
 /// Fraction of the speed that the unbalanced energy would give, used as the release speed. The fraction keeps the
 /// release speed below v_ref in a hit, where the stored energy has an error of a few per cent because of the time step.
@@ -61,8 +61,8 @@ fn speed_squared(unbalanced_j: f64, constraint: &Constraint) -> f64 {
     SHARE * SHARE * 2.0 * unbalanced_j * constraint.inverse_mass.linear
 }
 
-/// Raises v_ref. The memory keeps the raised v_ref until the contact closes again; otherwise the bound would come and
-/// go with N.
+/// Raises v_ref. The memory keeps the raised v_ref until the contact closes again. Otherwise the bound −γ v_ref on the
+/// normal speed would come and go with the normal force N.
 #[cold]
 #[inline(never)]
 fn raise(

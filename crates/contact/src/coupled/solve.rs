@@ -20,11 +20,11 @@
 use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
 use crate::coupled::direct;
 use crate::coupled::newton::{Lines, NewtonBuffers, accelerate};
-use crate::mass::InverseMatrix;
-use crate::memory::PatchMemory;
-use crate::number::greater;
-use crate::report::Friction;
-use crate::state::Velocity;
+use crate::maths::number::greater;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::Velocity;
+use crate::state::memory::PatchMemory;
+use crate::state::report::Friction;
 
 /// Largest number of sweeps over the contacts of an island.
 const SWEEPS: u32 = 400;
@@ -227,10 +227,10 @@ mod tests {
 
     use crate::coupled::constraint::Laws;
     use crate::law::friction::Slide;
-    use crate::material::Material;
-    use crate::number::bounded;
+    use crate::maths::number::bounded;
+    use crate::maths::vec2::vec2;
+    use crate::model::material::Material;
     use crate::touch::Touch;
-    use crate::vec2::vec2;
 
     const RUBBER: Material = Material {
         stiffness_npm2: 0.0,

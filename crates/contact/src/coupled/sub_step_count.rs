@@ -3,29 +3,29 @@
 
 use alloc::vec::Vec;
 
-use crate::bodies::Bodies;
 use crate::broad::are_apart;
-use crate::candidates::{Candidate, Candidates, Pairing};
+use crate::broad::bodies::Bodies;
+use crate::broad::candidates::{Candidate, Candidates, Pairing};
 use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::Island;
-use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::geometry::shapes::{Piece, near_pairs};
-use crate::material::Material;
-use crate::memory::HintMemory;
+use crate::maths::number::{bounded, greater, lesser};
+use crate::maths::vec2::{Pose, Vec2};
 use crate::model::Model;
-use crate::number::{bounded, greater, lesser};
-use crate::pair::{Bounds, InverseMassBound};
+use crate::model::fender::{FenderBounds, RankedFender};
+use crate::model::material::Material;
+use crate::model::pair::{Bounds, InverseMassBound};
+use crate::model::ranked::RankedBody;
+use crate::model::reaction::FenderLaw;
+use crate::overlap::patch::Patch;
 use crate::panel::press::deepest_m;
-use crate::patch::Patch;
-use crate::ranked::RankedBody;
-use crate::reaction::FenderLaw;
-use crate::vec2::{Pose, Vec2};
+use crate::state::memory::HintMemory;
 
 /// Largest ωh, natural frequency times length, of a sub-step. The force of a contact that begins within a sub-step acts
-/// up to h late. The late force costs at most (ωh)²/2 of the depth of the contact: 0.5 % for this limit, and less
-/// because the bounds on ω are wide.
+/// late, by the length h of the sub-step at most. Because of this late force the depth of the contact is wrong by a
+/// share of (ωh)²/2 at most: 0.5 % for this limit, and less because the bounds on ω are wide.
 pub(crate) const TURN_PER_SUB_STEP: f64 = 0.1;
 
 /// Largest ωh, natural frequency times length of the sub-step, for the springs of an existing contact. The sub-steps
@@ -43,7 +43,7 @@ const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 /// Largest number of sub-steps in a step. This largest number of sub-steps bounds the work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// What the candidates of an island demand of its sub-steps.
+/// What the candidates of an island, its pairs of bodies that may touch, demand of the length of the sub-steps.
 #[derive(Clone, Copy, Default)]
 struct Demand {
     /// A bound on the largest ω² of the candidates' springs and dampers (1/s²): see [`Sums`].
@@ -64,7 +64,7 @@ struct Demand {
 pub(crate) type Sums = Vec<f64>;
 
 impl Demand {
-    /// Adds what one candidate of an island with one floating body demands.
+    /// Adds the demand of one candidate to this demand, for an island with one floating body.
     #[inline(always)]
     fn add(&mut self, one: Demand) {
         self.travel = greater(self.travel, one.travel);
@@ -101,7 +101,7 @@ pub(crate) struct Bounded<'w> {
     pub(crate) bodies: &'w Bodies,
     pub(crate) dynamics: &'w Dynamics,
     pub(crate) candidates: &'w Candidates,
-    /// The hints that the overlap at the start of the step left.
+    /// The hints for the clip of polygons, as the overlap at the start of the step has left them.
     pub(crate) hints: &'w [HintMemory],
     pub(crate) step_s: f64,
 }
@@ -160,10 +160,10 @@ impl Bounded<'_> {
         }
     }
 
-    /// Tests whether the island is a single contact of two outlines whose ω² is at most `share`, and whose bodies
-    /// approach by no more than one sub-step allows. If the test is passed, returns the patches of the islands after
-    /// this island. An island that passes the test needs no sums over candidates: this saves 2.5 % of a step of the
-    /// benchmark `pairs-1000`.
+    /// Tests whether the island is a single contact of two outlines, with an ω² of at most `share` (the ω² that one
+    /// sub-step allows, 1/s²), whose bodies approach by no more than one sub-step allows. If the test is passed,
+    /// returns the patches of the islands after this island. An island that passes the test needs no sums over
+    /// candidates: this saves 2.5 % of a step of the benchmark `pairs-1000`.
     #[inline(always)]
     fn slow<'p>(&self, island: &Island, left: &'p [Patch], share: f64) -> Option<&'p [Patch]> {
         let [Pairing { candidate, pair, .. }] = &self.candidates.pairings[island.candidates()]
@@ -251,7 +251,7 @@ impl Bounded<'_> {
         self.demand_of(pairing, own, share)
     }
 
-    /// Computes what a candidate with these patches demands.
+    /// Computes the demand of a candidate whose patches of contact are `own`.
     #[inline(always)]
     fn demand_of(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         let Pairing { candidate, pair, .. } = pairing;
@@ -274,8 +274,8 @@ impl Bounded<'_> {
         }
     }
 
-    /// A bound on the ω² of an existing contact of two outlines in one patch (1/s²). A contact whose ω² is `share` or
-    /// less needs no further sub-step.
+    /// A bound on the ω² of an existing contact of two outlines in one patch (1/s²). A contact whose ω² is at most
+    /// `share`, the ω² that one sub-step allows, needs no more than one sub-step.
     #[inline(always)]
     fn existing_rate_squared(
         &self,
@@ -308,7 +308,8 @@ impl Bounded<'_> {
         self.fastest_m(candidate) > TRAVEL_PER_SUB_STEP * bounds.half_width_m
     }
 
-    /// Computes what a candidate demands that is not two outlines in contact in one patch.
+    /// Computes the demand of any other candidate: of a fender, or of two outlines that do not touch or touch in
+    /// several patches.
     #[inline(never)]
     fn demand_of_other(&self, pairing: &Pairing, own: &[Patch]) -> Demand {
         let model = self.model;
@@ -327,8 +328,8 @@ impl Bounded<'_> {
         }
     }
 
-    /// Computes what a fender demands if its hull touches the fender or may touch it. `counts` is the weight of the
-    /// fender's spring.
+    /// Computes the demand of a fender and a hull that touches the fender or may touch it. `counts` is the weight of
+    /// the ω² of the fender's spring in the demand: see [`EXISTING`].
     #[inline(never)]
     fn demand_of_face(
         &self,
@@ -492,8 +493,9 @@ impl Bounded<'_> {
 }
 
 /// Bounds on the ω² of a contact of two outlines in one patch while the bodies approach by `closing_m` (1/s²): one for
-/// the spring along the normal together with the shear spring, and one for the damper. The larger bounds by the longest
-/// chord leave the shear spring out; so far no test has needed the shear spring there.
+/// the spring along the normal together with the shear spring, and one for the damper. The other, larger bounds on this
+/// ω², from the longest chord that the pair can have, leave the shear spring out; so far no test has needed the shear
+/// spring in those bounds.
 fn rate_squared_of_patch(
     bounds: &Bounds,
     material: &Material,
@@ -516,9 +518,9 @@ fn rate_squared_of_patch(
 /// pair.
 ///
 /// The chord c of a patch is the derivative of its area A along the normal. For convex outlines √A is a concave
-/// function of the depth (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)). The
-/// chord of a corner grows exactly as fast as the bound c (1 + δ c/(2A)). The bound on the chord is exact for motion
-/// along the normal; for turning it uses the way of the points that move most.
+/// function of the depth (Brunn and Minkowski), so an approach by the distance δ makes the chord at most c (1 + δ
+/// c/(2A)). The chord of a corner grows exactly as fast as the bound c (1 + δ c/(2A)). The bound on the chord is exact
+/// if the bodies move along the normal; if a body turns, the distance δ is that of the points that move most.
 #[inline(always)]
 fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
     let half_m = 0.5 * patch.chord_m.length_squared() * patch.per_chord_m;

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use crate::bodies::{Bodies, NONE_DISPLACED};
-use crate::candidates::Candidates;
+use crate::broad::bodies::{Bodies, NONE_DISPLACED};
+use crate::broad::candidates::Candidates;
 use crate::coupled::accumulate::{Reports, Solved, Totals};
 use crate::coupled::assemble::{Aside, Start};
 use crate::coupled::contact_stage::{Assembly, Constraints, Contacts, solve_islands};
@@ -13,15 +13,15 @@ use crate::coupled::peaks;
 use crate::coupled::sub_step::SubStep;
 use crate::coupled::sub_step_count::{Bounded, Sums};
 use crate::geometry::clip::ClipBuffers;
-use crate::hints::Hints;
 use crate::inherit::Inheritance;
-use crate::lenses::Overlap;
-use crate::memory::{ContactMemory, HintMemory, Past, PlaceMemory};
+use crate::maths::room::room_for;
 use crate::model::Model;
+use crate::overlap::hints::Hints;
+use crate::overlap::lenses::Overlap;
 use crate::overlap::overlap;
-use crate::report::Wrench;
-use crate::results::Results;
-use crate::room::room_for;
+use crate::state::memory::{ContactMemory, HintMemory, Past, PlaceMemory};
+use crate::state::report::Wrench;
+use crate::state::results::Results;
 use crate::touch::Scene;
 
 /// The parts of the workspace that sub-steps read and write.
@@ -47,7 +47,7 @@ pub(crate) struct SubSteps<'w> {
 /// Buffers that are kept while islands go through their sub-steps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// The hints that the overlap at the start of the step leaves.
+    /// The hints for the clip of polygons, as the overlap at the start of the step leaves them.
     first_hints: Vec<HintMemory>,
     rate_sums: Sums,
     later: Later,

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 
 use crate::coupled::block_cholesky::{Block, Pattern, Triple};
 use crate::coupled::constraint::{Constraint, Jacobian, Side, Speeds};
-use crate::mass::InverseMatrix;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
+use crate::model::mass::InverseMatrix;
 
 /// The floating bodies and the contacts of an island, with the matrix of the equations. Lists of bodies follow the
 /// order of elimination.
@@ -16,7 +16,7 @@ pub(crate) struct Unknowns {
     masses: Vec<Block>,
     /// One seat per contact.
     seats: Vec<Seat>,
-    /// Index in `patterns` of the pattern that belongs to the present island.
+    /// Index in `patterns` of the pattern of the present island's matrix: which blocks of the matrix are not zero.
     pattern: usize,
     /// `patterns` has one pattern for each island that was solved so far; `pattern_of` has, by rank, the pattern of the
     /// island whose first body has this rank.
@@ -37,8 +37,8 @@ struct Graph {
     node_of: Vec<u32>,
 }
 
-/// Places of the two bodies of a contact ([`NOWHERE`] for a fixed body), and the block of the matrix that couples these
-/// bodies.
+/// Places of the two bodies of a contact among the unknowns ([`NOWHERE`] for a fixed body), and the block of the matrix
+/// that couples these bodies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seat {
     a: u32,

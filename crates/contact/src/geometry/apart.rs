@@ -13,9 +13,9 @@
 use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};
 use super::ring::{before, climb};
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
-/// Least gap of two polygons for this search (m); nearer or overlapping polygons are left to the cold path.
+/// Least gap of two polygons for this search (m); nearer or overlapping polygons are left to the cold path of the clip.
 const LEAST_GAP_M: f64 = 1e-9;
 
 /// Most guesses. Each guess at least halves the error of the search, so more guesses are needed only where rounding
@@ -96,8 +96,9 @@ fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> 
     gap(edge, ends, |k| a.corner(k), a.count(), corner.of_a).axis(false)
 }
 
-/// The gap between an edge and the other polygon; the search for the deepest corner behind the edge begins at a corner
-/// near it. `corner` gives the corners of the other polygon, which has `count` corners.
+/// The gap between an edge and the other polygon; the search for the other polygon's deepest corner behind the edge
+/// begins at the corner `from`, which is near the deepest corner. `corner` gives the corners of the other polygon,
+/// which has `count` corners.
 #[inline(always)]
 fn gap(
     edge: usize,
@@ -177,8 +178,8 @@ mod tests {
 
     use super::*;
     use crate::geometry::axis::best_axis;
-    use crate::number::greater;
-    use crate::vec2::{Pose, Rotation, vec2};
+    use crate::maths::number::greater;
+    use crate::maths::vec2::{Pose, Rotation, vec2};
 
     /// Numbers from 0 to 1 in a fixed order (Knuth's multiplicative congruential generator).
     struct Numbers(u64);

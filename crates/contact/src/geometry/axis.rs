@@ -2,7 +2,7 @@
 
 use super::convex::ConvexPolygon;
 use super::ring::climb;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// The edge of one polygon whose outward normal separates it best from the other polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,9 +10,9 @@ use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord
 use super::ring::climb;
 use super::through::{self, Through};
 use super::warm;
-use crate::number::lesser;
+use crate::maths::number::lesser;
+use crate::maths::vec2::{Pose, Vec2};
 use crate::panel::press::PanelPress;
-use crate::vec2::{Pose, Vec2};
 
 /// The result of the last clip of two polygons, from which the search starts in this step. A hint changes the speed of
 /// the clip of two polygons, never its result.

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use super::edge::Edge;
 use super::extent::Extent;
 use super::ring::after;
-use crate::number::greater;
-use crate::vec2::{Pose, Vec2};
+use crate::maths::number::greater;
+use crate::maths::vec2::{Pose, Vec2};
 
 /// A vertex at which the boundary turns by less than this (sine of the angle) counts as straight and is dropped. The
 /// computed sine of a turn has a rounding error of about 1e-15. The limit for a straight vertex is well above this
@@ -38,7 +38,7 @@ impl ConvexPolygon {
     /// vertices are dropped.
     ///
     /// # Panics
-    /// Panics if fewer than three corners are left. No piece of an [`Outline`](crate::outline::Outline) has so few
+    /// Panics if fewer than three corners are left. No piece of an [`Outline`](crate::model::outline::Outline) has so few
     /// corners.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
@@ -59,7 +59,7 @@ impl ConvexPolygon {
     /// Moves a polygon: `corners_m` are its corners at the new place, in the same order. Allocates nothing.
     ///
     /// # Panics
-    /// The number of corners is another.
+    /// Panics if `corners_m` has another number of corners than the polygon.
     pub(crate) fn move_to(&mut self, corners_m: &[Vec2]) {
         let count = self.count();
         assert!(corners_m.len() == count, "a moved polygon has the same corners");

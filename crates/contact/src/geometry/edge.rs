@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 
 use super::ring::after;
-use crate::number::{greater, lesser};
-use crate::vec2::{Pose, Rotation, Vec2, vec2};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// An edge of a convex polygon, with a trapezoid behind the edge that lies within the polygon.
 ///

@@ -1,7 +1,7 @@
 //! Bounding boxes whose sides are parallel to the axes of a frame.
 
-use crate::number::{greater, lesser};
-use crate::vec2::{Pose, Vec2, vec2};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::{Pose, Vec2, vec2};
 
 /// A box whose sides are parallel to the axes of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

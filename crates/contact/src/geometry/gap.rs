@@ -2,8 +2,8 @@
 
 use super::clip::Hint;
 use super::convex::{ConvexPolygon, Placed};
-use crate::number::greater;
-use crate::vec2::Pose;
+use crate::maths::number::greater;
+use crate::maths::vec2::Pose;
 
 /// A lower bound on the gap between two polygons, from the hint of the last clip (m). The lower bound on the gap is 0
 /// unless the hint shows that the two polygons are apart.

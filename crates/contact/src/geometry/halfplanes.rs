@@ -9,10 +9,10 @@ use alloc::vec::Vec;
 use super::convex::{ConvexPolygon, first_by_angle, upper_half};
 use super::lens::{Crossing, Stretch};
 use super::ring::after;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// Edges count as coincident if the sine of the angle between them is below this limit (–) and their distance is below
-/// this limit (m). A chord between edges closer than this would follow rounding, not the shape of the polygons.
+/// this limit (m). A chord between edges within these two limits would follow rounding, not the shape of the polygons.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
 /// The computed crossing of two edges has no digit that rounding leaves right if the sine of their angle is below this

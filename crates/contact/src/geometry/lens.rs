@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed};
 use super::ring::after;
-use crate::number::{greater, lesser};
-use crate::vec2::Vec2;
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::Vec2;
 
 /// A crossing of the boundaries of two polygons: the number of an edge of the first polygon, and of an edge of the
 /// second.

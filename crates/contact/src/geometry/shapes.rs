@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::box_tree::{BoxTree, Meeting};
 use super::convex::ConvexPolygon;
 use super::extent::Extent;
-use crate::vec2::Pose;
+use crate::maths::vec2::Pose;
 
 /// Least number of pieces of an outline with a tree: of an outline with fewer pieces, all pieces count as near.
 pub(crate) const LEAST_WITH_TREE: usize = 8;
@@ -98,8 +98,8 @@ mod tests {
 
     use super::*;
     use crate::geometry::clip::PairClip;
-    use crate::outline::Outline;
-    use crate::vec2::{Pose, Rotation, Vec2, vec2};
+    use crate::maths::vec2::{Pose, Rotation, Vec2, vec2};
+    use crate::model::outline::Outline;
 
     /// Numbers from 0 to 1 in a fixed order (Knuth's multiplicative congruential generator).
     struct Numbers(u64);

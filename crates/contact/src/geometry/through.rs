@@ -11,8 +11,8 @@ use super::convex::ConvexPolygon;
 use super::edge::{Crosses, Edge, Frame};
 use super::lens::{Lens, Located, Stretch};
 use super::warm::FLAT;
-use crate::number::{greater, lesser};
-use crate::vec2::{Pose, Vec2, vec2};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::{Pose, Vec2, vec2};
 
 /// Least length of a chord with a meaningful direction (m).
 const SHORTEST_M: f64 = 1e-9;

@@ -12,17 +12,17 @@
 //! vertices lie in the far part, the boundary of Q is part of the boundary of the overlap. The boundaries of Q and of
 //! the overlap are simple closed curves, so they are the same.
 //!
-//! One of the two chains may turn by more than half a turn if the other chain is on a single edge. A chain turns so far
-//! at a fender of which all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line
-//! twice at most, so the region Q is all of the polygon behind the line, and convex. For a chain that turns by more
-//! than half a turn, the rest of the proof is the same.
+//! One of the two chains may turn by more than half a turn if the other chain is on a single edge. An example is the
+//! chain of a fender that overlaps a bow so far that all but one of the fender's corners lie in the overlap. The
+//! boundary of a convex polygon crosses the edge's line twice at most, so the region Q is all of the polygon behind the
+//! line, and convex. For a chain that turns by more than half a turn, the rest of the proof is the same.
 
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed};
 use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
 
 /// Largest number of steps in the walk from the crossing of the last step to the crossing of this step. Beyond this
 /// number of steps the cold path of the clip is cheaper.
@@ -269,7 +269,7 @@ mod tests {
     use super::super::halfplanes::{self, Buffers, Found};
     use super::super::lens::assemble;
     use super::*;
-    use crate::vec2::{Pose, vec2};
+    use crate::maths::vec2::{Pose, vec2};
 
     /// A tug pressed so far over a fender that one corner alone is beyond her bow: the fender's chain turns by 270°.
     #[test]

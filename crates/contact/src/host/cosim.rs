@@ -14,13 +14,13 @@ use crate::host::steering;
 use crate::host::velocity::{Offset, Velocity};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
-use crate::material::BodyId;
-use crate::memory::Memory;
+use crate::maths::number::greater;
 use crate::model::Model;
-use crate::number::greater;
+use crate::model::material::BodyId;
 use crate::pause::pause;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
+use crate::state::memory::Memory;
+use crate::state::report::Wrench;
 
 /// Contact by the coupled method for a co-simulation host. A co-simulation host integrates the bodies itself, with a
 /// step that may vary. A co-simulation host may pass states that are some steps old, and need not report its loads.

@@ -8,13 +8,13 @@ use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start};
 use crate::host::velocity::{Offset, Velocity};
 use crate::host::workspace::HostWorkspace;
-use crate::material::BodyId;
-use crate::memory::Memory;
+use crate::maths::number::bounded;
 use crate::model::Model;
-use crate::number::bounded;
+use crate::model::material::BodyId;
 use crate::pause::pause;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
+use crate::state::memory::Memory;
+use crate::state::report::Wrench;
 
 /// Largest deviation of a body's position from the path that its velocities give, as a share of the body's radius. The
 /// engine's contact memory uses the same share of the radius.

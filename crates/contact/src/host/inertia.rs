@@ -1,11 +1,11 @@
 //! The mass matrix of a body at its heading, in the form in which the host integrates with it.
 
-use crate::body::Mobility;
 use crate::host::velocity::Velocity;
-use crate::mass::InverseMatrix;
-use crate::report::Wrench;
-use crate::state::BodyState;
-use crate::vec2::{Rotation, vec2};
+use crate::maths::vec2::{Rotation, vec2};
+use crate::model::body::Mobility;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// The momentum M v of a body with the heading of `state`, in earth-fixed axes (N·s, N·m·s). The momentum is zero for a
 /// fixed body.

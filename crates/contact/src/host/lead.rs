@@ -13,7 +13,7 @@
 //! (Δt/T)² of the contact force: 2 % after a step of 2 s.
 
 use crate::host::velocity::{Offset, Velocity};
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
 
 /// Time T in which a host with a varying step catches up with the engine (s).
 const CLOSING_S: f64 = 10.0;
@@ -55,7 +55,7 @@ pub(super) struct Lead {
 /// The state from which the engine starts, relative to the host's present state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Start {
-    /// True if the host has the velocity that the engine left, or follows the engine exactly.
+    /// True if the host follows the engine exactly, or if the host's velocity is the one with which the engine ended.
     pub(super) exact: bool,
     /// The engine's velocity less the host's velocity, V − v; and the engine's position less the host's position, X −
     /// x.

@@ -2,17 +2,18 @@
 //!
 //! Over a whole contact, the momentum change M Δv of a body equals the impulse of the wrenches, if the impulse of the
 //! other loads is small. A contact is evaluated under four conditions: a step without a wrench comes before and after
-//! the contact, the contact takes less than a minute, it changes the body's speed noticeably, and the loads are a small
-//! share of its impulse. A ship at rest, or a ship whose load changes suddenly, gives no information about her mass.
+//! the contact, the contact takes less than a minute, the contact changes the body's speed noticeably, and the loads
+//! are a small share of the contact's impulse. A ship at rest, or a ship whose load changes suddenly, gives no
+//! information about her mass.
 
-use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::velocity::Velocity;
-use crate::number::greater;
-use crate::report::Wrench;
-use crate::state::BodyState;
-use crate::vec2::Vec2;
+use crate::maths::number::greater;
+use crate::maths::vec2::Vec2;
+use crate::model::body::{Body, Mobility};
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Longest contact that is evaluated (s), and smallest change of the body's speed in it (m/s).
 const LONGEST_S: f64 = 60.0;

@@ -2,13 +2,13 @@
 //! wrench of the step between them. The load W_ext contains all forces on the body except contact.
 
 use crate::admit::is_sound_load;
-use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::model::body::{Body, Mobility};
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Largest deviation of a body's position from the path that its velocity gives, as a share of the body's radius. The
 /// engine's contact memory uses the same share of the radius.

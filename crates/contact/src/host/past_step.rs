@@ -1,6 +1,6 @@
 //! One past step of a body in a co-simulation host.
 
-use crate::report::Wrench;
+use crate::state::report::Wrench;
 
 /// A step of the host, with the wrench on one body in this step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -4,9 +4,9 @@ use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::mass::InverseMatrix;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Computes the state of a body after one past step of the host, with the wrench and the load of this step.
 pub(super) fn next(

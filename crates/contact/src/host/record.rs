@@ -2,8 +2,8 @@
 
 use crate::host::lead::Lead;
 use crate::host::mass_check::Answers;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// What a co-simulation host remembers about one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,4 +1,5 @@
-//! Writes and reads hosts as bytes, in little-endian order, with a version number and a checksum. A co-simulation host:
+//! Writes the state of a [`CoSimHost`](super::CoSimHost) as bytes and reads it back: in little-endian order, with a
+//! version number and a checksum.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -16,7 +17,6 @@
 use alloc::vec::Vec;
 
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
-use crate::bytes::{Reader, Record, Writer, check_sum, records};
 use crate::error::RestoreError;
 use crate::host::cosim::CoSimHost;
 use crate::host::direct::{DirectHost, DirectRecord};
@@ -26,8 +26,9 @@ use crate::host::past_step::PastStep;
 use crate::host::record::BodyRecord;
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::velocity::{Offset, Velocity};
-use crate::memory::Memory;
 use crate::model::Model;
+use crate::state::bytes::{Reader, Record, Writer, check_sum, records};
+use crate::state::memory::Memory;
 
 const MAGIC: &[u8; 8] = b"fndrhost";
 const DIRECT_MAGIC: &[u8; 8] = b"fndrpres";

@@ -12,21 +12,21 @@
 //! semi-implicit host that passes its positions one step late. So for a forward Euler host the engine starts from y_n,
 //! and all else is as for a semi-implicit host.
 //!
-//! Under a steady load the velocities of a host are means over a step: they lag behind the position by half a kick,
-//! ΔtM⁻¹W/2. The engine's velocities belong to the middle of its last sub-step, so their lag is smaller than the
-//! host's. The engine starts with the difference of the two lags added to the velocity. For a ship at rest on a fender
-//! the half kicks of contact and load cancel.
+//! Under a steady load the velocities of a host are means over a step: they lag behind the position by half of the
+//! velocity change in a step, which is ΔtM⁻¹W/2 ("half a kick"). The engine's velocities belong to the middle of its
+//! last sub-step, so their lag is smaller than the host's. The engine starts with the difference of the two lags added
+//! to the velocity. For a ship at rest on a fender the half kicks of contact and load cancel.
 //!
 //! This way of steering holds for a step that is as long as the last step. For a host whose steps vary see
 //! [`super::lead`].
 
-use crate::body::Mobility;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::mass::InverseMatrix;
-use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::model::body::Mobility;
+use crate::model::mass::InverseMatrix;
+use crate::state::body_state::BodyState;
+use crate::state::report::Wrench;
 
 /// Velocity change of a body by its load in half a step.
 pub(super) fn half_kick(

@@ -1,7 +1,7 @@
 //! Velocities and offsets of a body, as the hosts compute with them.
 
-use crate::state::BodyState;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
+use crate::state::body_state::BodyState;
 
 /// Velocity of a body's centre of gravity, and the body's rate of turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

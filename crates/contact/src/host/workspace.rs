@@ -7,13 +7,13 @@ use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::lead::Start;
 use crate::host::record::BodyRecord;
-use crate::material::BodyId;
-use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
+use crate::model::material::BodyId;
 use crate::panel::report::PanelMotion;
-use crate::report::{Contact, Event, EventKind, Wrench};
-use crate::state::BodyState;
-use crate::workspace::Workspace;
+use crate::state::body_state::BodyState;
+use crate::state::memory::{Memory, NOT_BEHIND};
+use crate::state::report::{Contact, Event, EventKind, Wrench};
+use crate::state::workspace::Workspace;
 
 /// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; the next step does not depend on
 /// this workspace.
@@ -75,9 +75,9 @@ impl HostWorkspace {
     /// Does the engine's step from `starts` under `loads_now`: computes wrenches, their peaks, and the bodies that
     /// touched. If the engine returns an error, the memory is unchanged.
     ///
-    /// The memory holds by how much the engine's velocities are older than its positions. In the memory a body whose
-    /// velocity its host gave is marked. Without the mark, a correction that belongs to a step of another length would
-    /// be applied in this step, by a wrench many times the contact wrench.
+    /// The memory holds by how much the engine's velocities are older than its positions. The memory marks each body
+    /// whose velocity was given by the host. Without the mark, a correction that belongs to a step of another length
+    /// would be applied in this step, by a wrench many times the contact wrench.
     pub(super) fn advance(
         &mut self,
         model: &Model,

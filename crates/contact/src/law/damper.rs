@@ -6,8 +6,8 @@
 //! last sub-step. The impulses of the damper add up to c times the area for any lengths of the sub-steps, and to zero
 //! over a whole contact. The growth of the overlap over the last sub-step alone would lag by half a sub-step.
 
-use crate::material::Material;
-use crate::number::lesser;
+use crate::maths::number::lesser;
+use crate::model::material::Material;
 
 /// The overlap area to which the damper has already responded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,8 @@ pub(crate) enum Answered {
     Nothing,
     /// The area A' (m²).
     Area(f64),
-    /// The present area. The present area is used if nothing is known about the growth of the overlap.
+    /// The present area. The damper counts as having responded to the present area if nothing is known about the growth
+    /// of the overlap.
     AllThereIs,
 }
 

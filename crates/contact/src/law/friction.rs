@@ -5,9 +5,9 @@
 //! tangential law, for the paper's method. [`ShearSpring`] is the implicit form of the tangential law, for the coupled
 //! method, whose solver varies T and N together.
 
-use crate::material::Material;
-use crate::number::bounded;
-use crate::report::Friction;
+use crate::maths::number::bounded;
+use crate::model::material::Material;
+use crate::state::report::Friction;
 
 /// Coulomb's friction law for one contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,7 +91,8 @@ pub(crate) struct Shear {
     pub(crate) friction: Friction,
 }
 
-/// Computes the shear spring within Coulomb's limit, with the limited normal force of this step (eq. 4–8).
+/// Computes the force of the shear spring within Coulomb's limit, for the normal force that momentum allows in this
+/// step (eq. 4–8).
 ///
 /// A contact that slips keeps the shear Δs that belongs to its force. The paper prints +k_s Δs for its Δs (C₂ − C₁), a
 /// force that pushes along the slip; here Δs is the slip of body 1 less that of body 2.
@@ -214,8 +215,8 @@ impl ShearSpring {
     ///
     /// The work of T on the bodies is T h (½ T h t·K t + s), where s is the mean of two tangential speeds: V_t before
     /// the sub-step, and V_t⁺ at T = 0. With the midpoint rule the spring keeps this energy limit by itself. A spring
-    /// that is more implicit does not keep the energy limit if other forces change V_t. A spring whose direction t
-    /// turns with its body does not keep the energy limit either.
+    /// with a larger implicit share ϑ does not keep the energy limit if other forces change V_t. A spring whose
+    /// direction t turns with its body does not keep the energy limit either.
     #[inline]
     fn passive(&self, without_mps: f64, tangential_n: f64, inverse_mass: f64, h: f64) -> f64 {
         let mean_mps = 0.5 * (self.before_mps + without_mps);

@@ -1,15 +1,15 @@
 //! The normal law (§3.2 of the paper, eq. 2–3): spring, stop and damper.
 
-use crate::candidates::Candidate;
-use crate::fender::RankedFender;
-use crate::material::Material;
-use crate::memory::PatchMemory;
+use crate::broad::candidates::Candidate;
+use crate::maths::number::greater;
+use crate::maths::vec2::Pose;
 use crate::model::Model;
-use crate::number::greater;
-use crate::patch::Patch;
-use crate::report::ForceParts;
+use crate::model::fender::RankedFender;
+use crate::model::material::Material;
+use crate::overlap::patch::Patch;
+use crate::state::memory::PatchMemory;
+use crate::state::report::ForceParts;
 use crate::touch::Touch;
-use crate::vec2::Pose;
 
 /// The normal force before the momentum limit (N): N = max(0, spring + stop + damper). The damper's part cṠ of the
 /// normal force comes from the growth of the overlap.

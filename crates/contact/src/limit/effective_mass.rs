@@ -1,7 +1,7 @@
 //! Inverse effective mass at a contact: the change of relative velocity by a force (eq. 13–19, 23).
 
-use crate::ranked::RankedBody;
-use crate::vec2::Vec2;
+use crate::maths::vec2::Vec2;
+use crate::model::ranked::RankedBody;
 
 /// The matrix K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t (1/kg), which gives the change of the
 /// relative velocity at the contact: ΔV_C = Δt K F.

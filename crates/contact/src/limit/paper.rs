@@ -5,7 +5,7 @@
 //! limiter follows the paper's method without any change.
 
 use super::effective_mass::InverseMass;
-use crate::number::{greater, lesser};
+use crate::maths::number::{greater, lesser};
 
 /// Relative velocities of the bodies at the contact, in this step and when the contact began (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]

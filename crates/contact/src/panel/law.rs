@@ -4,10 +4,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::number::{greater, lesser};
+use crate::maths::number::{greater, lesser};
+use crate::model::reaction::{FenderLaw, Stop, on_line};
 use crate::panel::chains::{Broken, ChainState};
 use crate::panel::{Panel, TensionChain};
-use crate::reaction::{FenderLaw, Stop, on_line};
 
 /// All springs behind a fender panel.
 #[derive(Clone, Debug)]
@@ -149,7 +149,9 @@ impl Line {
             });
             corners.push(Corner { at_m, force_n, energy_j });
         }
-        let [.., [x0, y0], [x1, y1]] = points else { unreachable!("a curve has two points") };
+        let [.., [x0, y0], [x1, y1]] = points else {
+            unreachable!("a reaction curve has two points or more")
+        };
         let last_m = corners[corners.len() - 1].at_m;
         let in_stop = stop.filter(|stop| stop.from_m <= last_m).map_or(0.0, |s| s.stiffness_npm);
         Line {

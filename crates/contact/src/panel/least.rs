@@ -7,7 +7,7 @@
 //! force laws to the next finds the minima of the energy without iteration. Among all minima of the energy, the pose
 //! with the least energy is taken.
 
-use crate::number::greater;
+use crate::maths::number::greater;
 use crate::panel::law::Springs;
 use crate::panel::touching::HullPoint;
 
@@ -45,7 +45,7 @@ pub(crate) fn pose(springs: Springs<'_>, points: &[HullPoint]) -> Option<Pose> {
 
 /// The hull's point that is farthest left, and among several such points the deepest.
 fn leftmost(points: &[HullPoint]) -> Option<usize> {
-    let least_m = points.iter().map(|p| p.at.y).fold(f64::INFINITY, crate::number::lesser);
+    let least_m = points.iter().map(|p| p.at.y).fold(f64::INFINITY, crate::maths::number::lesser);
     let mut best: Option<usize> = None;
     for (index, point) in points.iter().enumerate() {
         let is_left = point.at.y <= least_m + SAME_PLACE_M;

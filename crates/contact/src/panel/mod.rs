@@ -26,9 +26,9 @@ pub(crate) mod touching;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
-use crate::number::{greater, lesser};
-use crate::reaction::FenderLaw;
-use crate::unloading::Unloading;
+use crate::maths::number::{greater, lesser};
+use crate::model::reaction::FenderLaw;
+use crate::model::unloading::Unloading;
 
 /// A rigid panel without mass in front of several equal fenders ("cones") on the same mounting line.
 ///

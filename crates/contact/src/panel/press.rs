@@ -2,13 +2,13 @@
 
 use alloc::vec::Vec;
 
-use crate::number::{bounded, greater};
+use crate::maths::number::{bounded, greater};
+use crate::maths::vec2::{Vec2, vec2};
 use crate::panel::Panel;
 use crate::panel::chains::ChainState;
 use crate::panel::law::{PanelLaw, Springs};
 use crate::panel::least::{self, Pose};
 use crate::panel::touching::{HullPoint, Reach, collect};
-use crate::vec2::{Vec2, vec2};
 
 /// Buffers and result of the last press on a panel.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +19,7 @@ pub(crate) struct PanelPress {
     pub(crate) pressed: Pressed,
 }
 
-/// A panel on which a hull presses, before the fender's factors.
+/// A panel on which a hull presses: motion, forces and energy, not yet multiplied by the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Pressed {
     /// Deflection d of the panel's middle (m), and turn θ of the panel (rad).

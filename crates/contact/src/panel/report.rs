@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use crate::material::{BodyId, FenderId};
-use crate::number::greater;
+use crate::maths::number::greater;
+use crate::model::material::{BodyId, FenderId};
 use crate::panel::Panel;
 use crate::panel::chains::Broken;
 use crate::panel::press::Pressed;

@@ -1,7 +1,7 @@
 //! Finds the points of a hull that a panel can meet.
 
-use crate::number::{greater, lesser};
-use crate::vec2::{Vec2, vec2};
+use crate::maths::number::{greater, lesser};
+use crate::maths::vec2::{Vec2, vec2};
 
 /// A point of a hull in the frame of the face: x runs from the face inwards, and y along it.
 #[derive(Clone, Copy, Debug, PartialEq)]

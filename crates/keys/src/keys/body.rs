@@ -189,7 +189,7 @@ table_keys! {
         APPROACH: TableOf<ApproachKey> = key(
             "approach",
             Kind::Table(&APPROACH),
-            Means("`position`, `heading` and `velocity` give the start"),
+            Means("`position`, `heading` and `velocity` give the start of the body"),
             "The start of a berthing by speed and angle at a fender, instead of `position`, \
              `heading` and `velocity`.",
             &[],

@@ -1,5 +1,6 @@
-//! Keys of the bottom by place.
+//! Keys of the depth of the water by place.
 
+use fenderline_sim::environment::BankMethod;
 use serde_json::json;
 
 use crate::choices::{Choice, Choices};
@@ -11,10 +12,11 @@ use crate::units::measures as unit;
 
 pub(super) static BOTTOM: TableSpec = TableSpec {
     what: "a bottom",
-    doc: "The depth of the water by place, below datum, from surveys or from the chart, or from both: then the chart \
-          counts where the surveys have no data. A table of depths at the nodes of a square grid is made once; between \
-          the nodes depths are bilinear. The land of a chart stands 20 m above datum. Behind the front of a quay of the \
-          chart the bottom goes on for two cells as before the front: the quay itself is a body of the scenario.",
+    doc: "The depth of the water by place, below datum, from surveys, from the chart, or from both: then the chart \
+          counts where the surveys have no data. Before the run the program makes a table of depths at the nodes of a \
+          square grid; between the nodes depths are interpolated bilinearly. The land of a chart stands 20 m above \
+          datum. Behind the front of a quay of the chart the water keeps, for two cells of the grid, the depth before \
+          the front, because the quay itself is a body of the scenario.",
     keys: BottomKey::ALL,
     rules: Some(|| {
         json!({
@@ -26,28 +28,28 @@ pub(super) static BOTTOM: TableSpec = TableSpec {
 };
 
 table_keys! {
-    /// Keys of the bottom by place.
+    /// Keys of the depth of the water by place.
     pub BottomKey {
         SURVEY: Texts = key(
             "survey",
             Kind::FileNames,
             Means("no survey: the depths are those of the chart"),
-            "Files of surveys, relative to the scenario file: ESRI ASCII grids, or rows of x, y and z. Where several have \
-             data, the first one counts.",
+            "Files of surveys, relative to the scenario file: ESRI ASCII grids, or rows of x, y and z. Where \
+             several surveys have data, the survey that is listed first counts.",
             &["[\"berth.asc\", \"channel.xyz\"]"],
         ),
         SURVEY_COORDINATES: OneOf<SurveyCoordinates> = key(
             "survey_coordinates",
             Kind::Choice(&SURVEY_COORDINATES),
             Is("\"metres\""),
-            "What x and y of the surveys are.",
+            "What the coordinates x and y of the surveys mean: metres, degrees or UTM.",
             &["\"utm\""],
         ),
         SURVEY_VALUES: OneOf<SurveyValues> = key(
             "survey_values",
             Kind::Choice(&SURVEY_VALUES),
             Means("depths, or heights if most values of a survey are negative; `check` then says so"),
-            "What the values of the surveys are.",
+            "Whether the values of the surveys are depths or heights.",
             &["\"depths\""],
         ),
         CHART: OneOf<ChartDepths> = key(
@@ -60,7 +62,10 @@ table_keys! {
         CELL: Number = key(
             "cell",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1e4 }),
-            Means("the cell of the survey; from a chart such a size of 1, 2, 5, 10, … m that there are at most half a million nodes"),
+            Means(
+                "the cell of the survey; for a chart the smallest of 1, 2, 5, 10, … m with which the grid has about \
+                 half a million nodes at most",
+            ),
             "Side of a cell of the grid.",
             &["\"5 m\""],
         ),
@@ -68,21 +73,49 @@ table_keys! {
             "outside",
             Kind::NameOr(Quantity { measure: &unit::LENGTH, low: -20.0, high: 12_000.0 }),
             Is("\"error\""),
-            "What holds where there is no data: \"error\" ends the run when a ship comes there, a length is a depth below \
-             datum.",
+            "Depth of the water where neither surveys nor chart have data: with \"error\" the run ends when a ship \
+             comes there; a length is the depth below datum there.",
             &["\"error\"", "\"15 m\""],
+        ),
+        BANKS: OneOf<Option<BankMethod>> = key(
+            "banks",
+            Kind::Choice(&BANKS),
+            Is("\"norrbin\""),
+            "Method for the force of the banks that the bottom has, to both sides of a vessel as far as 10 beams. Cross-sections \
+             at six places along her are cut into level layers, from the surface to the mean depth under her. A layer ends \
+             at a vertical wall, where the bottom first stands above the layer; the vertical wall that stands for a side \
+             has the mean effect of the side's layers. So a vertical bank stands for itself, and a sloping or submerged \
+             bank for a wall farther off. These walls are our assumption: no whole set of published formulas for banks of any \
+             shape could be read. The effect of banks is UNVALIDATED.",
+            &["\"image\"", "\"none\""],
         ),
     }
 }
 
-/// What the coordinates of a survey are.
+static BANKS: Choices<Option<BankMethod>> = Choices(&[
+    Choice {
+        word: "norrbin",
+        value: Some(BankMethod::Norrbin),
+        doc: "Norrbin's formulas for a vertical wall (from memory): suction to the wall, and a moment that turns the bow away. \
+              Three beams off, the suction is 3 to 11 times that of a panel method.",
+    },
+    Choice {
+        word: "image",
+        value: Some(BankMethod::Image),
+        doc: "The flow of the vessel's image behind a wall along her, as for `bank`: suction alone, for vessels of at least \
+              3.5 beams.",
+    },
+    Choice { word: "none", value: None, doc: "No force of banks." },
+]);
+
+/// The kind of coordinates in which a survey gives places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurveyCoordinates {
     /// Metres east and north of the scenario's origin.
     Metres,
     /// Degrees on WGS 84.
     LongitudeLatitude,
-    /// Eastings and northings of UTM.
+    /// Eastings and northings of the UTM projection.
     Utm,
 }
 
@@ -95,17 +128,18 @@ static SURVEY_COORDINATES: Choices<SurveyCoordinates> = Choices(&[
     Choice {
         word: "longitude_latitude",
         value: SurveyCoordinates::LongitudeLatitude,
-        doc: "x is the longitude, y the latitude on WGS 84 (degrees), about the origin of the chart.",
+        doc: "x is the longitude, y the latitude on WGS 84 (degrees); the program projects both about the origin of \
+              the chart.",
     },
     Choice {
         word: "utm",
         value: SurveyCoordinates::Utm,
-        doc: "x is the easting, y the northing of UTM in the zone of the chart's origin, with false easting and northing \
-              (m).",
+        doc: "x is the easting, y the northing of the UTM projection in the zone of the chart's origin, with false \
+              easting and northing (m).",
     },
 ]);
 
-/// What the values of a survey are.
+/// Whether the values of a survey are depths or heights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurveyValues {
     /// Depths below datum, positive down.
@@ -130,9 +164,9 @@ static SURVEY_VALUES: Choices<SurveyValues> = Choices(&[
 /// How depths are taken from a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartDepths {
-    /// The least depth of the area.
+    /// The depth is the least depth of the chart's depth area.
     Least,
-    /// Between contours, soundings and coast.
+    /// The depth is interpolated between contours, soundings and coast.
     Interpolated,
 }
 
@@ -140,12 +174,14 @@ static CHART_DEPTHS: Choices<ChartDepths> = Choices(&[
     Choice {
         word: "least",
         value: ChartDepths::Least,
-        doc: "The least depth of each depth area (DRVAL1, `depth_m`): what the chart warrants, in steps.",
+        doc: "Everywhere in a depth area, the depth is the least depth of the area (DRVAL1, `depth_m`), which the \
+              chart warrants; at the edge of an area the depth has a step.",
     },
     Choice {
         word: "interpolated",
         value: ChartDepths::Interpolated,
-        doc: "Linear in triangles between contours, soundings, edges of areas and the coast, within the least and the \
-              greatest depth of each area (DRVAL1 and DRVAL2, `depth_m` and `deepest_m`). A dredged area is level.",
+        doc: "The depth is linear in triangles between contours, soundings, edges of areas and the coast, within the \
+              least and the greatest depth of each area (DRVAL1 and DRVAL2, `depth_m` and `deepest_m`). The bottom of \
+              a dredged area is level.",
     },
 ]);

@@ -11,12 +11,13 @@ use crate::units::measures as unit;
 
 pub(super) static CHART: TableSpec = TableSpec {
     what: "a chart",
-    doc: "A chart from GeoJSON files: drawn behind ships and quays. A chart exerts no force, but \
-          its land and quays may be `solid`, bodies may take their outlines from it \
-          (`chart_outline`), and `environment.bottom` its depths. A feature has the property `kind`, such as \"coast\", \"depth_area\" or \
-          \"quay\"; or it is one of an electronic chart (S-57), as GDAL writes it: its property \
-          `OBJL` or the `name` of the file says the class. `check` prints what was read and what \
-          was left out.",
+    doc: "A chart from GeoJSON files, which is drawn behind ships and quays. A chart exerts no \
+          force, but its land and quays may be `solid`, bodies may take their outlines from the chart (`chart_outline`), and \
+          `environment.bottom` takes depths from the chart. A feature of the files has the \
+          property `kind`, such as \"coast\", \"depth_area\" or \"quay\"; or the feature comes from \
+          an electronic chart (S-57) in the form in which GDAL writes it: the property `OBJL` or \
+          the `name` of the file then says the class of the feature. `check` prints which features \
+          of the files were read and which were left out.",
     keys: ChartKey::ALL,
     rules: Some(|| {
         json!({

@@ -157,7 +157,7 @@ pub(super) static WIND_COEFFICIENTS: TableSpec = TableSpec {
 };
 
 table_keys! {
-    /// Keys of both tables of coefficients.
+    /// Keys that a table of wind coefficients and a table of current coefficients share.
     pub CoefficientsKey {
         FILE: Text = FILE,
         COLUMNS: Texts = COLUMNS,

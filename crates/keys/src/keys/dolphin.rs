@@ -11,9 +11,9 @@ use crate::units::measures as unit;
 
 pub(super) static DOLPHIN: TableSpec = TableSpec {
     what: "a flexible dolphin",
-    doc: "Piles that hold a body at its place and bend under a ship. They are a spring with a \
-          mass, equally stiff in all horizontal directions, in series with the fenders of the \
-          body. A dolphin does not turn. Stiffness and mass are given, or follow from upright \
+    doc: "Piles that hold a body at its place and bend under a ship. The piles act as a \
+          spring with a mass, equally stiff in all horizontal directions, in series with the \
+          fenders of the body. A dolphin does not turn. Stiffness and mass are given, or follow from upright \
           steel tubes that are fixed in the ground at the point of fixity, with the stiffness K = \
           3EI/L³. A dolphin needs the coupled method and the semi-implicit integrator.",
     keys: DolphinKey::ALL,
@@ -41,7 +41,7 @@ table_keys! {
         STIFFNESS: Number = key(
             "stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1e3, high: 1e12 }),
-            Unless("`diameter`, `wall` and `length` are given"),
+            Unless("`diameter`, `wall` and `length` of the piles are given"),
             "Stiffness of the dolphin: horizontal load divided by deflection, both at the height \
              of the fender.",
             &["\"5 MN/m\""],
@@ -49,7 +49,7 @@ table_keys! {
         MASS: Number = key(
             "mass",
             Kind::Quantity(MASS),
-            Unless("`diameter`, `wall` and `length` are given"),
+            Unless("`diameter`, `wall` and `length` of the piles are given"),
             "Mass that moves with the head of the dolphin: the head itself, about a quarter of the \
              piles down to the point of fixity, and the water that head and piles move.",
             &["\"60 t\""],

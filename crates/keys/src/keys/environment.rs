@@ -52,8 +52,8 @@ table_keys! {
             "bottom",
             Kind::Table(&BOTTOM),
             Means("the water is as deep everywhere as `depth` says"),
-            "Depth of the water by place, instead of `depth`. Waves, which have one depth, take the median of the \
-             water.",
+            "Depth of the water by place, instead of `depth`. The formulas of waves, which need a single \
+             depth, use the median of the depths in the water.",
             &["{ chart = \"interpolated\", outside = \"30 m\" }"],
         ),
         WATER_DENSITY: Number = key(
@@ -259,7 +259,7 @@ table_keys! {
         FILE: Text = key(
             "file",
             Kind::FileName,
-            Unless("`speed` and `from` are given"),
+            Unless("`speed` and `from` of the wind are given"),
             "A wind that changes in time: a CSV file beside the scenario with the columns t_s, \
              speed_mps and from_deg. The wind changes linearly between the rows, its direction by \
              the shorter turn; before the first and after the last row the wind is constant.",
@@ -319,14 +319,14 @@ table_keys! {
         SPEED: Number = key(
             "speed",
             Kind::Quantity(CURRENT_SPEED),
-            Unless("`profile` or `file` is given"),
+            Unless("`profile` or `file` of the current is given"),
             "Speed of a uniform and steady current.",
             &["\"0.5 kn\""],
         ),
         TOWARDS: Number = key(
             "towards",
             Kind::Quantity(DIRECTION),
-            Unless("`profile` or `file` is given"),
+            Unless("`profile` or `file` of the current is given"),
             "Direction in which the current runs, clockwise from north.",
             &["\"10 deg\""],
         ),
@@ -344,7 +344,7 @@ table_keys! {
         FILE: Text = key(
             "file",
             Kind::FileName,
-            Unless("`speed` and `towards`, or `profile`, are given"),
+            Unless("`speed` and `towards`, or `profile`, of the current are given"),
             "A current by place and time: a CSV file beside the scenario. The columns north_mps \
              and east_mps, or speed_mps and towards_deg, give the velocity; without the columns \
              north_m and east_m the current is uniform, and without the column t_s it is steady. \
@@ -372,7 +372,7 @@ table_keys! {
             "depth",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 12_000.0 }),
             Refused,
-            "Depth below the surface; must increase from layer to layer.",
+            "Depth of the layer of current below the surface. Each layer must be deeper than the layer before.",
             &["\"5 m\""],
         ),
         SPEED: Number = key(
@@ -478,8 +478,14 @@ static SQUATS: Choices<Option<Squat>> = Choices(&[
         word: "barrass_channel",
         value: Some(Squat::BarrassChannel),
         doc: "Barrass with the blockage of the channel: block coefficient x S2^(2/3) knots^2.08 / 30, S2 = section of \
-              the ship / section of the water around her; with one depth, and in wide water, the section is that of open \
-              water",
+              the ship / section of the water around her; if the depth is the same everywhere (`depth`), and in wide \
+              water, S2 is computed with the section of open water",
+    },
+    Choice {
+        word: "icorels_channel",
+        value: Some(Squat::IcorelsChannel),
+        doc: "ICORELS with the blockage of the channel: times Huuska's factor 7.45 s + 0.76, at least 1, with s = 0.98 beam x \
+              draught / section of the water; with one depth, and in water wider than 30 beams, the same as \"icorels\"",
     },
 ]);
 

@@ -86,7 +86,7 @@ table_keys! {
             "vessel",
             Kind::BodyName,
             Means("the event does not concern a vessel"),
-            "For `fault` and `thruster_out`: the body of the vessel.",
+            "For the events `fault` and `thruster_out`: the body of the vessel that has the fault.",
             &["\"ship\""],
         ),
         FAULT: OneOf<Fault> = key(
@@ -115,7 +115,7 @@ table_keys! {
             "tug_out",
             Kind::Text,
             ANOTHER,
-            "Name of a vector tug that drops out.",
+            "Name of a vector tug, a tug that is only a force on a vessel, that drops out.",
             &["\"one\""],
         ),
         ENDS: Flag = key(

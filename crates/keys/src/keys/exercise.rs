@@ -78,14 +78,14 @@ table_keys! {
             "lines",
             Kind::Texts,
             Means("all lines of the ship"),
-            "For `all_fast`: names of the lines that count as fast lines.",
+            "For the goal `all_fast`: names of the lines that count as fast lines.",
             &["[\"head\", \"stern\"]"],
         ),
         AT_LEAST: Number = key(
             "at_least",
             Kind::Quantity(COUNT),
-            Means("all lines for `all_fast`, one anchor for `anchored`"),
-            "For `all_fast` and `anchored`: how many lines must be fast, or how many anchors must \
+            Means("all lines for the goal `all_fast`, one anchor for the goal `anchored`"),
+            "For the goals `all_fast` and `anchored`: how many lines must be fast, or how many anchors must \
              hold.",
             &["1"],
         ),
@@ -93,52 +93,52 @@ table_keys! {
             "least_tension",
             Kind::Quantity(FORCE),
             Means("no least tension"),
-            "For `all_fast`: a line with less tension does not count.",
+            "For the goal `all_fast`: a line with less tension does not count.",
             &["\"30 kN\""],
         ),
         MOST_TENSION: Number = key(
             "most_tension",
             Kind::Quantity(FORCE),
             Means("no greatest tension"),
-            "For `all_fast`: a line with more tension does not count.",
+            "For the goal `all_fast`: a line with more tension does not count.",
             &["\"300 kN\""],
         ),
         ANCHORS: Texts = key(
             "anchors",
             Kind::Texts,
             Means("all anchors of the ship"),
-            "For `anchored`: names of the anchors that count.",
+            "For the goal `anchored`: names of the anchors that count.",
             &["[\"port\", \"starboard\"]"],
         ),
         CHAIN_OUT: Number = key(
             "chain_out",
             Kind::Quantity(LENGTH),
             Means("any"),
-            "For `anchored`: least length of chain out for an anchor to count.",
+            "For the goal `anchored`: least length of chain out for an anchor to count.",
             &["\"5 shackles\""],
         ),
         POSITION: Vector = key(
             "position",
             Kind::Vector(POSITION),
             Means("anywhere"),
-            "For `anchored`: the place on the bottom at which an anchor must lie, north and east.",
+            "For the goal `anchored`: the place on the bottom at which an anchor must lie, north and east.",
             &["[400, -120]"],
         ),
         DISTANCE: Number = key(
             "distance",
             Kind::Quantity(LENGTH),
-            Means("0.5 m; 30 m for `clear`; 50 m for `anchored`"),
+            Means("0.5 m; 30 m for the goal `clear`; 50 m for the goal `anchored`"),
             "Greatest distance of bow and stern from the line of the fenders with which the goal \
-             is reached; for `clear`, the least distance. For this distance, bow and stern are the \
-             ends of the flat part of the ship's side. For `anchored`, the key gives the greatest \
-             distance of an anchor from `position`.",
+             is reached; for the goal `clear`, the least distance. For this distance, bow and stern \
+             are the ends of the flat part of the ship's side. For the goal `anchored`, the key \
+             gives the greatest distance of an anchor from `position`.",
             &["\"0.3 m\""],
         ),
         REST_SPEED: Number = key(
             "rest_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Is("0.05"),
-            "For `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative \
+            "For the goals `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative \
              to the berth with which the ship counts as at rest; without a berth, greatest speed \
              over ground of the ship's origin.",
             &["\"0.03 m/s\""],

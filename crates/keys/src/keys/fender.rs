@@ -112,7 +112,7 @@ table_keys! {
         BELTING: Text = key(
             "belting",
             Kind::Text,
-            Unless("`position` and `width` are given"),
+            Unless("`position` and `width` of the fender are given"),
             "Name of a belting of the vessel that carries the fender. Position, facing, width, \
              face height and height above the water come from the belting.",
             &["\"bow\""],
@@ -127,7 +127,7 @@ table_keys! {
         FACE_HEIGHT: Number = key(
             "face_height",
             Kind::Quantity(FENDER_SIZE),
-            Means("the width; for a pneumatic fender the diameter"),
+            Means("the height is the width of the face; for a pneumatic fender, the diameter"),
             "Height of the fender's face. The hull pressure is the reaction divided by width times \
              height of the face. Hull pressure is computed only if `face_height`, `hull` or \
              `hull_pressure_limit` is given.",
@@ -136,7 +136,7 @@ table_keys! {
         ABOVE_WATER: Number = key(
             "above_water",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
-            Means("at the waterline; on a fixed body at datum"),
+            Means("the middle of the face is at the waterline; on a fixed body, at datum"),
             "Height of the middle of the fender's face above the still waterline, or above datum \
              on a fixed body: at this height the fender force heels a vessel. A hull with one \
              outline has a side at any height; a hull with `outlines` has a side only between the \
@@ -162,8 +162,9 @@ table_keys! {
             "material",
             Kind::MaterialName,
             Refused,
-            "Material of the fender. It gives friction and damping; it gives the restitution if \
-             `unloading_law` is false, and the stiffness if the fender has no other law.",
+            "Material of the fender. The material gives friction and damping; it also gives the \
+             restitution if `unloading_law` is false, and the stiffness if the fender has no other \
+             law of reaction.",
             &["\"facing\""],
         ),
         ROLLING_RESISTANCE: Number = key(
@@ -214,7 +215,7 @@ table_keys! {
         CONES: ListOf<super::panel::ConeKey> = key(
             "cones",
             Kind::List(&super::panel::CONE),
-            Means("one fender, or `count` behind a face that does not turn"),
+            Means("one fender, or `count` fenders behind a face that does not turn"),
             "Several equal fenders (\"cones\") at given places behind one panel, which turns about \
              a vertical axis under the reactions of the cones. `width` is the width of the panel. \
              In the results, shares of rated values refer to the most compressed cone. For cones \
@@ -259,7 +260,7 @@ table_keys! {
         RETURNED_ENERGY: Number = key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
-            Means("the share of the type; if the type has none, 55 %, assumed for solid rubber"),
+            Means("the share that the fender's type returns; 55 %, assumed for solid rubber, if the type has no share"),
             "Share of the absorbed energy that the rubber returns: in unloading the reaction \
              follows a lower curve than in loading, and restitution has no effect. Coupled method \
              only.",
@@ -288,7 +289,7 @@ table_keys! {
         RATED_DEFLECTION: Number = key(
             "rated_deflection",
             Kind::Quantity(FENDER_HEIGHT),
-            Means("the rated deflection of the type, or the end of the curve"),
+            Means("the rated deflection of the fender's type, or the deflection at the end of the curve"),
             "Rated deflection of a fender with a `stiffness` or a `curve`.",
             &["\"0.8 m\""],
         ),
@@ -337,7 +338,7 @@ table_keys! {
         HULL_PRESSURE_LIMIT: Number = key(
             "hull_pressure_limit",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
-            Means("the limit of `hull`, or no limit"),
+            Means("the hull pressure that the ship type in `hull` can bear, or no limit"),
             "Hull pressure that the ship's side can bear.",
             &["\"200 kN/m^2\""],
         ),

@@ -59,7 +59,7 @@ table_keys! {
         FIRST: Vector = key(
             "first",
             Kind::Point(POSITION),
-            Unless("`wall` or `dolphins` is given"),
+            Unless("`wall` or `dolphins` of the row is given"),
             "Middle of the line where the first fender is mounted: distances forward and to \
              starboard of the body's origin. For a row on dolphins, `first` is the place of the \
              fender on each dolphin; [0, 0] unless given.",
@@ -68,16 +68,16 @@ table_keys! {
         LAST: Vector = key(
             "last",
             Kind::Point(POSITION),
-            Unless("`spacing` and `number` are given"),
+            Unless("`spacing` and `number` of the row are given"),
             "Middle of the line where the last fender is mounted. Without `last`, the row runs \
-             along the edge on which `first` lies, or at right angles to `facing`. It runs \
-             forward, or to starboard if the row lies straight across the body.",
+             along the edge on which `first` lies, or at right angles to `facing`. The row \
+             then runs forward, or to starboard if it lies straight across the body.",
             &["[70, 0]"],
         ),
         SPACING: Number = key(
             "spacing",
             Kind::Quantity(FENDER_SIZE),
-            Unless("`last` and `number` are given"),
+            Unless("`last` and `number` of the row are given"),
             "Distance from the middle of a fender to the middle of the next fender.",
             &["\"20 m\""],
         ),
@@ -88,7 +88,7 @@ table_keys! {
                 low: 1.0,
                 high: MOST_IN_ROW as f64,
             }),
-            Unless("`last` and `spacing` are given"),
+            Unless("`last` and `spacing` of the row are given"),
             "Number of fenders.",
             &["8"],
         ),

@@ -1,4 +1,4 @@
-//! Keys of statistics and of limits.
+//! Keys for the statistics of a run, and for the limits that a run must keep.
 
 use fenderline_sim::statistics::{Measure, MotionName};
 use serde_json::json;
@@ -82,21 +82,21 @@ table_keys! {
         STATISTIC: OneOf<Measure> = key(
             "statistic",
             Kind::Choice(&MEASURES),
-            Unless("lines or fenders are limited"),
+            Unless("the limit is a limit of lines or fenders"),
             "Which statistic of the motion about its mean is limited.",
             &["\"significant range\""],
         ),
         DISTANCE: Number = key(
             "distance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
-            Unless("an angle or a share is limited"),
+            Unless("the limited quantity is an angle or a share"),
             "Limit of surge, sway or heave.",
             &["\"0.8 m\""],
         ),
         ANGLE: Number = key(
             "angle",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 6.3 }),
-            Unless("a distance or a share is limited"),
+            Unless("the limited quantity is a distance or a share"),
             "Limit of roll, pitch or yaw.",
             &["\"2 deg\""],
         ),

@@ -15,7 +15,7 @@ const PERIOD: Quantity = Quantity { measure: &unit::TIME, low: 25.0, high: 86_40
 pub(super) static LONG_WAVES: TableSpec = TableSpec {
     what: "long waves",
     doc: "Long waves at a berth (infragravity waves or a seiche) as level and velocity of the \
-          water at the berth. They are given as a spectrum, as a regular wave, or by a `file`. The \
+          water at the berth. Long waves are given as a spectrum, as a regular wave, or by a `file`. The \
           level of the long waves is added to the tide, so that long waves lift ships beside quay, \
           fenders and bollards. The velocity of the long waves is added to the current, and the \
           acceleration of this flow pushes a vessel in proportion to her mass and added mass. \
@@ -89,7 +89,7 @@ table_keys! {
         SHORTEST_PERIOD: Number = key(
             "shortest_period",
             Kind::Quantity(PERIOD),
-            Means("half of `period`, 25 s at least"),
+            Means("half of `period`, but at least 25 s"),
             "Shortest period of the spectrum of long waves. The shortest period must be longer \
              than the longest period of `waves`; otherwise energy would be counted twice.",
             &["\"50 s\""],
@@ -119,9 +119,9 @@ table_keys! {
         FILE: Text = key(
             "file",
             Kind::FileName,
-            Unless("`height`, `period` and `towards` are given"),
+            Unless("`height`, `period` and `towards` of the waves are given"),
             "Level and velocity of the water in time: a CSV file beside the scenario with the \
-             columns t_s, level_m, north_mps and east_mps. Its rows are in the order of time and \
+             columns t_s, level_m, north_mps and east_mps. The rows of the file are in the order of time and \
              cover the run from start to end without gaps. Level and velocity are linear between \
              the rows: choose time steps of a twentieth of the shortest period or less.",
             &["\"long_waves.csv\""],

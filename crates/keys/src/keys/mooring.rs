@@ -292,7 +292,7 @@ table_keys! {
 const AXIAL_STIFFNESS: KeySpec = key(
     "axial_stiffness",
     Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e13 }),
-    Means("`rope` or `load_extension` gives the stretch"),
+    Means("`rope` or `load_extension` gives the stretch of the rope"),
     "With `rope = \"own\"`: axial stiffness EA of the rope, which is the tension divided by the \
      strain.",
     &["\"11.25 MN\""],
@@ -300,7 +300,7 @@ const AXIAL_STIFFNESS: KeySpec = key(
 const LOAD_EXTENSION: KeySpec = key(
     "load_extension",
     Kind::FileName,
-    Means("`rope` or `axial_stiffness` gives the stretch"),
+    Means("`rope` or `axial_stiffness` gives the stretch of the rope"),
     "With `rope = \"own\"`: file with the load-extension curve of the rope. The file of the curve \
      has the columns `extension_percent` and `load_kn`, or `extension_percent` and `load_percent` \
      (of the break load). The first row of the load-extension curve is 0, 0 and both columns rise. \

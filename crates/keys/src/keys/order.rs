@@ -25,7 +25,7 @@ pub static ORDER: TableSpec = TableSpec {
     rules: Some(rules),
 };
 
-/// How many orders there are.
+/// Number of orders in the table of orders in `fenderline_sim`.
 const ORDERS: usize = OrderName::ALL.len();
 /// Greatest number of arguments of an order.
 const MOST_ARGUMENTS: usize = 4;

@@ -15,7 +15,7 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
 };
 
 table_keys! {
-    /// Keys of an output table.
+    /// Keys of the table `[output]`, which chooses the result tables of a run.
     pub OutputKey {
         INTERVAL: Number = key(
             "interval",

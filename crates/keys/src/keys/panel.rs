@@ -103,7 +103,7 @@ table_keys! {
         AT: Number = key(
             "at",
             Kind::Quantity(PLACE_ON_FACE),
-            Unless("`kind` is shear or weight"),
+            Unless("the chain's `kind` is shear or weight"),
             "Place of a tension chain along the panel, measured from the middle of the panel, \
              positive to the right as you look at the face.",
             &["\"-1.2 m\""],
@@ -111,28 +111,28 @@ table_keys! {
         SLACK: Number = key(
             "slack",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
-            Unless("`length` and `span` are given, or `kind` is weight"),
+            Unless("`length` and `span` of the chain are given, or its `kind` is weight"),
             "How far the panel moves before the chain holds.",
             &["\"20 mm\""],
         ),
         LENGTH: Number = key(
             "length",
             Kind::Quantity(FENDER_SIZE),
-            Unless("`slack` is given, or `kind` is weight"),
+            Unless("`slack` of the chain is given, or its `kind` is weight"),
             "Length of the chain with its shackles; the slack is this length less the `span`.",
             &["\"1.25 m\""],
         ),
         SPAN: Number = key(
             "span",
             Kind::Quantity(FENDER_SIZE),
-            Unless("`slack` is given, or `kind` is weight"),
+            Unless("`slack` of the chain is given, or its `kind` is weight"),
             "Distance between the fastenings of the chain on the undeflected fender.",
             &["\"1.2 m\""],
         ),
         STIFFNESS: Number = key(
             "stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1.0, high: 1e12 }),
-            Unless("`diameter` is given, or `kind` is weight"),
+            Unless("`diameter` of the chain is given, or its `kind` is weight"),
             "Stiffness of the chain: tension divided by stretch.",
             &["\"40 MN/m\""],
         ),

@@ -44,7 +44,7 @@ table_keys! {
         VESSEL: Text = key(
             "vessel",
             Kind::Text,
-            Unless("`length`, `beam` and `draught` are given"),
+            Unless("`length`, `beam` and `draught` of the passing ship are given"),
             "The kind of vessel of the passing ship: from the library, from `vessel_files` or from \
              this scenario.",
             &["\"kcs\""],
@@ -87,7 +87,7 @@ table_keys! {
         OUTLINE: Points = key(
             "outline",
             Kind::Outline(POSITION),
-            Means("the outline of `vessel`, or a rectangle"),
+            Means("the outline of the vessel in `vessel`, or a rectangle"),
             "Waterline of the passing ship, with vertices relative to midship; it gives the \
              sectional areas with `sections = \"outline\"`, and the ship is drawn with it in \
              plans.",

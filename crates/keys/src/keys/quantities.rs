@@ -19,8 +19,8 @@ pub(super) const PLACE_ON_FACE: Quantity =
 /// A dimension of a fender in the direction of its compression: no fender is as high as 30 m.
 pub(super) const FENDER_HEIGHT: Quantity =
     Quantity { measure: &unit::LENGTH, low: 1e-3, high: 30.0 };
-/// A compass direction, or a direction relative to a body. It is at most a turn, so that the program notices degrees
-/// that are written without their unit.
+/// A compass direction, or a direction relative to a body. The angle is at most a full turn, so that the program
+/// notices degrees that are written without their unit.
 pub(super) const DIRECTION: Quantity =
     Quantity { measure: &unit::ANGLE, low: -TURN_RAD, high: TURN_RAD };
 /// A full turn (rad), rounded up.

@@ -17,7 +17,7 @@ pub(super) static TIME: TableSpec = TableSpec {
 };
 
 table_keys! {
-    /// Keys of a time table.
+    /// Keys of the table `[time]`: time step and length of the run.
     pub TimeKey {
         STEP: Number = key(
             "step",
@@ -66,7 +66,7 @@ pub(super) static CONTACT: TableSpec = TableSpec {
 };
 
 table_keys! {
-    /// Keys of a contact table.
+    /// Keys of the table `[contact]`: the method for contact forces.
     pub ContactKey {
         METHOD: OneOf<Method> = key(
         "method",

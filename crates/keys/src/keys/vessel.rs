@@ -91,7 +91,7 @@ table_keys! {
         CENTRE_OF_GRAVITY: Number = key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
-            Means("amidships, or the centre of gravity of `from`"),
+            Means("amidships, or the place in the vessel `from`"),
             "Distance of the centre of gravity forward of midship; the vertices of the body's \
              outline are relative to the centre of gravity.",
             &["\"-3.4 m\""],
@@ -99,21 +99,21 @@ table_keys! {
         GYRADIUS: Number = key(
             "gyradius",
             Kind::Quantity(LENGTH),
-            Means("a quarter of the length"),
+            Means("a quarter of the vessel's length"),
             "Radius of gyration in yaw, without added mass.",
             &["\"72 m\""],
         ),
         PROPELLER: TableOf<PropellerKey> = key(
             "propeller",
             Kind::Table(&PROPELLER),
-            Means("the propeller of `from`, or no propeller"),
+            Means("the propeller of the vessel `from`, or no propeller"),
             "Propeller and shaft.",
             &[],
         ),
         RUDDER: TableOf<RudderKey> = key(
             "rudder",
             Kind::Table(&RUDDER),
-            Means("the rudder of `from`, or no rudder"),
+            Means("the rudder of the vessel `from`, or no rudder"),
             "Rudder.",
             &[],
         ),
@@ -135,7 +135,7 @@ table_keys! {
         WINDAGE: TableOf<WindageKey> = key(
             "windage",
             Kind::Table(&WINDAGE),
-            Means("the wind areas of `from`, or no wind forces"),
+            Means("the wind areas of the vessel `from`, or no wind forces"),
             "Wind areas.",
             &[],
         ),
@@ -181,7 +181,7 @@ table_keys! {
         STABILITY: TableOf<StabilityKey> = key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("the data of `from`, or the vessel does not heave, roll or pitch"),
+            Means("the data of the vessel `from`; without such data the vessel does not heave, roll or pitch"),
             "Data for heave, roll and pitch.",
             &[],
         ),
@@ -215,7 +215,7 @@ table_keys! {
         REVERSAL: Number = key(
             "reversal",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
-            Means("the reversal time of `from`, or 40 s"),
+            Means("the reversal time of the vessel `from`, or 40 s"),
             "Time in which the shaft goes from full ahead to full astern.",
             &["\"60 s\""],
         ),
@@ -249,14 +249,14 @@ table_keys! {
         RATE: Number = key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
-            Means("the rudder rate of `from`, or 2.32 deg/s"),
+            Means("the rudder rate of the vessel `from`, or 2.32 deg/s"),
             "Rate at which the steering gear turns the rudder.",
             &["\"2.5 deg/s\""],
         ),
         STOP: Number = key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
-            Means("the rudder angle of `from`, or 35 deg"),
+            Means("the rudder angle of the vessel `from`, or 35 deg"),
             "Largest rudder angle to either side.",
             &["\"35 deg\""],
         ),

@@ -33,11 +33,11 @@ pub fn apply<'a>(
         }
         let paths = paths(document, change.path(), &span);
         if paths.is_empty() {
-            return Err(refused(format!("`{key}` fits nothing in the file")));
+            return Err(refused(format!("the file has no table that the pattern in `{key}` fits")));
         }
         for path in paths {
             let setter = Setter { sources, index, value: value.clone() };
-            let (name, deeper) = path.split_first().expect("a path has a name");
+            let (name, deeper) = path.split_first().expect("a dotted path has at least one name");
             setter.in_table(document, &SCENARIO, "", (name, deeper))?;
             set.push((path, index));
         }

@@ -3,10 +3,12 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::anchor::{AnchorPosition, LostBy};
 use fenderline_sim::order::Word;
+use fenderline_sim::track::OnPlan;
 use fenderline_sim::{Fault, Simulation};
 
 use crate::alarm_book::{Alarm, FENDER, Level, TOUCH};
 use crate::approach::{ApproachLimit, Light};
+use crate::frozen::{Frozen, place};
 use crate::info::Info;
 use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
@@ -34,6 +36,7 @@ pub(super) struct Input<'a> {
     pub(super) lines: &'a [LineNow],
     pub(super) tugs: &'a [TugNow],
     pub(super) passages: &'a Passages,
+    pub(super) frozen: &'a [Frozen],
 }
 
 /// All causes of alarms that are active in the present tick.
@@ -76,9 +79,28 @@ fn alarm_if(is_alarm: bool) -> Level {
     if is_alarm { Level::Alarm } else { Level::Caution }
 }
 
+/// Where a ship's position receiver shows her on her passage plan: a frozen receiver keeps its position.
+pub(super) fn on_plan(of: &Input<'_>, vessel: usize, frozen: &Frozen) -> Option<OnPlan> {
+    let plan = of.simulation.setup().world.vessels[vessel].plan.as_ref()?;
+    let shown = frozen.place.unwrap_or_else(|| place(of.simulation, vessel));
+    Some(plan.at(shown.midship_m))
+}
+
+/// The alarm of a ship that is outside the corridor of her passage plan, as her position receiver shows her.
+fn off_track(of: &Input<'_>, vessel: usize) -> Option<Alarm> {
+    let on = on_plan(of, vessel, &of.frozen[vessel])?;
+    let half_m = on.half_width_m.filter(|_| on.outside_m().is_some())?;
+    let side = if on.cross_track_m < 0.0 { "port" } else { "starboard" };
+    let name = &*of.info.vessels[vessel].name;
+    let off_m = on.cross_track_m.abs();
+    let text = format!("{name}: {off_m:.0} m to {side} of her track (planned {half_m:.0} m)");
+    Some(alarm("off track", &[name], text))
+}
+
 fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
-    for (vessel, now) in of.info.vessels.iter().zip(of.vessels) {
+    for (index, (vessel, now)) in of.info.vessels.iter().zip(of.vessels).enumerate() {
         let name = &vessel.name;
+        all.extend(off_track(of, index));
         if now.aground {
             all.push(alarm("aground", &[name], format!("{name} is aground")));
         } else if let Some(clear_m) = now.under_keel_m

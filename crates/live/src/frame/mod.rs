@@ -49,6 +49,7 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
         approach: now.approach,
         tugs: &tugs(simulation),
         passages: now.seen.passages(),
+        frozen: &now.frozen,
     };
     let mut causes = alarms::causes(&of);
     causes.extend(traffic::collisions(simulation, info));

@@ -3,7 +3,7 @@
 use fenderline_contact::Rotation;
 use fenderline_contact::number::greater;
 
-use super::alarms::Input;
+use super::alarms::{Input, on_plan};
 use crate::cast::Cast;
 use crate::frozen::Frozen;
 use crate::past::{Sample, ShipSample};
@@ -61,6 +61,10 @@ fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
         turn_radps: frozen.turn_radps(of.simulation.states()[body].yaw_rate_radps),
         bow_m: berth.map(|berth| berth.bow_m),
         stern_m: berth.map(|berth| berth.stern_m),
+        // After the last waypoint the plan is over.
+        cross_track_m: on_plan(of, ship, frozen)
+            .filter(|on| on.to_waypoint_m >= 0.0)
+            .map(|on| on.cross_track_m),
     }
 }
 
@@ -71,5 +75,13 @@ fn body_sample(of: &Input<'_>, body: Option<usize>) -> ShipSample {
         Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x
     });
     let turn_radps = state.map_or(0.0, |state| state.yaw_rate_radps);
-    ShipSample { bow_mps: None, stern_mps: None, ahead_mps, turn_radps, bow_m: None, stern_m: None }
+    ShipSample {
+        bow_mps: None,
+        stern_mps: None,
+        ahead_mps,
+        turn_radps,
+        bow_m: None,
+        stern_m: None,
+        cross_track_m: None,
+    }
 }

@@ -7,6 +7,7 @@ use fenderline_sim::{Job, Pilots};
 use crate::berth;
 use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
 use crate::now::Now;
+use crate::plan;
 use crate::speeds::speeds;
 
 /// The present state of a vessel. Speeds over ground and through the water are those of midship. Lateral speeds are
@@ -48,6 +49,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         berth: at
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
+        plan: of.on_plan(state).as_ref().map(plan::now),
         assist: vessel.pilots.assist.as_ref().map(|pilot| assist_now(all, index, &pilot.order.job)),
         faults: vessel.faults.active().map(Word::word).collect(),
         tripped: of

@@ -28,6 +28,44 @@ pub(crate) fn harbour() -> Session {
     open("scenarios/berth/alongside_with_two_tugs.toml", &["line.head.made_fast=\"0 s\""])
 }
 
+/// A ship on the first leg of a passage plan, with a corridor of 40 m; her rudder to starboard takes her out of it.
+pub(crate) fn planned() -> Session {
+    const TEXT: &str = r#"
+[time]
+step = "0.1 s"
+duration = "1 h"
+[vessel.coaster]
+length_bp = 100
+beam = 16
+draught = 6
+block_coefficient = 0.7
+rudder = { area = "12 m^2", span = "4 m" }
+propeller = { diameter = "4 m", full = "130 rpm" }
+[body.ship]
+vessel = "coaster"
+outline = [[-50, -8], [50, -8], [50, 8], [-50, 8]]
+velocity = { surge = "6 kn" }
+running = 0.4
+[plan.inbound]
+vessel = "ship"
+[[plan.inbound.waypoint]]
+name = "Sea buoy"
+position = [0, 0]
+[[plan.inbound.waypoint]]
+name = "Bend"
+position = [3000, 0]
+turning_radius = "400 m"
+speed = "6 kn"
+half_width = "20 m"
+[[plan.inbound.waypoint]]
+position = [3000, 1200]
+"#;
+    let none = |name: &str| Err(format!("{name}: none is needed"));
+    let (source, _) =
+        Source::collect("planned.toml", TEXT.to_owned(), vec![], none).expect("a good scenario");
+    Session::open(source).expect("a good set-up")
+}
+
 pub(crate) fn go(session: &mut Session, ticks: u64) {
     for _ in 0..ticks {
         session.step().expect("a good step");

@@ -39,7 +39,7 @@ const ENERGY: usize = 13;
 
 pub(super) type Seen = [f32; SEEN];
 
-/// How an episode ended; the numbers equal those of Python's `_Ended`.
+/// How an episode ended. Each variant has the same number as in Python's class `_Ended`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ended {
     NotYet = 0,
@@ -134,7 +134,7 @@ impl Episode {
         Ok(self.observe(&lie, berth))
     }
 
-    /// Takes one step of the episode with an action of finite numbers, one for each lever.
+    /// Takes one step of the episode with an action: one finite number for each control in `levers`.
     pub(super) fn step(
         &mut self,
         action: &[f64],

@@ -29,8 +29,8 @@ type Stepped<'py> = (
     Bound<'py, PyArray1<bool>>,
 );
 
-/// What `shown` returns: orders to the ship, wind along the quay and towards it (m/s), steps taken, share of the rated
-/// energy.
+/// What `shown` returns: orders to the ship, wind along the quay and towards the quay (m/s), steps taken, and the
+/// largest share of its rated energy that a fender has stored.
 type Shown = ([f64; SHIP_ORDERS], (f64, f64), u32, f64);
 
 /// Episodes of `fenderline.docking` that go in parallel, on `threads` threads. `levers` names the controls that the

@@ -34,7 +34,7 @@ impl Axis {
         self
     }
 
-    /// Makes the axis end exactly at the last value, not at a round number.
+    /// Makes the axis begin and end exactly at the smallest and the largest value, not at round numbers.
     pub fn tight(mut self) -> Axis {
         self.is_tight = true;
         self
@@ -79,7 +79,7 @@ impl Axis {
 }
 
 impl Axis {
-    /// A logarithmic range of whole decades.
+    /// Fits a logarithmic axis to `values`: the range runs from one power of ten to another.
     fn fit_decades(&self, values: impl Iterator<Item = f64>) -> Fitted {
         let included = self.included.into_iter().flat_map(|(lo, hi)| [lo, hi]);
         let positive = included.chain(values).filter(|v| v.is_finite() && *v > 0.0);

@@ -278,7 +278,7 @@ fn path_of(points: &[Point], area: &Area) -> String {
     path
 }
 
-/// The SVG path of the closed line around a band.
+/// The SVG path of the closed line around the filled area of a series.
 fn area_of(points: &[Point], area: &Area) -> String {
     let mut path = String::new();
     for point in points.iter().filter(|point| area.holds(point)) {

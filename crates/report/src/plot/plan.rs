@@ -1,4 +1,4 @@
-//! Plan views: bodies seen from above, north up, one scale both ways.
+//! Plan views: bodies seen from above, north up, at the same scale in both directions.
 
 mod arrows;
 mod box2;
@@ -10,6 +10,7 @@ mod harbour;
 mod labels;
 mod map;
 mod passing;
+mod planned;
 
 use fenderline_contact::Vec2;
 use maud::{Markup, html};
@@ -24,6 +25,7 @@ use labels::text_places;
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
 pub use map::{Arrow, Frame, Label, Place};
 pub use passing::PassingDrawn;
+pub use planned::{PlannedDrawn, planned_legend, waypoint_name};
 
 impl Plan {
     /// Draws the plan view as an HTML `figure` with its title and note.
@@ -40,6 +42,7 @@ impl Plan {
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
                         (chart::charted(&self.harbour.chart, &map))
+                        @for plan in &self.harbour.plans { (planned::planned(plan, &map)) }
                         @for ship in &self.harbour.passing { (passing::passing(ship, &map)) }
                         @for outline in &self.outlines { (outlined(outline, &map)) }
                         @for fender in &self.fenders { (fenders::fender(fender, &map)) }
@@ -209,6 +212,12 @@ mod tests {
                     label: "<script>".to_owned(),
                 }],
                 banks: vec![[frame.low, frame.high]],
+                plans: vec![PlannedDrawn {
+                    track_m: vec![frame.low, frame.high],
+                    edges_m: vec![vec![frame.low, frame.high]],
+                    waypoints: vec![(frame.high, "<b>".to_owned())],
+                    wheel_overs: vec![(frame.low, 1.0)],
+                }],
                 passing: vec![PassingDrawn {
                     outline_m: vec![frame.low, frame.high],
                     track_m: vec![frame.low, frame.high],

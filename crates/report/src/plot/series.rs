@@ -94,7 +94,8 @@ impl Series {
 /// of buckets.
 #[derive(Clone, Debug)]
 pub struct Decimator {
-    /// Ends of a time of rest before the first sample; the merging of buckets does not touch these two points.
+    /// The two ends of the stretch before the first sample in which the value is zero. Merging buckets does not touch
+    /// these two points.
     rest: Option<[Point; 2]>,
     buckets: Vec<Bucket>,
     samples_per_bucket: u64,
@@ -139,8 +140,8 @@ impl Decimator {
         Decimator { rest: None, buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
     }
 
-    /// Notes that nothing happened from 0 until `x`, where the samples begin: the line is zero there, but this counts
-    /// as no sample.
+    /// Notes that the value is zero from 0 until `x`, where the samples begin. The line is drawn at zero up to `x`, but
+    /// these zeros do not count as samples.
     pub fn rest_until(&mut self, x: f64) {
         self.rest = Some([0.0, x].map(|x| Point { x, y: 0.0 }));
     }

@@ -32,7 +32,7 @@ const LEFT: f64 = 58.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 40.0;
-/// Width of a column as a share of its place.
+/// Width of a column, divided by the distance from column to column.
 const FILLED: f64 = 0.66;
 /// Longest name of a group (characters); longer names are cut.
 const NAME: usize = 3;

@@ -44,7 +44,7 @@ fn computation(outcome: &Outcome<'_>) -> Markup {
         dt { "Contact" }
         dd { @match setup.method {
             Method::Coupled => "coupled method: all contacts and loads of a step in one solve, with sub-steps",
-            Method::Paper => "paper method: each pair limited by itself",
+            Method::Paper => "paper method: the limiter treats each pair of bodies by itself",
         } }
         dt { "Time" }
         dd {
@@ -121,7 +121,7 @@ fn contact(setup: &Setup) -> Markup {
                 (range(&mut fenders.iter().map(|f| f.factors.constant)))
                 "; by speed: " (if by_speed { "yes" } else { "none" })
                 "; by angle: " (if by_angle { "yes" } else { "none" })
-                ". The factor of each fender is in its table."
+                ". The table of fenders has the factor of each fender."
             }
             dt { "Friction on fenders" }
             dd { "μ " (range(&mut fenders.iter().map(|f| material(f).friction_dynamic))) " when sliding" }

@@ -193,12 +193,12 @@ fn factors(berthing: &BerthingOutcome) -> Markup {
                 ]))
                 tbody {
                     tr {
-                        td class="name" { "Formula, K by the formula" }
+                        td class="name" { "Formula, with the radius of gyration K by the formula" }
                         (number(&fixed(berthing.gyradius_m, 1)))
                         (factor(berthing.eccentricity))
                     }
                     tr {
-                        td class="name" { "Formula, K of the simulated ship, added mass included" }
+                        td class="name" { "Formula, with the K of the simulated ship, added mass included" }
                         (number(&fixed(berthing.gyradius_simulated_m, 1)))
                         (factor(berthing.eccentricity_of_run))
                     }
@@ -249,8 +249,8 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
             when the hull stops there. The rest of the energy remains as rotation of the ship. "
             @if off.abs() <= ALIKE {
                 (format!(
-                    "With the radius of gyration of the simulated ship, the fenders took this share \
-                     in the first hit to within {} %. ",
+                    "With the radius of gyration of the simulated ship, the energy that the fenders \
+                     took in the first hit is within {} % of this share. ",
                     fixed(100.0 * ALIKE, 0),
                 ))
             } @else {

@@ -191,17 +191,18 @@ impl<'a> Charts<'a> {
             let followed = recorder.bodies.len();
             chart.note = if floating > followed {
                 format!(
-                    "The {drawn} fastest of the first {followed} of {floating} floating bodies."
+                    "The chart shows the {drawn} fastest of the first {followed} floating bodies in the \
+                     scenario, which has {floating}."
                 )
             } else {
-                format!("The {drawn} fastest of {floating} floating bodies.")
+                format!("The chart shows the {drawn} fastest of {floating} floating bodies.")
             };
         }
         chart.render()
     }
 }
 
-/// Converts the series to the unit whose prefix suits the largest of them, and returns that unit.
+/// Converts the series to the unit whose prefix suits their largest value, and returns that unit and the series.
 pub(super) fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
     let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, greater));
     let series = series.into_iter().map(|s| s.scaled(scaled.factor)).collect();

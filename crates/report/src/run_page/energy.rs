@@ -68,8 +68,8 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
-/// The table of energies from start to end of the run: the energy at the start, the energy given, and where the energy
-/// went.
+/// The table of energies from start to end of the run: the energy at the start, the energy that
+/// loads gave, and where the energy went.
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
     let works: Vec<(&str, f64)> =

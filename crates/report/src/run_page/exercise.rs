@@ -44,9 +44,9 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             (limits(exercise, outcome.setup))
             p class="note" {
                 (format!(
-                    "The score begins at 100. An exceeded limit costs points in proportion to the \
-                     excess; at its worst value and beyond it costs all its points. The exercise is \
-                     passed if the goal is reached with {} points and no limit is exceeded that \
+                    "The score begins at 100. A limit that is exceeded costs points in proportion \
+                     to the excess; from the limit's worst value on, the limit costs all its points. \
+                     The exercise is passed if the goal is reached with {} points and no limit is exceeded that \
                      decides the exercise. What happened after the end of the exercise does not \
                      count.",
                     fixed(of.pass_mark, 0),

@@ -8,7 +8,7 @@ use super::tables::{ROWS, more, number};
 use crate::plot::{fixed, plain, significant};
 use crate::{Head, table_head};
 
-/// A row of the table: the fender or line, the quantity with its unit, and the factored effect.
+/// A row of the table: the fender or mooring line, the quantity with its unit, and the factored effect.
 struct Row<'o> {
     name: &'o str,
     quantity: &'static str,

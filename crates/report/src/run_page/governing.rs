@@ -11,7 +11,8 @@ use fenderline_sim::{DolphinSummary, FenderSummary, Finding, PanelSummary, Rated
 pub struct Governing {
     /// Name of the quantity, such as `Reaction of a fender`.
     pub quantity: &'static str,
-    /// The fender, line, ship or contact to which the number belongs; empty if the number belongs to all together.
+    /// The fender, mooring line, ship or contact to which the number belongs; empty if the number belongs to all
+    /// together.
     pub subject: String,
     /// Value of the number, in `unit`.
     pub value: f64,

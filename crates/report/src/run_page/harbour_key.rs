@@ -3,7 +3,7 @@
 use fenderline_results::Outcome;
 use maud::{Markup, html};
 
-use crate::plot::{chart_note, harbour_legend};
+use crate::plot::{chart_note, harbour_legend, planned_legend};
 
 /// The legend for mooring lines, tugs, banks and passing ships, if there are any.
 pub(super) fn harbour(outcome: &Outcome<'_>) -> Markup {
@@ -13,6 +13,7 @@ pub(super) fn harbour(outcome: &Outcome<'_>) -> Markup {
     let has = [has_lines, has_tugs, has_banks, !world.flow.passing.is_empty()];
     html! {
         @if has.contains(&true) { (harbour_legend(has)) }
+        @if world.vessels.iter().any(|vessel| vessel.plan.is_some()) { (planned_legend()) }
         @if !world.chart.features.is_empty() { (chart_note(&world.chart, world.environment.bottom.is_some())) }
     }
 }

@@ -88,7 +88,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     page_of(outcome.title, &footer(outcome), &body)
 }
 
-/// The tables of results. For a session they come after its exercise.
+/// The section of results. For a session, the section on its exercise stands before this section, otherwise in it.
 fn results(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     html! {
         h2 { "Results" }

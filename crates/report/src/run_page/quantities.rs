@@ -19,7 +19,7 @@ pub(super) fn heads<S, T>(catalogue: &Catalogue<S, T>) -> Vec<Head<'static>> {
     columns.map(|(of, _)| Head::Number(of.head, of.scale.page_unit())).collect()
 }
 
-/// The cells of one part in the catalogue's columns.
+/// The cells of one row of the table (one fender, line or the like), in the columns of [`heads`].
 pub(super) fn cells<S, T>(
     catalogue: &Catalogue<S, T>,
     setup: &S,

@@ -58,8 +58,8 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @if left > 0 {
             p class="note" {
                 (format!(
-                    "The drawing shows the faces with the most fenders; {left} more {} fenders.",
-                    if left == 1 { "face has" } else { "faces have" },
+                    "The drawing shows the faces with the most fenders, without {left} other {} with fenders.",
+                    if left == 1 { "face" } else { "faces" },
                 ))
             }
         }

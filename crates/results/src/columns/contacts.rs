@@ -19,8 +19,8 @@ pub(crate) struct ContactRow {
 /// The work of the contacts of a step, each written to one row only.
 ///
 /// The energy ledger adds up the work by pair and by fender. If several patches touch, the first row has the work of
-/// all patches, so that the sum over rows equals the ledger. There is one exception: with the paper's method and
-/// Runge–Kutta the later stages may see a contact one step before its first row.
+/// all patches, so that the sum over rows equals the ledger. There is one exception: with the contact method `paper`
+/// and the Runge–Kutta integrator, the later stages may see a contact one step before its first row.
 pub(crate) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }

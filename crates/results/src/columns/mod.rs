@@ -71,7 +71,7 @@ pub(crate) struct Layout<R> {
     pub(crate) columns: Vec<Column<R>>,
 }
 
-/// A table as the reference describes it.
+/// A table that a run can write, as the command `fenderline columns` describes the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableReference {
     /// Name of the table; its file is `NAME.csv` or `NAME.parquet`.
@@ -82,7 +82,7 @@ pub struct TableReference {
     pub columns: Vec<ColumnReference>,
 }
 
-/// A column as the reference describes it.
+/// A column of a table, as the command `fenderline columns` describes the column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ColumnReference {
     /// Name of the column; it ends with the unit, if the column has one.

@@ -3,9 +3,10 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::attitude::Attitude;
 use fenderline_sim::hydro::{Force, Velocity};
+use fenderline_sim::track::OnPlan;
 use fenderline_sim::{Environment, VesselForces, VesselSetup, VesselState};
 
-use super::{Column, Layout, List, flag, float, name};
+use super::{Column, Layout, List, flag, float, known, name};
 use crate::row::Row;
 
 /// A row of the table of vessels: one vessel in one output interval.
@@ -23,6 +24,7 @@ pub(crate) struct VesselRow {
     squat_m: f64,
     tide_m: f64,
     aground: bool,
+    on_plan: Option<OnPlan>,
 }
 
 impl VesselRow {
@@ -49,6 +51,7 @@ impl VesselRow {
             squat_m: now.squat_m,
             tide_m: setup.1.level_m(t_s),
             aground: now.aground,
+            on_plan: setup.0.on_plan(state),
         }
     }
 
@@ -76,8 +79,8 @@ impl Row for VesselRow {
     }
 }
 
-/// Replaces each force of the row; the function `with` gets the force and the function that takes this force from other
-/// rows.
+/// Replaces each force by the result of the function `with`, whose arguments are the force and a function that reads
+/// the same force from the forces of another row.
 fn each_force(
     forces: &VesselForces,
     with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,
@@ -226,6 +229,18 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         ),
         float("tide_m", "m", "water level above datum", |r| r.tide_m),
         flag("aground", "whether the vessel is aground in a step of the interval", |r| r.aground),
+        known(
+            "along_track_m",
+            "m",
+            "distance of midship along the track of the vessel's passage plan from the first waypoint",
+            |r| r.on_plan.map(|on| on.along_m),
+        ),
+        known(
+            "cross_track_m",
+            "m",
+            "cross-track distance of midship from the track of the passage plan, positive to starboard of the track",
+            |r| r.on_plan.map(|on| on.cross_track_m),
+        ),
     ];
     let columns = columns.into_iter().chain(forces.into_iter().flatten()).chain(motions).collect();
     Layout {

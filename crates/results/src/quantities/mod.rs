@@ -26,7 +26,8 @@ pub use scale::{Scale, scales};
 pub use tugs::TUGS;
 pub use vessels::VESSELS;
 
-/// The quantities of one kind of part. `S` is the set-up of a part, `T` the summary of the part after a run.
+/// The quantities of one kind of part, such as fenders or lines. `S` is the set-up of a part (a fender, a line), `T`
+/// the summary of the part after a run.
 pub struct Catalogue<S: 'static, T: 'static> {
     /// The kind of part, such as `fender`.
     pub subject: &'static str,
@@ -36,7 +37,7 @@ pub struct Catalogue<S: 'static, T: 'static> {
     pub shown: &'static [Shown],
 }
 
-/// One quantity of the summary of a part.
+/// One quantity of the summary of a part, such as the largest reaction of a fender.
 pub struct Quantity<S, T> {
     /// Key of the quantity in `summary.json` and column of Python's tables; the key ends with the unit, if the quantity
     /// has one.
@@ -60,13 +61,13 @@ pub struct Quantity<S, T> {
 pub enum Taken<S, T> {
     /// A number.
     Number(fn(&S, &T) -> f64),
-    /// A number that not every part has.
+    /// A number that some parts lack, such as a share of the rating for a fender without a rating.
     Known(fn(&S, &T) -> Option<f64>),
-    /// A number of the set-up alone, which not every part has.
+    /// A number of the set-up alone, which some parts lack, such as a fender's rated energy.
     Given(fn(&S) -> Option<f64>),
     /// A truth value.
     Flag(fn(&S, &T) -> bool),
-    /// A word, which not every part has.
+    /// A word, which some parts lack.
     Word(fn(&S, &T) -> Option<&'static str>),
 }
 
@@ -79,7 +80,7 @@ pub enum Amount {
     Flag(bool),
     /// A word.
     Word(&'static str),
-    /// The part does not have a value of this quantity.
+    /// The part (the fender, the line) has no value of this quantity.
     Missing,
 }
 
@@ -184,7 +185,7 @@ impl<S, T> Quantity<S, T> {
         }
     }
 
-    /// Makes the quantity an output of campaigns, in a unit.
+    /// Makes the quantity an output of campaigns, with the name `name` and in the unit of `scale`.
     #[must_use]
     pub const fn output(mut self, name: &'static str, scale: Scale) -> Self {
         self.output = Some((name, scale));
@@ -272,7 +273,7 @@ pub const fn number<S, T>(
     Quantity::new(name, unit, meaning, Taken::Number(value))
 }
 
-/// Makes a quantity that is a number and that not every part has.
+/// Makes a quantity that is a number and that some parts lack.
 const fn known<S, T>(
     name: &'static str,
     unit: &'static str,

@@ -44,7 +44,7 @@ impl Scale {
         }
     }
 
-    /// The unit in report and workbook, where an energy also has its name in statics.
+    /// The unit in report and workbook, where the unit of an energy is `kJ (kN·m)`.
     #[must_use]
     pub fn page_unit(self) -> &'static str {
         if self.unit == "kJ" { "kJ (kN·m)" } else { self.unit }

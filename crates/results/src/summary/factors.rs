@@ -6,7 +6,7 @@ use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
 /// Adds the key `factors` if the scenario has partial factors: each factor with the user's source, and the factored
-/// values of fenders and lines.
+/// values of fenders and mooring lines.
 pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, factors) = (outcome.setup, &outcome.setup.world.factors);
     if factors.is_empty() {
@@ -38,7 +38,7 @@ pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     whole.put("factors", section);
 }
 
-/// Adds a factored value, with its share of the capacity of the fender or line if the capacity is known.
+/// Adds a factored value, with its share of the capacity of the fender or mooring line if the capacity is known.
 fn put_factored(row: &mut Json, (unit, what): (&str, &str), factored: Option<Factored>) {
     let Some(factored) = factored else { return };
     row.put(&format!("factored_{what}_{unit}"), factored.value);

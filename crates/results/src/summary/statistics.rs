@@ -1,11 +1,11 @@
-//! Statistics of motions, limits and cycles of lines in `summary.json`.
+//! Statistics of motions, their limits, and load cycles of mooring lines in `summary.json`.
 
 use fenderline_sim::statistics::MotionName;
 
 use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
-/// Adds `motions`, `limits` and the load cycles of lines, if the scenario asks for these.
+/// Adds `motions`, `limits` and the load cycles of mooring lines, if the scenario asks for these.
 pub(super) fn put_statistics(whole: &mut Json, outcome: &Outcome<'_>) {
     let Some(statistics) = outcome.statistics else { return };
     let setup = outcome.setup;

@@ -1,4 +1,4 @@
-//! Vessels, tugs, lines, anchors and their events in `summary.json`.
+//! Vessels, tugs, mooring lines, anchors and their events in `summary.json`.
 
 use crate::events::world_event_key;
 use fenderline_sim::external::ProviderEvent;

@@ -1,4 +1,4 @@
-//! Counts the events of vessels, tugs, lines and anchors.
+//! Counts the events of vessels, tugs, mooring lines and anchors.
 
 use fenderline_sim::{Setup, StepRecord, WorldEvent, WorldEventKind};
 

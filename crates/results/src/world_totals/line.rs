@@ -8,25 +8,25 @@ use super::{Lasting, Peak};
 /// Totals of one line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineTotals {
-    /// Start of the first step in which the line was fast (s).
+    /// Start of the first step in which the mooring line was made fast (s).
     pub made_fast_s: Option<f64>,
     /// Peak tension at the ship's end (N); for a parted line, the tension at which it parted.
     pub tension_n: Peak,
     /// Break load of the line (N), that of the weaker of rope and tail; `None` before the line is made fast.
     pub break_load_n: Option<f64>,
-    /// Working load (N), if the kind of line has a working load.
+    /// Working load of the mooring line (N), if its kind has a working load.
     pub working_load_n: Option<f64>,
     /// Time for which the tension was above the working load.
     pub over_working: Lasting,
-    /// Length of line that the winch brake let run out under load (m).
+    /// Length of mooring line that the winch brake let run out under load (m).
     pub rendered_m: f64,
     /// Time at which the line parted (s).
     pub parted_s: Option<f64>,
     /// Tension of the line at the end of the run (N).
     pub last_tension_n: f64,
-    /// Whether the line is fast at the end of the run.
+    /// Whether the mooring line is made fast at the end of the run.
     pub is_fast: bool,
-    /// Position of the line's shore end when the line was last fast.
+    /// Position of the mooring line's shore end when the line was last made fast.
     pub end: Option<LineEnd>,
     /// The bollard to which an order last sent the line, as an index into
     /// [`fenderline_sim::WorldSetup::bollards`].
@@ -90,7 +90,7 @@ impl LineTotals {
 /// The verdict on a line, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineVerdict {
-    /// The line was never fast in this run.
+    /// The mooring line was never made fast in this run.
     NotMadeFast,
     /// The line was made fast, and its tension stayed within the working load.
     Ok,

@@ -1,5 +1,5 @@
-//! Totals of vessels, tugs, lines and anchors over a run. The size of these totals does not grow with the length of the
-//! run.
+//! Totals of vessels, tugs, mooring lines and anchors over a run. The size of these totals does not grow with the
+//! length of the run.
 
 mod anchor;
 mod events;
@@ -18,7 +18,7 @@ pub use passing::PassingTotals;
 pub use tug::TugTotals;
 pub use vessel::VesselTotals;
 
-/// The totals of vessels, tugs, lines, anchors and passing ships over a run.
+/// The totals of vessels, tugs, mooring lines, anchors and passing ships over a run.
 #[derive(Clone, Debug)]
 pub struct WorldTotals {
     setup: WorldSetup,
@@ -33,7 +33,7 @@ pub struct WorldTotals {
     pub anchors: Vec<AnchorTotals>,
     /// Totals of the passing ships, in the order of the set-up.
     pub passing: Vec<PassingTotals>,
-    /// Events of vessels, tugs, lines and anchors.
+    /// Events of vessels, tugs, mooring lines and anchors.
     pub events: WorldEvents,
     /// Outlines and poses of the vessels, if ships pass.
     hulls: Vec<(Vec<Vec2>, Pose)>,

@@ -30,11 +30,11 @@ const EARLIER_M: f64 = 0.01;
 const POINTS: [(&str, f64); 3] =
     [("quarter point", 0.25), ("third point", 1.0 / 3.0), ("midship", 0.5)];
 
-/// A fender of the berth, in the horizontal plane.
+/// The fender of the berth that the ship is to meet, in the horizontal plane.
 struct Target {
     fender: usize,
     face: Face,
-    /// Unit vector out of the berth.
+    /// Unit vector in the direction in which the fender faces, out of the berth.
     out: Vec2,
     /// Direction of the fender, clockwise from north (rad).
     out_rad: f64,
@@ -273,7 +273,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The contact point forward of midship (m).
+    /// Distance of the contact point forward of midship (m).
     fn contact_m(&self, table: Of<'_, ApproachKey>, length_m: f64, angle_rad: f64) -> Checked<f64> {
         Ok(match &table.given(ApproachKey::CONTACT).value {
             Value::Number(along_m) => *along_m,

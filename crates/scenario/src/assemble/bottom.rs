@@ -1,4 +1,4 @@
-//! The bottom by place, and whether ships begin on it.
+//! Reads the sea bottom, whose depth depends on the place, and checks whether ships begin aground.
 
 use std::sync::Arc;
 
@@ -9,8 +9,8 @@ use fenderline_sim::{BodySetup, Bottom, Environment, Outside, Setup};
 use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
 use super::vessel::Kinds;
-use crate::bottom::{self, About, LAND_HEIGHT_M, Refusal, Request};
-use crate::chart::projection::Projected;
+use fenderline_charts::bottom::{self, About, LAND_HEIGHT_M, Refusal, Request};
+use fenderline_charts::chart::projection::Projected;
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of, Tables, Value};
 use fenderline_keys::held::TableOf;
@@ -23,14 +23,15 @@ use fenderline_keys::sources::quoted;
 /// How far in front of a fender the bottom is looked at (m): under a ship that lies there.
 const BEFORE_FENDER_M: f64 = 10.0;
 
-/// A chart, and the projection of its longitude and latitude: about its origin, and whether it is UTM.
+/// A nautical chart. For a chart in longitude and latitude also the projection, the geographic position of the
+/// scenario's origin, and whether the projection is UTM.
 pub(super) struct Charted {
     pub(super) chart: Chart,
     pub(super) projected: Option<(Projected, GeographicPlace, bool)>,
 }
 
 impl Assembly<'_, '_> {
-    /// The bottom by place; `None` without its table.
+    /// The sea bottom, whose depth depends on the place; `None` if the scenario has no table `[environment.bottom]`.
     pub(super) fn bottom(
         &mut self,
         environment: Of<'_, EnvironmentKey>,
@@ -92,7 +93,17 @@ impl Assembly<'_, '_> {
             let (span, path) = place_of(environment, item, about);
             self.note_at(&span, path, text);
         }
-        Ok(Some(Bottom { field: Arc::new(made.field), outside }))
+        let banks = of.given(BottomKey::BANKS).choice();
+        let straight = environment.given(EnvironmentKey::BANK).list();
+        if let (Some(_), Some(first)) = (banks, straight.iter().next()) {
+            let banks = of.path_of(BottomKey::BANKS);
+            let message = format!(
+                "a straight bank acts beside the banks of the bottom: if the bottom has the same bank, its force is counted \
+                 twice; {banks} = \"none\" leaves out those of the bottom"
+            );
+            self.note(first, &message);
+        }
+        Ok(Some(Bottom { field: Arc::new(made.field), outside, banks }))
     }
 
     fn outside(&self, of: Of<'_, BottomKey>) -> Checked<Outside> {
@@ -190,7 +201,8 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Where a sentence or a mistake belongs: at its key, or at the table where the key is left out.
+/// The place in the file to which a warning or an error about the bottom points: the key, or the table if the file does
+/// not give the key.
 fn place_of(
     environment: Of<'_, EnvironmentKey>,
     item: Entry<'_, TableOf<BottomKey>>,
@@ -209,8 +221,8 @@ fn place_of(
     }
 }
 
-/// One depth below datum for waves, which have the same length everywhere (m): the median of the nodes that are wet when the
-/// water stands `level_m` above datum. Without such nodes, the greatest depth.
+/// One depth below datum for waves, which have the same length everywhere (m): the median depth of the nodes that are
+/// wet when the water stands `level_m` above datum. If no node is wet, the greatest depth.
 pub(super) fn depth_for_waves_m(bottom: &Bottom, level_m: f64) -> f64 {
     let wet = |depth_m: &f32| f64::from(*depth_m) + level_m > 0.0;
     let mut water: Vec<f32> = bottom.field.depths_m().iter().copied().filter(wet).collect();

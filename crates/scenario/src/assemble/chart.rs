@@ -1,12 +1,12 @@
-//! Reads the chart, and the outlines of bodies from the chart.
+//! Reads the nautical chart of a scenario, and the outlines of bodies from the chart.
 
 use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
 use super::assembly::{Assembly, Checked};
 use super::bottom::Charted;
-use crate::chart::projection::Projected;
-use crate::chart::{Budget, Counts, Placing, read};
+use fenderline_charts::chart::projection::Projected;
+use fenderline_charts::chart::{Budget, Counts, Placing, read};
 use fenderline_keys::any_keys;
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::Text;
@@ -16,7 +16,7 @@ use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
-    /// The chart; empty without its table.
+    /// Reads the nautical chart; the chart is empty if the scenario has no table `[chart]`.
     pub(super) fn chart(&mut self, table: Option<Of<'_, ChartKey>>) -> Checked<Charted> {
         let none = Charted { chart: Chart::default(), projected: None };
         let Some(table) = table else { return Ok(none) };
@@ -85,7 +85,7 @@ impl Assembly<'_, '_> {
         Ok((Placing::Degrees(Projected::about(origin, projection.choice())), Some(origin)))
     }
 
-    /// The corners of the area of the chart that `chart_outline` names, in the body's axes.
+    /// The corners of the area of the nautical chart that `chart_outline` names, in the body's axes.
     pub(super) fn chart_outline(
         &self,
         table: Of<'_, BodyKey>,

@@ -29,13 +29,13 @@ use fenderline_keys::typed_key::{AnyKey, Key};
 
 /// Bounds of coefficients, wider than the coefficients of any ship.
 const COEFFICIENT: [f64; 2] = [-20.0, 20.0];
-/// Bounds of the forces in a table, in the unit of the column.
+/// Bounds of the forces in a table of wind or current forces, in the unit of the column.
 const FORCE: [f64; 2] = [-1e12, 1e12];
 /// Units of force and of moment as they stand in the names of columns, with the size of the unit in N and N m.
 const UNITS: [(&str, &str, f64); 3] =
     [("n", "nm", 1.0), ("kn", "knm", 1e3), ("tf", "tfm", 9806.65)];
 
-/// The columns of a file in which the numbers of a table are.
+/// The columns of a file that hold the numbers of a table of wind or current coefficients.
 struct Columns {
     angle: usize,
     /// Number of degrees in one unit of the column of angles.
@@ -143,8 +143,8 @@ impl Assembly<'_, '_> {
         };
         if environment.bottom.is_some() {
             note(format!(
-                "the depth is by place: in less than {least} or more than {most} draughts of \
-                 water the forces at these depths are used"
+                "the depth of the water depends on the place: where it is less than {least} or more \
+                 than {most} draughts, the run uses the forces at {least} or {most} draughts"
             ));
             return;
         }
@@ -251,7 +251,7 @@ impl Assembly<'_, '_> {
             match &of_first {
                 Some(first) if first.degrees != found.degrees || first.sides != found.sides => {
                     return Err(csv.header_error(format!(
-                        "the angles{} are not the same as the angles{}",
+                        "the rows{} have other angles than the rows{}",
                         place(group),
                         place(0)
                     )));

@@ -13,8 +13,8 @@ use fenderline_keys::sources::{Sources, quoted};
 use fenderline_keys::typed_key::Key;
 use fenderline_keys::{any_keys, key_path, reader};
 
-/// Adds a body for each dolphin of a row to the bodies of the file. A pair of bodies that names a row becomes a pair
-/// with each dolphin of the row.
+/// Adds a body for each dolphin of a row of fenders to the bodies of the file. A pair of bodies that names a row
+/// becomes a pair with each dolphin of the row.
 pub(crate) fn add_dolphins(sources: &Sources<'_>, file: &mut Table) -> Result<(), ScenarioError> {
     let mut rows: Vec<(String, Vec<String>)> = Vec::new();
     let mut dolphins = Vec::new();

@@ -51,8 +51,8 @@ pub(super) fn edges_with(outline: &Outline, points_m: &[Vec2]) -> Vec<Edge> {
     edges(outline).filter(holds_all).collect()
 }
 
-/// The direction in which a fender at a point of the outline faces (rad). It faces out from the edge, and at a corner
-/// midway between the two edges; `None` if the point is not on the outline.
+/// The direction in which a fender at a point of the outline faces (rad). The fender faces out from the edge, and at a
+/// corner midway between the two edges; `None` if the point is not on the outline.
 pub(super) fn facing_rad(outline: &Outline, point_m: Vec2) -> Option<f64> {
     match edges_with(outline, &[point_m]).as_slice() {
         [edge] => Some(direction_rad(edge.outward)),

@@ -53,7 +53,7 @@ impl Assembly<'_, '_> {
         for &key in any_keys![EnvironmentKey: WAVES, LONG_WAVES] {
             if let (Some(item), Some(depth_m)) = (table.item(key), of_bottom_m) {
                 let text = format!(
-                    "waves do not feel the depth by place: they have the length of waves in the median depth of the bottom, {depth_m:.1} m below \
+                    "waves do not follow the depth at each place: they have the length of waves in the median depth of the bottom, {depth_m:.1} m below \
                      datum"
                 );
                 self.note_at(&item.key_span, table.path_to(item), text);
@@ -228,7 +228,16 @@ impl Assembly<'_, '_> {
             );
         }
         // Over a bottom by place the verdict names the depths that a vessel meets.
-        if environment.bottom.is_some() {
+        if let Some(bottom) = &environment.bottom {
+            if let (Some(BankMethod::Norrbin), Some(item), false) =
+                (bottom.banks, surroundings.item(EnvironmentKey::BOTTOM), kinds.all.is_empty())
+            {
+                self.note(
+                    item.table(),
+                    "bank suction is UNVALIDATED: Norrbin's formulas are from memory, and the vertical walls that stand \
+                     for the sections of the bottom are our assumption; `banks = \"none\"` leaves out the force of banks",
+                );
+            }
             return;
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };

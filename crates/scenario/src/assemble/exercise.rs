@@ -184,7 +184,8 @@ impl Assembly<'_, '_> {
         Ok(Condition::LinesFast { lines, at_least, tension_n })
     }
 
-    /// How many of the counted lines or anchors the goal needs; `None` if the scenario gives no number.
+    /// The number of mooring lines or anchors that the goal of the exercise needs; `None` if the scenario gives no
+    /// number.
     fn at_least(
         &self,
         table: Of<'_, ExerciseKey>,
@@ -265,8 +266,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Finds things of the scenario, such as lines, by a list of names that has each name once. `what` is the kind of
-    /// thing, `all` the names of all things of this kind.
+    /// Finds things of the scenario, such as mooring lines, by a list of names that has each name once. `what` is the
+    /// kind of thing, `all` the names of all things of this kind.
     fn named<T>(
         &self,
         table: Of<'_, T>,
@@ -361,7 +362,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The indices of a ship's lines, which are the lines whose fairlead is on the ship.
+/// The indices of a ship's mooring lines, which are the lines whose fairlead is on the ship.
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

@@ -49,7 +49,7 @@ impl Assembly<'_, '_> {
         Ok(factors)
     }
 
-    /// Warns of partial factors for fenders or lines if the scenario has no fenders or lines.
+    /// Warns of partial factors for fenders or mooring lines if the scenario has no fenders or lines.
     pub(super) fn note_factors(
         &mut self,
         table: Option<Of<'_, FactorsKey>>,

@@ -199,16 +199,16 @@ fn outside(
     });
     let from = if body.is_fixed() { "datum" } else { "the keel" };
     heights_m.into_iter().find_map(|height_m| {
-        let off = |words: &str, end_m: f64| {
+        let off = |which: &str, end_m: f64| {
             format!(
-                "the fender is {height_m:.2} m above {from}, {words} outline, at {end_m} m, of {}: \
-                 at rest there is no contact at this fender",
+                "the fender is {height_m:.2} m above {from}, and the {which} outline of {} is at \
+                 {end_m} m: at rest there is no contact at this fender",
                 quoted(&body.name)
             )
         };
         if height_m - half_m > high_m {
-            return Some(off("above the highest", high_m));
+            return Some(off("highest", high_m));
         }
-        (height_m + half_m < low_m).then(|| off("below the lowest", low_m))
+        (height_m + half_m < low_m).then(|| off("lowest", low_m))
     })
 }

@@ -233,7 +233,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Warns of limits of lines or fenders if the scenario has no lines or fenders.
+    /// Warns of limits of mooring lines or fenders if the scenario has no lines or fenders.
     fn note_idle_limits(&mut self, file: Of<'_, ScenarioKey>, setup: &Setup) {
         let limits =
             file.given(ScenarioKey::LIMIT).named().iter().zip(&setup.world.statistics.limits);
@@ -250,7 +250,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Warns of orders, events, loads and lines that are planned for a time after the end of the run.
+    /// Warns of orders, events, loads and mooring lines that are planned for a time after the end of the run.
     fn note_after_the_end(&mut self, file: Of<'_, ScenarioKey>, duration_s: f64) {
         let why = format!("the run ends before this time, at {duration_s} s");
         for load in file.given(ScenarioKey::LOAD).list() {

@@ -59,11 +59,11 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Refuses friction or rolling resistance on a material without shear stiffness. In the paper, friction acts as the
-    /// force of a shear spring (eq. 4). The stiffness of the shear spring is a parameter of the fender (Table 1) and
-    /// does not follow from other parameters; with a stiffness of zero there is no friction at any slip. A default of
-    /// the shear stiffness would give wrong results without a message, because the stiffness decides how far a hull
-    /// moves before it slides, and how the hull surges alongside.
+    /// Refuses friction or rolling resistance on a material without shear stiffness. In the paper on the contact method
+    /// (Moreno and others, 2023), friction acts as the force of a shear spring (eq. 4). The stiffness of the shear
+    /// spring is a parameter of the fender (Table 1) and does not follow from other parameters; with a stiffness of
+    /// zero there is no friction at any slip. A default of the shear stiffness would give wrong results without a
+    /// message, because the stiffness decides how far a hull moves before it slides, and how the hull surges alongside.
     pub(super) fn need_shear_stiffness<T>(
         &self,
         of: Of<'_, T>,

@@ -19,7 +19,7 @@ use fenderline_keys::keys::mooring::{
 use fenderline_keys::sources::quoted;
 use fenderline_keys::typed_key::{AnyKey, Anything, Key};
 
-/// The far end of a line that is fast from the start, and the length of the line.
+/// The far end of a mooring line that is made fast before the start, and the length of the line.
 struct FarEnd {
     end: LineEnd,
     initial_length: InitialLength,
@@ -139,7 +139,7 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// Reads the far end of a line that is fast from the start.
+    /// Reads the far end of a mooring line that is made fast before the start.
     fn far_end(
         &self,
         table: Of<'_, LineKey>,
@@ -176,7 +176,7 @@ impl Assembly<'_, '_> {
         Ok(FarEnd { end: LineEnd::OnBody { body, at_m, above_water_m }, initial_length })
     }
 
-    /// Refuses keys that say where or how a line is made fast, for a line that is on board.
+    /// Refuses keys that say where or how a mooring line is made fast, for a line that is still on board.
     fn check_on_board(&self, table: Of<'_, LineKey>) -> Checked<()> {
         let given =
             AT_THE_FAR_END.iter().find_map(|key| table.item(*key).filter(|item| !item.is_default));
@@ -234,7 +234,7 @@ impl Assembly<'_, '_> {
         Ok(value as usize)
     }
 
-    /// Reads where a line's end is fastened, by coordinates or by the name of a point of the vessel.
+    /// Reads where the end of a mooring line is fastened, by coordinates or by the name of a point of the vessel.
     fn one_of<'t>(
         &self,
         table: Of<'t, LineKey>,
@@ -269,7 +269,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Where the end of a line is fastened.
+/// Where the end of a mooring line is fastened.
 enum LinePoint<'t> {
     /// A place relative to the body's origin, and a height above the water (m).
     At(Vec2, f64),

@@ -46,7 +46,9 @@ impl Assembly<'_, '_> {
         let between_vessels = *interaction.given(InteractionKey::BETWEEN_VESSELS).flag();
         let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
         let images = environment.banks.iter().filter(by_image).count();
-        if passing.is_empty() && !between_vessels && images == 0 {
+        let of_bottom = environment.bottom.as_ref().and_then(|bottom| bottom.banks);
+        let by_bottom = of_bottom == Some(BankMethod::Image);
+        if passing.is_empty() && !between_vessels && images == 0 && !by_bottom {
             return Ok(FlowSetup::default());
         }
         if let (Some((_, table)), true) = (passing.iter().next(), vessels.is_empty()) {
@@ -69,13 +71,16 @@ impl Assembly<'_, '_> {
         if between_vessels {
             self.note_between_vessels(interaction, &hulls, (vessels, bodies), environment);
         }
-        if images > 0 {
-            let banks =
-                file.given(ScenarioKey::ENVIRONMENT).table().given(EnvironmentKey::BANK).list();
+        if images > 0 || by_bottom {
+            let surroundings = file.given(ScenarioKey::ENVIRONMENT).table();
+            let banks = surroundings.given(EnvironmentKey::BANK).list();
             let first = banks.iter().zip(&environment.banks).find(|(_, bank)| by_image(bank));
+            let of_bottom =
+                surroundings.item(EnvironmentKey::BOTTOM).map(|item| item.table().any());
+            let place = first.map(|(bank, _)| bank.any()).or(of_bottom);
             self.note_images(
-                first.map_or(interaction.any(), |(bank, _)| bank.any()),
-                images,
+                place.unwrap_or(interaction.any()),
+                if by_bottom { images + 2 } else { images },
                 &hulls,
                 (vessels, bodies),
             );
@@ -85,7 +90,8 @@ impl Assembly<'_, '_> {
         Ok(FlowSetup { passing: passing.collect::<Checked<_>>()?, hulls, between_vessels })
     }
 
-    /// The sectional areas of a hull, found as a table says.
+    /// The sectional areas of a hull, from its outline or from its midship coefficient alone, as the table `table`
+    /// says.
     fn flow_hull(
         &self,
         table: Of<'_, SectionsKey>,

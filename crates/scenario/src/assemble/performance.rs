@@ -20,8 +20,8 @@ use fenderline_keys::typed_key::Key;
 /// Stiffness of a stop, divided by the mean stiffness of the fender up to the stop.
 const STOP_OVER_MEAN: f64 = 50.0;
 
-/// Compression time at which the factor by compression time has returned to 1 beyond the end of its table (s), because
-/// a ship at rest compresses her fenders statically.
+/// Compression time (s), beyond the end of the table of factors by compression time, at which the factor has returned
+/// to 1, because a ship at rest compresses her fenders statically.
 const STATIC_TIME_S: f64 = 1000.0;
 
 /// The law of a fender's reaction, and the data that belong to this law.

@@ -15,8 +15,8 @@ use fenderline_keys::keys::body::BodyKey;
 use fenderline_keys::keys::fender::FenderKey;
 use fenderline_keys::sources::quoted;
 
-/// Distance of the middle of a fender's face from the water that is unusual if no depth is given (m). It is our choice,
-/// greater than the greatest tides.
+/// Distance of the middle of a fender's face from the water that is unusual if no depth is given (m). The
+/// distance is our choice, greater than the greatest tides.
 pub(super) const FAR_FROM_WATER_M: f64 = 15.0;
 /// Usual range of the ratio of draught to beam of floating bodies; ships have 0.2 to 0.6, barges and pontoons less. The
 /// range is our choice, wide enough for ships, barges and pontoons.

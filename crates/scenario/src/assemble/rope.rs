@@ -1,4 +1,4 @@
-//! Reads the ropes of lines and tails, which are of a built-in material or stretch as the user says.
+//! Reads the ropes of mooring lines and of their tails, which are of a built-in material or stretch as the user says.
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
@@ -14,7 +14,7 @@ use fenderline_keys::printable::printable_number;
 const LONGEST_PERCENT: f64 = 1000.0;
 
 impl Assembly<'_, '_> {
-    /// Reads the rope in the table of a line or of a tail.
+    /// Reads the rope in the table of a mooring line or of its tail.
     pub(super) fn rope(&mut self, table: Of<'_, RopeKey>) -> Checked<Rope> {
         let break_load_n = *table.given(RopeKey::BREAK_LOAD).number();
         let material = table.given(RopeKey::ROPE);

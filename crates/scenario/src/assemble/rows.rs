@@ -26,7 +26,7 @@ use fenderline_keys::sources::{Span, quoted};
 use fenderline_keys::typed_key::AnyKey;
 use fenderline_keys::{any_keys, reader};
 
-/// The place of one fender of a row.
+/// The place at which one fender of a row stands.
 struct Stand {
     body: String,
     position_m: Vec2,

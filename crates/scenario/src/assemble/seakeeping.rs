@@ -19,7 +19,8 @@ use fenderline_keys::printable::printable_number;
 
 /// Viscous damping of roll if the scenario gives none; our assumption for a hull with bilge keels.
 const ROLL_DAMPING: f64 = 0.05;
-/// Largest difference between the mass in the hydrodynamic data and the displacement of the vessel, as a share.
+/// Largest difference between the mass in the hydrodynamic data and the displacement of the vessel, divided by the
+/// displacement.
 const MASS: f64 = 0.03;
 /// The shortest period of a motion that the time integration can follow, divided by the time step: 2π/√6.
 const SHORTEST_PERIOD: f64 = 2.565;

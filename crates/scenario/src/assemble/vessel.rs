@@ -118,6 +118,7 @@ impl Kind {
             float,
             drift: Some(drift),
             seakeeping: None,
+            plan: None,
         };
         let mass = mass_of(&ship, water);
         Ok(Kind { setup, place, mass, low_water_mass, data })
@@ -261,8 +262,8 @@ impl Assembly<'_, '_> {
         self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
     }
 
-    /// The vessels that bodies name, in the order of the bodies. Over a bottom by place, each vessel and the mass of her
-    /// body are those in the depth at her start.
+    /// The vessels that bodies name, in the order of the bodies. If the depth of the water depends on
+    /// the place, the model and the mass of each vessel are computed for the depth where she starts.
     pub(super) fn vessels(
         &self,
         bodies: Tables<'_, BodyKey>,

@@ -6,8 +6,8 @@ use fenderline_keys::printable::printable_number;
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 
-/// The error for a name or rating that the library does not have. `Display` prints the error in one line;
-/// [`LookUpError::help`] says what to write instead.
+/// The error for a name that the fender library or the vessel library does not have, or for a fender that cannot be
+/// scaled. `Display` prints the error in one line; [`LookUpError::help`] says what to write instead.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LookUpError {

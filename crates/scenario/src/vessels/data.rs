@@ -38,7 +38,7 @@ pub struct VesselData {
     pub stability: Option<Stability>,
     /// Vertices of the vessel's outline, forward and to starboard of midship (m), if known.
     pub outline_m: Option<Vec<Vec2>>,
-    /// Places where lines leave the vessel.
+    /// Places where mooring lines leave the vessel.
     pub chocks: Vec<DeckPoint>,
     /// Places where lines of other vessels are made fast.
     pub bitts: Vec<DeckPoint>,
@@ -116,7 +116,7 @@ pub(crate) enum AddedMassForm {
 }
 
 impl VesselData {
-    /// The vessel as the standard manoeuvres need it.
+    /// The data of the vessel that the program needs to simulate her standard manoeuvres.
     #[must_use]
     pub fn trial(&self) -> Vessel {
         Vessel {

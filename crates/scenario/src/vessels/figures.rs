@@ -105,6 +105,6 @@ pub(super) fn digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let rounded: f64 = format!("{value:.8e}").parse().expect("a number in text is a number");
+    let rounded: f64 = format!("{value:.8e}").parse().expect("the text of a number can be parsed");
     format!("{rounded}")
 }

@@ -25,7 +25,7 @@ pub(super) struct ChartOutput {
 
 impl ChartOutput {
     /// Uses the given origin for the positions in sentences. With `None`, positions count from the origin of the
-    /// scenario's chart, or from 0° N 0° E if there is no chart.
+    /// scenario's nautical chart, or from 0° N 0° E if there is no chart.
     pub(super) fn new(given: Option<ChartOrigin>) -> ChartOutput {
         ChartOutput { given, sent: None, rounds: 0 }
     }
@@ -44,7 +44,8 @@ impl ChartOutput {
     }
 }
 
-/// The origin of a session's chart. The origin is `None` without a chart, and beyond 85° of latitude.
+/// The geographic position of the origin of a session's nautical chart. The origin is `None` without a chart, and
+/// beyond 85° of latitude.
 fn of_chart(session: &Session) -> Option<ChartOrigin> {
     let place = session.simulation().setup().world.chart.origin?;
     let (latitude_deg, longitude_deg) =

@@ -81,8 +81,8 @@ impl Engine {
         let _ = of.out.try_send(message::with_events(&text, &[], marks.as_deref()).into());
     }
 
-    /// Publishes a frame if the changed number of clients has to be shown. Also sends the notice about observers of
-    /// whom nobody was told, if it is due.
+    /// Publishes a frame if the changed number of clients has to be shown. Also sends the notice that counts
+    /// the observers who came or went without a notice, if such a notice may be sent now.
     pub(super) fn show_crowd(&mut self) {
         let now = Instant::now();
         if self.crowd.due_at(self.published).is_some_and(|at| at <= now) {

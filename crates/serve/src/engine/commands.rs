@@ -75,8 +75,7 @@ impl Engine {
         Done::AtTick { tick, shows: self.paused }
     }
 
-    /// Checks that a client may give a command. Whether it may depends on the client's role and on the holders of the
-    /// controls.
+    /// Checks that a client may give a command. That depends on the client's role and on the holders of the controls.
     fn may_give(&self, client: ClientId, role: &Role, action: &Action) -> Result<Needs, Refusal> {
         let needs = permit::for_action(role, action, self.session.cast())?;
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {

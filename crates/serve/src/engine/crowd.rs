@@ -28,7 +28,7 @@ impl Crowd {
         Crowd { has_changed: false, notices: Bucket::new(NOTICES.0, NOTICES.1, now), untold: 0 }
     }
 
-    /// A client has come or gone.
+    /// Notes that a client has come or gone.
     pub(super) fn change(&mut self) {
         self.has_changed = true;
     }

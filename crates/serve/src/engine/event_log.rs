@@ -8,8 +8,8 @@ use fenderline_live::message::EventNow;
 /// Number of events that are kept for frames, for clients that missed some frames.
 const KEPT: usize = 64;
 
-/// The latest events. Each event has a number that is never used twice. By the numbers of events, a client gets each
-/// event once.
+/// The latest events. Each event has a number that is never used twice. With the numbers, the server sends each
+/// event to a client only once.
 #[derive(Debug)]
 pub(super) struct EventLog {
     next: u64,

@@ -1,4 +1,5 @@
-//! Keeps the names of people and the seats of their pages. Names and seats tell who is at which page.
+//! Keeps the names of the people at the pages, and the seat of each page: the role and the secret by which the server
+//! knows the page again after it was reloaded.
 
 use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};
@@ -51,11 +52,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Gives a reloaded page the controls and the label that it left. Only one connected page has a seat at a time. A
-    /// copy of a page has the same secret, but gets nothing while the first page is connected.
+    /// Gives a reloaded page the controls and the label that it had before. The page shows by its secret `key` that it
+    /// is the same page. A copy of a page has the same secret, but gets nothing while the first page is connected.
     ///
     /// # Errors
-    /// Fails if the key does not consist of hexadecimal digits, or if another page has the seat.
+    /// Fails if the key does not consist of hexadecimal digits, or if a connected page has the same secret.
     pub(super) fn seat(
         &mut self,
         client: ClientId,
@@ -64,7 +65,7 @@ impl Engine {
     ) -> Result<(), Refusal> {
         if key.len() != SECRET_DIGITS || !key.bytes().all(|byte| byte.is_ascii_hexdigit()) {
             return Err(Refusal::new(format_args!(
-                "the key of a seat has {SECRET_DIGITS} hexadecimal digits"
+                "the secret key of a page has {SECRET_DIGITS} hexadecimal digits"
             )));
         }
         let seat = Seat { role: role.clone(), key };

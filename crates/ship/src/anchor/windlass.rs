@@ -63,7 +63,7 @@ impl Windlass {
     }
 
     pub(super) fn check(&self) -> Result<(), OutOfRange> {
-        within("brake of the windlass [N]", self.brake_n, 1.0, 1e9)?;
+        within("tension that the brake of the windlass holds [N]", self.brake_n, 1.0, 1e9)?;
         within("pull of the windlass [N]", self.pull_n, 1.0, 1e9)?;
         within("speed of the windlass [m/s]", self.heave_mps, 0.001, 5.0)?;
         within("speed of chain that runs out [m/s]", self.let_go_mps, 0.01, 20.0)?;

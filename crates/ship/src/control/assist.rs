@@ -73,8 +73,8 @@ impl Handling {
         }
     }
 
-    /// The heading for a tug that is far from her wanted position. A tug goes to a far position bow first, because
-    /// units at her stern move her sideways only slowly.
+    /// The heading for a tug that is far from her wanted position. A tug goes to a far position bow first, because the
+    /// azimuth units at her stern move her sideways only slowly.
     fn bow_first(&self, off: Vec2, going_mps: Vec2) -> Option<f64> {
         let far = off.length() > FAR * self.length_m && going_mps.length() > BOW_FIRST_MPS;
         far.then(|| libm::atan2(going_mps.y, going_mps.x))
@@ -145,7 +145,7 @@ pub struct AssistDemand {
 }
 
 /// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading with which she does so
-/// (rad). A tug at speed is turned by the units at her stern long before they move her sideways.
+/// (rad). A tug at speed is turned by the azimuth units at her stern long before they move her sideways.
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
     let [begins_mps, whole_mps] = STEERS_MPS;

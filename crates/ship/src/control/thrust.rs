@@ -37,7 +37,8 @@ pub enum Sway {
     Free,
 }
 
-/// Surge force, sway force and yaw moment of a force (N, N, and N·m divided by the scale of length).
+/// Surge force, sway force and yaw moment of a force (N, N, N); the moment is divided by the largest distance of a
+/// device from the centre of gravity.
 type Axes = [f64; 3];
 
 /// The devices of a vessel, and the forces that they give to meet a demand together. The memory of the allocation is
@@ -83,9 +84,9 @@ impl ThrustShares {
         allocate(devices, demand, sway, (forces_n, fixed, part_n));
     }
 
-    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged.
-    /// Units that push against each other turn by a small angle only when a small demand changes its sign; otherwise
-    /// they would turn by half a turn, which takes ten seconds.
+    /// Makes azimuth units abreast of each other push against each other, as in dynamic positioning. The sum is
+    /// unchanged. Units that push against each other turn by a small angle only when a small demand changes its sign;
+    /// otherwise they would turn by half a turn, which takes ten seconds.
     pub fn bias_pairs(&mut self) {
         bias_pairs(&self.devices, &mut self.forces_n);
     }
@@ -129,7 +130,7 @@ fn allocate(
     }
 }
 
-/// Force with which the units of a pair push against each other, divided by the smaller of their two limits.
+/// Force with which the azimuth units of a pair push against each other, divided by the smaller of their two limits.
 const BIAS: f64 = 0.15;
 
 /// See [`ThrustShares::bias_pairs`].

@@ -1,5 +1,7 @@
 //! Bank effect: the force of a vertical bank on a ship under way, by Norrbin's formulas. Not validated. The other
-//! method for bank effect, the ship's mirror image in a flow about slender ships, is in [`crate::passing`].
+//! method for bank effect, the ship's mirror image in a flow about slender ships, is in [`crate::passing`]. No whole set
+//! of published formulas for banks of any shape was found: Lataire and Vantorre's coefficients are not in what we could
+//! read. Banks of any shape are therefore brought to vertical walls, and the walls act by one of the two methods.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -103,12 +105,40 @@ impl Bank {
         let side = bounded(across_m * cos.signum() / half_beam_m, -1.0, 1.0);
         let distance_m = greater(across_m.abs(), half_beam_m);
         let along_mps = ship.surge_mps * cos.abs();
-        let ratio =
-            water.depth_m.map_or(0.0, |depth_m| bounded(ship.draught_m / depth_m, 0.0, 1.0));
-        let section_m2 = ship.beam_m * ship.draught_m;
-        let unit_n = 0.5 * water.density_kgpm3 * section_m2 * (ship.beam_m / distance_m) * share;
-        let suction_n = unit_n * along_mps * along_mps * (0.0925 + 0.372 * ratio * ratio);
-        let turning_n = unit_n * along_mps * along_mps.abs() * (0.0025 + 0.0755 * ratio * ratio);
+        let [suction_n, turning_n] =
+            norrbin(ship, water, (ship.beam_m / distance_m, share), along_mps);
         [0.0, side * suction_n, -side * turning_n * ship.length_m]
     }
+}
+
+impl ShipAtBank {
+    /// Force and moment of two vertical walls along the ship, [X, Y, N] in (N, N, N·m), by the formulas of
+    /// [`Bank::force`]: a wall to port and a wall to starboard, each as long as the ship. `per_m` has one over the
+    /// distance of each wall from her axis (1/m), 0 without a wall; a wall is at least half a beam off. NOT VALIDATED.
+    #[must_use]
+    pub fn between_walls(&self, per_m: [f64; 2], water: &BankWater) -> [f64; 3] {
+        let of_wall = |per_m: f64| {
+            let near = bounded(self.beam_m * per_m, 0.0, 2.0);
+            norrbin(self, water, (near, 1.0), self.surge_mps)
+        };
+        let [port, starboard] = per_m.map(of_wall);
+        [0.0, starboard[0] - port[0], (port[1] - starboard[1]) * self.length_m]
+    }
+}
+
+/// Suction (N), and the turning moment over the ship's length (N), of a vertical bank by Norrbin. `near` is the beam over
+/// the distance of the bank from midship, `share` the share of her length that is abreast of the bank.
+fn norrbin(
+    ship: &ShipAtBank,
+    water: &BankWater,
+    (near, share): (f64, f64),
+    along_mps: f64,
+) -> [f64; 2] {
+    let ratio = water.depth_m.map_or(0.0, |depth_m| bounded(ship.draught_m / depth_m, 0.0, 1.0));
+    let section_m2 = ship.beam_m * ship.draught_m;
+    let unit_n = 0.5 * water.density_kgpm3 * section_m2 * near * share;
+    [
+        unit_n * along_mps * along_mps * (0.0925 + 0.372 * ratio * ratio),
+        unit_n * along_mps * along_mps.abs() * (0.0025 + 0.0755 * ratio * ratio),
+    ]
 }

@@ -6,14 +6,14 @@ use super::depth_blocks::Blocks;
 use super::error::EnvironmentError;
 use crate::range::within;
 
-/// The most nodes of a field. Such a field takes 200 MB of memory.
+/// Largest number of nodes of a depth field. A field of this size takes 200 MB of memory.
 pub const MOST_NODES: usize = 50_000_000;
-/// A place nearer to a line of the grid than this share of a cell counts as on the line, so that the corners beyond the
-/// line do not count. Rounding of coordinates is less.
+/// A place nearer to a line of the grid than this share of a cell counts as on the line, so that the nodes beyond the
+/// line do not count. Rounding errors of coordinates are smaller than this share.
 const ON_LINE: f64 = 1e-9;
 
-/// Depths below datum at the nodes of a square grid, bilinear between the nodes. The field has no data outside the grid,
-/// and none in a cell of which a corner has no data.
+/// Depths below datum at the nodes of a square grid, bilinear between the nodes. The field has no data outside the
+/// grid, and none in a cell of which a corner has no data.
 ///
 /// The memory of a field does not change in a run: simulations share it by [`std::sync::Arc`].
 ///
@@ -94,8 +94,8 @@ impl DepthField {
     /// below datum (m), positive down, negative where the bottom falls dry, NaN where there is no data.
     ///
     /// # Errors
-    /// Fewer than two columns or rows, more than [`MOST_NODES`] nodes, another number of depths than nodes, a number out
-    /// of range, or no data at all.
+    /// Fails for fewer than two columns or rows, more than [`MOST_NODES`] nodes, another number of depths than nodes, a
+    /// number out of range, or no data at all.
     pub fn new(
         origin_m: Vec2,
         cell_m: f64,
@@ -106,12 +106,12 @@ impl DepthField {
         for value in [origin_m.x, origin_m.y] {
             within("corner of the depth field [m]", value, -1e8, 1e8)?;
         }
-        within("cell of the depth field [m]", cell_m, 0.01, 1e5)?;
+        within("side of a cell of the depth field [m]", cell_m, 0.01, 1e5)?;
         for nodes in [columns, rows] {
             within("columns and rows of the depth field", nodes as f64, 2.0, MOST_NODES as f64)?;
         }
         let nodes = columns.saturating_mul(rows);
-        within("nodes of the depth field", nodes as f64, 4.0, MOST_NODES as f64)?;
+        within("number of nodes of the depth field", nodes as f64, 4.0, MOST_NODES as f64)?;
         let found = depths_m.len();
         if found != nodes {
             let table = "the depth field";
@@ -145,8 +145,8 @@ impl DepthField {
     }
 
     /// Gradient of the depth at a place (m/m), north and east: it points to deeper water. On a line of the grid the
-    /// slope across the line is the mean of both sides, or that of the side with data. `None` as for
-    /// [`DepthField::depth_m`], and where neither side has data.
+    /// slope across the line is the mean of both sides, or that of the side with data. The result is `None`
+    /// where [`DepthField::depth_m`] gives `None`, and where neither side has data.
     #[must_use]
     pub fn gradient(&self, place_m: Vec2) -> Option<Vec2> {
         self.sounding(place_m).map(|(_, gradient)| gradient)
@@ -223,8 +223,8 @@ impl DepthField {
     }
 }
 
-/// Difference of depths from node to node along an axis, at a place; NaN without data. `at` gives the depth at a node of
-/// the axis.
+/// Difference of depths from node to node along an axis, at a place; NaN without data. `at` gives the depth at a node
+/// of the axis.
 fn slope(place: OnAxis, nodes: usize, at: impl Fn(OnAxis) -> f64) -> f64 {
     let node = |index: usize| at(OnAxis { low: index, high: index, share: 0.0 });
     if place.high != place.low {
@@ -412,11 +412,11 @@ mod tests {
                 .to_string()
         };
         let four = vec![1.0_f32; 4];
-        assert!(make(0.0, 2, 2, four.clone()).starts_with("cell of the depth field [m]"));
-        assert!(make(f64::NAN, 2, 2, four.clone()).starts_with("cell of the depth field [m]"));
-        assert!(make(f64::INFINITY, 2, 2, four.clone()).starts_with("cell of the depth field"));
+        assert!(make(0.0, 2, 2, four.clone()).starts_with("side of a cell of the depth field"));
+        assert!(make(f64::NAN, 2, 2, four.clone()).starts_with("side of a cell of the depth"));
+        assert!(make(f64::INFINITY, 2, 2, four.clone()).starts_with("side of a cell of the depth"));
         assert!(make(1.0, 1, 4, four.clone()).starts_with("columns and rows"));
-        assert!(make(1.0, 7072, 7072, Vec::new()).starts_with("nodes of the depth field"));
+        assert!(make(1.0, 7072, 7072, Vec::new()).starts_with("number of nodes of the depth"));
         assert!(make(1.0, usize::MAX, 2, Vec::new()).starts_with("columns and rows"));
         assert_eq!(make(1.0, 2, 3, four), "the depth field needs 6 entries, but has 4");
         assert!(make(1.0, 2, 2, vec![f32::INFINITY; 4]).starts_with("depth of the depth field"));

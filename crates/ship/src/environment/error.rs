@@ -26,9 +26,9 @@ pub enum EnvironmentError {
         /// Number of entries given.
         found: usize,
     },
-    /// One depth for all places, and a depth by place.
+    /// The environment has both one depth for all places and a depth that differs by place.
     TwoDepths,
-    /// A table of which no entry has data.
+    /// No entry of a table has data.
     NoData {
         /// The table.
         table: &'static str,
@@ -46,7 +46,10 @@ impl fmt::Display for EnvironmentError {
                 write!(f, "{table} needs {expected} entries, but has {found}")
             }
             EnvironmentError::TwoDepths => {
-                write!(f, "one depth of the water and a bottom by place exclude each other")
+                write!(
+                    f,
+                    "the water has both one depth and a depth by place: give only one of the two"
+                )
             }
             EnvironmentError::NoData { table } => write!(f, "{table} has no data"),
         }

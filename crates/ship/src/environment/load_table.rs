@@ -14,8 +14,9 @@ use crate::range::within;
 /// The angle γ of the table is that of [`super::wind::RelativeWind`]: the direction from which the flow comes, measured
 /// from the bow, positive over the port side. Forces in the table are positive forward and to starboard; the moment is
 /// positive if it turns the bow to starboard. The values are interpolated linearly between two angles and between two
-/// depths of the table; the angles close round the circle. In water shallower than the table's least depth the values
-/// of that depth are used, and in deeper water than its greatest depth the values of the greatest.
+/// depths of the table. After the last angle of the table, the interpolation goes on to its first angle. In water
+/// shallower than the table's least depth the values of that depth are used, and in deeper water than its greatest
+/// depth the values of the greatest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadTable {
     depth_ratios: Vec<f64>,

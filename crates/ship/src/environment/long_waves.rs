@@ -43,11 +43,12 @@ pub struct LongWaveSite {
     pub towards_rad: f64,
     /// Depth of the water at the berth (m).
     pub depth_m: f64,
-    /// Distance to a wall ahead that reflects the waves wholly (m); `None`: there is no wall, and the waves run on.
+    /// Distance from the berth to a wall in the direction of the waves, which reflects them wholly (m); `None` if there
+    /// is no wall.
     pub wall_m: Option<f64>,
 }
 
-/// A spectrum of long waves. If there is a wall, the height of the spectrum is the height at the wall.
+/// A spectrum of long waves. If there is a wall, the significant height is that at the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LongWaveSpectrum {
     /// Significant height (m).

@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 /// An actuator that follows its order at a constant rate: a rudder, a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateLimited {
-    /// Current value of the actuator, in the unit of the quantity.
+    /// Present value of the actuator, such as a rudder angle or a shaft speed.
     pub value: f64,
     /// Largest rate of change of the actuator, per second.
     pub rate_per_s: f64,
@@ -86,7 +86,7 @@ fn wrapped(angle_rad: f64) -> f64 {
 /// An actuator that follows its order with a first-order lag: a thruster, a tug's force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lag {
-    /// Current value of the actuator, in the unit of the quantity.
+    /// Present value of the actuator, such as a thrust.
     pub value: f64,
     /// Time constant of the lag (s); 0 for no lag.
     pub time_constant_s: f64,

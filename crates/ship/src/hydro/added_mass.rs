@@ -44,7 +44,7 @@ impl AddedMass {
 /// and yaw: nikpau/mmgdynamics). The paper of Zhou, Sheng & Feng was not read.
 ///
 /// # Errors
-/// Fails with [`HydroError::NegativeAddedMass`] if the hull is outside the charts.
+/// Fails with [`HydroError::NegativeAddedMass`] if the hull is outside the range of the charts.
 pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     let block = ship.block_coefficient();
     let (length_m, beam_m, draught_m) = (ship.length_m, ship.beam_m, ship.draught_m);

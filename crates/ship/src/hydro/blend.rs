@@ -44,7 +44,7 @@ const YAW: [f64; 2] = [1.5, 3.0];
 pub struct Hull {
     /// The polynomial for the ship under way; `None` if she has none.
     pub under_way: Option<Polynomial>,
-    /// The low-speed form of the hull, for all other motions.
+    /// The low-speed form of the hull force, for all motions except those of a ship under way.
     pub low_speed: LowSpeedHull,
     /// The lift that the low-speed form loses as the drift increases.
     pub stall: Stall,

@@ -7,7 +7,7 @@ use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
-/// An error in a ship's particulars or in the conditions.
+/// An error in a ship's particulars, or in the depth of the water or the speed of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum HydroError {

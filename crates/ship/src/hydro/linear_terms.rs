@@ -1,6 +1,7 @@
 //! The linear terms of a hull.
 
-/// The linear terms of the hull in one convention for both of its forms: over v' and r', without added mass.
+/// The linear terms of the hull force over v' and r', without added mass. They have this one convention whether the
+/// hull's polynomial is over v' and r' or over β and r'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearTerms {
     /// X'₀, negative.

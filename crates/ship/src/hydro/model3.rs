@@ -22,7 +22,7 @@ pub struct Motion {
 
 /// Accelerations of the ship in surge, sway and yaw.
 type Acceleration = [f64; 3];
-/// Rates of change of the six states, in the order of [`Motion`].
+/// Rates of change of the six numbers of a [`Motion`], in the order of its fields.
 type Rates = [f64; 6];
 
 /// A manoeuvring model [`Mmg`] with its mass matrix.

@@ -44,7 +44,7 @@ pub struct Propeller {
     pub diameter_m: f64,
     /// Polynomial of the thrust coefficient K_T in J, [k₀, k₁, k₂], for the first quadrant; `None` to use the series.
     pub thrust_polynomial: Option<[f64; 3]>,
-    /// The propeller series for the other quadrants and for torque.
+    /// The propeller series for the second to the fourth quadrant, and for the torque.
     pub series: Series,
 }
 

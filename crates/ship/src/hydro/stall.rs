@@ -6,25 +6,26 @@
 //! Near the bottom, Y_v and N_v are seven or eight times as large as in deep water, and a wing of such an aspect ratio
 //! stalls at 15 to 20°. Beyond its angle of stall a hull therefore loses the lift that the bottom adds. In a fully
 //! separated flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then at most
-//! 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more lift than this limit, with
-//! 1.0 in deep water.
+//! 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more lift than this limit: 1.0
+//! of her cross-flow drag in deep water.
 //!
-//! Of the side force and moment over all drift angles, only one curve could be read: OCIMF's for a loaded tanker in 1.1
-//! draughts of water (`validation/current.toml`). From the side force of OCIMF's curve the cross-flow drag C_D sin²β is
-//! subtracted. What is left of OCIMF's side force is 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at
-//! 40° and 0.13 at 60°, which is the value of deep water. In a flow over the stern OCIMF's side force is the same as in
-//! a flow over the bow. A fuller stern shifts the moment of OCIMF's curve by 0.02 L. Without this shift the moment
-//! falls to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is not
-//! separated (Munk). The angles of attached and separated flow, and the half of the moment that is left, are read from
-//! OCIMF's curve. The two angles and the half of the moment are used at all depths, because there is no other curve.
+//! Only one source with the side force and the moment over all drift angles could be read: OCIMF's curves for a loaded
+//! tanker in 1.1 draughts of water (`validation/current.toml`). From the side force of OCIMF's curves the cross-flow
+//! drag C_D sin²β is subtracted. What is left of OCIMF's side force is 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D
+//! sin β cos β at 40° and 0.13 of C_D sin β cos β at 60°; the last is the value of deep water. In a flow over the stern
+//! OCIMF's side force is the same as in a flow over the bow. A fuller stern shifts the moment of OCIMF's curve by 0.02
+//! L. Without this shift the moment falls to half of N_v sin β cos β and no further: bow and stern are still pushed
+//! apart, as by a flow that is not separated (Munk). The angles of attached and separated flow, and the half of the
+//! moment that is left, are read from OCIMF's curve. The two angles and the half of the moment are used at all depths,
+//! because there is no other curve.
 
 use fenderline_contact::number::lesser;
 
 use super::low_speed::LowSpeedHull;
 use super::quantities::{Velocity, smooth_step};
 
-/// From the first value of |u|/U on, which is a drift angle of 20° or less, the flow is attached. Up to the second
-/// value of |u|/U, which is a drift angle of 46° or more, the flow is separated.
+/// Value of |u|/U from which on the flow is attached, which is a drift angle of 20° or less. Up to the value
+/// [`SEPARATED`] of |u|/U, which is a drift angle of 46° or more, the flow is separated.
 const ATTACHED: f64 = 0.94;
 const SEPARATED: f64 = 0.70;
 /// Share of the yaw moment due to the bottom that is left in separated flow.
@@ -66,7 +67,7 @@ impl Stall {
     }
 }
 
-/// The share of a term that is lost if only the value `kept` remains.
+/// The share of a derivative `term` that is lost if only the size `kept` of the derivative remains.
 fn lost(kept: f64, term: f64) -> f64 {
     if term.abs() > kept { 1.0 - kept / term.abs() } else { 0.0 }
 }

@@ -119,9 +119,9 @@ const FINE: f64 = 1.0 / 134_217_728.0;
 /// The surplus of thrust over the wanted thrust increases with the revolutions.
 ///
 /// Computing the series of the propeller takes most of the time of a tug's step. The root is therefore bracketed first,
-/// by the rule of false position in the square of the revolutions, to which thrust is nearly proportional. The surplus
-/// of thrust is then computed only within the bracket, which is less than half as often. The revolutions found are
-/// those of a plain bisection, to the last bit.
+/// by the rule of false position in the square of the revolutions, to which thrust is nearly proportional. The
+/// bisection then computes the surplus of thrust only within the bracket. In total the surplus is computed less than
+/// half as often as by a plain bisection. The revolutions found are those of a plain bisection, to the last bit.
 fn least_with(surplus_n: impl Fn(f64) -> f64, max_rps: f64) -> f64 {
     let (below, above) = bracket(&surplus_n, max_rps);
     let (mut low, mut high) = (0.0, max_rps);

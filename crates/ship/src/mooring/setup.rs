@@ -58,7 +58,7 @@ pub struct LineDetails {
     /// the tension along the chord, at the middle of the chord. Each end of the rope bears half of its weight. The
     /// error of the flat parabola is of the next order, about (W/T)⁴/1920 of the length.
     pub weight_npm: f64,
-    /// Working load of the rope (N), if it is not the guideline's share of the break load.
+    /// Working load of the rope (N); `None` for the share of the break load by OCIMF's guideline MEG4.
     pub working_load_n: Option<f64>,
 }
 
@@ -147,8 +147,8 @@ impl LineKind {
     }
 
     /// Working load of a mooring rope (N): 55 % of the rope's break load for wire, 50 % for others (public summaries of
-    /// OCIMF's MEG4), unless it is given. The working load is `None` for a cable, because the guideline gives none for
-    /// cables.
+    /// OCIMF's MEG4), unless the set-up gives another working load. The working load is `None` for a cable, because the
+    /// guideline gives none for cables.
     #[must_use]
     pub fn working_load_n(&self) -> Option<f64> {
         match self {

@@ -20,10 +20,10 @@ pub struct Winch {
     pub constant_tension: Option<ConstantTension>,
 }
 
-/// The automatic control of a constant-tension winch. A constant-tension winch pays out if the tension is above a band
-/// around the set tension, down to the band. A constant-tension winch heaves in if the tension is below the band, up to
-/// the band. Motions of the ship that are faster than the winch's speeds bring the tension outside the band. The brake
-/// of a constant-tension winch renders as on other winches.
+/// The automatic control of a constant-tension winch. A constant-tension winch pays out while the tension is above a
+/// band around the set tension. A constant-tension winch heaves in while the tension is below the band. Motions of the
+/// ship that are faster than the winch's speeds bring the tension outside the band. The brake of a constant-tension
+/// winch renders as on other winches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTension {
     /// The set tension (N).

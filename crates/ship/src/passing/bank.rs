@@ -5,8 +5,8 @@ use fenderline_contact::{Pose, Rotation, Vec2, vec2};
 use super::flow::{PassingShip, force_above_bottom};
 
 /// Force and moment [X, Y, N] of a straight wall on a ship that goes ahead or astern beside it, in her axes and about
-/// the origin of her sections (N, N, N·m). The force is that of her mirror image: a ship on the other side of the wall
-/// that moves as she does.
+/// the point from which the places of her sections are measured (N, N, N·m). The force is that of her mirror image: a
+/// ship on the other side of the wall that moves as she does.
 ///
 /// For a ship parallel to the wall, Y = (ρu²y/π) ∬ S'S' Σ 1/r³ with r² = (x₂−x₁)² + 4y² + 4n²h²: y is the distance of
 /// her axis from the wall, n counts the images in surface and bottom, and h is the depth (m; `None`: deep water, n =

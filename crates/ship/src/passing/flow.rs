@@ -12,15 +12,16 @@ use super::sections::Sections;
 pub struct PassingShip<'s> {
     /// Sections of the ship.
     pub sections: &'s Sections,
-    /// Pose of the ship; the origin of the pose is the origin of the ship's sections.
+    /// Pose of the ship: position and heading of the point from which the places of her sections are measured.
     pub pose: Pose,
     /// Velocity of the ship through the water, north and east (m/s).
     pub velocity_mps: Vec2,
 }
 
 /// Force and moment [X, Y, N] of a passing ship on a ship at rest (N, N, N·m): forward, to starboard, clockwise from
-/// above. Force and moment are in the axes of the ship at rest, about the origin of her sections. The formulas for a
-/// passing ship are for deep, open water; [`super::factors`] correct for shallow water and quays.
+/// above. Force and moment are in the axes of the ship at rest, about the point from which the places of her sections
+/// are measured. The formulas for a passing ship are for deep, open water; [`super::factors`] correct for shallow water
+/// and quays.
 ///
 /// `closest_m` is the least distance that two points of the ships' axes are taken to have, such as the mean of the two
 /// beams. If the axes are nearer than `closest_m`, the hulls would overlap, and the force at `closest_m` is used.
@@ -119,9 +120,9 @@ impl Seen {
         Seen { from_m, r2_m2, per_r3: 1.0 / (r2_m2 * libm::sqrt(r2_m2)) }
     }
 
-    /// Sums over a row of images of the source, which are twice the depth apart. Beyond the first few, the images are
-    /// replaced by an integral from half way to the next, with the first term of Euler and Maclaurin. The error of the
-    /// sum over the images is below 0.01 % of the sum.
+    /// Sums over a row of images of the source, which are twice the depth apart. Beyond the first few images, an
+    /// integral with the first term of the Euler–Maclaurin formula replaces the sum; the integral begins half way to
+    /// the next image. The error of the sum over the images is below 0.01 % of the sum.
     fn above_bottom(from_m: Vec2, closest_m: f64, depth_m: f64) -> Seen {
         let plane_m2 = greater(from_m.length_squared(), closest_m * closest_m);
         let apart_m = 2.0 * depth_m;

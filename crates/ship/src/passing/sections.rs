@@ -4,8 +4,8 @@ use std::fmt;
 
 use crate::range::{OutOfRange, within};
 
-/// Panels along a ship. With 48 panels along the ship, at a distance of a tenth of her length, the midpoint rule has an
-/// error below 0.5 %.
+/// Panels along a ship. With 48 panels along the ship, the force by the midpoint rule at a distance of a tenth of her
+/// length has an error below 0.5 %.
 const PANELS: u32 = 48;
 
 /// The areas of a ship's sections below the water, along the length of the ship.
@@ -21,7 +21,7 @@ pub struct Sections {
 /// A panel, which is a part of a ship's length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Panel {
-    /// Distance of the panel's middle forward of the origin (m).
+    /// Distance of the panel's middle forward of the origin of the sections (m).
     pub(super) x_m: f64,
     /// Volume of the panel below the water (m³).
     pub(super) volume_m3: f64,
@@ -30,7 +30,7 @@ pub(super) struct Panel {
 /// A change of the sectional area along the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Change {
-    /// Distance of the place of the change forward of the origin (m).
+    /// Distance of the place of the change forward of the origin of the sections (m).
     pub(super) x_m: f64,
     /// Sectional area forward of the place, less the area aft of it (m²).
     pub(super) area_m2: f64,
@@ -40,7 +40,7 @@ pub(super) struct Change {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SectionsError {
-    /// A number of the sections is outside its range.
+    /// The length of the ship, or the place or area of a section, is outside its range.
     OutOfRange(OutOfRange),
     /// Fewer than two sections.
     TooFew,

@@ -7,12 +7,14 @@
 mod error;
 mod pace;
 mod path;
+mod plan;
 
 use fenderline_contact::{Pose, Vec2};
 
 pub use error::TrackError;
 pub use pace::Pace;
-pub use path::Path;
+pub use path::{Beside, Path};
+pub use plan::{Leg, OnPlan, PassagePlan, Waypoint, WheelOver};
 
 /// A track: the position of a ship at each time.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use crate::range::within;
 /// Speed along a track by time: straight lines between times, constant before the first and after the last time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pace {
-    /// Knots: times at which a speed is given, and the speeds, from the first time on.
+    /// Knots: times at which a speed is given, with these speeds, in the order of time.
     knots: Vec<Knot>,
     /// Distance from the first knot (time with a speed) to the first waypoint of the track (m).
     begins_m: f64,

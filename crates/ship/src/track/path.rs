@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Rotation, Vec2, vec2};
 
 use super::error::TrackError;
@@ -24,6 +25,36 @@ struct Piece {
     heading_rad: f64,
     /// Curvature of the piece: 1 divided by the radius (1/m), positive for a turn to starboard; 0 for a leg.
     curvature_pm: f64,
+}
+
+/// Where a point lies beside a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside {
+    /// Distance along the path from its first waypoint to the place that is nearest to the point (m); negative before
+    /// the first waypoint.
+    pub along_m: f64,
+    /// Distance of the point from the path (m), positive to starboard of the path.
+    pub off_m: f64,
+}
+
+/// A point may lie so far beyond the end of a piece and still count as beside the piece (m).
+const SEAM_M: f64 = 1e-6;
+
+impl Piece {
+    /// Distance along the piece to the place beside a point, and the distance of the point from the piece, positive to
+    /// starboard (m). On an arc the distance along is at most half a circle.
+    fn beside(&self, to_m: Vec2) -> (f64, f64) {
+        let seen = Rotation::from_angle(-self.heading_rad).apply(to_m - self.start_m);
+        if self.curvature_pm == 0.0 {
+            return (seen.x, seen.y);
+        }
+        // Seen from the start of the arc the centre lies square to starboard or to port.
+        let radius_m = 1.0 / self.curvature_pm.abs();
+        let side = self.curvature_pm.signum();
+        let from_centre = vec2(seen.x, radius_m - side * seen.y);
+        let turned_rad = libm::atan2(from_centre.x, from_centre.y);
+        (radius_m * turned_rad, side * (radius_m - from_centre.length()))
+    }
 }
 
 /// A place on the path of a ship on a track.
@@ -58,31 +89,64 @@ impl Path {
     /// Fails for fewer than two waypoints; a waypoint less than a metre from the waypoint before it; or a radius that
     /// is not between 1 m and 100 km, or that does not fit between the waypoints.
     pub fn through(waypoints_m: &[Vec2], radius_m: f64) -> Result<Path, TrackError> {
-        if waypoints_m.len() < 2 {
-            return Err(TrackError::TooFew);
-        }
+        let (legs, turns) = legs_and_turns(waypoints_m)?;
         within("turning radius of a track [m]", radius_m, 1.0, 1e5)?;
-        for value in waypoints_m.iter().flat_map(|point| [point.x, point.y]) {
-            within("position of a waypoint [m]", value, -1e8, 1e8)?;
-        }
-        let legs: Vec<Vec2> = waypoints_m.windows(2).map(|ends| ends[1] - ends[0]).collect();
-        if let Some(leg) = legs.iter().position(|leg| leg.length() < 1.0) {
-            return Err(TrackError::Near { waypoint: leg + 1 });
-        }
-        let headings: Vec<f64> = legs.iter().map(|leg| libm::atan2(leg.y, leg.x)).collect();
-        let turns: Vec<f64> =
-            headings.windows(2).map(|pair| within_half_turn(pair[1] - pair[0])).collect();
         check_bends(&legs, &turns, radius_m)?;
-        let mut pieces = Vec::with_capacity(legs.len() + turns.len());
+        Ok(Path::of(waypoints_m, &legs, &turns, |_| radius_m))
+    }
+
+    /// As [`Path::through`], with a radius for the bend at each waypoint (m). The radii of the first and the last
+    /// waypoint have no effect.
+    ///
+    /// # Errors
+    /// As [`Path::through`].
+    ///
+    /// # Panics
+    /// Panics if there are not as many radii as waypoints.
+    pub fn with_radii(waypoints_m: &[Vec2], radii_m: &[f64]) -> Result<Path, TrackError> {
+        assert_eq!(waypoints_m.len(), radii_m.len(), "a radius for each waypoint");
+        let (legs, turns) = legs_and_turns(waypoints_m)?;
+        for &radius_m in &radii_m[1..radii_m.len() - 1] {
+            within("turning radius at a waypoint [m]", radius_m, 1.0, 1e5)?;
+        }
+        let cut = |waypoint: usize| match turns.get(waypoint.wrapping_sub(1)) {
+            Some(turn_rad) => radii_m[waypoint] * libm::tan(0.5 * turn_rad.abs()),
+            None => 0.0,
+        };
+        for (index, leg) in legs.iter().enumerate() {
+            let cuts_m = [cut(index), cut(index + 1)];
+            if cuts_m[0] + cuts_m[1] > leg.length() {
+                // The bend that takes more of the leg is the one to change.
+                let (waypoint, [own_m, other_m]) = match cuts_m[0] > cuts_m[1] {
+                    true => (index, cuts_m),
+                    false => (index + 1, [cuts_m[1], cuts_m[0]]),
+                };
+                let most_m = greater(leg.length() - other_m, 0.0) * radii_m[waypoint] / own_m;
+                return Err(TrackError::Bend { waypoint, most_m });
+            }
+        }
+        Ok(Path::of(waypoints_m, &legs, &turns, |waypoint| radii_m[waypoint]))
+    }
+
+    /// The pieces of a path whose bends fit; `radius_m` gives the radius at a waypoint.
+    fn of(
+        waypoints_m: &[Vec2],
+        legs: &[Vec2],
+        turns_rad: &[f64],
+        radius_m: impl Fn(usize) -> f64,
+    ) -> Path {
+        let mut pieces = Vec::with_capacity(legs.len() + turns_rad.len());
         let (mut from_m, mut start_m) = (0.0, waypoints_m[0]);
-        for (index, (leg, &heading_rad)) in legs.iter().zip(&headings).enumerate() {
+        for (index, leg) in legs.iter().enumerate() {
+            let heading_rad = libm::atan2(leg.y, leg.x);
             pieces.push(Piece { from_m, start_m, heading_rad, curvature_pm: 0.0 });
-            let Some(&turn_rad) = turns.get(index) else { break };
+            let Some(&turn_rad) = turns_rad.get(index) else { break };
             if turn_rad == 0.0 {
                 from_m += (waypoints_m[index + 1] - start_m).length();
                 start_m = waypoints_m[index + 1];
                 continue;
             }
+            let radius_m = radius_m(index + 1);
             let cut_m = radius_m * libm::tan(0.5 * turn_rad.abs());
             let ahead = *leg * (1.0 / leg.length());
             let bend_m = waypoints_m[index + 1] - ahead * cut_m;
@@ -93,7 +157,29 @@ impl Path {
             let next = legs[index + 1];
             start_m = waypoints_m[index + 1] + next * (cut_m / next.length());
         }
-        Ok(Path { pieces })
+        Path { pieces }
+    }
+
+    /// The place of the path that is nearest to a point, north and east (m). The first leg goes on before the first
+    /// waypoint, and the last leg after the last waypoint. Of places that are equally near, the first along the path.
+    #[must_use]
+    pub fn nearest(&self, to_m: Vec2) -> Beside {
+        let mut nearest: Option<Beside> = None;
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let next = self.pieces.get(index + 1);
+            let length_m = next.map_or(f64::INFINITY, |next| next.from_m - piece.from_m);
+            let least_m = if index == 0 { f64::NEG_INFINITY } else { 0.0 };
+            let (along_m, off_m) = piece.beside(to_m);
+            // A point beside the end of a piece is beside the begin of the next piece: neither may be lost to rounding.
+            if along_m < least_m - SEAM_M || along_m > length_m + SEAM_M {
+                continue;
+            }
+            if nearest.is_none_or(|found| off_m.abs() < found.off_m.abs()) {
+                nearest = Some(Beside { along_m: piece.from_m + along_m, off_m });
+            }
+        }
+        // A smooth path without ends has a place nearest to every point, and the point lies square to the path there.
+        nearest.unwrap_or(Beside { along_m: 0.0, off_m: 0.0 })
     }
 
     /// The place at a distance along the path from its first waypoint (m).
@@ -140,6 +226,23 @@ impl Path {
     }
 }
 
+/// Legs between waypoints, and the turns between the legs (rad, positive to starboard).
+fn legs_and_turns(waypoints_m: &[Vec2]) -> Result<(Vec<Vec2>, Vec<f64>), TrackError> {
+    if waypoints_m.len() < 2 {
+        return Err(TrackError::TooFew);
+    }
+    for value in waypoints_m.iter().flat_map(|point| [point.x, point.y]) {
+        within("position of a waypoint [m]", value, -1e8, 1e8)?;
+    }
+    let legs: Vec<Vec2> = waypoints_m.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    if let Some(leg) = legs.iter().position(|leg| leg.length() < 1.0) {
+        return Err(TrackError::Near { waypoint: leg + 1 });
+    }
+    let headings: Vec<f64> = legs.iter().map(|leg| libm::atan2(leg.y, leg.x)).collect();
+    let turns = headings.windows(2).map(|pair| within_half_turn(pair[1] - pair[0])).collect();
+    Ok((legs, turns))
+}
+
 /// Checks that each leg of the path has room for the bends at both of its ends.
 fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), TrackError> {
     // Length of a leg that a bend of radius 1 takes.
@@ -156,7 +259,7 @@ fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), Tr
 }
 
 /// Returns an angle in the range from −π to π (rad).
-fn within_half_turn(angle_rad: f64) -> f64 {
+pub(super) fn within_half_turn(angle_rad: f64) -> f64 {
     angle_rad - 2.0 * PI * libm::round(angle_rad / (2.0 * PI))
 }
 
@@ -181,6 +284,60 @@ mod tests {
         }
         let points = path.points_m(-50.0, 700.0);
         assert!(points.len() >= 5 && points.iter().all(|point| point.is_finite()));
+    }
+
+    /// A straight leg, a quarter circle to port, and a straight leg: distances in closed form, before the first waypoint
+    /// and after the last one too.
+    #[test]
+    fn the_place_beside_a_point_is_that_of_leg_arc_and_both_ends() {
+        let path = Path::through(&[vec2(0.0, 0.0), vec2(300.0, 0.0), vec2(300.0, -400.0)], 100.0);
+        let path = path.unwrap();
+        let bend_m = 0.5 * PI * 100.0;
+        let half = 0.5_f64.sqrt();
+        for (point, along_m, off_m) in [
+            (vec2(50.0, 20.0), 50.0, 20.0),
+            (vec2(50.0, -20.0), 50.0, -20.0),
+            (vec2(-80.0, 7.0), -80.0, 7.0),
+            // On the line from the centre of the arc, at 200 m north and 100 m west, to the north-east.
+            (vec2(200.0 + 130.0 * half, -100.0 + 130.0 * half), 200.0 + 0.5 * bend_m, 30.0),
+            (vec2(200.0 + 60.0 * half, -100.0 + 60.0 * half), 200.0 + 0.5 * bend_m, -40.0),
+            (vec2(310.0, -250.0), 350.0 + bend_m, 10.0),
+            (vec2(295.0, -900.0), 1000.0 + bend_m, -5.0),
+        ] {
+            let found = path.nearest(point);
+            assert!((found.along_m - along_m).abs() < 1e-9, "{point:?}: {found:?}");
+            assert!((found.off_m - off_m).abs() < 1e-9, "{point:?}: {found:?}");
+        }
+    }
+
+    /// At places all around a path with bends to both sides, the found place lies square to the point, and no place of
+    /// the path is nearer.
+    #[test]
+    fn no_place_of_the_path_is_nearer_than_the_nearest() {
+        let waypoints = [vec2(0.0, 0.0), vec2(500.0, 0.0), vec2(900.0, 400.0), vec2(1500.0, 300.0)];
+        let path = Path::with_radii(&waypoints, &[0.0, 350.0, 600.0, 0.0]).unwrap();
+        for step in 0..400 {
+            let point =
+                vec2(f64::from(step) * 5.0 - 250.0, f64::from(step * 37 % 400) * 2.0 - 300.0);
+            let found = path.nearest(point);
+            let place = path.at(found.along_m);
+            let starboard = vec2(-place.ahead.y, place.ahead.x);
+            let off = place.position_m + starboard * found.off_m - point;
+            assert!(off.length() < 1e-6, "{point:?}: {off:?}");
+            for other in 0..300 {
+                let at = path.at(f64::from(other) * 8.0 - 300.0).position_m;
+                assert!((at - point).length() >= found.off_m.abs() - 1e-6, "{point:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_radius_that_does_not_fit_beside_the_next_bend_is_refused_with_the_most() {
+        let waypoints = [vec2(0.0, 0.0), vec2(500.0, 0.0), vec2(500.0, 300.0), vec2(900.0, 300.0)];
+        let refused = Path::with_radii(&waypoints, &[0.0, 100.0, 250.0, 0.0]).unwrap_err();
+        let TrackError::Bend { waypoint: 2, most_m } = refused else { panic!("{refused:?}") };
+        assert!((most_m - 200.0).abs() < 1e-9, "{most_m}");
+        assert!(Path::with_radii(&waypoints, &[0.0, 100.0, 200.0, 0.0]).is_ok());
     }
 
     #[test]

@@ -48,8 +48,8 @@ enum Law {
 enum UnloadsBy {
     /// The fenders return this share of the absorbed energy.
     Returned(f64),
-    /// The unloading curve is this share of the loading curve. For fenders with an area law, the number is the returned
-    /// share of the absorbed energy.
+    /// At each deflection, the reaction of the unloading curve is this share of the loading curve's. For fenders with
+    /// an area law, the number is the returned share of the absorbed energy.
     Curve(f64),
 }
 

@@ -1,9 +1,9 @@
 //! Measures the work of a closed, frictionless loop. The corner of a hull moves round the corner of a quay: into the
 //! quay on one side and out on the other.
 //!
-//! With the force kS along the chord's normal, which is not the gradient of an energy (docs/contact_model.md, section
-//! 2), a loop gains or loses energy. Along a fender's face the force is the gradient of an energy, and a loop does no
-//! work.
+//! The force of stiffness k times overlap area S along the normal of the overlap's chord is not the gradient of an
+//! energy (docs/contact_model.md, section 2), so a loop gains or loses energy. The force along the normal of a fender's
+//! face is the gradient of an energy, so a loop does no work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -14,18 +14,18 @@ use fenderline_contact::{
 
 use crate::support::{outline, rectangle, spring};
 
-/// The paper's k (N/m²).
+/// The stiffness k of Moreno et al. (2023) (N/m²).
 const STIFFNESS_NPM2: f64 = 500e3;
-/// Radius of the circle on which the ship's corner moves, and distance of the centre of the circle inside both sides of
-/// the quay (m).
+/// Radius of the circle on which the ship's corner moves (m). `WITHIN_M` is the distance of the circle's centre from
+/// both sides of the quay, inside the quay (m).
 const RADIUS_M: f64 = 2.0;
 const WITHIN_M: f64 = 0.5;
 const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
 /// Steps round the circle. The error of the computed work decreases with the square of the number of steps.
 const STEPS: u32 = 20_000;
 
-/// Measures the work of the loop with the force by chord and with the force by face. Returns false if the loop along
-/// the fender's face did work.
+/// Measures the work of the loop with the force along the chord's normal, and with the force along the normal of a
+/// fender's face. Returns false if the loop at the fender's face did work.
 pub(crate) fn report() -> bool {
     println!(
         "frictionless closed loops of {RADIUS_M} m round a corner, k = {:.0} kN/m²:",
@@ -77,7 +77,7 @@ fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     (work_j, -least_j)
 }
 
-/// The spring force on the ship, before any limiter.
+/// The spring force on the ship, before the contact engine limits the force by momentum.
 fn force_on_ship_n(model: &Model, position_m: Vec2, heading_rad: f64) -> Vec2 {
     let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
     let ship = BodyState { position_m, heading_rad, ..BodyState::default() };

@@ -2,9 +2,9 @@
 //!
 //! The program simulates random impacts on fender faces with γ ≤ 0.9, half of them on panels with two cones and a
 //! tension chain, and the same impacts on fenders with unloading laws. No body may leave an impact with more kinetic
-//! energy than it had before. The program then makes two measurements: the gain with γ = 1 for each time step, which
-//! must decrease with the step; and the work of a closed loop round a corner, by the chord's normal and by a fender's
-//! face.
+//! energy than it had before. The program then makes two measurements: the gain of energy with γ = 1 for each time
+//! step, which must decrease with the step; and the work of a closed loop round a corner, with the force along the
+//! normal of the overlap's chord and along the normal of a fender's face.
 //!
 //! The exit code of the program is 1 if a check fails.
 
@@ -55,7 +55,9 @@ fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool 
     let structure = all.iter().filter(|o| o.touched && o.touched_structure).count();
     let law = if unloads { "unloading laws" } else { "γ ≤ 0.9" };
     println!("{law}, {what}: {episodes} impacts");
-    println!("  {touched} touched a fender, {structure} of these also the structure behind it");
+    println!(
+        "  in {touched} the tug touched a fender, in {structure} of these also the structure behind it"
+    );
     let (gain, worst) = largest(&all, Outcome::gain);
     println!(
         "  largest energy gain {gain:+.3e} of the kinetic energy before the impact, seed {worst}"
@@ -77,8 +79,8 @@ fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool 
 }
 
 /// Measures for γ = 1 the gain of energy that the integrator makes, for each time step. Only impacts on faces are
-/// counted, because the force of the structure behind them acts along the chord's normal. Returns false if the gain
-/// does not decrease with the time step.
+/// counted, because the force of the structure behind the fenders acts along the normal of the overlap's chord. Returns
+/// false if the gain does not decrease with the time step.
 fn elastic() -> bool {
     println!("γ = 1, {ELASTIC_EPISODES} impacts at each time step, only impacts on fender faces:");
     let mut largest_gains = vec![];
@@ -112,13 +114,13 @@ fn elastic() -> bool {
     decreases
 }
 
-/// The largest value among the outcomes, and the seed of this outcome.
+/// The largest value among the outcomes of the impacts, and the seed of the impact that has this value.
 fn largest(all: &[Outcome], value: impl Fn(&Outcome) -> f64) -> (f64, usize) {
     let values = all.iter().enumerate().map(|(seed, outcome)| (value(outcome), seed));
     values.fold((f64::NEG_INFINITY, 0), |most, one| if one.0 > most.0 { one } else { most })
 }
 
-/// The outcomes for the seeds below `count`, in the order of the seeds.
+/// The outcomes of the impacts for all seeds below `count`, in the order of the seeds.
 fn in_two_threads(count: u64, one: impl Fn(u64) -> Outcome + Sync) -> Vec<Outcome> {
     let half = count / 2;
     std::thread::scope(|scope| {

@@ -76,7 +76,7 @@ impl Holding<'_> {
         let at_m = match state.position {
             AnchorPosition::Housed => return "home".to_owned(),
             AnchorPosition::Lost(_) => return "lost".to_owned(),
-            AnchorPosition::Hanging => return format!("not on the bottom, {out} out"),
+            AnchorPosition::Hanging => return format!("not on the bottom, {out} of chain out"),
             AnchorPosition::OnBottom(at_m) => at_m,
         };
         let off = self.place.map_or_else(String::new, |place| {

@@ -21,7 +21,7 @@ pub enum Condition {
         /// Least and greatest tension of a line that counts as fast (N).
         tension_n: [f64; 2],
     },
-    /// No line of the ship is ashore or under way.
+    /// No line of the ship is fast to a bollard or on its way between ship and bollard.
     LinesAboard {
         /// The lines of the ship: indices into [`crate::WorldSetup::lines`].
         lines: Vec<usize>,

@@ -124,8 +124,8 @@ impl Measure {
         matches!(self, Measure::Clearance | Measure::UnderKeel)
     }
 
-    /// Returns true if the measure counts only near the berth. A limit on a measure that counts only near the berth has
-    /// a distance from the berth.
+    /// Returns true if the measure counts only near the berth. A limit on such a measure gives the distance from the
+    /// berth within which the measure counts.
     #[must_use]
     pub fn is_near_berth(self) -> bool {
         matches!(

@@ -100,8 +100,8 @@ impl Simulation {
         self.ledger.energy(Bodies { order, inertias, states: &self.states })
     }
 
-    /// The energy that contacts created in the run, if it is large enough to be reported. The paper's method creates
-    /// energy, because its forces are explicit, and a stiff spring acts for too long in a long step.
+    /// The energy that contacts created in the run, if it is large enough to be reported. The method of Moreno et al.
+    /// (2023) creates energy, because its forces are explicit, and a stiff spring acts for too long in a long step.
     /// [`Method::Coupled`] bounds the energy that each contact returns, and this function checks the coupled method
     /// too.
     #[must_use]
@@ -249,7 +249,8 @@ impl Simulation {
     ///
     /// # Errors
     /// Returns a [`SetupError`] if the order names something that does not exist, if a number is out of its limits, or
-    /// if the gear is missing. After an error no order is changed.
+    /// if the ship does not have the gear that the order needs. After an error the pending orders are as before the
+    /// call.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
         self.world.order(order);
@@ -330,7 +331,7 @@ impl Simulation {
     }
 
     /// Sets the current from the next step on; `None` for no current. The current jumps to the new value, but the jump
-    /// itself causes no acceleration force: drag takes ships along.
+    /// itself causes no force by the acceleration of the water: only drag takes ships along.
     pub fn set_current(&mut self, current: Option<Current>) {
         self.changes.ramps.current = None;
         self.setup.world.environment.current = current;

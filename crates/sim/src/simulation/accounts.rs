@@ -11,7 +11,7 @@ use fenderline_world::setup::{Integrator, Method};
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
 
 impl Simulation {
-    /// Adds the works of the step to the energy ledger.
+    /// Adds the works that contacts and loads do in the step to the energy ledger.
     pub(super) fn account_energy(&mut self) {
         self.find_mean_velocities();
         self.account_contacts();

@@ -11,7 +11,8 @@ use fenderline_world::world::WorldBackup;
 pub(super) struct Buffers {
     /// All loads except contact.
     pub(super) loads: Vec<Wrench>,
-    /// The part of `loads` that does not come from the world: the loads of the set-up and of the host.
+    /// The part of `loads` that the set-up and the host program give, without the forces of vessels, tugs, lines and
+    /// anchors.
     pub(super) plain_loads: Vec<Wrench>,
     /// The wrench that turns a body's momentum with the body over the step, if the engine does not do so.
     pub(super) turning: Vec<Wrench>,
@@ -39,7 +40,7 @@ pub(super) struct Buffers {
     pub(super) stage_work: Workspace,
     /// The contact memory before the step, restored if a later Runge–Kutta stage fails.
     pub(super) backup: Memory,
-    /// The world before the step, restored if the step fails.
+    /// The state of vessels, tugs, lines and anchors before the step, restored if the step fails.
     pub(super) world: WorldBackup,
 }
 

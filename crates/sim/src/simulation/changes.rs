@@ -1,4 +1,5 @@
-//! Changes of weather and faults during a run: planned changes, changes from outside, and changes that take a time.
+//! Changes of weather and faults during a run: planned changes, changes by calls of a program, and changes that take a
+//! time.
 
 use fenderline_contact::{Vec2, vec2};
 
@@ -13,7 +14,7 @@ impl Simulation {
     /// after the call.
     ///
     /// # Errors
-    /// Returns a [`ChangeError`]; then nothing has changed.
+    /// Returns a [`ChangeError`] if the change cannot be carried out; the simulation is then unchanged.
     pub fn change(&mut self, change: &Change) -> Result<(), ChangeError> {
         change.check(&self.setup)?;
         match *change {

@@ -57,7 +57,9 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
 pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     let hulls = setup.world.flow.hulls.len();
     let by_image = |bank: &Bank| bank.method() == BankMethod::Image;
-    let are_needed = setup.world.environment.banks.iter().any(by_image);
+    let environment = &setup.world.environment;
+    let of_bottom = environment.bottom.as_ref().and_then(|bottom| bottom.banks);
+    let are_needed = environment.banks.iter().any(by_image) || of_bottom == Some(BankMethod::Image);
     if hulls == setup.world.vessels.len() || hulls == 0 && !are_needed {
         return Ok(());
     }

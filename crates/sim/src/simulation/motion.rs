@@ -75,9 +75,9 @@ impl Simulation {
         }
     }
 
-    /// Computes one step of the classical Runge–Kutta method. In the paper's method stages 2 to 4 compute their contact
-    /// forces on a copy of the contact memory. In the coupled method all stages use the mean contact wrench of the
-    /// step.
+    /// Computes one step of the classical Runge–Kutta method. In the method of Moreno et al. (2023) stages 2 to 4
+    /// compute their contact forces on a copy of the contact memory. In the coupled method all stages use the mean
+    /// contact wrench of the step.
     pub(super) fn runge_kutta(&mut self) -> Result<(), contact::StepError> {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;

@@ -17,15 +17,15 @@ impl Simulation {
     /// the time of a new simulation: most of the simulation stays as it is, and no memory is allocated for plain
     /// bodies.
     ///
-    /// As in a new simulation, the orders, wind and current given during the last run and the wrenches of the host are
-    /// forgotten.
+    /// As in a new simulation, the orders, wind and current given during the last run and the wrenches that the host
+    /// program set are forgotten.
     ///
     /// # Errors
     /// Returns the errors of [`Simulation::new`] if the set-up does not restart in place
     /// ([`crate::Setup::restarts_in_place`]); the simulation is then unchanged.
     ///
     /// # Panics
-    /// Panics if the number of starts is not the number of bodies.
+    /// Panics if the number of initial states is not the number of bodies.
     pub fn restart(&mut self, start: &Start) -> Result<(), SetupError> {
         if !self.setup.restarts_in_place() {
             let mut setup = self.setup.clone();

@@ -1,4 +1,4 @@
-//! Runs the scenarios of `scenarios/berth` that have no hydrodynamics, at their own time steps. The script
+//! Runs the scenarios of `scenarios/berth` that have no hydrodynamics, with the time steps of the scenarios. The script
 //! `validation/independent/coupled_berth.py` computes the same values independently.
 
 use std::collections::BTreeMap;
@@ -62,8 +62,8 @@ fn run(name: &str, text: &str, values: &mut Values) {
     }
 }
 
-/// For each fender or pair of bodies: the sum of the patches' peak normal forces in a step (N), and the largest depth
-/// (m).
+/// For each fender or pair of bodies: the sum of the peak normal forces of its contact patches in a step (N), and the
+/// largest depth of penetration (m).
 fn step_peaks(
     record: &StepRecord<'_>,
     bodies: &[(String, bool)],

@@ -27,8 +27,9 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// Force coefficients C_X and C_Y (divided by ½ρLTV²) and moment coefficient C_N (divided by ½ρL²TV²), positive as the
-/// water pushes the ship ahead, across, and at the bow more than at the stern.
+/// Force coefficients C_X and C_Y (divided by ½ρLTV²) and moment coefficient C_N (divided by ½ρL²TV²), for a current
+/// from ahead, from starboard or from astern. C_X is positive if the water pushes the ship ahead, C_Y if it pushes her
+/// to port, and C_N if it turns her bow to port.
 fn coefficients(ship: &Mmg, off_the_bow_deg: f64) -> [f64; 3] {
     let hull = &ship.particulars;
     let (sin, cos) = libm::sincos(off_the_bow_deg.to_radians());

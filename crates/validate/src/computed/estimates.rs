@@ -1,5 +1,5 @@
 //! Ships that are estimated from their main particulars alone, by both estimation methods: the standard manoeuvres of
-//! six ships that have references.
+//! six ships for which there are reference values.
 
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::manoeuvres::{turning_circle, zig_zag};

@@ -6,7 +6,7 @@ use fenderline_scenario::FenderLibrary;
 
 use super::Values;
 
-/// The fender files: the names by which rows call them, and their texts.
+/// The names and the texts of the fender files; rows of the validation table use these names.
 macro_rules! fenders {
     ($($name:literal),* $(,)?) => {
         [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/finite_elements/fenders/", $name, ".toml"

@@ -1,4 +1,4 @@
-//! Computes the periods of heave and roll of the paper's container ship.
+//! Computes the periods of heave and roll of the container ship of Moreno et al. (2023).
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics};
 use fenderline_sim::constants::SEA_WATER_KGPM3;

@@ -2,10 +2,12 @@
 
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3};
 use fenderline_sim::hydro::shallow::{
-    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
+    barrass_channel_squat_m, barrass_squat_m, current_abeam_n, eryuzlu_squat_m,
+    icorels_channel_squat_m, icorels_squat_m, shallow_cross_flow_drag,
 };
 use fenderline_sim::hydro::{
-    CrossFlow, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient, zhou_added_mass,
+    CrossFlow, Particulars, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient,
+    zhou_added_mass,
 };
 
 use super::Values;
@@ -37,7 +39,8 @@ fn cross_flow(values: &mut Values) {
     }
 }
 
-/// Hull force divided by ½ρLdV² and moment divided by ½ρL²dV², with V² = u² + v² + (rL)², of the model at three states.
+/// Hull force divided by ½ρLdV² and moment divided by ½ρL²dV², with V² = u² + v² + (rL)², of the tank model of Esso
+/// Osaka in three motions.
 fn esso_osaka(values: &mut Values) {
     let ship = vessel("esso-osaka").ship;
     let (length_m, draught_m) = (ship.particulars.length_m, ship.particulars.draught_m);
@@ -101,4 +104,14 @@ fn squat(values: &mut Values) {
     values.put("squat/barrass", barrass_m, "m");
     values.put("squat/icorels", icorels_m, "m");
     values.put("squat/eryuzlu", eryuzlu_m, "m");
+    // The ship of the worked case in a canal of 200 × 14 m and in open water.
+    let ship = Particulars::from_block(190.0, 32.26, 11.9, 0.78).expect("a good ship");
+    let speed_mps = 9.0 * KNOT_MPS;
+    for (name, width_m) in [("open", f64::INFINITY), ("200", 200.0)] {
+        let section_m2 = 14.0 * width_m;
+        let barrass_m = barrass_channel_squat_m(&ship, 14.0, section_m2, speed_mps);
+        let icorels_m = icorels_channel_squat_m(&ship, 14.0, section_m2, speed_mps);
+        values.put(format!("squat/channel/barrass/{name}"), barrass_m, "m");
+        values.put(format!("squat/channel/icorels/{name}"), icorels_m.expect("afloat"), "m");
+    }
 }

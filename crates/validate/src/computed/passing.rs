@@ -15,7 +15,7 @@ const NAMES: [&str; 3] = ["surge", "sway", "yaw"];
 const PLACES: u32 = 200;
 
 /// # Panics
-/// Panics if a ship or a depth is refused, which would be a bug.
+/// Panics if a ship's length or area, or a depth, is out of range, which would be a bug.
 pub(super) fn compute(values: &mut Values) {
     for (share, name) in [(0.10, "0.10"), (0.26, "0.26"), (0.50, "0.50")] {
         let found = peaks([200.0, 200.0], share * 200.0);
@@ -66,8 +66,8 @@ fn by_table(values: &mut Values) {
     values.put("passing/worked_by_table/yaw", 1e-6 * unit_n * 243.5 * 0.204 * yaw, "MN·m");
 }
 
-/// The largest surge and sway force, divided by ρU²S₁S₂/L₂², and the largest yaw moment, divided by that times L₁, of a
-/// passing ship (1) on a ship at rest (2).
+/// The largest surge and sway force, divided by ρU²S₁S₂/L₂², and the largest yaw moment, divided by ρU²S₁S₂/L₂² times
+/// L₁, of the force that a passing ship (2) exerts on a ship at rest (1).
 fn peaks(lengths_m: [f64; 2], across_m: f64) -> [f64; 3] {
     let [at_rest, passing] =
         lengths_m.map(|length_m| Sections::parabola(length_m, 1.0).expect("a good ship"));

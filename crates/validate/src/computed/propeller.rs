@@ -52,8 +52,8 @@ fn series(values: &mut Values) {
     }
 }
 
-/// Force on KVLCC2, divided by ρn²D⁴, with the propeller astern while she goes ahead, with wake and thrust deduction as
-/// her model has them, by Js = u/(nD).
+/// Force on KVLCC2, divided by ρn²D⁴, by Js = u/(nD): the propeller turns astern while she goes ahead. Wake and thrust
+/// deduction are those of her manoeuvring model.
 fn force_astern(values: &mut Values) {
     let propulsion = vessel("kvlcc2").ship.propulsion.expect("she has a propeller");
     for (js, name) in [(0.0, "0"), (-0.1, "-0.1"), (-0.2, "-0.2"), (-0.4, "-0.4")] {

@@ -45,7 +45,8 @@ fn drift(values: &mut Values) {
     }
 }
 
-/// A wave spectrum with Hs 2 m, Tp 8 s and γ 3.3, from 0.2 to 4 rad/s, in strips of 1e-3 rad/s.
+/// Variance m₀ (m²) of a JONSWAP spectrum with Hs 2 m, Tp 8 s and γ 3.3: the integral from 0.2 to 4 rad/s, in strips of
+/// 1e-3 rad/s.
 fn jonswap_m0_m2() -> f64 {
     let sea = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
     let strip_radps = 1e-3;
@@ -53,8 +54,8 @@ fn jonswap_m0_m2() -> f64 {
     densities.sum::<f64>() * strip_radps
 }
 
-/// A mooring cable with EA 1e9 N, 200 kg/m and a diameter of 0.1 m in sea water: 210 m of it over a span of 200 m and a
-/// depth of 50 m.
+/// Tensions of a mooring cable in sea water with EA 1e9 N, 200 kg/m, a diameter of 0.1 m and a length of 210 m, over a
+/// span of 200 m and a depth of 50 m.
 fn cable(values: &mut Values) {
     let displaced_kgpm = SEA_WATER_KGPM3 * PI * 0.1 * 0.1 / 4.0;
     let weight_npm = (200.0 - displaced_kgpm) * STANDARD_GRAVITY_MPS2;
@@ -65,7 +66,8 @@ fn cable(values: &mut Values) {
     values.put("cable/vertical", hanging.upper_vertical_n / 1e3, "kN");
 }
 
-/// Push of a tug beam-on to the flow, divided by her bollard pull: 60 t bollard pull, 32 × 4.5 m, Cd 0.73.
+/// Push of a tug beam-on to the flow, divided by her bollard pull. The tug has a bollard pull of 60 t, a length of 32
+/// m, a draught of 4.5 m and the drag coefficient 0.73.
 fn tug(values: &mut Values) {
     let bollard_pull_n = 60e3 * STANDARD_GRAVITY_MPS2;
     let envelope = TugEnvelope {

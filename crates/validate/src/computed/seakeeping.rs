@@ -66,7 +66,7 @@ fn simulation(waves: &str) -> Simulation {
 }
 
 /// Amplitudes of the barge's six motions, divided by that of a regular wave which runs towards a heading (m/m, rad/m):
-/// least squares over five minutes, after the start has died down, of a sine beside a parabola.
+/// a sine plus a parabola is fitted to each motion by least squares, over the last five minutes of ten.
 fn regular(w: f64, heading_deg: f64) -> [f64; 6] {
     let (period_s, from_deg) = (TAU / w, heading_deg + 180.0);
     let mut simulation = simulation(&format!(
@@ -100,8 +100,9 @@ fn regular(w: f64, heading_deg: f64) -> [f64; 6] {
     })
 }
 
-/// The largest difference between the force of the water's memory and the convolution of K by the trapezoidal rule,
-/// divided by the largest force, for a motion of two frequencies that begins softly; at a step of 0.05 s.
+/// The largest difference between the force of the water's memory and the convolution of the retardation function K by
+/// the trapezoidal rule, divided by the largest force. The motion has two frequencies and begins softly; the step is
+/// 0.05 s.
 fn off_the_convolution(ship: &Seakeeping, index: usize) -> f64 {
     let (step_s, count) = (0.05, 1200_usize);
     let motion = Motion::new(ship, step_s);
@@ -136,8 +137,8 @@ fn off_the_convolution(ship: &Seakeeping, index: usize) -> f64 {
     off / most
 }
 
-/// Mean drift of the barge by the data, in a beam wave of 2 rad/s (kN, divided by the square of the wave's amplitude in
-/// m).
+/// Mean drift force on the barge by the hydrodynamic data, in a beam wave of 2 rad/s (kN, divided by the square of the
+/// wave's amplitude in m).
 fn short_beam_wave_kn() -> f64 {
     let waves = format!(
         "{{ height = {HEIGHT_M}, period = {}, from = \"270 deg\", regular = true }}",

@@ -28,7 +28,7 @@ const SHIPS: [(&str, bool, bool); 5] = [
     ("bulk-carrier", false, false),
     ("container-ship", false, false),
 ];
-/// A correction factor: its name in the results, and where it is in the corrections.
+/// A correction factor: its name in the results, and the function that takes it from [`Corrections`].
 type Factor = (&'static str, fn(&Corrections) -> f64);
 
 const Y_V: Factor = ("y_v", |all| all.hull.y_v);
@@ -43,7 +43,7 @@ const M_X: Factor = ("m_x", |all| all.mass.surge);
 const M_Y: Factor = ("m_y", |all| all.mass.sway);
 const J_Z: Factor = ("j_z", |all| all.mass.yaw);
 
-/// Computes the factors that are compared, by ship and set of corrections.
+/// The factors that are compared: ship, set of corrections, and the factors of this set.
 const FACTORS: [(&str, CorrectionSet, &[Factor]); 7] = [
     (
         "tanker",
@@ -124,7 +124,7 @@ fn estimated(values: &mut Values) {
     }
 }
 
-/// Computes the factors for the tanker of 190 000 dwt of van Berlekom & Goddard.
+/// The particulars of the tanker of 190 000 dwt of van Berlekom & Goddard, for which factors are computed.
 fn tanker() -> Particulars {
     Particulars {
         length_m: 304.8,
@@ -136,7 +136,7 @@ fn tanker() -> Particulars {
     }
 }
 
-/// Computes the measures of a turn with a rudder of 35° to starboard, and of a 20°/20° zig-zag.
+/// The measures of a turn with a rudder of 35° to starboard, and of a 20°/20° zig-zag.
 struct Measures {
     diameter_m: f64,
     drift_rad: f64,
@@ -144,8 +144,8 @@ struct Measures {
 }
 
 impl Measures {
-    /// The trial runs at the speed of approach that the ship has in deep water; the result is NaN for a set of
-    /// corrections with which she cannot do the manoeuvre.
+    /// Runs both manoeuvres at the speed of approach that the ship has in deep water. A measure is NaN if she cannot do
+    /// its manoeuvre with a set of corrections.
     fn of(vessel: &Vessel, ship: Mmg) -> Measures {
         // In ratios the density of the water plays no part.
         let model = Model3::new(ship, Water::SEA);

@@ -4,12 +4,13 @@ use fenderline_scenario::{VesselData, VesselLibrary};
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Vessel;
 
-/// A vessel of the data, ready for manoeuvres.
+/// A vessel of the folder `vessels/` by its name, ready for manoeuvres.
 pub(crate) fn vessel(name: &str) -> Vessel {
     data(name).trial()
 }
 
-/// The paper's container ship, with coefficients based on the length overall, the only length that the paper gives.
+/// The container ship of Moreno et al. (2023), with coefficients based on the length overall, the only length that
+/// their paper gives.
 pub(super) fn container() -> Particulars {
     by_length_overall("container-ship")
 }

@@ -1,5 +1,5 @@
-//! Computes wind coefficients of the paper's container ship, with areas that are assumed (298 × 46 m, A_L 9000 m², A_F
-//! 1700 m²).
+//! Computes wind coefficients of the container ship of Moreno et al. (2023), with areas that are assumed (298 × 46 m,
+//! A_L 9000 m², A_F 1700 m²).
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
@@ -45,7 +45,8 @@ pub(super) fn compute(values: &mut Values) {
     values.put("blendermann/side", side_n / 1e6, "MN");
 }
 
-/// The free-running model of the Esso Osaka, with the particulars for which the found coefficients hold.
+/// The free-running model of the Esso Osaka, with the particulars for which Fujiwara's coefficients were found in a
+/// public code.
 fn esso_osaka_model() -> ShipWindage {
     ShipWindage {
         length_m: 3.0,
@@ -62,7 +63,7 @@ fn esso_osaka_model() -> ShipWindage {
     }
 }
 
-/// The paper's container ship: 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
+/// The container ship of Moreno et al. (2023): 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
 fn ship(method: WindMethod) -> ShipWindage {
     ShipWindage {
         length_m: 298.0,

@@ -58,7 +58,7 @@ fn run(name: &str, text: &str, values: &mut Values) {
     }
 }
 
-/// Computes the formulas alone, with the particulars of the sources.
+/// Computes the berthing formulas without a simulation, with the particulars of the published examples.
 ///
 /// # Panics
 /// Panics if particulars are out of range, which would be a bug.

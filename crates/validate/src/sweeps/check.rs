@@ -9,7 +9,7 @@ use super::sweep::{Curve, Function, Law, Sweep};
 /// How finely sweeps are sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resolution {
-    /// Few places along an axis, for a test.
+    /// The sweep is sampled at few places along its axis, as in tests.
     Reduced,
     /// For the page.
     Full,
@@ -24,7 +24,8 @@ impl Resolution {
         }
     }
 
-    /// Number of steps that are halved again and again in search of a jump: those where the curve bends the most.
+    /// Number of steps between two places that are halved again and again in search of a jump: the steps where the
+    /// curve bends the most.
     fn searched(self) -> usize {
         match self {
             Resolution::Reduced => 6,
@@ -33,23 +34,24 @@ impl Resolution {
     }
 }
 
-/// How many times a step is halved towards the half over which the value changes more: to 10⁻¹² of the step.
+/// How many times a step between two places is halved, always towards the half over which the value changes more. The
+/// last half is 10⁻¹² of the step.
 const HALVINGS: u32 = 40;
-/// Largest change that may be left of a halved step of a continuous function, as a share of the largest value.
+/// Largest change of a continuous curve over the last half of a step, as a share of the curve's largest value.
 const LEFT: f64 = 1e-6;
 /// Largest difference that rounding may make between a value and its mirror image, as a share of the largest value.
 const MIRROR: f64 = 1e-11;
 /// Share of the largest value below which the growth of a value is not judged.
 const SMALL: f64 = 1e-6;
-/// Share of a reference's largest value. Where the reference is smaller, a difference is judged by this share of the
+/// Where a reference is smaller than this share of its largest value, a difference is judged by this share of the
 /// largest value, not by the reference itself.
 const NEAR_ZERO: f64 = 0.25;
 
-/// A curve with its values, and what the checks found.
+/// The values of a sweep's curves, and what the checks found about the curves.
 pub(super) struct Judged {
     /// Places on the axis.
     pub(super) places: Vec<f64>,
-    /// The values of each curve at these places.
+    /// For each curve of the sweep, its values at `places`.
     pub(super) values: Vec<Vec<f64>>,
     pub(super) findings: Vec<Finding>,
     pub(super) compared: Vec<Compared>,
@@ -64,7 +66,7 @@ pub(super) struct Finding {
     pub(super) holds: bool,
     /// In words and figures.
     pub(super) found: String,
-    /// The place on the axis where the check is worst.
+    /// The place on the axis of the sweep at which the curve is farthest from what the check asks.
     pub(super) at: f64,
     /// Why the check is known to fail; `None` if it is not.
     pub(super) known: Option<String>,
@@ -158,8 +160,8 @@ fn judge_curve(
     }
 }
 
-/// Checks continuity: the ratio of the largest step with half the spacing to that with the whole, and what is left of
-/// the steps when they are halved on.
+/// Checks that a curve is continuous. The steps where the curve bends the most are halved again and again: over the
+/// last half, a continuous curve changes by almost nothing.
 fn continuity(
     curve: &Curve,
     [xs, ys]: [&[f64]; 2],
@@ -231,8 +233,8 @@ fn most_bent(ys: &[f64], count: usize) -> Vec<usize> {
     order
 }
 
-/// Halves a step again and again towards the half with more of its change, and returns the change that is left, and
-/// where.
+/// Halves a step again and again, always towards the half over which the value changes more. Returns the change of the
+/// value over the last half, and the place of this half.
 fn halved_on(
     at: &Function,
     [mut low, mut high]: [f64; 2],
@@ -264,7 +266,7 @@ fn asymmetry(mirrored: &Function, [xs, ys]: [&[f64]; 2]) -> (f64, f64) {
     worst
 }
 
-/// Finds the least value and its place.
+/// Finds the least value of a curve, and its place on the axis.
 fn least([xs, ys]: [&[f64]; 2]) -> (f64, f64) {
     let mut least = (f64::INFINITY, xs[0]);
     for (&x, &y) in xs.iter().zip(ys) {

@@ -81,7 +81,7 @@ fn reference(swept: &Swept, compared: &Compared, sweeps: &Sweeps) -> Markup {
         (curve) " over " (short) ": ratio " (ratio_text(compared)) ", band " (band_text(compared.band)) ". "
         @if !compared.holds {
             strong class="over" {
-                (if compared.known.is_some() { "Out of the band, known" } else { "OUT OF THE BAND" })
+                (if compared.known.is_some() { "Out of the band, for a known reason" } else { "OUT OF THE BAND" })
                 ": up to " (plain(compared.worst, 2)) " times. "
             }
         }

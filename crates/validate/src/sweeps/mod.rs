@@ -3,8 +3,8 @@
 //! The module `force` has the sweeps, with a file for each force; `sweep` says what a sweep is; `check` judges all of
 //! them: continuity, mirror image, laws of physics, growth, references. The module `reference` reads
 //! `validation/sweeps.toml`: references with their bands, sweeps without a reference, and faults that are known. The
-//! module `stage` places a ship in the program for one step. The modules `printed`, `draw` and `files` write the
-//! results of the sweeps.
+//! module `stage` simulates one step with a ship at a given place and motion. The modules `printed`, `draw` and `files`
+//! write the results of the sweeps.
 
 mod check;
 mod draw;
@@ -29,7 +29,7 @@ pub struct Sweeps {
     references: References,
 }
 
-/// A sweep with what was found.
+/// A sweep, with its values and with what the checks found.
 struct Swept {
     sweep: Sweep,
     judged: Judged,

@@ -80,7 +80,11 @@ pub(super) fn failure_text(swept: &Swept, finding: &Finding) -> String {
     let axis = &swept.sweep.axis;
     let begin = if known.is_some() { "FAILS, known" } else { "FAILS" };
     let note = known.as_deref().map_or_else(String::new, |note| format!(". {note}"));
-    format!("{begin}: {curve}: {check}: {found}, at {}{}{note}", plain(*at, 4), spaced(axis.unit))
+    format!(
+        "{begin}: curve {curve}, check {check}: {found}, at {}{}{note}",
+        plain(*at, 4),
+        spaced(axis.unit)
+    )
 }
 
 /// Text about a reference with its ratio and band.
@@ -107,7 +111,7 @@ pub(super) fn ratio_text(compared: &Compared) -> String {
     if least == greatest { least } else { format!("{least} to {greatest}") }
 }
 
-/// Text of a band as a share.
+/// Writes the width of a reference's band in per cent.
 pub(super) fn band_text(band: f64) -> String {
     format!("±{} %", plain(100.0 * band, 2))
 }

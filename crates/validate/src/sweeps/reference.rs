@@ -60,10 +60,10 @@ pub(super) struct KnownFault {
 }
 
 impl References {
-    /// Reads the file of references; rows of other files are found in `sources`.
+    /// Reads the file of references; `sources` has the rows of other validation files, to which references may refer.
     ///
     /// # Errors
-    /// Fails with the fault in the file, with table and key.
+    /// Fails with a message that says what is wrong in the file, at which table and key.
     pub(super) fn parse(text: &str, sources: &[Source]) -> Result<References, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };

@@ -1,4 +1,4 @@
-//! Places a ship in the program for one step, to find the forces that a run would have there.
+//! Simulates one step with a ship at a given place and motion, to find the forces that a run would have there.
 
 use fenderline_scenario::Scenario;
 use fenderline_sim::hydro::Mmg;
@@ -11,7 +11,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// Makes the scenario of a text, with steps so short that nothing moves.
+    /// Reads a scenario from its text, with time steps so short that the ship hardly moves.
     ///
     /// # Panics
     /// Panics if the text cannot be read, which would be a bug.

@@ -70,8 +70,8 @@ pub(super) struct Curve {
     /// Name of the curve in the legend, which no other curve of the sweep may have.
     pub(super) name: String,
     pub(super) at: Function,
-    /// Functions that must give the same values from another situation, such as the mirrored one with the signs turned
-    /// back: the name of the situation, and the values.
+    /// Other situations that must give the same values, such as the mirror image with the signs turned back: the name
+    /// of each situation, and its values along the axis.
     pub(super) images: Vec<(&'static str, Function)>,
     pub(super) laws: Vec<Law>,
     /// Largest power of the axis with which the value may grow.
@@ -92,7 +92,7 @@ pub(super) struct Law {
 
 /// A reference that is given by a formula.
 pub(super) struct Line {
-    /// Name of the reference's citation in `validation/sweeps.toml`.
+    /// Short name of the reference, as in `validation/sweeps.toml`.
     pub(super) short: &'static str,
     /// Name of the curve with which the reference is compared.
     pub(super) curve: String,

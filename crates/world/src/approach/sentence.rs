@@ -25,7 +25,7 @@ impl Approach {
         );
         if self.is_abnormal() {
             text += &format!(
-                "; abnormal berthing: {:.2} times the energy, {:.2} times the speed of {:.3} m/s",
+                "; abnormal berthing: {:.2} times the energy, {:.2} times the normal speed of {:.3} m/s",
                 self.energy_factor,
                 self.energy_factor.sqrt(),
                 self.normal_speed_mps

@@ -24,7 +24,7 @@ pub fn pianc_2002_added_mass(
 
 /// Cm by Shigeru Ueda: 1 + πD/(2·Cb·B).
 ///
-/// Source of the formula: found (public fender design manuals).
+/// The formula was read in public fender design manuals.
 ///
 /// # Errors
 /// Fails if a particular of the ship is out of range.

@@ -76,7 +76,7 @@ impl ContactPoint {
     /// for a point aft of midships.
     ///
     /// # Errors
-    /// Fails if no ship has such a point of contact, or if the angle is beyond 90°.
+    /// Fails if the point of contact is out of range, or if the angle is beyond 90°.
     pub fn velocity_angle_rad(&self, berthing_angle_rad: f64) -> Result<f64, BerthingError> {
         let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
         let angle_rad = BERTHING_ANGLE.check(berthing_angle_rad)?;

@@ -20,7 +20,8 @@ static CLOSING_SPEED: Range = Range::new("berthing speed [m/s]", 1e-9, 50.0);
 /// Source of the formula: found (public fender design manuals).
 ///
 /// # Errors
-/// Fails if no ship or berth has such a particular, or if the fender stands out no more than the clearance.
+/// Fails if a length is out of the range of real ships and berths, or if the fender stands out no more than the
+/// clearance.
 pub fn largest_spacing_m(
     bow_radius_m: f64,
     projection_m: f64,

@@ -26,7 +26,7 @@ impl fmt::Display for ChangeError {
         match self {
             ChangeError::OutOfRange(error) => error.fmt(f),
             ChangeError::Environment(error) => error.fmt(f),
-            ChangeError::NotThere(what) => write!(f, "there is no such {what}"),
+            ChangeError::NotThere(what) => write!(f, "the set-up has no {what} of this index"),
             ChangeError::NotFast { line } => {
                 write!(f, "line {line} is not fast, so it cannot part")
             }

@@ -1,5 +1,5 @@
 //! Changes of a running simulation that nobody orders: weather, faults, lines that part, tugs that drop out. Changes
-//! are planned for times in the set-up ([`crate::world::WorldSetup::planned`]), or come from outside
+//! are planned for times in the set-up ([`crate::world::WorldSetup::planned`]), or are made by a call of a program
 //! (`Simulation::change` of the crate `fenderline-sim`).
 
 mod check;
@@ -11,7 +11,8 @@ pub use self::ramp::{Flow, Ramp, Ramps, fog_m};
 
 use crate::world::Fault;
 
-/// A change of a simulation. The indices in a change are indices of lists in [`crate::world::WorldSetup`].
+/// A change of weather, faults, lines or tugs in a running simulation. The indices in a change are indices of lists in
+/// [`crate::world::WorldSetup`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// The mean wind 10 m above the water changes, at once or over a time: its speed (m/s), and the direction from
@@ -33,8 +34,8 @@ pub enum Change {
         to_rad: f64,
         /// Duration of the change (s); with 0 the change is sudden.
         over_s: f64,
-        /// Index of the vessel at whose place a change over a time takes the present current; `None`: at the scenario's
-        /// origin.
+        /// Index of a vessel: a change over a time begins with the present current at the place of this vessel; with
+        /// `None`, at the scenario's origin.
         at: Option<usize>,
     },
     /// The visibility changes, at once or over a time. The visibility exerts no force.

@@ -53,8 +53,8 @@ pub struct Dolphins {
 }
 
 impl Dolphins {
-    /// Makes the dolphins as they are before the first step. The contact engine has the piles in the order of its keys
-    /// of bodies.
+    /// Makes the dolphins as they are before the first step. The contact engine lists the piles in the order of the
+    /// keys that its model has for the bodies.
     pub fn new(setup: &Setup, model: &Model) -> Dolphins {
         let with_pile = |(body, of): (usize, &BodySetup)| of.dolphin.map(|_| body);
         let bodies: Vec<usize> = setup.bodies.iter().enumerate().filter_map(with_pile).collect();

@@ -50,8 +50,8 @@ pub enum ForceReply {
 /// assert_eq!(reply, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
 /// ```
 pub trait ForceProvider {
-    /// Returns the force and moment for the coming step. The call must return within the time for which the host can
-    /// wait.
+    /// Returns the force and moment for the coming step. The call must return within the time for which the simulation
+    /// can wait.
     fn reply(&mut self, request: &ForceRequest) -> ForceReply;
 }
 

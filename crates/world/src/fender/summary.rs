@@ -62,7 +62,7 @@ pub struct FenderSummary {
     pub chains: Vec<ChainSummary>,
 }
 
-/// How a fender meets a hull with outlines by height.
+/// How a fender meets a hull with outlines at several heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullMet {
     /// Height of the first touch (m): above the keel of a floating body, above datum for a fixed body.
@@ -89,8 +89,8 @@ impl FenderSummary {
         self.share_of_rated_reaction.map(|share| share * self.factor)
     }
 
-    /// The quantity that governs (`energy`, `deflection` or `reaction`), and its largest value divided by the rated
-    /// value; `None` if the fender has no rating.
+    /// The quantity of the fender that is nearest to its rated value or farthest above it (`energy`, `deflection` or
+    /// `reaction`), and its largest value divided by the rated value; `None` if the fender has no rating.
     ///
     /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near this reaction.
     /// Its reaction therefore governs only above the largest reaction that the curve has up to the rated deflection.

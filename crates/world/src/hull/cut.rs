@@ -12,7 +12,7 @@ use super::levels::HullByHeight;
 pub(super) const HEIGHT_M: f64 = 1e-3;
 pub(super) const ANGLE_RAD: f64 = 1e-5;
 
-/// The place of a fender on a hull, in whole numbers of [`HEIGHT_M`] and [`ANGLE_RAD`].
+/// The height of a fender on a hull, and the hull's roll and pitch, in multiples of [`HEIGHT_M`] and [`ANGLE_RAD`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Posture {
     /// Height of the fender above the keel at the centre of gravity, in multiples of [`HEIGHT_M`].

@@ -1,15 +1,15 @@
-//! Heights of fenders and hulls in a step, and the works of their changes.
+//! Heights of fenders and hulls in a step, and the work that changes of these heights do on fenders.
 
 use crate::world::{HullMotion, Shore, VesselState};
 
-/// The energy that the renewal of an outline, or the lean of a fender, put into the fender (J).
+/// The energy that a new outline of a hull, or the lean of a fender, put into the fender.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightWork {
     /// Indices of the two bodies, the smaller index first.
     pub bodies: [usize; 2],
     /// Index of the fender.
     pub fender: usize,
-    /// The energy that the renewal put into the fender (J).
+    /// The energy that the new outline or the lean put into the fender (J).
     pub work_j: f64,
 }
 
@@ -28,8 +28,8 @@ pub struct Heights<'a> {
 
 impl Heights<'_> {
     /// Heave, roll and pitch of a vessel in the middle of the step; zero for other bodies. For a vessel with
-    /// hydrodynamic data they are the values at the start of the step: contact acts there in the leapfrog. With values
-    /// half a step later, a roll against a fender would gain energy.
+    /// hydrodynamic data, heave, roll and pitch are those at the start of the step, because in the leapfrog the contact
+    /// forces act at that time. With values half a step later, a roll against a fender would gain energy.
     pub(super) fn motion(&self, vessel: Option<usize>) -> HullMotion {
         vessel.map_or(HullMotion::default(), |index| {
             let vessel = &self.vessels[index];

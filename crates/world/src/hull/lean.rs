@@ -8,7 +8,8 @@ use super::heights::{HeightWork, Heights};
 use crate::setup::{Method, Setup};
 use crate::world::VesselSetup;
 
-/// The largest roll or pitch by which fenders lean (rad): about 40 degrees. Beyond it, small-angle formulas are far off.
+/// The largest roll or pitch by which fenders lean (rad): about 40 degrees. Beyond this angle, formulas for small
+/// angles are far off.
 const MAX_ANGLE_RAD: f64 = 0.7;
 
 /// A fender that a vessel with hydrodynamic data carries. Roll and pitch of other vessels do not act on contacts.
@@ -24,7 +25,7 @@ pub(super) struct Leaning {
 }
 
 impl Leaning {
-    /// The leaning fenders of a run. The paper's method knows no roll: its fenders stay upright.
+    /// The leaning fenders of a run. In the method of Moreno et al. (2023), [`Method::Paper`], fenders stay upright.
     pub(super) fn all(setup: &Setup) -> Vec<Leaning> {
         if setup.method == Method::Paper {
             return Vec::new();
@@ -46,7 +47,8 @@ impl Leaning {
         all
     }
 
-    /// Moves the fender to its place for the step that begins at `states`. Returns the place before, if the fender moves.
+    /// Moves the fender to its place for the step that begins at `states`. If the fender moves, returns how far it
+    /// leaned before (m).
     pub(super) fn renew(
         &mut self,
         setup: &Setup,
@@ -77,7 +79,7 @@ impl Leaning {
         Some(core::mem::replace(&mut self.lean_m, lean_m))
     }
 
-    /// Moves the fender back to an earlier place, after a step that failed.
+    /// Moves the fender back to where it was before a step that failed.
     pub(super) fn restore(&mut self, model: &mut Model, lean_m: Vec2) {
         model.set_lean(self.id(), lean_m);
         self.lean_m = lean_m;

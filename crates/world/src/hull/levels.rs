@@ -11,8 +11,8 @@ use super::resample::{self, TurnsBack};
 /// Between two given outlines, interpolated outlines are checked at this many heights.
 const CHECKED_BETWEEN: usize = 15;
 
-/// Greatest number of outlines of a hull, and greatest number of vertices of each outline. These numbers are larger
-/// than in any lines plan, and small enough for a fast check.
+/// Greatest number of outlines of a hull; `MOST_VERTICES` is the greatest number of vertices of each outline. Lines
+/// plans have fewer outlines and vertices, and the check of so many is still fast.
 const MOST_LEVELS: usize = 50;
 const MOST_VERTICES: usize = 1000;
 

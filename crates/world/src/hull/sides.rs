@@ -16,7 +16,7 @@ use crate::world::HullMotion;
 /// side of a hull by less than this distance.
 const NEAR_M: f64 = 5.0;
 
-/// How a fender meets a hull with outlines by height, in one step.
+/// How a fender meets a hull with outlines at several heights, in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullTouch {
     /// Height of the contact (m): above the keel of a floating body, above datum for a fixed body.
@@ -68,7 +68,7 @@ struct Pair {
     missed: Option<SideMissed>,
 }
 
-/// The renewal of an outline, kept so that a failed step can undo it.
+/// The outline that a fender met before the step, kept so that it can be restored if the step fails.
 #[derive(Clone, Debug)]
 struct Undo {
     pair: usize,
@@ -82,13 +82,13 @@ pub struct Sides {
     pairs: Vec<Pair>,
     /// The lowest and the highest outline of the hull of each pair.
     ends: Vec<[Slice; 2]>,
-    /// The energies that renewals of outlines put into fenders in the present step.
+    /// The energies that new outlines and the lean of fenders put into fenders in the present step.
     pub works: Vec<HeightWork>,
     /// For each contact of the last step, how its fender meets the hull; `None` for other contacts.
     pub touches: Vec<Option<HullTouch>>,
     undo: Vec<Undo>,
     leaning: Vec<Leaning>,
-    /// The fenders that leaned in this step, as indices into `leaning`, and their places before (m).
+    /// The fenders whose lean changed in this step, as indices into `leaning`, and how far they leaned before (m).
     leaned: Vec<(usize, Vec2)>,
     buffers: RenewalBuffers,
 }
@@ -142,7 +142,7 @@ impl Sides {
         sides
     }
 
-    /// True if no body has outlines by height and no fender leans.
+    /// True if no body has outlines at several heights and no fender leans.
     pub fn is_empty(&self) -> bool {
         self.pairs.is_empty() && self.leaning.is_empty()
     }

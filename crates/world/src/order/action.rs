@@ -40,7 +40,8 @@ pub enum VesselAction {
     Engine(f64),
     /// Sets the tunnel thruster of this index to a share of its greatest thrust, −1 (to port) to 1 (to starboard).
     Thruster(usize, f64),
-    /// Sets the azimuth unit of this index. A value of `None` leaves power or direction unchanged.
+    /// Sets the power and the direction of the azimuth unit of this index. A power or direction of `None` stays
+    /// unchanged.
     Azimuth {
         /// Index into [`crate::world::VesselSetup::azimuths`].
         unit: usize,

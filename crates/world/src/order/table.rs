@@ -419,13 +419,13 @@ impl Unit {
 }
 
 impl Gear {
-    /// Word for the missing gear, for a sentence that begins with "has no".
+    /// Words for the gear that the target does not have; in the message they follow "has no".
     #[must_use]
     pub const fn missing(self) -> &'static str {
         match self {
             Gear::None => "gear",
             Gear::PropellerAndRudder => "propeller and rudder",
-            Gear::Steering => "propeller and rudder, nor azimuth units",
+            Gear::Steering => "propeller with rudder and no azimuth units",
             Gear::Thrusters => "thrusters",
             Gear::AzimuthUnits => "azimuth units",
             Gear::Winch => "winch",

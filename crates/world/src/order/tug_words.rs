@@ -67,16 +67,18 @@ pub enum Lead {
     /// Perpendicular to the side.
     #[default]
     Square,
-    /// 45° from square, towards the ship's bow. For a tug on the centre line, 45° to starboard.
+    /// 45° from the direction square to the ship's side, towards the ship's bow. For a tug on the centre line, 45° to
+    /// starboard.
     Forward,
-    /// 45° from square, towards the ship's stern. For a tug on the centre line, 45° to port.
+    /// 45° from the direction square to the ship's side, towards the ship's stern. For a tug on the centre line, 45° to
+    /// port.
     Aft,
 }
 
 /// A position at a ship's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SidePlace {
-    /// The one of the positions below that is nearest to the tug.
+    /// The one of the six other positions that is nearest to the tug.
     #[default]
     Nearest,
     /// 0.3 of the length forward of midship, to port.
@@ -100,9 +102,9 @@ pub struct TugWords {
     pub word: TugWord,
     /// Force divided by the tug's bollard pull, 0 to 1.
     pub power: f64,
-    /// Direction of the tug relative to the ship's side. It is for a pull, and for the push of a vector tug.
+    /// Direction of the tug relative to the ship's side. Only a pull, and the push of a vector tug, use this direction.
     pub lead: Lead,
-    /// Position of a tug that is a vessel.
+    /// Position at the ship's side of a tug that is a vessel.
     pub place: SidePlace,
 }
 

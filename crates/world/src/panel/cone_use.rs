@@ -10,8 +10,8 @@ pub struct ConeUse {
     pub peak_reaction_n: f64,
     /// Energy that the cone takes up to its largest deflection (J).
     pub peak_energy_j: f64,
-    /// Largest deflection of the cone divided by the rated deflection; `None` if the fender has no rating. This is true
-    /// of the two shares below as well.
+    /// Largest deflection of the cone divided by the rated deflection; `None` if the fender has no rating. The two
+    /// shares that follow are then `None` too.
     pub share_of_rated_deflection: Option<f64>,
     /// Largest reaction of the cone divided by its rated reaction with the correction factor of the run.
     pub share_of_rated_reaction: Option<f64>,

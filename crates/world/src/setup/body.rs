@@ -12,8 +12,8 @@ pub struct BodySetup {
     pub name: String,
     /// Outline in the body's frame, whose origin is the centre of gravity.
     pub outline: Outline,
-    /// The hull by height, which fenders meet instead of the outline; `None` if the sides of the outline are vertical.
-    /// A hull by height needs the coupled method.
+    /// The hull by its outlines at several heights, which fenders meet instead of `outline`; `None` if the sides of the
+    /// body are vertical. Such a hull needs the coupled method.
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,

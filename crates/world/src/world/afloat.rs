@@ -1,4 +1,4 @@
-//! How vessels with hydrodynamic data are afloat, and where forces act on these vessels.
+//! Heave, roll and pitch of vessels with hydrodynamic data, and the points at which forces act on these vessels.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_ship::attitude::Attitude;
@@ -13,8 +13,8 @@ pub struct Afloat {
 }
 
 impl Afloat {
-    /// How a vessel with hydrodynamic data is afloat; `None` for other vessels. Heave, roll and pitch do not move the
-    /// lines of the other vessels.
+    /// Heave, roll and pitch of a vessel with hydrodynamic data; `None` for other vessels, because their heave, roll
+    /// and pitch do not move the ends of lines.
     pub(super) fn of(vessel: &VesselSetup, state: &VesselState) -> Option<Afloat> {
         vessel.seakeeping.as_ref()?;
         let Attitude { heave, roll, pitch } = state.attitude;

@@ -176,8 +176,8 @@ impl AnchorAtWork {
         };
     }
 
-    /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship. The bottom is at
-    /// the depth under the hawse pipe; where that place has no data, at the mean depth under the ship (`under_m`).
+    /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship. The bottom is
+    /// at the depth under the hawse pipe or, if no depth is known there, at the mean depth under the ship (`under_m`).
     pub fn step(
         &mut self,
         index: usize,

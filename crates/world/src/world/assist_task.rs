@@ -1,4 +1,4 @@
-//! The task of a tug that assists, in each step.
+//! What a tug that assists a ship must do in each step: its task for the pilot.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, vec2};
@@ -9,7 +9,8 @@ use super::line::{Mooring, MooringSetup};
 use super::line_end::LineEnd;
 
 impl AssistPilot {
-    /// The task of a tug in a step.
+    /// What the pilot of the tug must do in a step: follow a place, push or pull, with the present positions and
+    /// velocities.
     pub fn task(
         &self,
         own: usize,

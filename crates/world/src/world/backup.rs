@@ -1,4 +1,5 @@
-//! The parts of a world that a step changes. If a step fails, the world gets these parts back.
+//! A copy of the state of vessels, tugs, lines and anchors before a step. If the step fails, the state is restored from
+//! the copy.
 
 use super::anchor::AnchorAtWork;
 use super::event::WorldEvent;
@@ -7,7 +8,7 @@ use super::state::World;
 use super::tug::TugAtWork;
 use super::vessel::{VesselForces, VesselState, WaterInertia};
 
-/// The state of a world before a step. Each step uses the buffers of the backup again.
+/// The state of vessels, tugs, lines and anchors before a step. Each step writes into the same memory.
 #[derive(Clone, Debug, Default)]
 pub struct WorldBackup {
     vessels: Vec<VesselState>,
@@ -22,7 +23,7 @@ pub struct WorldBackup {
 }
 
 impl World {
-    /// Copies the parts that a step changes into a backup.
+    /// Copies the parts of this state that a step changes into a backup.
     pub fn back_up(&self, into: &mut WorldBackup) {
         let WorldBackup {
             vessels,

@@ -88,7 +88,8 @@ impl CurrentTable {
         Force { surge_n: surge, sway_n: sway, yaw_nm: yaw }
     }
 
-    /// The hull's force, from the force by the manoeuvring model.
+    /// The force on the hull with the share of the table at this speed; `hull` is the force by the manoeuvring model
+    /// alone.
     pub fn hull(
         &self,
         (model, hull): (&Mmg, Force),

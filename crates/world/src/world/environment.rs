@@ -10,7 +10,9 @@ use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::Sea;
 use fenderline_ship::environment::wind::Wind;
-use fenderline_ship::environment::{Bank, DepthField, EnvironmentError, LongWaves, Tide};
+use fenderline_ship::environment::{
+    Bank, BankMethod, DepthField, EnvironmentError, LongWaves, Tide,
+};
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
 
@@ -30,29 +32,31 @@ impl fmt::Display for NoDepth {
 
 impl std::error::Error for NoDepth {}
 
-/// Strips of each side of a cross-section.
+/// Number of strips into which each half of a cross-section of the water is divided, from the middle to a side.
 const STRIPS: u32 = 64;
 
-/// The bottom of the sea by place.
+/// The depth of the sea bottom at each place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bottom {
     /// Depths below datum. Clones of a set-up share the field.
     pub field: Arc<DepthField>,
-    /// What holds where the field has no data.
+    /// The depth that is used where the field has no data, or an error there.
     pub outside: Outside,
+    /// Method for the force of the banks that the field has: [`Walls`](super::Walls); `None`: no force.
+    pub banks: Option<BankMethod>,
 }
 
-/// The depth where a [`DepthField`] has no data.
+/// What the program does where a [`DepthField`] has no data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outside {
-    /// A level bottom at this depth below datum (m).
+    /// It takes the bottom to be level, at this depth below datum (m).
     Depth(f64),
-    /// None: a ship that comes to such a place ends the run with an error.
+    /// It ends the run with an error if a ship comes to such a place.
     Error,
 }
 
 impl Bottom {
-    /// Depth below datum (m) and gradient of the depth at a place; `None` without data.
+    /// Depth below datum (m) and gradient of the depth at a place; `None` if no depth is known at the place.
     #[must_use]
     pub fn sounding(&self, place_m: Vec2) -> Option<(f64, Vec2)> {
         self.field.sounding(place_m).or(match self.outside {
@@ -61,7 +65,7 @@ impl Bottom {
         })
     }
 
-    /// Depth below datum at a place (m); `None` without data.
+    /// Depth below datum at a place (m); `None` if no depth is known at the place.
     #[must_use]
     pub fn depth_m(&self, place_m: Vec2) -> Option<f64> {
         self.field.depth_m(place_m).or(match self.outside {
@@ -70,7 +74,8 @@ impl Bottom {
         })
     }
 
-    /// Nodes, cell and range of the field, and what holds outside of it, in words.
+    /// Describes the depths in words: numbers of nodes, size of a cell, least and greatest depth, and what the program
+    /// does where there are no data.
     #[must_use]
     pub fn in_words(&self) -> String {
         let field = &self.field;
@@ -81,15 +86,21 @@ impl Bottom {
             Outside::Depth(depth_m) => format!("{depth_m} m where there is no data"),
             Outside::Error => "an error where there is no data".to_owned(),
         };
+        let banks = match self.banks {
+            None => "no force of banks",
+            Some(BankMethod::Norrbin) => "banks by Norrbin's formulas (unvalidated)",
+            Some(BankMethod::Image) => "banks by the image of a vessel",
+        };
         format!(
             "bottom: {north} by {east} nodes to the north and east, cells of {} m; {least_m:.1} to {most_m:.1} m below datum; \
-             {share:.1} % of the nodes without data; {outside}",
+             {share:.1} % of the nodes without data; {outside}; {banks}",
             field.cell_m()
         )
     }
 
-    /// Cross-section of the water at a level above datum (m²): from a place to both sides, at right angles to a heading (a
-    /// unit vector), each side as far as `half_width_m`, the first dry place or the last place with data.
+    /// Cross-section of the water at a level above datum (m²). It extends from a place to both sides, at right angles
+    /// to a heading (a unit vector). Each side ends at `half_width_m`, or before that where the bottom is dry or has no
+    /// data.
     #[must_use]
     pub fn section_m2(
         &self,
@@ -119,7 +130,7 @@ impl Bottom {
         })
     }
 
-    /// The least and the greatest depth below datum (m), with the depth where there is no data.
+    /// The least and the greatest depth below datum (m), the depth that is used where there are no data included.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         let [least_m, most_m] = self.field.range_m();
@@ -147,11 +158,11 @@ pub struct Environment {
     pub air_density_kgpm3: f64,
     /// Depth of the water below datum (m), negative if the bottom falls dry; `None` for deep water.
     pub depth_m: Option<f64>,
-    /// Depth of the water by place, in place of `depth_m`.
+    /// Depth of the water that differs by place; `depth_m` is then `None`.
     pub bottom: Option<Bottom>,
     /// Level of the water above datum.
     pub tide: Tide,
-    /// Method of squat in water of finite depth; `None` for no squat.
+    /// Formula for the squat of ships in water of finite depth; `None` for no squat.
     pub squat: Option<Squat>,
     /// Banks, which attract ships. The model of banks is not validated.
     pub banks: Vec<Bank>,
@@ -197,10 +208,11 @@ impl Environment {
         [low_m + waves_m[0], high_m + waves_m[1]]
     }
 
-    /// Depth of the water at a place and a time (m) with tide and long waves, 0 if the bottom is dry; `None`: deep.
+    /// Depth of the water at a place and a time (m) with tide and long waves, 0 if the bottom is dry; `None` for deep
+    /// water.
     ///
     /// # Errors
-    /// A place without data.
+    /// Fails if no depth is known at the place.
     pub fn depth_at_m(&self, place_m: Vec2, t_s: f64) -> Result<Option<f64>, NoDepth> {
         let below_datum_m = match &self.bottom {
             Some(bottom) => Some(bottom.depth_m(place_m).ok_or(NoDepth { place_m })?),
@@ -209,7 +221,7 @@ impl Environment {
         Ok(below_datum_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0)))
     }
 
-    /// The least and the greatest depth of a run (m), over all places; `None`: deep.
+    /// The least and the greatest depth of the water in a run (m), over all places; `None` for deep water.
     #[must_use]
     pub fn depth_range_m(&self) -> Option<[f64; 2]> {
         let one = self.depth_m.map(|depth_m| [depth_m; 2]);
@@ -218,7 +230,7 @@ impl Environment {
         Some([least_m + low_m, most_m + high_m].map(|depth_m| greater(depth_m, 0.0)))
     }
 
-    /// Whether the water is deep everywhere: neither one depth nor a bottom by place is given.
+    /// Whether the water is deep everywhere: neither one depth for all places nor a depth by place is given.
     #[must_use]
     pub fn is_deep(&self) -> bool {
         self.depth_m.is_none() && self.bottom.is_none()
@@ -227,7 +239,8 @@ impl Environment {
     /// Checks depth, bottom and tide; wind, current, sea and long waves are checked when they are made.
     ///
     /// # Errors
-    /// A number out of range, with its name; or both one depth and a bottom by place.
+    /// Fails for a number out of range, which the error names, or if both one depth for all places and a depth by place
+    /// are given.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         if let Some(depth_m) = self.depth_m {
             within("depth of the water [m]", depth_m, -100.0, 12_000.0)?;

@@ -82,7 +82,7 @@ impl Fault {
     }
 }
 
-/// The thrusters and azimuth units of a vessel that have tripped. The numbers count first the thrusters, then the
+/// The thrusters and azimuth units of a vessel that have tripped. The units are numbered: first the thrusters, then the
 /// azimuth units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tripped(u64);
@@ -97,8 +97,8 @@ impl Tripped {
         unit < Tripped::MOST && self.0 >> unit & 1 == 1
     }
 
-    /// These units, after one unit has tripped or is in order again. A number of [`Tripped::MOST`] or more changes
-    /// nothing.
+    /// The same set of units, but with the unit of this number tripped or in order again. A number of [`Tripped::MOST`]
+    /// or more changes nothing.
     #[must_use]
     pub fn with(self, unit: usize, tripped: bool) -> Tripped {
         let bit = if unit < Tripped::MOST { 1 << unit } else { 0 };

@@ -1,34 +1,38 @@
 //! A ship aground on a bottom that is not level.
 //!
-//! **Lift.** Where the bottom is above the keel of the ship as she floats, it lifts her: she rises, trims and, with data of
-//! her stability, heels. The lift is quasi-static: each station under the hull ([`super::soundings`]) is at or above the
-//! bottom, and no shape of lift needs less energy. The energy E of the lift depends on her place alone, and the bottom's
-//! horizontal force is −∂E: the load under each station, times the slope under the station, towards deeper water. Rise and
-//! trim are those of a rectangular waterplane of block coefficient × length × beam, about midship. The ship's draught,
-//! heel and trim that other parts of a run see do not change.
+//! **Lift.** Where the bottom is above the keel of the ship as she floats, it lifts her: she rises, trims and, with
+//! data of her stability, heels. The lift is quasi-static: each station under the lifted hull ([`super::soundings`]) is
+//! at or above the bottom, and no other rise, trim and heel needs less energy. The energy E of the lift depends on the
+//! ship's place alone. The bottom's horizontal force is minus the gradient of E: for each station, the load on the
+//! station times the slope of the bottom under the station, towards deeper water. Rise and trim are those of a
+//! rectangular waterplane of block coefficient × length × beam, about midship. Other parts of the program use the
+//! draught, heel and trim of the ship without this lift.
 //!
-//! **Friction.** Coulomb's friction of 0.4 on the load, as on a level bottom, at the centre of the load, and with the mean
-//! distance of the load from its centre as arm against turning: a ship with her bow on a bank swings about her bow. The
-//! slope is taken to be small: friction is horizontal, and is 0.4 of the vertical load.
+//! **Friction.** The friction is Coulomb's: 0.4 of the load that the bottom carries, as on a level bottom. It acts at
+//! the centre of this load. The arm of friction against turning is the mean distance of the load from its centre along
+//! the ship, so a ship with her bow on a bank swings about her bow. The slope of the bottom is taken to be small:
+//! friction is horizontal, and is 0.4 of the vertical load.
 //!
-//! **The step.** The force is the mean over the way of the step, and depends on the velocity at its end (implicit). So the
-//! lift takes and returns the same energy at any step, and friction never reverses the ship.
+//! **The step.** The bottom's force is the mean over the ship's path in the step, and depends on the ship's velocity at
+//! the end of the step (implicit). So the lift takes and returns the same energy with any time step, and friction never
+//! reverses the ship.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
+use fenderline_seakeeping::matrix;
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_ship::hydro::Force;
-use fenderline_ship::seakeeping::matrix;
 
 use super::environment::{Bottom, Environment};
 use super::soundings::{STATIONS, stations};
 use super::vessel::{BOTTOM_FRICTION, SLOW_MPS, VesselSetup};
 
-/// How much a station sinks into the bottom, over the rise of a ship on a level bottom. It shares the load of several
-/// stations among them. The waterplane is stiffer by the same share, so that a level bottom carries exactly the weight
-/// that the water does not carry. Our choice.
+/// How much a station sinks into the bottom, divided by the rise of a ship on a level bottom. Because stations sink in,
+/// the load is shared among several stations. The waterplane is stiffer by the same share, so that a level bottom
+/// carries exactly the weight that the water does not carry. Our choice.
 const YIELD: f64 = 0.001;
-/// Places on the way of a step, over its length, and their weights: Simpson's rule in two parts.
+/// Places on the ship's path in a step, divided by the length of the path, and their weights: Simpson's rule on each
+/// half of the path.
 const WAY: [(f64, f64); 5] = [
     (0.0, 1.0 / 12.0),
     (0.25, 4.0 / 12.0),
@@ -36,17 +40,18 @@ const WAY: [(f64, f64); 5] = [
     (0.75, 4.0 / 12.0),
     (1.0, 1.0 / 12.0),
 ];
-/// Most iterations for the velocity at the end of a step, and the change of velocity that ends them (m/s).
+/// Largest number of iterations for the velocity at the end of a step, and the change of velocity at which the
+/// iteration ends (m/s).
 const ITERATIONS: (usize, f64) = (60, 1e-10);
-/// What rounding of places and depths may come to (m).
+/// Places and depths may be rounded by as much (m).
 const ROUNDING_M: f64 = 1e-3;
-/// Most changes of the set of stations that touch.
+/// Largest number of changes of the set of stations that touch the bottom.
 const CHANGES: usize = 40;
 
 type Vector = [f64; 3];
 type Matrix = [[f64; 3]; 3];
 
-/// Solves a system of a positive definite stiffness or mass, which is never singular.
+/// Solves linear equations with a positive definite matrix of stiffness or mass, which is never singular.
 fn solve(matrix: &Matrix, right: &Vector) -> Vector {
     matrix::solve(matrix, right).expect("stiffness and mass are not singular")
 }
@@ -67,28 +72,32 @@ fn times(a: &Matrix, b: &Vector) -> Vector {
     [dot(&a[0], b), dot(&a[1], b), dot(&a[2], b)]
 }
 
-/// A hull as it stands on the bottom.
+/// A hull whose keel may touch a bottom that is not level.
 struct Keel<'a> {
     setup: &'a VesselSetup,
     environment: &'a Environment,
-    /// Depth of the keel below datum (m): the ship floats with her squat.
+    /// Depth of the keel below datum (m) of the ship as she floats, with her squat.
     keel_m: f64,
-    /// Stiffness of the waterplane against rise (N/m), trim and heel (N·m/rad), and of the whole bottom (N/m).
+    /// Stiffness of the waterplane against rise (N/m), trim and heel (N·m/rad). `bottom_npm` is the stiffness of the
+    /// bottom under the whole hull (N/m).
     afloat: Vector,
     bottom_npm: f64,
     can_heel: bool,
 }
 
-/// The bottom's load on a hull at a place.
+/// The force of the bottom on a hull in one position.
 #[derive(Clone, Copy, Default)]
 struct Load {
-    /// Energy of the lift (J).
+    /// Energy that the lift of the hull takes (J).
     lift_j: f64,
-    /// Force of the slopes: forward, to starboard, yaw moment about the centre of gravity, in the axes of the start.
+    /// Horizontal force of the bottom by its slopes: forward and to starboard (N), and yaw moment about the centre of
+    /// gravity (N·m), in the ship's axes at the start of the step.
     force: Vector,
     /// −∂force/∂(place, heading).
     stiffness: Matrix,
-    /// Vertical load (N), its moments forward and to starboard (N·m), and its load times arm against turning (N·m).
+    /// Vertical load (N). `moment_nm` is this load times the distance of its centre forward and to starboard of the
+    /// centre of gravity (N·m). `turning_nm` is this load times its mean distance from its centre, along the ship
+    /// (N·m).
     vertical_n: f64,
     moment_nm: Vec2,
     turning_nm: f64,
@@ -130,7 +139,8 @@ impl<'a> Keel<'a> {
         least_m.is_some_and(|least_m| least_m >= self.keel_m + ROUNDING_M)
     }
 
-    /// The load when the ship has moved forward and to starboard (m) and has turned (rad), in the axes of `from`.
+    /// The force of the bottom after the ship has moved forward and to starboard (m) and has turned (rad) from the
+    /// state `from`, in the ship's axes in that state.
     fn load(&self, from: &BodyState, moved: &Vector) -> Load {
         let axes = Rotation::from_angle(from.heading_rad);
         let at_m = from.position_m + axes.apply(vec2(moved[0], moved[1]));
@@ -170,7 +180,7 @@ impl<'a> Keel<'a> {
         self.lift(&mut touching[..count])
     }
 
-    /// Finds rise, trim and heel with the least energy, and sums the loads of the stations.
+    /// Finds the rise, trim and heel of the hull with the least energy, and sums the loads on the stations.
     fn lift(&self, stations: &mut [Station]) -> Load {
         let mut held = [[0.0; 3]; 3];
         let mut rise = [0.0; 3];
@@ -231,37 +241,39 @@ impl<'a> Keel<'a> {
     }
 }
 
-/// A station where the bottom is above the keel of the ship as she floats.
+/// A point under the hull at which the bottom is above the keel of the ship as she floats.
 #[derive(Clone, Copy, Default)]
 struct Station {
-    /// Place from the centre of gravity (m).
+    /// Distances of the station forward and to starboard of the centre of gravity (m).
     arm_m: Vec2,
     /// Height of the bottom above the keel of the ship as she floats (m).
     sunk_m: f64,
     /// Stiffness of the bottom under the station (N/m).
     spring_npm: f64,
-    /// Lift of the station by rise, trim and heel.
+    /// How much the station moves up per unit of the hull's rise, trim and heel.
     lifts: Vector,
-    /// Increase of the depth by motion forward, to starboard and in yaw.
+    /// How much the depth under the station increases per unit of the ship's motion forward, to starboard and in yaw.
     slope: Vector,
     load_n: f64,
     touches: bool,
 }
 
-/// How a step moves a ship.
+/// The ship's mass, the other forces on her and the times of a step, with which the bottom's force in the step is
+/// found.
 pub(super) struct Step {
     /// Mass matrix over surge, sway and yaw about the centre of gravity.
     pub(super) mass: Matrix,
-    /// Everything else that acts on her: forward, to starboard (N), yaw about the centre of gravity (N·m).
+    /// All other forces on the ship: forward and to starboard (N), and yaw moment about the centre of gravity (N·m).
     pub(super) given: Vector,
-    /// How long the load acts on the velocity (s), and how much older the velocity is than the place (s).
+    /// Time for which forces change the ship's velocity in the step (s). `lag_s` is the time by which her velocity is
+    /// older than her position (s).
     pub(super) acts_s: f64,
     pub(super) lag_s: f64,
 }
 
 impl VesselSetup {
-    /// The force of a bottom that is not level, about midship: see the head of this file. Zero if no station touches on
-    /// the way of the step.
+    /// The force of a bottom that is not level, about midship: see the head of this file. The force is zero if no
+    /// station touches the bottom in the step.
     pub(super) fn on_slope(
         &self,
         state: &BodyState,
@@ -300,7 +312,8 @@ fn way(before: &Vector, step: &Step) -> f64 {
     greater(moved(before, step.lag_s), moved(&after, step.acts_s - step.lag_s))
 }
 
-/// The mean force over the way from the middle of the last step to the middle of the next.
+/// The mean force of the bottom over the ship's path from the time of her last velocity to the time of her next
+/// velocity.
 fn mean_force(keel: &Keel<'_>, state: &BodyState, before: Vector, step: &Step) -> Vector {
     let Step { mass, given, acts_s, lag_s } = step;
     let ahead_s = acts_s - lag_s;
@@ -358,7 +371,8 @@ fn mean_force(keel: &Keel<'_>, state: &BodyState, before: Vector, step: &Step) -
     force
 }
 
-/// Friction over velocity: a matrix that has only losses.
+/// The matrix by which the velocity is multiplied to give the friction. Friction by this matrix always takes energy
+/// from the ship.
 fn friction(load: &Load, velocity: &Vector) -> Matrix {
     let centre_m = load.moment_nm * (1.0 / load.vertical_n);
     let arm_m = load.turning_nm / load.vertical_n;

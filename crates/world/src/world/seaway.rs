@@ -8,11 +8,11 @@ use super::afloat::{Afloat, Lever};
 use super::environment::Environment;
 use super::seaway_state::SeawayState;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
-use fenderline_ship::attitude::AttitudeLoad;
-use fenderline_ship::hydro::Force;
-use fenderline_ship::seakeeping::{
+use fenderline_seakeeping::{
     DriftSource, Motion, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
+use fenderline_ship::attitude::AttitudeLoad;
+use fenderline_ship::hydro::Force;
 
 /// The constant data of a vessel with hydrodynamic data in a run.
 #[derive(Clone, Debug)]
@@ -151,7 +151,7 @@ pub(super) struct Given<'l> {
     pub(super) load: &'l Wrench,
     /// The load on heave, roll and pitch.
     pub(super) upright: AttitudeLoad,
-    /// The yaw moment that forces have because heel and trim have moved their points (N·m).
+    /// The yaw moment that forces have because heel and trim have moved the points at which they act (N·m).
     pub(super) moved_nm: f64,
 }
 

@@ -1,7 +1,7 @@
 //! The state of a vessel with hydrodynamic data.
 
 use fenderline_contact::Vec2;
-use fenderline_ship::seakeeping::{MotionState, SlowPlace};
+use fenderline_seakeeping::{MotionState, SlowPlace};
 
 /// The values that one step leaves for the next step, as plain numbers.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,4 +1,4 @@
-//! The constant part of a world.
+//! The constant part of what surrounds the bodies: vessels, tugs, lines, anchors, environment and orders.
 
 use super::anchor::AnchorSetup;
 use super::bollard::{BollardSetup, LineHandling};

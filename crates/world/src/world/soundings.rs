@@ -6,45 +6,48 @@ use fenderline_ship::hydro::Particulars;
 
 use super::environment::{Environment, NoDepth};
 
-/// Stations along the hull, from the stern to the bow.
+/// Number of stations along the hull, from the stern to the bow.
 const ALONG: usize = 13;
-/// Rows of stations under the hull: at both sides and amidships.
+/// The rows of stations under the hull, to port, amidships and to starboard: place across the hull, and weight of the
+/// row in the mean depth.
 const ROWS: [(f64, f64); 3] = [(-1.0, 0.25), (0.0, 0.5), (1.0, 0.25)];
 /// Stations under the hull.
 pub(super) const STATIONS: usize = ALONG * ROWS.len();
-/// Weight of the water half a beam off the side, over the weight of the side: 1/e. Our assumption.
+/// Weight in the mean depth of a place half a beam off the ship's side, divided by the weight of the station at the
+/// side: 1/e. Our assumption.
 const BESIDE: f64 = 0.367_879_441_171_442_33;
 
-/// The depths under a vessel at a time (m); `None`: deep.
+/// The depths of the water under a vessel at a time (m); `None` for deep water.
 ///
-/// A bottom by place is sounded at 13 stations along the hull and three across. The hull's plan is a rectangle of length
-/// and beam whose ends taper, so that its area is block coefficient times length times beam. The mean depth for the
-/// forces of the water is our assumption, without a source: it weights the keel by a half, either side by a quarter, and
-/// the water half a beam off either side by a quarter over e, evenly along the length; water off her sides counts only
-/// where there are data.
+/// If the depth differs by place, it is taken at 13 stations along the hull times three across. The hull's plan is a
+/// rectangle of length and beam whose ends taper, so that its area is block coefficient times length times beam. The
+/// mean depth for the forces of the water is our assumption, without a source: the depth under the keel has the weight
+/// ½, under each side ¼, and half a beam off each side ¼ divided by e, evenly along the length. Depths off her sides
+/// count only where they are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Soundings {
-    /// Mean depth with the tide alone, for hull forces and added mass.
+    /// Mean depth under the vessel with the tide alone, without long waves (m); hull forces and added mass are computed
+    /// with this depth.
     pub still_m: Option<f64>,
-    /// Mean depth with tide and long waves.
+    /// Mean depth under the vessel with tide and long waves (m).
     pub mean_m: Option<f64>,
-    /// Least depth under a station, with tide and long waves.
+    /// Least depth of all stations under the vessel, with tide and long waves (m).
     pub least_m: Option<f64>,
-    /// Least depth under the forward half, midship included.
+    /// Least depth under the forward half of the vessel, midship included (m).
     pub fore_m: Option<f64>,
-    /// Least depth under the after half, midship included.
+    /// Least depth under the after half of the vessel, midship included (m).
     pub aft_m: Option<f64>,
     /// Whether the bottom under the hull is level.
     pub is_level: bool,
 }
 
-/// Share of half the length at each end over which a hull's plan tapers.
+/// Length of the part at each end over which a hull's plan tapers, divided by half of the hull's length.
 fn taper(hull: &Particulars) -> f64 {
     lesser(2.0 * (1.0 - hull.block_coefficient()), 1.0)
 }
 
-/// Places under a hull from midship (m) and their weights, which add up to 1: forward, to starboard. The third item is
-/// the place half a beam off the side, for the rows at the sides.
+/// The stations under a hull: place forward and to starboard of midship (m), and weight in the mean depth. The weights
+/// add up to 1. For stations at a side, the third item is the place half a beam off this side.
 pub(super) fn stations(hull: &Particulars) -> impl Iterator<Item = (Vec2, f64, Option<Vec2>)> {
     let (half_length_m, half_beam_m) = (0.5 * hull.length_m, 0.5 * hull.beam_m);
     let taper = taper(hull);
@@ -64,10 +67,10 @@ pub(super) fn stations(hull: &Particulars) -> impl Iterator<Item = (Vec2, f64, O
 }
 
 impl Soundings {
-    /// The soundings under a hull.
+    /// Finds the depths under a hull in its present position.
     ///
     /// # Errors
-    /// A station without data.
+    /// Fails if no depth is known under a station.
     pub fn under(
         hull: &Particulars,
         state: &BodyState,
@@ -155,7 +158,7 @@ mod tests {
         let depths_m = (0..101 * 101).map(node).collect();
         let field = DepthField::new(vec2(-400.0, -400.0), 8.0, 101, 101, depths_m).unwrap();
         Environment {
-            bottom: Some(Bottom { field: Arc::new(field), outside }),
+            bottom: Some(Bottom { field: Arc::new(field), outside, banks: None }),
             tide: Tide::Level(0.5),
             ..Environment::default()
         }

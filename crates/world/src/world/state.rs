@@ -1,4 +1,4 @@
-//! The state of a world, and a step of the world.
+//! The state of vessels, tugs, lines and anchors, and how a step changes this state.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -28,13 +28,13 @@ use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
 use crate::order::{Action, LineAction, Order, OrderError};
 use crate::setup::body::BodySetup;
+use fenderline_seakeeping::{Motion, SubSteps};
 use fenderline_ship::anchor::AnchorEvent;
 use fenderline_ship::attitude::AttitudeLoad;
 use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
-use fenderline_ship::seakeeping::{Motion, SubSteps};
 
-/// The variable state of a world: plain data, and values that each step calculates anew.
+/// The variable state of vessels, tugs, lines and anchors: plain data, and values that each step calculates anew.
 #[derive(Clone, Debug)]
 pub struct World {
     /// The states of the vessels, in the order of the set-up.
@@ -45,7 +45,7 @@ pub struct World {
     pub water_inertia: Vec<WaterInertia>,
     /// The depths under each vessel at the start of the step: [`World::sound`].
     pub soundings: Vec<Soundings>,
-    /// The next soundings, which replace the last if all places have data.
+    /// The depths for the next step, which replace `soundings` if the depth is known under all vessels.
     sounded: Vec<Soundings>,
     /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
     passing: Vec<Force>,
@@ -173,10 +173,10 @@ impl World {
         }
     }
 
-    /// Sounds the depths under each vessel at a time, for the step that begins then. An error changes nothing.
+    /// Finds the depths under each vessel at a time, for the step that begins at this time. An error changes nothing.
     ///
     /// # Errors
-    /// The first vessel, by index, with a station that has no data, and the place of the station.
+    /// Returns the first vessel with a station at which no depth is known, by her index, and the place of this station.
     pub fn sound(
         &mut self,
         setup: &WorldSetup,
@@ -193,8 +193,9 @@ impl World {
     }
 
     /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
-    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a drifting ship would
-    /// have a drag from the difference of times. [`World::sound`] must have been called for `t_s`.
+    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a ship that drifts with
+    /// the water would have a drag, because of the difference of the two times. [`World::sound`] must have been called
+    /// for `t_s`.
     pub fn step(
         &mut self,
         setup: &WorldSetup,
@@ -299,7 +300,8 @@ impl World {
         self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
-    /// Adds the force of the bottom on vessels where it is not level. All other forces but contact are in `loads`.
+    /// Adds the force of the bottom on vessels over a bottom that is not level. All other forces except contact must
+    /// already be in `loads`.
     fn press_on_bottom(
         &mut self,
         setup: &WorldSetup,
@@ -345,7 +347,7 @@ impl World {
     }
 
     /// Calculates where the bodies with hydrodynamic data are in the middle of the time for which loads act; see
-    /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull at these places.
+    /// [`fenderline_seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,

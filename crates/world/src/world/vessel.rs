@@ -5,12 +5,14 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
+use super::bank_walls::Walls;
 use super::current_table::CurrentTable;
 use super::environment::{Environment, NoDepth};
 use super::fault::Faults;
 use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
 use super::soundings::Soundings;
+use fenderline_seakeeping::Seakeeping;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::waves::{
@@ -19,10 +21,10 @@ use fenderline_ship::environment::waves::{
 use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
 use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
 use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
-use fenderline_ship::hydro::shallow::{SHALLOWEST_RATIO, width_of_influence_m};
+use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
 use fenderline_ship::hydro::vessels::Origin;
-use fenderline_ship::hydro::{Controls, Force, Mmg, Squat, Velocity};
-use fenderline_ship::seakeeping::Seakeeping;
+use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::track::{OnPlan, PassagePlan};
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
@@ -67,6 +69,8 @@ pub struct VesselSetup {
     /// `response`, and the vessel's `float` gives the height of the centre of gravity. Hydrodynamic data need the
     /// coupled method with the semi-implicit integrator.
     pub seakeeping: Option<Seakeeping>,
+    /// Her passage plan. The plan moves nothing: results and pages compare her way with the plan.
+    pub plan: Option<PassagePlan>,
 }
 
 /// Data for heave, roll and pitch.
@@ -318,6 +322,18 @@ impl VesselState {
 }
 
 impl VesselSetup {
+    /// The place of midship when the vessel's body is in `state`, north and east (m).
+    #[must_use]
+    pub fn midship_m(&self, state: &BodyState) -> Vec2 {
+        state.pose().apply(vec2(-self.ship.particulars.centre_of_gravity_m, 0.0))
+    }
+
+    /// Where midship is on the vessel's passage plan when her body is in `state`; `None` without a plan.
+    #[must_use]
+    pub fn on_plan(&self, state: &BodyState) -> Option<OnPlan> {
+        Some(self.plan.as_ref()?.at(self.midship_m(state)))
+    }
+
     /// Thrust of all azimuth units at rest and full power (N).
     #[must_use]
     pub fn bollard_pull_n(&self) -> f64 {
@@ -372,7 +388,7 @@ impl VesselSetup {
             waves: self.drift(state, environment, velocity_t_s),
             excitation: Force::default(),
             radiation: Force::default(),
-            banks: self.banks(state, velocity, environment, soundings),
+            banks: self.banks((state, velocity), environment, soundings, t_s),
             passing: Force::default(),
             // `World::step` adds the force of a bottom that is not level, which depends on all other forces.
             bottom: match soundings.is_level {
@@ -382,8 +398,9 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the depth at a time and a place. The added mass is that of this depth, and gives the Coriolis
-    /// terms in the hull's force. The mass with which the vessel moves stays that of the start.
+    /// The data of hull, propeller and rudder in the depth that `soundings` gives. The added mass is that of this
+    /// depth, and gives the Coriolis terms in the hull's force. The mass with which the engine moves the vessel stays
+    /// the mass at the start of the run.
     fn ship_now(&self, environment: &Environment, soundings: &Soundings) -> Mmg {
         let is_constant =
             matches!(environment.tide, Tide::Level(_)) && environment.bottom.is_none();
@@ -393,10 +410,10 @@ impl VesselSetup {
         }
     }
 
-    /// The depths under the vessel at a time, about the state of her body.
+    /// The depths under the vessel at a time, with her body in this state.
     ///
     /// # Errors
-    /// A station under the hull without data: see [`Soundings::under`].
+    /// Fails if no depth is known under a station of the hull: see [`Soundings::under`].
     pub fn soundings(
         &self,
         state: &BodyState,
@@ -423,9 +440,10 @@ impl VesselSetup {
         Velocity { surge_mps: own.x, sway_mps, yaw_radps: state.yaw_rate_radps - turning_radps }
     }
 
-    /// Velocity of the water along the hull (m/s) and its rate of turn (rad/s): mean and slope of the stream. A current by
-    /// place is taken at three stations, those of Gauss's rule over the length, so that a linear shear is exact; any
-    /// other current is the same along the hull.
+    /// Mean velocity of the water over the hull's length (m/s), and the rate of turn of the water (rad/s), which is the
+    /// slope of its velocity across the hull along the length. A current that differs by place is taken at three
+    /// stations, those of Gauss's rule over the length, so that a linear shear is exact; any other current is the same
+    /// along the hull.
     fn stream(&self, state: &BodyState, environment: &Environment, t_s: f64) -> (Vec2, f64) {
         let hull = &self.ship.particulars;
         if !matches!(environment.current, Some(Current::Grid(_))) {
@@ -459,17 +477,22 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Force and moment of all banks by Norrbin's formulas.
+    /// Force and moment of all banks by Norrbin's formulas: straight banks, and the walls for the sections of the bottom.
     fn banks(
         &self,
-        state: &BodyState,
-        velocity: &Velocity,
+        (state, velocity): (&BodyState, &Velocity),
         environment: &Environment,
         soundings: &Soundings,
+        t_s: f64,
     ) -> Force {
         let mut banks =
             environment.banks.iter().filter(|bank| bank.method() == BankMethod::Norrbin).peekable();
-        if banks.peek().is_none() {
+        let of_bottom = environment
+            .bottom
+            .as_ref()
+            .filter(|bottom| bottom.banks == Some(BankMethod::Norrbin))
+            .filter(|_| velocity.surge_mps != 0.0);
+        if banks.peek().is_none() && of_bottom.is_none() {
             return Force::default();
         }
         let hull = &self.ship.particulars;
@@ -483,14 +506,18 @@ impl VesselSetup {
         };
         let water =
             BankWater { density_kgpm3: environment.water_density_kgpm3, depth_m: soundings.mean_m };
-        banks.fold(Force::default(), |sum, bank| {
+        let straight = banks.fold(Force::default(), |sum, bank| {
             let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
             sum + Force { surge_n, sway_n, yaw_nm }
-        })
+        });
+        let (Some(bottom), Some(depth_m)) = (of_bottom, soundings.mean_m) else { return straight };
+        let walls = Walls::beside(hull, state, (bottom, environment.level_m(t_s), depth_m));
+        let [surge_n, sway_n, yaw_nm] = ship.between_walls(walls.per_m, &water);
+        straight + Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// The vessel's squat in the mean depth under her (m), and by [`Squat::BarrassChannel`] in the cross-section of the water
-    /// at midship; 0 in deep water.
+    /// The vessel's squat in the mean depth under her (m), and by a formula for channels in the cross-section of the
+    /// water at midship; 0 in deep water.
     pub fn squat_m(
         &self,
         state: &BodyState,
@@ -502,12 +529,11 @@ impl VesselSetup {
         };
         let surge_mps = self.velocity(state, environment, t_s).surge_mps;
         let hull = &self.ship.particulars;
-        let section_m2 = match (&environment.bottom, squat) {
-            (Some(bottom), Squat::BarrassChannel) => {
+        let section_m2 = match (&environment.bottom, squat.width_m(hull)) {
+            (Some(bottom), Some(width_m)) => {
                 let midship_m = state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0));
                 let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
-                let half_width_m = 0.5 * width_of_influence_m(hull);
-                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), half_width_m)
+                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), 0.5 * width_m)
             }
             _ => f64::INFINITY,
         };
@@ -540,9 +566,10 @@ impl VesselSetup {
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
-    /// The drag of a level bottom on a ship aground. The bottom carries the weight that the water no longer carries, with
-    /// Coulomb's friction ([`BOTTOM_FRICTION`]). The drag acts against the ship's motion and fades out below
-    /// [`SLOW_MPS`], so that it never drives her. `world/grounding.rs` has the bottom that is not level.
+    /// The drag of a level bottom on a ship aground. The bottom carries the weight that the water no longer carries,
+    /// with Coulomb's friction ([`BOTTOM_FRICTION`]). The drag acts against the ship's motion and fades out below
+    /// [`SLOW_MPS`], so that it never drives her. `world/grounding.rs` computes the force of a bottom that is not
+    /// level.
     fn bottom(
         &self,
         vessel: &VesselState,

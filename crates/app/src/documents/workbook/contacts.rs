@@ -5,7 +5,8 @@ use rust_xlsxwriter::{Worksheet, XlsxError};
 
 use super::table::{Cell, Head, cells_of, heads_of, sheet_of};
 
-/// Number of catalogue columns before the column with the fender's name; the name belongs to the peak depth.
+/// Number of columns from the list of contact quantities that stand before the column with the fender's name. The last
+/// of these columns is the peak depth, and the name is that of the fender with this depth.
 const UP_TO_DEPTH: usize = 4;
 
 /// Writes one row for each pair of bodies that touched.

@@ -42,7 +42,8 @@ impl From<Option<f64>> for Cell {
     }
 }
 
-/// The heads of those columns of a catalogue that a sheet shows.
+/// The heads of those columns that a sheet shows; `catalogue` lists the quantities of one kind of part, such as
+/// fenders.
 pub(super) fn heads_of<S, T>(
     catalogue: &Catalogue<S, T>,
 ) -> impl Iterator<Item = Head<'static>> + use<S, T> {
@@ -50,8 +51,8 @@ pub(super) fn heads_of<S, T>(
     columns.filter_map(|of| Some(Head(of.head, of.scale.page_unit(), of.sheet_width?)))
 }
 
-/// The cells of one part in the columns of a catalogue. `summary` is `None` for a part without results, such as a
-/// fender that was not touched.
+/// The cells of one row, for one part of the run such as a fender; `catalogue` lists the quantities of this kind of
+/// part. `summary` is `None` for a part without results, such as a fender that was not touched.
 pub(super) fn cells_of<S, T>(
     catalogue: &Catalogue<S, T>,
     setup: &S,

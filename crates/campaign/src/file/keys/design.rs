@@ -33,7 +33,7 @@ table_keys! {
             "coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
             Refused,
-            "Correlation of the normal scores.",
+            "Correlation of the normal scores of the two variables.",
             &["0.3"],
         ),
     }
@@ -41,7 +41,7 @@ table_keys! {
 
 pub(super) static OUTPUT: TableSpec = TableSpec {
     what: "an output",
-    doc: "A number of your own for each run.",
+    doc: "An output of your own: a number that a formula gives for each run.",
     keys: CampaignOutputKey::ALL,
     rules: None,
 };
@@ -53,9 +53,9 @@ table_keys! {
             "expression",
             Kind::Text,
             Refused,
-            "A formula of the numbers of a run. Use the names of the columns, in the units of the \
-             columns, and the names of the variables; write names with points in braces. Functions \
-             as in a variable's `expression`.",
+            "A formula that computes the output of a run. Use the names of the columns, in the units of the \
+             columns, and the names of the variables; write names with points in braces. The functions are \
+             those of a variable's `expression`.",
             &["\"reaction / 930\"", "\"{fender.fender_3.reaction} - {fender.fender_4.reaction}\""],
         ),
         UNIT: Text = key(
@@ -154,7 +154,7 @@ table_keys! {
             "every",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 10.0, high: MOST_RUNS }),
             Is("100"),
-            "Number of runs between two tests of the stop. The result does not depend on the \
+            "Number of runs between two tests of the stop rule. The result does not depend on the \
              number of threads.",
             &["1000"],
         ),
@@ -163,8 +163,8 @@ table_keys! {
 
 pub(super) static DESIGN: TableSpec = TableSpec {
     what: "a design",
-    doc: "How often the event of a run happens in a year, and how rare a design value is. Choose \
-        both yourself: guidelines differ.",
+    doc: "How often the event that a run simulates, such as a berthing, happens in a year, and how \
+        rare a design value is. Choose both numbers yourself: guidelines differ.",
     keys: DesignKey::ALL,
     rules: None,
 };
@@ -176,7 +176,7 @@ table_keys! {
             "berthings_per_year",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e9 }),
             Refused,
-            "Number of such events in a year.",
+            "Number of events, such as berthings, in a year.",
             &["300"],
         ),
         RETURN_PERIODS: Texts = key(

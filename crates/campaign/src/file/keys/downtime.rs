@@ -46,8 +46,8 @@ table_keys! {
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: MOST }),
             Is("60"),
             "Number of single hours of a series, drawn at random by `seed`, that are also run with \
-             their own weather. These single hours show the error of the states. A scatter diagram \
-             has no single hours.",
+             their own weather. These single hours show how large the error of the grouping into \
+             states is. A scatter diagram has no single hours.",
             &["200"],
         ),
     }

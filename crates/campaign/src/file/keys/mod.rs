@@ -190,7 +190,8 @@ table_keys! {
             "most_steps",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST_STEPS }),
             Is("100000000"),
-            "A run with more time steps than this is not made; its row says so.",
+            "Largest number of time steps of a run. A run with more steps is not made, and its row of \
+             the table says so.",
             &["20000"],
         ),
     }

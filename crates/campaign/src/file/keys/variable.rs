@@ -13,39 +13,40 @@ static FAMILIES: Choices<FamilyKind> = Choices(&[
     Choice {
         word: "normal",
         value: FamilyKind::Law(LawFamily::Normal),
-        doc: "by `mean` and `standard_deviation`, or two `quantiles`",
+        doc: "normal law, given by `mean` and `standard_deviation`, or by two `quantiles`",
     },
     Choice {
         word: "lognormal",
         value: FamilyKind::Law(LawFamily::Lognormal),
-        doc: "by `mean` and `standard_deviation` of the variable, by `log_mean` and `log_standard_deviation` of its natural \
-              logarithm, or two `quantiles`",
+        doc: "law given by `mean` and `standard_deviation` of the variable, by `log_mean` and \
+              `log_standard_deviation` of its natural logarithm, or by two `quantiles`",
     },
     Choice {
         word: "Weibull",
         value: FamilyKind::Law(LawFamily::Weibull),
-        doc: "F = 1 - exp(-(x/scale)^shape): by `scale` and `shape`, `mean` and `standard_deviation`, or two `quantiles`",
+        doc: "F = 1 - exp(-(x/scale)^shape): given by `scale` and `shape`, by `mean` and \
+              `standard_deviation`, or by two `quantiles`",
     },
     Choice {
         word: "Gumbel",
         value: FamilyKind::Law(LawFamily::Gumbel),
-        doc: "of maxima, F = exp(-exp(-(x - location)/scale)): by `location` and `scale`, `mean` and `standard_deviation`, or two \
-              `quantiles`",
+        doc: "law of maxima, F = exp(-exp(-(x - location)/scale)): given by `location` and `scale`, \
+              by `mean` and `standard_deviation`, or by two `quantiles`",
     },
     Choice {
         word: "uniform",
         value: FamilyKind::Law(LawFamily::Uniform),
-        doc: "by `lower` and `upper`, `mean` and `standard_deviation`, or two `quantiles`",
+        doc: "uniform law, given by `lower` and `upper`, by `mean` and `standard_deviation`, or by two `quantiles`",
     },
     Choice {
         word: "triangular",
         value: FamilyKind::Law(LawFamily::Triangular),
-        doc: "by `lower`, `mode` and `upper`",
+        doc: "triangular law, given by `lower`, `mode` and `upper`",
     },
     Choice {
         word: "empirical",
         value: FamilyKind::Empirical,
-        doc: "each of the measured values of a column of `file` with the same probability",
+        doc: "each of the measured values in a column of `file` is drawn with the same probability",
     },
 ]);
 
@@ -102,7 +103,7 @@ table_keys! {
             "choice",
             Kind::Named(&CHOICE),
             Is("{}"),
-            "Choices, by name, in place of `key` and `values`. Names that are numbers with the same unit, such as \"9 m\", make an axis.",
+            "Choices, by name, in place of `key` and `values`. Names that are numbers with the same unit, such as \"9 m\", make an axis of numbers in the figure.",
             &[],
         ),
         DISTRIBUTION: OneOf<FamilyKind> = key(
@@ -258,7 +259,8 @@ table_keys! {
     }
 }
 
-/// A choice of a variable sets keys of its own.
+/// Rules of the JSON Schema for a variable: either it sets one key or several keys to the same value, or it has
+/// choices, each of which sets its own keys.
 fn variable_rules() -> serde_json::Value {
     serde_json::json!({
         "oneOf": [

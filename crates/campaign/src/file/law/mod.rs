@@ -187,8 +187,8 @@ impl Law {
     /// Makes a law of a family with two parameters from the values at two probabilities.
     ///
     /// # Errors
-    /// Fails if the probabilities are not between 0 and 1 or do not rise with the values, if the family does not have
-    /// the values, or if the family is triangular.
+    /// Fails if the probabilities are not between 0 and 1, if the probabilities do not rise with the values, if a law of the
+    /// family cannot take the values, or if the family is triangular.
     pub fn by_quantiles(family: LawFamily, [one, other]: [(f64, f64); 2]) -> Result<Law, String> {
         for (p, _) in [one, other] {
             if !(0.0 < p && p < 1.0) {

@@ -65,7 +65,7 @@ const NO_SHAPE: f64 = 1e-7;
 
 impl Distribution {
     /// Probability to exceed `x`. The probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], where
-    /// the law has no values, it is the probability to exceed the threshold.
+    /// the law has no values, the result is the probability to exceed the threshold.
     #[must_use]
     pub fn above(&self, x: f64) -> f64 {
         match *self {
@@ -121,7 +121,7 @@ impl Distribution {
         }
     }
 
-    /// The value that is exceeded with probability `p` between 0 and 1; `None` if it lies below the threshold.
+    /// The value that is exceeded with probability `p` between 0 and 1; `None` if this value lies below the threshold.
     #[must_use]
     pub fn value_exceeded(&self, p: f64) -> Option<f64> {
         Some(match *self {

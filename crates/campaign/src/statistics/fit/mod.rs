@@ -48,7 +48,8 @@ pub struct Fit {
     /// Akaike's criterion, 2k − 2 ln L. The criterion of [`Law::Pareto`] is for the values above its threshold alone,
     /// and cannot be compared with other laws.
     pub aic: f64,
-    /// Kolmogorov and Smirnov's distance: the largest difference of the two distribution functions.
+    /// Kolmogorov and Smirnov's distance: the largest difference between the distribution functions of the sample and
+    /// of the law.
     pub kolmogorov: f64,
     /// Anderson and Darling's A², which weights the tails.
     pub anderson_darling: f64,
@@ -117,7 +118,7 @@ pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, Fit
     })
 }
 
-/// Number of values, evenly picked from a long sample, with which its fit begins.
+/// Number of values with which the fit of a long sample begins: these values are picked evenly from the sample.
 const FEW: usize = 10_000;
 
 /// Finds the maximum for a long sample, starting from the fit of few of its sorted values: most Newton steps are then
@@ -140,21 +141,22 @@ fn maximum_from_few(
     newton::maximise(&near.at, &start.scale, values.len(), log_likelihood).ok()
 }
 
-/// Kolmogorov's limit: √n times the distance of a sample from its own law is above it with a chance of 1 %.
+/// Kolmogorov's limit: for a sample of n values from a known law, √n times the distance of the sample from this law
+/// exceeds this limit with a chance of 1 %.
 const KOLMOGOROV_1_PER_CENT: f64 = 1.628;
 
 impl Fit {
     /// Whether the data contradict the law: Kolmogorov's test at 1 %, with the limit of a law that is known beforehand.
     /// The true limit for a fitted law is lower. A law that is rejected here would therefore be rejected by stricter
     /// tests too, and a law that is not rejected here may still be wrong (Stephens, EDF statistics for goodness of fit,
-    /// J. Am. Stat. Assoc. 69, 1974; the limit recalled, not read there).
+    /// Journal of the American Statistical Association 69, 1974; we wrote the limit from memory).
     #[must_use]
     pub fn is_rejected(&self) -> bool {
         self.kolmogorov * libm::sqrt(self.count as f64) > KOLMOGOROV_1_PER_CENT
     }
 
-    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` if it lies below the
-    /// threshold of the fit, or is not finite.
+    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` if this value lies
+    /// below the threshold of the fit, or is not finite.
     #[must_use]
     pub fn value_exceeded(&self, p: f64, confidence: Confidence) -> Option<Estimate> {
         let value = self.distribution.value_exceeded(p)?;

@@ -15,14 +15,15 @@ pub(super) struct Maximum {
 const MOST_STEPS: usize = 200;
 /// Rise of the likelihood's logarithm below which no further step is made.
 const SETTLED: f64 = 1e-9;
-/// Step of the numerical differences, as a share of a change that matters divided by the root of the number of values.
-/// The step is far below a standard error, so that there is no bias, and far above the rounding of a sum over 10⁶
-/// values.
+/// Step of a parameter in the numerical differences, divided by s/√n: s is the size of a change of this parameter that
+/// matters, and n the number of values. The step is far below a standard error, so that there is no bias, and far above
+/// the rounding of a sum over 10⁶ values.
 const DIFFERENCE: f64 = 0.005;
 /// Damping of the Newton step above which no step raises the function any more.
 const MOST_DAMPING: f64 = 1e12;
 
-/// Maximises a function of `n` values, which is −∞ outside its range; `scale` is the size of changes of its parameters.
+/// Maximises the function `of`, the logarithm of the likelihood of `n` values, which is −∞ outside its range. `scale`
+/// has for each parameter the size of a change that matters.
 pub(super) fn maximise(
     start: &[f64],
     scale: &[f64],

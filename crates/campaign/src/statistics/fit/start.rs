@@ -78,7 +78,7 @@ fn gev(values: &[f64]) -> Start {
     feasible_gev(location, scale, -k, values)
 }
 
-/// Widens the law of a start until all values are possible.
+/// Widens the law with which the search starts, until all values are possible under this law.
 fn feasible_gev(location: f64, scale: f64, shape: f64, values: &[f64]) -> Start {
     let mut shape = shape;
     let possible = |shape: f64| {

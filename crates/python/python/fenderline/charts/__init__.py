@@ -1,8 +1,9 @@
-"""Electronic charts and surveys to the files that a scenario names.
+"""Electronic charts, surveys and currents to the files that a scenario names.
 
 ``python -m fenderline.charts US4MD81M.000 --area "-76.47,38.97,-76.43,39.00" -o annapolis/`` reads the cell with its updates and writes one
 GeoJSON file for each class, with the names of S-57, and ``chart.toml``: the tables ``[chart]`` and ``[environment.bottom]`` of a scenario.
-A survey (GeoTIFF, BAG, NetCDF) is written as an ESRI ASCII grid in metres east and north of the origin.
+A survey (GeoTIFF, BAG, NetCDF) is written as an ESRI ASCII grid in metres east and north of the origin. The current of a hydrodynamic model
+(NetCDF on regular, curvilinear and triangular meshes, SELAFIN) is written as the CSV file of ``[environment.current]``, by time and place.
 
 :func:`convert` does the same from Python. What cannot be converted is a :class:`ChartError`.
 
@@ -12,6 +13,7 @@ are not for navigation.
 
 from __future__ import annotations
 
+import datetime
 import os
 import shutil
 import tempfile
@@ -19,7 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from fenderline.charts import _s57, _survey
+from fenderline.charts import _current, _s57, _survey
 from fenderline.charts._area import Area
 from fenderline.charts._errors import ChartError
 from fenderline.charts._write import layer_text, snippet
@@ -43,14 +45,21 @@ class Converted:
     """Features of classes that are not read, by class."""
     surveys: tuple[str, ...]
     """Names of the surveys' files."""
+    current: str | None = None
+    """Name of the current's file."""
+    current_told: tuple[str, ...] = ()
+    """How the current was read."""
 
     def __str__(self) -> str:
         def listed(of: dict[str, int]) -> str:
             return ", ".join(f"{count} {name}" for name, count in of.items()) or "none"
 
-        lines = [f"written to {self.folder}: {listed(self.written)}"]
+        lines = [f"written to {self.folder}: {listed(self.written)}" if self.written else f"written to {self.folder}"]
         if self.surveys:
             lines.append(f"surveys: {', '.join(self.surveys)}")
+        if self.current:
+            lines.append(f"current: {self.current}")
+            lines += [f"  {told}" for told in self.current_told]
         if self.outside:
             lines.append(f"outside the area: {listed(self.outside)}")
         if self.not_read:
@@ -67,8 +76,15 @@ def convert(
     cell_m: float | None = None,
     crs: str | None = None,
     variable: str | None = None,
+    current: str | Path | None = None,
+    current_variables: tuple[str, str] | None = None,
+    current_axes: str | None = None,
+    current_layer: int | None = None,
+    current_start: datetime.datetime | str | None = None,
+    current_hours: float | None = None,
+    current_cell_m: float | None = None,
 ) -> Converted:
-    """Converts charts and surveys into a new folder, which then is complete or absent.
+    """Converts charts, surveys and a current into a new folder, which then is complete or absent.
 
     Parameters
     ----------
@@ -82,15 +98,28 @@ def convert(
     origin
         Latitude and longitude of the scenario's origin (degrees); the middle of the area if left out.
     cell_m, crs, variable
-        Of surveys: side of a cell (m), coordinate system where the file does not say it, and variable of a NetCDF file.
+        Of surveys: side of a cell (m), coordinate system where the file does not say it (also of the current), and variable of a NetCDF file.
+    current
+        The current of a hydrodynamic model: NetCDF (regular, curvilinear, UGRID) or SELAFIN (``.slf``). No other file is needed then.
+    current_variables
+        Names of the two components, where the converter does not know them.
+    current_axes
+        Of a curvilinear grid: ``"east"`` if the components are to the east and north, ``"grid"`` if they are along the lines of the grid.
+    current_layer
+        Which layer of a current by depth is taken, counted from 0 in the order of the file.
+    current_start, current_hours
+        The time in the file that is time 0 of the scenario (its first time if left out), and how long the file must cover from then on.
+    current_cell_m
+        Distance of the nodes of the current that is written (m).
     """
     paths = [Path(file) for file in ([files] if isinstance(files, str | Path) else files)]
-    if not paths:
+    if not paths and current is None:
         raise ChartError("there is no file to convert")
     if isinstance(area, str):
         area = Area.of(area)
     if cell_m is not None and not 0.1 <= cell_m <= 10_000:
         raise ChartError(f"a cell is from 0.1 to 10000 m, but is {cell_m:g} m")
+    choices = _current_choices(current, current_variables, current_axes, current_layer, current_start, current_hours, current_cell_m, crs)
     target = Path(folder)
     if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise ChartError("it exists already, and is not an empty folder", target)
@@ -118,15 +147,53 @@ def convert(
                 raise ChartError(f"two surveys have the name {path.stem}", path)
             texts[name] = grid.text()
             surveys.append(name)
+    flow = None
+    if current is not None:
+        flow, area = _current.read(Path(current), area, origin, choices)
+        if f"{flow.file.stem}.csv" in texts:
+            raise ChartError(f"two files have the name {flow.file.stem}", flow.file)
+        texts[f"{flow.file.stem}.csv"] = flow.text
     assert area is not None
     about = [cell.about or cell.file.name for cell in cells]
-    text = snippet(area, origin or area.origin, charts, surveys, about)
+    text = snippet(area, origin or area.origin, charts, surveys, about, (f"{flow.file.stem}.csv", flow.told) if flow else None)
     texts["chart.toml"] = text
     _write(target, texts)
     written = {layer: len(features[layer]) for layer in _s57.CLASSES if features.get(layer)}
     outside = {layer: found[layer] - written.get(layer, 0) for layer in _s57.CLASSES if found.get(layer, 0) > written.get(layer, 0)}
     not_read = {layer: count for layer, count in sorted(found.items()) if layer not in _s57.CLASSES and count}
-    return Converted(target, text, written, outside, not_read, tuple(surveys))
+    of_current = (f"{flow.file.stem}.csv", tuple(flow.told)) if flow else (None, ())
+    return Converted(target, text, written, outside, not_read, tuple(surveys), *of_current)
+
+
+def _current_choices(
+    current: str | Path | None,
+    variables: tuple[str, str] | None,
+    axes: str | None,
+    layer: int | None,
+    start: datetime.datetime | str | None,
+    hours: float | None,
+    cell_m: float | None,
+    crs: str | None,
+) -> _current.Choices:
+    """What was chosen for the current, checked."""
+    if current is None and any(given is not None for given in (variables, axes, layer, start, hours, cell_m)):
+        raise ChartError("a choice for a current is given, but no current")
+    if axes not in (None, "east", "grid"):
+        raise ChartError(f"the axes of a current are east or grid, but are {axes!r}")
+    if variables is not None and len(variables) != 2:
+        raise ChartError("a current has two variables: to the east and to the north")
+    if hours is not None and not 0 < hours < 1e6:
+        raise ChartError(f"the hours of a current are positive, but are {hours:g}")
+    if cell_m is not None and not 1 <= cell_m <= 100_000:
+        raise ChartError(f"the cell of a current is from 1 to 100000 m, but is {cell_m:g} m")
+    if isinstance(start, str):
+        try:
+            start = datetime.datetime.fromisoformat(start)
+        except ValueError:
+            raise ChartError(f"the start of a current is a time such as 2026-05-01T06:00, but is {start!r}") from None
+    if start is not None and start.tzinfo is not None:
+        start = start.astimezone(datetime.timezone.utc).replace(tzinfo=None)
+    return _current.Choices(variables, axes, layer, start, hours, cell_m, crs)
 
 
 def _bounds(features: dict[str, list[dict[str, object]]]) -> Area:

@@ -15,8 +15,10 @@ def layer_text(layer: str, features: Sequence[dict[str, Any]]) -> str:
     return f'{{\n"type":"FeatureCollection",\n"name":{json.dumps(layer)},\n"features":[\n{lines}\n]\n}}\n'
 
 
-def snippet(area: Area, origin: tuple[float, float], charts: Sequence[str], surveys: Sequence[str], about: Sequence[str]) -> str:
-    """The tables ``[chart]`` and ``[environment.bottom]`` of a scenario beside the files."""
+def snippet(
+    area: Area, origin: tuple[float, float], charts: Sequence[str], surveys: Sequence[str], about: Sequence[str], current: tuple[str, Sequence[str]] | None = None
+) -> str:
+    """The tables ``[chart]``, ``[environment.bottom]`` and ``[environment.current]`` of a scenario beside the files."""
     of_charts = f" ({'; '.join(about)})" if about else ""
     lines = [f"# Made by python -m fenderline.charts from a chart or survey{of_charts}; area {area}. Not for navigation."]
     if charts:
@@ -36,4 +38,7 @@ def snippet(area: Area, origin: tuple[float, float], charts: Sequence[str], surv
         lines += ["[environment.bottom]", f"survey = [{names}]", ""]
     elif any(name in ("DEPARE.geojson", "DRGARE.geojson") for name in charts):
         lines += ["[environment.bottom]", 'chart = "interpolated"          # or "least"', ""]
+    if current:
+        name, told = current
+        lines += ["[environment.current]", *(f"# {line}" for line in told), f"file = {json.dumps(name)}", ""]
     return "\n".join(lines)

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from fenderline.hydrodynamics._panel import MOTIONS, Panel
 from fenderline.hydrodynamics._waves import Array, haskind_factor, over_all_headings, wave_number_radpm
 
-#: As the reader of the simulation refuses (crates/ship/src/seakeeping): damping below zero of one motion and of several together over the
+#: As the reader of the simulation refuses (crates/seakeeping/src): damping below zero of one motion and of several together over the
 #: maxima, the most of it at the first and the last frequency, its largest step, and the fewest frequencies.
 NEGATIVE, TOGETHER, ENDS, STEP, FEWEST = 0.01, 0.05, (0.6, 0.5), 0.6, 8
 #: Logarithms of the damping over that by Haskind's relation: of an irregular frequency, and of sound ones at most.

@@ -13,7 +13,8 @@ use super::map::{Frame, Label, Map, Place};
 /// Half the size of a drawn buoy (px).
 const MARK: f64 = 5.0;
 
-/// Chart features that a plan view of `frame` may show, with some room around the frame, because the view can be wider.
+/// Features of the nautical chart that a plan view of `frame` may show, with some room around the frame, because the
+/// view can be wider.
 pub fn charted_in(features: &[ChartFeature], frame: Frame) -> Vec<ChartFeature> {
     let [tall, wide] = [frame.size().x, frame.size().y];
     let room = fenderline_contact::vec2(tall + wide, tall + wide);
@@ -29,7 +30,7 @@ pub fn charted_in(features: &[ChartFeature], frame: Frame) -> Vec<ChartFeature> 
     features.iter().filter(is_near).cloned().collect()
 }
 
-/// The chart's names and depths in the frame, for the list of texts that need a place in the view.
+/// The names and depths of the nautical chart within `frame`, for the list of texts that need a place in the view.
 pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     let is_in = |at: &Vec2| {
         (frame.low.x..=frame.high.x).contains(&at.x) && (frame.low.y..=frame.high.y).contains(&at.y)
@@ -69,21 +70,22 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
     features.iter().filter_map(label).collect()
 }
 
-/// What a reader must know of the chart: where the depth of the run comes from, and what of the chart is not drawn.
+/// What a reader must know of the nautical chart: where the depth of the run comes from, and what of the chart is not
+/// drawn.
 pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
     html! {
         p class="note" {
             @if has_bottom {
-                "The run has a bottom by place: see the depth of the water. Depths of the chart in metres below chart datum."
+                "The depth of the water in the run depends on the place. Depths of the chart are in metres below chart datum."
             } @else {
-                "The chart is only drawn: the run has the depth of the scenario. Depths in metres."
+                "The chart is only drawn: the run uses the depth that the scenario gives. Depths are in metres."
             }
             @if let Some(left_out) = chart.left_out_in_words() { " Left out of the chart: " (left_out) "." }
         }
     }
 }
 
-/// Draws the chart's features, kind by kind in a fixed order.
+/// Draws the features of the nautical chart, kind by kind in a fixed order.
 pub(super) fn charted(features: &[ChartFeature], map: &Map) -> Markup {
     let of = |kind| features.iter().filter(move |feature| feature.kind == kind);
     html! {
@@ -145,7 +147,7 @@ fn depth_fill(depth_m: f64) -> &'static str {
     }
 }
 
-/// A buoy, beacon, light, danger or post. A sounding and a name are words alone.
+/// Draws a buoy, beacon, light, danger or post. A sounding or a name is drawn as text alone.
 fn point(feature: &ChartFeature, (x, y): (f64, f64)) -> Markup {
     let s = MARK;
     let plus = format!("M{:.1},{y:.1}h{:.1}M{x:.1},{:.1}v{:.1}", x - s, 2.0 * s, y - s, 2.0 * s);
@@ -179,7 +181,7 @@ fn point(feature: &ChartFeature, (x, y): (f64, f64)) -> Markup {
     }
 }
 
-/// A light: a dot of its colour, and an arc over its sector. North is up.
+/// Draws a light: a dot in the colour of the light, and an arc over its sector. North is up.
 fn lamp(light: &ChartLight, (x, y): (f64, f64)) -> Markup {
     let fill = match light.colour {
         MarkColour::Red => "#c8102e",
@@ -203,7 +205,8 @@ fn lamp(light: &ChartLight, (x, y): (f64, f64)) -> Markup {
     }
 }
 
-/// A can for port, a cone for starboard, otherwise a ball. A name alone has no mark.
+/// Draws the mark of a buoy or beacon: a can for port, a cone for starboard, otherwise a ball. Other features have no
+/// mark.
 fn mark(feature: &ChartFeature, (x, y): (f64, f64)) -> Markup {
     let Some(mark) = feature.mark else { return html! {} };
     let fill = match mark.colour {

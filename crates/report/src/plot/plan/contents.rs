@@ -49,7 +49,7 @@ pub enum Stage {
 pub struct Outlined {
     /// Corners of the outline (m).
     pub vertices_m: Vec<Vec2>,
-    /// The moment of the run.
+    /// The moment of the run at which the outline is shown.
     pub stage: Stage,
     /// Number of the outline's colour; fixed bodies are grey.
     pub style: usize,

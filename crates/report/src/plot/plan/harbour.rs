@@ -8,6 +8,7 @@ use maud::{Markup, html};
 use super::box2::{Box2, HALF_LINE};
 use super::map::Map;
 use super::passing::{self, PassingDrawn};
+use super::planned::PlannedDrawn;
 
 /// What a plan view shows besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,6 +25,8 @@ pub struct Harbour {
     pub banks: Vec<[Vec2; 2]>,
     /// Passing ships.
     pub passing: Vec<PassingDrawn>,
+    /// Passage plans.
+    pub plans: Vec<PlannedDrawn>,
     /// Wind, current and waves, shown in a corner.
     pub weather: Vec<Weather>,
 }

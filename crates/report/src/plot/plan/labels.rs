@@ -15,8 +15,8 @@ const ALONG: [f64; 9] = [0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8];
 /// Tried shifts of a name to the side, as shares of half the text's width.
 const ASIDE: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
 
-/// The middle of each text (px): first the texts of the tugs, then the labels. No text covers anything that is `taken`,
-/// and earlier texts choose their place first; `None` if a text has no free place.
+/// The middle of each text (px): first the texts of the tugs, then the labels. No text covers another text, a
+/// fender, an arrow or a tug. Earlier texts choose their place first; `None` if a text has no free place.
 pub(super) fn text_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     let mut taken = plan.obstacles(map);
     let mut free = |text: &str, places: Vec<(f64, f64)>, is_good: &dyn Fn(&Box2) -> bool| {
@@ -44,7 +44,8 @@ pub(super) fn text_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     all
 }
 
-/// The small thing beside which a name stands (px). No other small thing may be nearer to the name.
+/// Position of the small thing, such as a fender, beside which a name stands (px). No other small thing may be nearer
+/// to the name.
 fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
     match place {
         Place::Beside { point_m, .. } => Some(map.px(*point_m)),
@@ -231,6 +232,7 @@ mod tests {
                 tugs: (0..6).map(tug).collect(),
                 banks: Vec::new(),
                 passing: Vec::new(),
+                plans: Vec::new(),
                 weather: vec![weather("wind 12 m/s (23.3 kn) from west"), weather("current")],
             },
             tracks: Vec::new(),

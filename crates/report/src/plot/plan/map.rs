@@ -72,7 +72,7 @@ impl Frame {
         Frame { low: one, high: one }.with(Frame { low: other, high: other })
     }
 
-    /// A frame about `centre`. Two views with the proportions of this frame fit on a page of A4.
+    /// A frame about `centre`, 1.65 times as wide as high: two views of this shape fit on a page of A4.
     pub fn about(centre: Vec2, half_height_m: f64) -> Frame {
         let half = vec2(half_height_m, half_height_m * 1.65);
         Frame { low: centre - half, high: centre + half }

@@ -157,7 +157,7 @@ impl Face {
         ]
     }
 
-    /// The range outwards that the plan shows (m).
+    /// The range of distances outwards from the line of mountings that the plan shows (m).
     fn depths(&self) -> [f64; 2] {
         let out = self.fenders.iter().map(|f| f.mounted_m + f.projection_m).fold(0.0, greater);
         let back = self.fenders.iter().map(|f| f.mounted_m).fold(0.0, lesser);

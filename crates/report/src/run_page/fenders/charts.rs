@@ -53,7 +53,7 @@ pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
         groups: groups.collect(),
         axis: "peak as a share of its limit [%]",
         note: if all > shown.len() {
-            format!("The {} most used of {all} fenders that were touched.", shown.len())
+            format!("The {} most used of {all} touched fenders are shown.", shown.len())
         } else {
             String::new()
         },
@@ -82,8 +82,9 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let mut chart = charts.chart("Reactions of the fenders", axis, series);
     if outcome.fenders.len() > drawn {
         let all = outcome.fenders.len();
-        chart.note =
-            format!("The {drawn} fenders with the largest reactions, of {all} that were touched.");
+        chart.note = format!(
+            "The {drawn} fenders with the largest reactions are shown, of {all} touched fenders."
+        );
     }
     chart.render()
 }
@@ -243,8 +244,9 @@ fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     points
 }
 
-/// The fender's reaction curve with its factor and its stop, up to the larger of peak and rated deflection. With
-/// `unloading` the curve is the unloading curve from each point.
+/// The reaction curve that the run used for a fender: the catalogue curve times the fender's reaction factor, with the
+/// rise at the fender's stop. The curve ends at the larger of peak and rated deflection. With
+/// `unloading`, each point of the curve is the reaction when the fender begins to unload at that deflection.
 fn curve(
     fender: &FenderSetup,
     summary: &FenderSummary,

@@ -75,7 +75,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
             li {
                 strong { "Factor" }
                 ". The factor is the product of the factors of temperature, tolerance, speed and angle, on the \
-                 reaction and, in the line below, on the energy. In some families the angle has \
+                 reaction and, in the line below, on the energy. In some families of fenders the angle has \
                  another factor on the energy."
             }
         }
@@ -254,7 +254,8 @@ fn returned(fender: &FenderSetup) -> String {
     }
 }
 
-/// Says how certain a fender's data are. Curve and rating may differ, as in `curve recalled, rating given`. Data that
+/// Says how certain a fender's data are. The curve may be less certain than the rating, as in `curve recalled, rating
+/// given`. Data that
 /// were not read in a source are marked.
 fn standing(standing: &str) -> Markup {
     let holds = |word: &str| standing.contains(word);

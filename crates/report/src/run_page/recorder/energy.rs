@@ -15,12 +15,12 @@ pub(in crate::run_page) struct EnergyTrace {
     pub(in crate::run_page) damping_j: Decimator,
     pub(in crate::run_page) restitution_j: Decimator,
     pub(in crate::run_page) friction_j: Decimator,
-    /// Energy that the contacts' ledger and the motion leave unexplained.
+    /// Energy that is lost without a known cause: the numerical loss of contacts less the residual of the motion.
     pub(in crate::run_page) residual_j: Decimator,
     /// Work of normal and of tangential forces on the bodies.
     pub(in crate::run_page) normal_work_j: Decimator,
     pub(in crate::run_page) tangential_work_j: Decimator,
-    /// Energy that the motion alone leaves unexplained.
+    /// Residual of the balance of kinetic energy and works.
     pub(in crate::run_page) motion_residual_j: Decimator,
 }
 

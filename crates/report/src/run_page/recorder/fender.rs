@@ -14,7 +14,8 @@ pub(in crate::run_page) struct FenderTrace {
     pub(in crate::run_page) parts: PartsTrace,
     /// Path of the run in the diagram of reaction (N) against deflection (m).
     pub(in crate::run_page) path: Path,
-    /// The fender in the time step before: its deflection at the start waits for the deflection at the end.
+    /// The fender in the time step before. Its deflection at the start of that step is kept until the deflection at the
+    /// end is known.
     last: TouchedFender,
 }
 

@@ -8,6 +8,7 @@ mod pair;
 mod panel;
 mod parts;
 mod path;
+mod plan;
 mod wind;
 mod world;
 
@@ -27,12 +28,13 @@ use pair::{Deflections, Touch};
 pub(super) use panel::Held;
 pub(super) use parts::PartsTrace;
 use path::Path;
+pub(super) use plan::{LegTrace, PlanTrace};
 pub use wind::WindTrace;
 pub(super) use wind::both;
 use world::tug_marks;
 pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
-/// The largest number of pairs, fenders and bodies whose course is recorded for charts. The tables of the report
+/// The largest number of pairs, fenders and bodies whose time series are recorded for charts. The tables of the report
 /// contain all pairs, fenders and bodies.
 pub(super) const FOLLOWED: usize = 128;
 

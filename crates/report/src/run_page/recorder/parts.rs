@@ -15,7 +15,7 @@ pub(in crate::run_page) struct PartsTrace {
 }
 
 impl PartsTrace {
-    /// Notes that nothing pressed from the start until `t_s`.
+    /// Notes that there was no force from the start of the run until `t_s`.
     pub(super) fn rest_until(&mut self, t_s: f64) {
         for part in [
             &mut self.total_n,

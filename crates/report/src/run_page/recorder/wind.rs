@@ -41,7 +41,7 @@ pub struct WindTrace {
     most_mps: f64,
     /// The first changes of the wind. A change that goes on over several steps counts as one change.
     changes: Vec<Change>,
-    /// Whether there were more changes, or the wind is given by a table.
+    /// Whether there were more changes than `changes` holds, or the wind is given by a table.
     is_varied: bool,
 }
 

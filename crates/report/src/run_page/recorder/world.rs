@@ -5,13 +5,14 @@ use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Setup, StepRecord, VesselState};
 
 use super::docking::{Berth, DockingTrace};
+use super::plan::PlanTrace;
 use crate::plot::Decimator;
 
-/// Largest number of vessels, of tugs and of lines whose time series are recorded; the tables of the report contain all
-/// of them.
+/// Largest number of vessels, of tugs and of mooring lines whose time series are recorded; the tables of the report
+/// contain all of them.
 const FOLLOWED: usize = 16;
 
-/// Time series of the world's parts (vessels, tugs, lines, anchors), in the order of the set-up.
+/// Time series of the world's parts (vessels, tugs, mooring lines, anchors), in the order of the set-up.
 pub(in crate::run_page) struct WorldTrace {
     pub(in crate::run_page) vessels: Vec<VesselTrace>,
     pub(in crate::run_page) tugs: Vec<TugTrace>,
@@ -51,6 +52,8 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) passing: [Decimator; 3],
     /// Distances of the vessel's ends from a row of fenders, if there is such a row.
     pub(in crate::run_page) docking: Option<DockingTrace>,
+    /// Her way along her passage plan, if she has one.
+    pub(in crate::run_page) plan: Option<PlanTrace>,
 }
 
 /// Ordered and actual values of one azimuth unit.
@@ -136,6 +139,7 @@ impl WorldTrace {
                 under_keel_m: Decimator::new(),
                 passing: Default::default(),
                 docking: docking.map(|berth| DockingTrace::new(berth, hull)),
+                plan: vessel.plan.as_ref().map(|plan| PlanTrace::new(plan, vessel)),
             }
         });
         WorldTrace {
@@ -150,6 +154,9 @@ impl WorldTrace {
     pub(super) fn push(&mut self, step: &StepRecord<'_>) {
         for (index, trace) in self.vessels.iter_mut().enumerate() {
             trace.push(step.t_s, self.step_s, step.states, &step.vessels[index]);
+            if let Some(plan) = &mut trace.plan {
+                plan.push(step.t_s, &step.states[trace.body]);
+            }
             let force = &step.vessel_forces[index].passing;
             let parts = [force.surge_n, force.sway_n, force.yaw_nm];
             for (trace, part) in trace.passing.iter_mut().zip(parts) {

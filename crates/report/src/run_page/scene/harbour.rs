@@ -1,4 +1,4 @@
-//! Lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
+//! Mooring lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
 
 use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::constants::KNOT_MPS;
@@ -9,16 +9,16 @@ use maud::{Markup, html};
 
 use super::bodies::{NAME_LENGTH, body_label, joined, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
-    chart_labels, charted_in, fixed, plain, shortened, significant,
+    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, PlannedDrawn, Stage, TugDrawn,
+    Weather, chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::fenders::boxes;
 use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
 use crate::run_page::vessels::compass;
 use fenderline_results::Outcome;
 
-/// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run
-/// without contact.
+/// The mooring lines that were made fast, with the bodies where they were at the largest contact force, or at the end
+/// of a run without contact.
 pub(super) fn lines_at_peak(outcome: &Outcome<'_>, recorder: &Recorder) -> Vec<LineDrawn> {
     let states = recorder.peak.as_ref().map_or(outcome.states, |peak| peak.states.as_slice());
     lines(outcome, states)
@@ -53,7 +53,7 @@ pub(super) fn anchors<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = ([Ve
     })
 }
 
-/// Names of the anchors that are on the bottom at the end of the run, which stand beside them.
+/// Labels with the names of the anchors that are on the bottom at the end of the run; each stands beside its anchor.
 pub(super) fn anchor_names(outcome: &Outcome<'_>) -> impl Iterator<Item = Label> {
     anchors(outcome).map(|([hawse_m, place_m], name)| {
         let east = if place_m.y < hawse_m.y { -1.0 } else { 1.0 };
@@ -96,6 +96,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
         passing: passing(outcome),
+        plans: plans(setup),
         weather: weather(&setup.world.environment, recorder, WindTrace::range),
     }
 }
@@ -132,6 +133,12 @@ pub(super) fn passing_names(outcome: &Outcome<'_>) -> Vec<Label> {
         Label { text, place: Place::On { middle_m: now.pose.position_m, half_length_m } }
     });
     named.collect()
+}
+
+/// The passage plans of the vessels.
+pub(super) fn plans(setup: &Setup) -> Vec<PlannedDrawn> {
+    let plans = setup.world.vessels.iter().filter_map(|vessel| vessel.plan.as_ref());
+    plans.map(PlannedDrawn::of).collect()
 }
 
 fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
@@ -221,7 +228,7 @@ fn direction(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The plan view of the moored ships at the end of the run; empty if no line was made fast.
+/// The plan view of the moored ships at the end of the run; empty if no mooring line was made fast.
 pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let states = outcome.states;
@@ -280,6 +287,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
             passing: Vec::new(),
+            plans: plans(setup),
             weather: weather(&setup.world.environment, recorder, WindTrace::range),
         },
         tracks: Vec::new(),

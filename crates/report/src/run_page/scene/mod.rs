@@ -15,8 +15,8 @@ use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use super::strongest::strongest;
 use crate::plot::{
-    Arrow, Frame, Harbour, Label, Place, Plan, STYLES, Scaled, Stage, Track, chart_labels, plain,
-    shortened, significant,
+    Arrow, Frame, Harbour, Label, Place, Plan, PlannedDrawn, STYLES, Scaled, Stage, Track,
+    chart_labels, plain, shortened, significant,
 };
 use fenderline_results::Outcome;
 
@@ -120,6 +120,10 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let frame = harbour::passing(outcome).iter().fold(frame, |frame, ship| {
         Frame::around(ship.outline_m.iter().copied()).map_or(frame, |ship| frame.with(ship))
     });
+    // Passage plans are shown whole, except at the berth.
+    let plans = harbour::plans(setup);
+    let whole = plans.iter().filter(|_| berth.is_none()).filter_map(PlannedDrawn::frame);
+    let frame = whole.fold(frame, Frame::with);
     // Both ends of the mooring lines.
     let frame = harbour::lines_at_peak(outcome, recorder).iter().fold(frame, |frame, line| {
         Frame::around(line.ends_m).map_or(frame, |ends| frame.with(ends))
@@ -145,7 +149,8 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let of_chart = chart_labels(&setup.world.chart.features, frame);
     let anchors = harbour::anchor_names(outcome);
     let labels = names(outcome, shown).into_iter().chain(labels).chain(passing).chain(anchors);
-    let labels = labels.chain(of_chart);
+    let of_plans = plans.iter().flat_map(PlannedDrawn::labels);
+    let labels = labels.chain(of_plans).chain(of_chart);
     Plan {
         title,
         frame,
@@ -283,7 +288,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} shown is its value at the \
+            "N is the force on {}{}: a mean over the time step. The {} that is shown is that at the \
              start of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.

@@ -1,4 +1,4 @@
-//! Charts of vessels, tugs and lines over time.
+//! Charts of vessels, tugs and mooring lines over time.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::VesselSetup;

@@ -6,6 +6,7 @@ mod headline;
 mod motions;
 mod orders;
 mod passing;
+mod plan;
 mod tables;
 
 use std::fmt::Write;
@@ -90,6 +91,7 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @if !world.vessels.is_empty() {
             h2 { "Vessels" }
             (tables::vessels(outcome))
+            (plan::section(outcome, recorder))
             (charts::vessels(&page, recorder))
         }
         @if !world.flow.hulls.is_empty() {

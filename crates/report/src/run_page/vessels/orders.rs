@@ -38,7 +38,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The name of the vessel, tug, line or anchor that an order is for.
+/// The name of the vessel, tug, mooring line or anchor that an order is for.
 #[must_use]
 pub fn addressee(order: &Action, setup: &Setup) -> String {
     let world = &setup.world;

@@ -16,9 +16,9 @@ pub(super) struct Line {
     along: Vec2,
     pub(super) spacing_m: f64,
     pub(super) number: usize,
-    /// The edge of the outline along which the row runs.
+    /// The edge of the body's outline along which the row of fenders runs.
     pub(super) edge: Option<Edge>,
-    /// True if the row stands in the middle of its wall, and does not begin at a given first fender.
+    /// True if the row of fenders stands in the middle of its wall, and does not begin at a given first fender.
     is_in_the_middle: bool,
 }
 
@@ -71,7 +71,7 @@ fn forward(direction: Vec2) -> Vec2 {
 }
 
 impl Assembly<'_, '_> {
-    /// The places of a row that begins at `first`.
+    /// The places of the fenders in a row that begins at the place of the key `first`.
     pub(super) fn line_from_first(
         &self,
         row: Of<'_, FenderRowKey>,
@@ -161,7 +161,7 @@ impl Assembly<'_, '_> {
         Ok(Line { first_m, along, spacing_m, number, edge, is_in_the_middle: false })
     }
 
-    /// The direction of a row without `last`, and the edge along which the row runs.
+    /// The direction of a row of fenders without the key `last`, and the edge along which the row runs.
     fn direction(
         &self,
         row: Of<'_, FenderRowKey>,
@@ -201,7 +201,7 @@ impl Assembly<'_, '_> {
         Err(error.with_help("give `last` or `facing`, or a place of `first` on an edge"))
     }
 
-    /// The places of a row along a wall.
+    /// The places of the fenders in a row along a wall.
     pub(super) fn line_along_wall(
         &self,
         row: Of<'_, FenderRowKey>,

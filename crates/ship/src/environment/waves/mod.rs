@@ -27,4 +27,4 @@ pub use drift::{DriftHull, mean_drift};
 pub use jonswap::Jonswap;
 pub use motion::{FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion};
 pub use rao::RaoTable;
-pub use sea::{DIRECTIONS, RegularWave, Sea, breaking_height_m};
+pub use sea::{Component, DIRECTIONS, RegularWave, Sea, breaking_height_m};

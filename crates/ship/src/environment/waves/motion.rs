@@ -33,7 +33,7 @@ pub struct ShipInWaves {
 pub struct FirstOrderMotion {
     /// The motion.
     pub motion: [f64; 6],
-    /// The rate of the motion in waves; the ship's speed is included through the frequency of encounter.
+    /// Rates of change of the motions (m/s, rad/s); the frequency of encounter includes the effect of the ship's speed.
     pub rate: [f64; 6],
 }
 

@@ -7,8 +7,8 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Response amplitude operators of a symmetric ship: the complex amplitude of each motion in a wave of 1 m amplitude, by
-/// frequency and direction.
+/// Response amplitude operators of a symmetric ship: the complex amplitude of each motion in a wave of 1 m amplitude,
+/// by frequency and direction.
 ///
 /// The complex numbers of the table are interpolated linearly. Outside the table's range of frequencies, the entry at
 /// the end of the range is used. A table should extend from frequencies at which the ship follows the wave to

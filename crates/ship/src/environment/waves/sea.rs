@@ -52,14 +52,17 @@ pub struct Sea {
 
 /// One harmonic of a sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Component {
-    pub(crate) frequency_radps: f64,
-    pub(crate) amplitude_m: f64,
-    pub(crate) phase_rad: f64,
+pub struct Component {
+    /// Angular frequency ω (rad/s).
+    pub frequency_radps: f64,
+    /// Amplitude of the surface (m).
+    pub amplitude_m: f64,
+    /// Phase ε at the origin at time 0 (rad).
+    pub phase_rad: f64,
     /// Wave number vector k of the harmonic, north and east (rad/m).
-    pub(crate) number_radpm: Vec2,
+    pub number_radpm: Vec2,
     /// Index of the harmonic's direction in [`Sea::directions_rad`].
-    pub(crate) direction: usize,
+    pub direction: usize,
 }
 
 impl Component {
@@ -166,12 +169,14 @@ impl Sea {
     }
 
     /// The harmonics.
-    pub(crate) fn components(&self) -> &[Component] {
+    #[must_use]
+    pub fn components(&self) -> &[Component] {
         &self.components
     }
 
     /// The directions towards which the harmonics travel (rad).
-    pub(crate) fn directions_rad(&self) -> &[f64] {
+    #[must_use]
+    pub fn directions_rad(&self) -> &[f64] {
         &self.directions_rad
     }
 
@@ -266,7 +271,7 @@ fn equal_shares(exponent: f64) -> Vec<f64> {
 /// Number of sub-intervals with which Simpson's rule integrates cosⁿ. At the largest exponent, n = 100, the width of
 /// the peak of cosⁿ is a fifteenth of the range of angles.
 const SUB_INTERVALS: usize = 200;
-/// Number of bisections that bring a right angle down to rounding error.
+/// Number of bisections that reduce an interval of a right angle to rounding error.
 const BISECTIONS: usize = 52;
 
 fn number_towards(number: f64, towards_rad: f64) -> Vec2 {

@@ -34,7 +34,7 @@ impl Wind {
     }
 
     /// A wind with gusts. In a wind with gusts, the gusts change the speed but not the direction. The force of gusts on
-    /// a ship follows from their mean over her front ([`Wind::velocity_over`]), unless the gusts are
+    /// a ship follows from the mean of the gusts over her front ([`Wind::velocity_over`]), unless the gusts are
     /// [`Gusts::uniform`].
     ///
     /// # Errors

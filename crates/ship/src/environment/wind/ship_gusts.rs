@@ -15,8 +15,8 @@ use super::windage::ShipWindage;
 
 /// Number of widths in the tables for each factor of e (2.718) between them.
 const WIDTHS: f64 = 24.0;
-/// Number of widths through which an interpolating polynomial goes, and how many of these widths are below the two
-/// nearest.
+/// Number of widths through which an interpolating polynomial goes. `BELOW` of these widths are below the two nearest
+/// widths.
 const POINTS: usize = 6;
 const BELOW: usize = POINTS / 2 - 1;
 

@@ -93,8 +93,8 @@ impl ShipWindage {
         }
     }
 
-    /// The front that the ship turns to a wind at an angle γ (rad). The width of the front is that of the ship's length
-    /// and beam across the wind, and the height is A_L/L, the mean height of her side.
+    /// The front that the ship turns to a wind at an angle γ (rad). The width of the front is L |sin γ| + B |cos γ|
+    /// with the ship's length L and beam B; the height is A_L/L, the mean height of her side.
     #[must_use]
     pub fn front(&self, angle_rad: f64) -> WindFront {
         let across_m = self.length_m * libm::sin(angle_rad).abs();

@@ -5,7 +5,7 @@
 //! | quantity | method | standing |
 //! |---|---|---|
 //! | added mass | Zhou's regression | found in public programs |
-//! | hull under way, rudder and hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, with the signs that fit KCS and KVLCC2 |
+//! | hull under way, effect of the rudder on the hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, with the signs that fit KCS and KVLCC2 |
 //! | hull of any other vessel | [`EstimateMethod`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
 //! | cross-flow drag | Hoerner's midship section | found in a public toolbox |
 //! | resistance ahead | total resistance coefficient C_T = 0.004 on the wetted surface by Mumford | *recalled* |

@@ -14,8 +14,9 @@ use crate::hydro::propeller::{Propeller, Series};
 use crate::hydro::rudder::Rudder;
 use crate::hydro::source::{Figure, Source, Standing};
 
-/// Thrust deduction astern. With this thrust deduction, the propeller series of pitch ratio 0.8, which gives −0.255 at
-/// bollard, gives the −0.175 ρn²D⁴ that Miyauchi et al. (2022) have for Esso Osaka (pitch ratio 0.715).
+/// Thrust deduction astern. With this thrust deduction, the propeller series of pitch ratio 0.8, whose thrust astern at
+/// bollard is −0.255 ρn²D⁴, gives a force on the ship of −0.175 ρn²D⁴. Miyauchi et al. (2022) have this force for Esso
+/// Osaka (pitch ratio 0.715).
 const DEDUCTION_ASTERN: f64 = 0.314;
 
 /// Position x'_P of the propeller if it is not known.

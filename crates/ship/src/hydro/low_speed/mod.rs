@@ -1,5 +1,5 @@
-//! Hull forces at low speed, at any drift angle, ahead and astern: a linear part that depends on the direction of motion,
-//! and cross-flow drag.
+//! Hull forces at low speed, at any drift angle, ahead and astern: a linear part that depends on the direction of
+//! motion, and cross-flow drag.
 
 mod cross_flow;
 

@@ -33,7 +33,7 @@ pub enum ManoeuvreError {
     },
     /// The end of the manoeuvre was not reached within the time limit.
     NotReached {
-        /// Name of the end that the manoeuvre did not reach.
+        /// The state of the ship that the manoeuvre did not reach, in words, such as `a stop`.
         what: &'static str,
         /// Time limit (s).
         after_s: f64,
@@ -48,7 +48,7 @@ impl fmt::Display for ManoeuvreError {
                 write!(f, "no revolutions of the propeller maintain a speed of {speed_mps} m/s")
             }
             ManoeuvreError::NotReached { what, after_s } => {
-                write!(f, "{what} was not reached within {after_s} s")
+                write!(f, "the ship did not reach {what} within {after_s} s")
             }
         }
     }

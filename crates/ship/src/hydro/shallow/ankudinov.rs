@@ -48,11 +48,11 @@ impl Ankudinov {
     }
 
     /// The whole set of corrections by Ankudinov. The sum (m_y + X_vr) has the factor of m_y: for the tanker of van
-    /// Berlekom & Goddard (1972) both have the same slope. We chose the factor of m_y also for the added mass m_x in
-    /// surge; m_x must suit Y_r, because Y_r u r acts against (m + m_x) u r. For comparison, Ankudinov's factors on the
-    /// added mass in surge of the tanker of van Berlekom & Goddard are 3 at h/T 1.5 and 6 at 1.2. The formula of Li &
-    /// Wu for the added mass in surge gives factors of 2.4 and 5.7 for KVLCC2, but a negative added mass for the
-    /// paper's container ship.
+    /// Berlekom & Goddard (1972) both increase at the same rate with T/(h − T). We chose the factor of m_y also for the
+    /// added mass m_x in surge; m_x must suit Y_r, because Y_r u r acts against (m + m_x) u r. For comparison,
+    /// Ankudinov's factors on the added mass in surge of the tanker of van Berlekom & Goddard are 3 at h/T 1.5 and 6 at
+    /// 1.2. The formula of Li & Wu for the added mass in surge gives factors of 2.4 and 5.7 for KVLCC2, but a negative
+    /// added mass for the container ship of Moreno et al. (2023).
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {

@@ -5,7 +5,8 @@
 //! derivative. One public program (an early nikpau/mmgdynamics, which calls itself "not working") lacks the k in the
 //! first term of the denominator of k_e. Without the k in the denominator, the limit of k_e would be 2k, and not 2, the
 //! value for a wing between walls. The k is recalled. With the k in the denominator, Y_v and N_v of KVLCC2 agree with
-//! the other sets of corrections within 10 % at h/T 1.5 and 1.2; without it they are a third of them.
+//! the other sets of corrections within 10 % at h/T 1.5 and 1.2; without the k, they are a third of the values by those
+//! sets.
 
 use fenderline_contact::number::lesser;
 
@@ -33,7 +34,7 @@ pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     [y_v, turning, yaw, damping(effective) / damping(damped)]
 }
 
-/// Ratio k_e/k of the effective aspect ratio to that in deep water, where it is 1.
+/// Ratio k_e/k of the effective aspect ratio to the aspect ratio k in deep water; in deep water the ratio is 1.
 fn growth(ratio: f64, share: f64, exponent: f64) -> f64 {
     let angle = FRAC_PI_2 * share;
     // x cot x tends to 1 as x tends to 0.

@@ -39,7 +39,7 @@ impl Mmg {
 }
 
 impl Corrections {
-    /// Gives the ship in water of a depth (m), from the ship in deep water.
+    /// Gives the ship's manoeuvring model in water of a depth (m), from her model in deep water.
     ///
     /// If the ship crabs, drifts or lies at her berth, the cross-flow drag increases by
     /// [`super::shallow_cross_flow_drag`]; it goes on to increase until the ship touches the bottom. If the ship is

@@ -1,4 +1,4 @@
-//! What shallow water changes of a ship, as factors on her values in deep water.
+//! The effects of shallow water on a ship, as factors on her coefficients in deep water.
 
 /// Factors of shallow water on the derivatives of a hull, each named as in [`crate::hydro::SwayPolynomial`].
 #[derive(Clone, Copy, Debug, PartialEq)]

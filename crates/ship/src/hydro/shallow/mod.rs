@@ -10,7 +10,7 @@
 //! | [`CorrectionSet::Combined`], the default | derivatives Y_v and N_v by the effective aspect ratio (`aspect_ratio.rs`); Y_r by Ankudinov (`ankudinov.rs`); N_r by the mean of both | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as in `stern.rs` |
 //! | [`CorrectionSet::EffectiveAspectRatio`] | by the effective aspect ratio | as the default |
 //! | [`CorrectionSet::Ankudinov`] | by Ankudinov | as the default |
-//! | [`CorrectionSet::Taimuri`] | all factors by Taimuri et al. (2020) | theirs, wake and all |
+//! | [`CorrectionSet::Taimuri`] | all factors by Taimuri et al. (2020) | all by Taimuri et al., wake included |
 //!
 //! The default set was chosen by comparison with the derivatives of a tanker of 190 000 dwt which was tested in shallow
 //! water (van Berlekom & Goddard, Transactions of SNAME 80, 1972, as in the public MSS toolbox), and with turning
@@ -26,13 +26,14 @@
 //!   times as wide, so it is not used.
 //! - For Y_r, the tanker has a factor of 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. For Y_r,
 //!   Ankudinov's factor is nearer to the tanker's, and is used.
-//! - Taimuri's set of factors has cubics in T/h that leave their range for broad ships.
+//! - Taimuri's set of factors has cubics in T/h that were fitted to tankers, and gives useless factors for broad ships.
 //!
-//! Besides the mean for N_r, the extrapolation to shallower water is our own. Ankudinov's factors are used down to
-//! [`PUBLISHED_RATIO`] draughts of water only, because between there and [`SHALLOWEST_RATIO`] their fifth power would
-//! triple them. Between these two depths Ankudinov's factors continue along their tangent, linear in T/(h − T), the
-//! draught divided by the clearance. The derivatives of the tanker are linear in T/(h − T). In water shallower than
-//! [`SHALLOWEST_RATIO`] draughts all factors are constant.
+//! Two things in the default set are our own: the mean for N_r, and the extrapolation to shallower water. Ankudinov's
+//! factors are used down to [`PUBLISHED_RATIO`] draughts of water only, because their fifth power of T/(h − T) would
+//! triple the factors between [`PUBLISHED_RATIO`] and [`SHALLOWEST_RATIO`] draughts. Between these two depths
+//! Ankudinov's factors continue along their tangent, linear in T/(h − T), the draught divided by the clearance. The
+//! derivatives of the tanker are linear in T/(h − T). In water shallower than [`SHALLOWEST_RATIO`] draughts all factors
+//! are constant.
 
 mod ankudinov;
 mod aspect_ratio;
@@ -48,8 +49,8 @@ pub use berth::{current_abeam_n, shallow_cross_flow_drag};
 pub use factors::{Corrections, HullFactors, MassFactors, SternFactors};
 pub use limits::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 pub use squat_formulas::{
-    barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m,
-    width_of_influence_m,
+    barrass_channel_squat_m, barrass_squat_m, eryuzlu_squat_m, icorels_channel_squat_m,
+    icorels_squat_m, width_of_blockage_m, width_of_influence_m,
 };
 
 use fenderline_contact::number::greater;
@@ -63,7 +64,7 @@ pub enum CorrectionSet {
     /// The default.
     #[default]
     Combined,
-    /// Linear terms linear terms by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
+    /// The linear terms are by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
     EffectiveAspectRatio,
     /// The linear terms are those of Ankudinov (1990).
     Ankudinov,

@@ -23,7 +23,7 @@ outline = [[-100, -10], [-80, -15], [60, -15], [100, 0], [60, 15], [-80, 15], [-
 const METHODS: [(&str, &str); 2] = [("Norrbin", "norrbin"), ("image", "image")];
 const SUCTION: &str = "the wall draws the ship towards itself";
 
-/// The scenario of the sweeps: a ship beside a wall of 600 m to starboard, along north.
+/// Position, heading and speed of the ship in a sweep, and the depth, beside a wall of 600 m that lies along north.
 #[derive(Clone, Copy)]
 struct Place {
     along_m: f64,
@@ -127,11 +127,11 @@ fn pulls(
         value: ["side force to the wall", "kN"],
         curves: curves(place, |forces| 1e-3 * forces.banks.sway_n).map(law).collect(),
         lines: Vec::new(),
-        note: "A ship of 200 × 30 × 10 m goes at 8 kn in 15 m of water, her axis 45 m off a wall \
-               of 600 m, along it and abreast of its middle, but for what varies. In the sweep by \
-               the angle, the ship is 130 m off the wall. The force of the image fades out where \
-               slender-body theory says nothing: nearer to the wall than a quarter of the beam, \
-               and more than 15° askew.",
+        note: "A ship of 200 × 30 × 10 m goes at 8 kn in 15 m of water along a wall of 600 m, \
+               abreast of the middle of the wall, with her axis 45 m off the wall; the sweep varies \
+               one of these values. In the sweep by the angle, the ship is 130 m off the wall. The \
+               force of the image fades out where slender-body theory says nothing: nearer to the \
+               wall than a quarter of the beam, and more than 15° askew.",
     }
 }
 

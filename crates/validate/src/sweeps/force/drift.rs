@@ -11,7 +11,7 @@ use crate::sweeps::sweep::{Axis, Curve, Sweep};
 const SUBJECT: &str = "Wave drift";
 const PERIODS_S: [f64; 3] = [6.0, 9.0, 14.0];
 
-/// The two ships of the MSS toolbox.
+/// The tanker of the MSS toolbox; [`FPSO`] is the other ship of this toolbox.
 const TANKER: DriftHull = DriftHull {
     length_m: 246.0,
     beam_m: 46.0,
@@ -83,7 +83,7 @@ fn by_period(
         Curve::of(name, move |period_s| {
             part(hull.coefficients(number_radpm(period_s), direction_rad))
         })
-        .never_negative("the drift force is with the waves")
+        .never_negative("the drift force is in the direction of the waves")
     };
     Sweep {
         key,
@@ -113,14 +113,11 @@ fn by_heading(
         };
         let curve = Curve::of(format!("{period_s} s"), move |degrees| of(degrees)[part]);
         match part {
-            0 => curve.even().law(
-                "the drift force along the waves is with the waves",
-                move |degrees| {
-                    let [surge, sway, _] = of(degrees);
-                    let (sin, cos) = libm::sincos(degrees.to_radians());
-                    sway * sin - surge * cos
-                },
-            ),
+            0 => curve.even().law("the drift force is not against the waves", move |degrees| {
+                let [surge, sway, _] = of(degrees);
+                let (sin, cos) = libm::sincos(degrees.to_radians());
+                sway * sin - surge * cos
+            }),
             _ => curve.odd(),
         }
     });
@@ -144,7 +141,8 @@ fn by_speed() -> Sweep {
             let going = (0.0, vec2(knots * KNOT_MPS, 0.0));
             -1e-3 * mean_drift(&sea, &TANKER, going, SEA_WATER_KGPM3)[0]
         };
-        Curve::of(format!("{period_s} s"), at).never_negative("the drift force is with the waves")
+        Curve::of(format!("{period_s} s"), at)
+            .never_negative("the drift force is in the direction of the waves")
     });
     Sweep {
         key: "drift_speed",

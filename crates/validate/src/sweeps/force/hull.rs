@@ -265,7 +265,7 @@ fn by_depth() -> Sweep {
         lines: vec![Line::of("UFC 4-159-03", "90° off the bow", move |ratio| {
             1e-3 * ufc_abeam_n(&ship, ratio)
         })],
-        note: "Below 1.1 draughts of water the values for 1.1 draughts are held; a run says so.",
+        note: "Below 1.1 draughts of water the values for 1.1 draughts are used; a run has a message then.",
     }
 }
 
@@ -332,7 +332,7 @@ fn turning() -> Sweep {
 /// Makes a ship of given proportions, all of whose data are estimated.
 ///
 /// # Panics
-/// Panics if the particulars are refused, which would be a bug.
+/// Panics if the particulars are out of range, which would be a bug.
 fn estimate(length_m: f64, length_to_beam: f64, block: f64) -> Mmg {
     let beam_m = length_m / length_to_beam;
     let particulars = Particulars::from_block(length_m, beam_m, beam_m / 2.7, block);
@@ -346,8 +346,8 @@ fn estimate(length_m: f64, length_to_beam: f64, block: f64) -> Mmg {
     estimated(&known).expect("within the regressions").model
 }
 
-/// Curves of the side force divided by ½ρLTV² at angles off the bow, for a ship that follows from the place on the
-/// axis.
+/// Curves of the side force divided by ½ρLTV² at angles off the bow; `ship` makes the ship for a place on the axis of
+/// the sweep.
 fn of_estimates(ship: impl Fn(f64) -> Mmg + Clone + 'static) -> Vec<Curve> {
     let curve = |degrees: f64| {
         let ship = ship.clone();

@@ -153,7 +153,8 @@ fn by_depth() -> Sweep {
     }
 }
 
-/// Sweep of a moored ship in a run, with the fading by distance: the place of the passing ship goes through all of it.
+/// Sweep of the force on a moored ship in a run, by the place of the passing ship. The places reach as far as the
+/// distance at which the force has faded out.
 fn in_a_run() -> Sweep {
     let stage = Stage::of(
         r#"

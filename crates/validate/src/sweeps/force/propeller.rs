@@ -43,8 +43,8 @@ fn propellers() -> [(&'static str, Propeller); 4] {
     ]
 }
 
-/// Speed of advance and revolutions of a propeller at an angle β (°), where the speed of blades and water together is 1
-/// m/s.
+/// Speed of advance and revolutions of a propeller at an angle β (°), for a resultant of 1 m/s of the speed of advance
+/// and the blades' speed at 0.7 of the radius.
 fn flow(propeller: &Propeller, degrees: f64) -> (f64, f64) {
     let (sin, cos) = libm::sincos(degrees.to_radians());
     (sin, cos / (0.7 * PI * propeller.diameter_m))

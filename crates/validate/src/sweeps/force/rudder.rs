@@ -41,7 +41,8 @@ impl State {
         }
     }
 
-    /// Forces and moment [X, Y, N] of the rudder (kN, kN, MN·m), of a state, or of its mirror image, turned back.
+    /// Forces and moment [X, Y, N] of the rudder (kN, kN, MN·m) in this state of the ship; with `side` −1 in the mirror
+    /// image of the state, with the signs turned back.
     fn force(&self, ship: &Mmg, side: f64) -> [f64; 3] {
         let velocity = Velocity {
             surge_mps: self.surge_mps,

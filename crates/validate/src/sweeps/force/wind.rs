@@ -13,7 +13,7 @@ const AIR_KGPM3: f64 = 1.28;
 const PUSHES_ACROSS: &str = "the side force of the wind is to lee";
 const PUSHES_DOWNWIND: &str = "the force along the wind's direction is to lee";
 
-/// A part of the wind coefficients, and how it is taken from them.
+/// A part of the wind coefficients: longitudinal force, side force or yaw moment.
 #[derive(Clone, Copy)]
 enum Part {
     Surge,
@@ -42,7 +42,7 @@ impl Part {
     }
 }
 
-/// A group of ship types on one chart, with its keys.
+/// A group of ship types on one chart: title of the group, keys of its three sweeps, names of the types.
 type Group = (&'static str, [&'static str; 3], &'static [&'static str]);
 
 const GROUPS: [Group; 3] = [
@@ -110,7 +110,8 @@ fn downwind_n(ship: &ShipWindage, degrees: f64) -> f64 {
     sway_n * sin - surge_n * cos
 }
 
-/// The tanker of the worked example: 329.3 × 51.8 m, loaded, areas 818 and 3,225 m², centroid amidships.
+/// The tanker of the worked example in OCIMF's guidelines: 329.3 × 51.8 m, loaded, areas 818 and 3,225 m², centroid
+/// amidships.
 fn tanker() -> ShipWindage {
     let method =
         Blendermann::of_type("tanker, loaded").expect("the type of ship is in Blendermann's table");

@@ -64,7 +64,8 @@ impl<'s> Afloat<'s> {
     }
 }
 
-/// Sets the force on each vessel about midship; `soundings` are the depths under each. Passing ships are where they are at `t_s`.
+/// Sets the force on each vessel about midship; `soundings` are the depths under each vessel. Passing ships are at
+/// their places at the time `t_s`.
 pub fn act(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
@@ -149,8 +150,8 @@ pub fn gap_in_beams(
     is_slender.then(|| gap_between(&one, &other))
 }
 
-/// The least depth on the way of a passing ship (m), at the lowest water of the run; `None`: deep. A bottom by place is
-/// sounded at her midship at 512 times of the run, where it has data.
+/// The least depth on the track of a passing ship (m), at the lowest water of the run; `None` for deep water. If the
+/// depth differs by place, it is taken at the ship's midship at 512 times of the run, where it is known.
 #[must_use]
 pub fn shallowest_on_track_m(
     ship: &PassingSetup,

@@ -1,13 +1,14 @@
-//! The pull of a straight wall on a ship that goes along it. The ship's image behind the wall gives the flow.
+//! The pull of a straight wall, or of the bank of a bottom by place, on a ship that goes along it. The ship's image behind
+//! the wall gives the flow.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Vec2};
+use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 use fenderline_ship::environment::{Bank, BankMethod};
 use fenderline_ship::hydro::Force;
-use fenderline_ship::passing::{FlowSetup, force_of_wall};
+use fenderline_ship::passing::{FlowSetup, PassingShip, force_of_wall};
 
 use super::act::{Afloat, smooth};
-use crate::world::{Environment, Soundings, VesselSetup};
+use crate::world::{Environment, Soundings, VesselSetup, Walls};
 
 /// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which the
 /// force is zero; our choice.
@@ -30,7 +31,10 @@ pub fn act_of_banks(
 ) {
     into.fill(Force::default());
     let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
-    if flow.hulls.is_empty() || !environment.banks.iter().any(|bank| by_image(&bank)) {
+    let bottom = environment.bottom.as_ref();
+    let of_bottom = bottom.filter(|bottom| bottom.banks == Some(BankMethod::Image));
+    let is_needed = of_bottom.is_some() || environment.banks.iter().any(|bank| by_image(&bank));
+    if flow.hulls.is_empty() || !is_needed {
         return;
     }
     let depths = soundings.iter().zip(into);
@@ -55,7 +59,41 @@ pub fn act_of_banks(
             );
             *into = *into + Force { surge_n, sway_n, yaw_nm } * share;
         }
+        if let (Some(bottom), Some(mean_m)) = (of_bottom, soundings.mean_m) {
+            let water = (bottom, environment.level_m(t_s), mean_m);
+            let walls = Walls::beside(&setup.ship.particulars, &states[setup.body], water);
+            *into = *into + between(&own, &walls, (environment.water_density_kgpm3, depth_m));
+        }
     }
+}
+
+/// The force of the two walls that stand for the sections of a bottom. The walls lie along the ship, however she heads,
+/// so that she feels no moment but that of her form.
+fn between(own: &Afloat<'_>, walls: &Walls, (density_kgpm3, depth_m): (f64, Option<f64>)) -> Force {
+    let flow = own.in_flow();
+    let ahead_mps = flow.pose.rotation.apply_inverse(flow.velocity_mps).x;
+    // In the ship's axes, so that ship and harbour may be turned or mirrored together.
+    let own_axes = PassingShip {
+        pose: Pose::new(Vec2::ZERO, 0.0),
+        velocity_mps: vec2(ahead_mps, 0.0),
+        ..flow
+    };
+    let sides = [-1.0, 1.0].into_iter().zip(walls.per_m2);
+    sides.fold(Force::default(), |sum, (side, per_m2)| {
+        let off_m = 1.0 / per_m2.sqrt();
+        let gap = off_m / own.hull.beam_m - 0.5;
+        let share = match off_m.is_finite() {
+            true => smooth(gap, TOO_NEAR) * (1.0 - smooth(2.0 * off_m / own.hull.length_m, FADES)),
+            false => 0.0,
+        };
+        if share == 0.0 || ahead_mps == 0.0 {
+            return sum;
+        }
+        let wall = [vec2(-1.0, side * off_m), vec2(1.0, side * off_m)];
+        let [surge_n, sway_n, yaw_nm] =
+            force_of_wall(&own_axes, wall, density_kgpm3, depth_m, own.hull.beam_m);
+        sum + Force { surge_n, sway_n, yaw_nm } * share
+    })
 }
 
 /// The share of the image's flow that the model uses. The share depends on the ship's angle to the wall, on the clear

@@ -40,7 +40,7 @@ impl DriftHull {
 
     /// Prepares [`DriftHull::coefficients`] at several directions, for any wave number. Those parts of the coefficients
     /// that do not depend on the wave number are computed once.
-    pub(crate) fn at_directions(
+    pub fn at_directions(
         &self,
         directions_rad: impl Iterator<Item = f64>,
     ) -> impl Fn(f64) -> Vec<[f64; 3]> {
