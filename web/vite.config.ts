@@ -12,7 +12,7 @@ export default defineConfig({
         test: {
           name: "e2e",
           include: ["e2e/**/*.e2e.ts"],
-          exclude: ["e2e/speed.e2e.ts"],
+          exclude: ["e2e/speed.e2e.ts", "e2e/inbound.e2e.ts"],
           testTimeout: 450_000,
           hookTimeout: 60_000,
           // Much of the time they wait for the ship; more at once would draw too slowly on two processors.
@@ -26,6 +26,16 @@ export default defineConfig({
           testTimeout: 450_000,
           hookTimeout: 60_000,
           sequence: { groupOrder: 1 },
+        },
+      },
+      {
+        // A whole passage takes seven minutes: it runs before a release.
+        test: {
+          name: "passage",
+          include: ["e2e/inbound.e2e.ts"],
+          testTimeout: 600_000,
+          hookTimeout: 60_000,
+          sequence: { groupOrder: 3 },
         },
       },
       {
