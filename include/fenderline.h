@@ -65,7 +65,8 @@
 #define FL_METHOD_COUPLED 1
 
 /**
- * fl_settings.method: the method of the paper, which treats each pair of bodies by itself and without loads.
+ * fl_settings.method: the method of the TransNav paper (Moreno et al. 2023), which treats each pair of bodies by
+ * itself and without loads.
  */
 #define FL_METHOD_PAPER 2
 
@@ -86,8 +87,8 @@
 #define FL_HOST_COSIMULATION 1
 
 /**
- * fl_settings.coriolis: the Coriolis terms are where `fenderline run` has them with the scenario's integrator; without
- * a scenario FL_CORIOLIS_BY_ENGINE holds.
+ * fl_settings.coriolis: the engine or the host's loads have the Coriolis terms, as in `fenderline run` with the
+ * scenario's integrator; without a scenario, FL_CORIOLIS_BY_ENGINE is taken.
  */
 #define FL_CORIOLIS_DEFAULT 0
 
@@ -236,7 +237,7 @@ typedef enum {
      */
     FL_STATUS_OUT_OF_ORDER = 10,
     /**
-     * What the call asks for is what the call asks for is not available with the engine's settings.
+     * The result that the call asks for is not available with the engine's settings.
      */
     FL_STATUS_NOT_AVAILABLE = 11,
     /**
@@ -811,9 +812,9 @@ fl_status fl_builder_add_body(fl_builder *builder,
 
 /**
  * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
- * begin with (0, 0), with rising deflections. Without points the force follows the law of the paper: the material's
- * stiffness times the area of the overlap. The index of the fender, counted from 0, is stored to `*index` unless
- * `index` is NULL. fl_builder_build() checks the fender's numbers.
+ * begin with (0, 0), with rising deflections. Without points the force follows the law of the TransNav paper (Moreno
+ * et al. 2023): the material's stiffness times the area of the overlap. The index of the fender, counted from 0, is
+ * stored to `*index` unless `index` is NULL. fl_builder_build() checks the fender's numbers.
  */
 fl_status fl_builder_add_fender(fl_builder *builder,
                                 const char *name,

@@ -204,6 +204,11 @@ fn fulls() -> Vec<Json> {
     let mut of_chart = full();
     of_chart["body"]["of the chart"] =
         json!({ "fixed": true, "chart_outline": "quay 3", "position": [0, 3000] });
+    let mut on_shore = full();
+    let chart = on_shore["chart"].as_object_mut().expect("a table");
+    chart.insert("solid".to_owned(), json!(["quay"]));
+    chart.insert("solid_material".to_owned(), json!("m"));
+    chart.insert("solid_width".to_owned(), json!("2 m"));
     let by_data = json!({
         "time": { "step": "0.1 s", "duration": 10 },
         "vessel": { "barge": {
@@ -227,6 +232,12 @@ fn fulls() -> Vec<Json> {
             "chart": "interpolated", "cell": "50 m", "outside": "30 m", "banks": "image"
         }),
     );
+    let mut planned = full();
+    planned["plan"] = json!({ "in": { "vessel": "d", "reach": "200 m", "waypoint": [
+        { "name": "Sea buoy", "position": [0, "1 km"] },
+        { "position": [0, "3 km"], "turning_radius": "600 m", "speed": "6 kn", "half_width": "60 m" },
+        { "name": "Quay", "position": ["2 km", "4 km"] }
+    ] } });
     let mut anchored = full();
     anchored["exercise"] = exercise_at_anchor();
     vec![
@@ -239,7 +250,9 @@ fn fulls() -> Vec<Json> {
         on_dolphins,
         on_tubes,
         of_chart,
+        on_shore,
         on_bottom,
+        planned,
         anchored,
     ]
 }
@@ -379,7 +392,11 @@ fn file_named(name: &str) -> Result<String, String> {
                 "properties": { "kind": "quay", "name": "quay 3" }, "geometry": { "type": "Polygon",
                 "coordinates": [[[7.2, 54], [7.2, 54.01], [7.21, 54.01], [7.2, 54]]] } }, { "type": "Feature",
                 "properties": { "kind": "depth_area", "depth_m": 30 }, "geometry": { "type": "Polygon",
-                "coordinates": [[[7.16, 53.99], [7.2, 53.99], [7.2, 54.02], [7.16, 53.99]]] } }] }"#
+                "coordinates": [[[7.16, 53.99], [7.2, 53.99], [7.2, 54.02], [7.16, 53.99]]] } }, { "type": "Feature",
+                "properties": { "OBJL": 71 }, "geometry": { "type": "Polygon",
+                "coordinates": [[[7.3, 54], [7.3, 54.01], [7.31, 54.01], [7.3, 54]]] } }, { "type": "Feature",
+                "properties": { "OBJL": 122 }, "geometry": { "type": "LineString",
+                "coordinates": [[7.32, 54], [7.32, 54.01]] } }] }"#
         }
         "depths.asc" | "berth.asc" | "channel.xyz" => {
             "ncols 2\nnrows 2\nxllcorner -5000\nyllcorner -5000\ncellsize 5000\n30 30\n30 30\n"

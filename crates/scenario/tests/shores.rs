@@ -1,5 +1,7 @@
 //! Solid shores: which features of a chart become the body `shore`, and every mistake with file, feature and place.
 
+use std::time::Instant;
+
 use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_scenario::{Scenario, ScenarioError};
 use fenderline_sim::{Setup, Simulation};
@@ -186,4 +188,53 @@ fn the_area_of_a_body_is_not_solid_twice() {
     let setup = scenario(SOLID, &more, CHART).unwrap().setup;
     let words = setup.world.chart.solid_in_words().unwrap();
     assert!(words.contains("1 SLCONS (is the outline of a body)"), "{words}");
+}
+
+/// A coast of 20,000 corners north of a channel: a band of land with a ragged border towards the south, 10 miles long.
+fn ragged_coast() -> String {
+    let count = 19_998;
+    let corner = |k: usize| {
+        let east_m = 18_520.0 * k as f64 / (count - 1) as f64;
+        let north_m = 100.0 + 40.0 * libm::sin(0.7 * k as f64) * libm::cos(0.013 * k as f64);
+        format!("[{east_m}, {north_m}]")
+    };
+    let border: Vec<String> = (0..count).map(corner).collect();
+    format!(
+        "{{ \"type\": \"FeatureCollection\", \"features\": [{{ \"type\": \"Feature\", \"properties\": {{ \"OBJL\": 71 }}, \
+         \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[[0, 2000], {}, [18520, 2000], [0, 2000]]] }} }}] }}",
+        border.join(", ")
+    )
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn what_a_coast_of_20000_corners_costs() {
+    let coast = ragged_coast();
+    // Far off the coast, and with the side 10 m off its border.
+    for (place, at) in [("far", "[-2000, 9000]"), ("near", "[40, 9000]")] {
+        let times = ["solid = [\"LNDARE\"]\nsolid_material = \"rock\"", ""].map(|solid| {
+            let began = Instant::now();
+            let setup = scenario(solid, &barge(at, "90 deg", "1 m/s"), &coast).unwrap().setup;
+            let load_s = began.elapsed().as_secs_f64();
+            let best = (0..5)
+                .map(|_| {
+                    let mut simulation = Simulation::new(setup.clone()).unwrap();
+                    simulation.step().unwrap();
+                    let began = Instant::now();
+                    for _ in 0..500 {
+                        simulation.step().unwrap();
+                    }
+                    began.elapsed().as_secs_f64() / 500.0
+                })
+                .fold(f64::INFINITY, |best, time| if time < best { time } else { best });
+            (load_s, best)
+        });
+        let [(load_s, solid_s), (_, without_s)] = times;
+        println!(
+            "{place}: {:.3} µs a step with the coast, {:.3} µs without, ratio {:.2}; loaded in {load_s:.2} s",
+            1e6 * solid_s,
+            1e6 * without_s,
+            solid_s / without_s
+        );
+    }
 }

@@ -80,7 +80,7 @@ table_keys! {
             Unless("nothing is `solid`"),
             "Material of the contacts between the shore and each floating body. A pair of bodies that \
              names `shore` may give another material.",
-            &["\"rock\""],
+            &[],
         ),
         SOLID_WIDTH: Number = key(
             "solid_width",

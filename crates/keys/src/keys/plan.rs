@@ -16,7 +16,7 @@ pub(super) static PLAN: TableSpec = TableSpec {
           with the turning radius R, the change of course A and the reach F. The cross-track distance is that of midship. \
           A vessel has at most one plan.",
     keys: PlanKey::ALL,
-    rules: Some(|| json!({ "properties": { "waypoint": { "minItems": 2 } } })),
+    rules: Some(|| json!({ "allOf": [{ "properties": { "waypoint": { "minItems": 2 } } }] })),
 };
 
 table_keys! {
