@@ -1,7 +1,7 @@
 //! Bodies on piles in the coupled method.
 //!
 //! A sub-step treats a body on a pile as any other body, but with the mass m′ and with the pile's force in v_free: see
-//! [`crate::pile`]. The pile's deflection is kept for the time to which the velocity belongs, so that the midpoint rule
+//! [`crate::model::pile`]. The pile's deflection is kept for the time to which the velocity belongs, so that the midpoint rule
 //! holds to the last bit. The position of a body on a pile follows from the pile's deflection and the body's velocity.
 
 use crate::broad::bodies::{Bodies, Displaced};

@@ -1,4 +1,4 @@
-//! Writes the state of a [`CoSimHost`](super::CoSimHost) as bytes and reads it back: in little-endian order, with a
+//! Writes the state of a [`CoSimHost`] as bytes and reads it back: in little-endian order, with a
 //! version number and a checksum.
 //!
 //! | bytes | content |
