@@ -211,10 +211,19 @@ fn ragged_coast() -> String {
 fn what_a_coast_of_20000_corners_costs() {
     let coast = ragged_coast();
     // Far off the coast, and with the side 10 m off its border.
-    for (place, at) in [("far", "[-2000, 9000]"), ("near", "[40, 9000]")] {
+    let fender = "[fender.side]\non = \"barge\"\nposition = [0, -6]\nfacing = \"-90 deg\"\nwidth = 2\nprojection = 1\n\
+                  stiffness = \"2 MN/m\"\nmaterial = \"rock\"\n";
+    for (place, at, more) in [
+        ("far", "[-2000, 9000]", ""),
+        ("near", "[40, 9000]", ""),
+        ("far, with a fender", "[-2000, 9000]", fender),
+        ("near, with a fender", "[40, 9000]", fender),
+    ] {
         let times = ["solid = [\"LNDARE\"]\nsolid_material = \"rock\"", ""].map(|solid| {
             let began = Instant::now();
-            let setup = scenario(solid, &barge(at, "90 deg", "1 m/s"), &coast).unwrap().setup;
+            let setup = scenario(solid, &format!("{}{more}", barge(at, "90 deg", "1 m/s")), &coast)
+                .unwrap()
+                .setup;
             let load_s = began.elapsed().as_secs_f64();
             let best = (0..5)
                 .map(|_| {

@@ -24,7 +24,7 @@ pub(super) enum Meets {
 #[derive(Default)]
 pub(super) struct Borders {
     areas: Vec<Area>,
-    /// The edges that come near a cell, by area and place among the area's edges.
+    /// The edges of all taken areas, by the cells of the index through which the edges run.
     cells: BTreeMap<[i32; 2], Vec<[Vec2; 2]>>,
 }
 
@@ -55,8 +55,8 @@ impl Area {
 
     /// Whether a point lies in the area, not in a hole of it.
     fn contains(&self, point: Vec2) -> bool {
-        let around = self.rings.iter().filter(|ring| contains(ring, point)).count();
-        self.may_hold(point) && around % 2 == 1
+        let rings_around = || self.rings.iter().filter(|ring| contains(ring, point)).count();
+        self.may_hold(point) && rings_around() % 2 == 1
     }
 
     fn is_near_border(&self, point: Vec2) -> bool {
@@ -102,7 +102,7 @@ impl Borders {
             .filter_map(|[by, across]| self.cells.get(&[row + by, column + across]))
             .flatten()
             .any(|edge| to_segment_m(point, *edge) <= near_m + SAME_BORDER_M);
-        near || self.areas.iter().any(|area| area.may_hold(point) && area.contains(point))
+        near || self.areas.iter().any(|area| area.contains(point))
     }
 
     /// How an area with these rings, which has a point `inner_m` inside, lies to the areas that are taken.
@@ -122,9 +122,8 @@ impl Borders {
             if has_inner && own.rings.iter().flatten().all(is_in) {
                 return Meets::LiesWithin;
             }
-            let is_deep = |of: &Area, corner: &Vec2| {
-                of.may_hold(*corner) && of.contains(*corner) && !of.is_near_border(*corner)
-            };
+            let is_deep =
+                |of: &Area, corner: &Vec2| of.contains(*corner) && !of.is_near_border(*corner);
             if has_inner
                 || own.rings.iter().flatten().any(|corner| is_deep(area, corner))
                 || area.rings.iter().flatten().any(|corner| is_deep(&own, corner))
