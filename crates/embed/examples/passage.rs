@@ -102,13 +102,25 @@ fn sail(folder: &Path) -> Result<(), String> {
     let [depth_ns, both_ns] = queries_ns(&bottom.field);
     let verdict = |holds: bool| if holds { "holds" } else { "DOES NOT HOLD" };
     println!("load:             {load_s:.2} s, limit 3 s: {}", verdict(load_s <= 3.0));
-    println!("speed:            {ratio:.0} × real time on one core, limit 2000: {}", verdict(ratio >= 2000.0));
+    println!(
+        "speed:            {ratio:.0} × real time on one core, limit 2000: {}",
+        verdict(ratio >= 2000.0)
+    );
     match peak_mb {
-        Some(peak_mb) => println!("peak memory:      {peak_mb:.0} MB, limit 300 MB: {}", verdict(peak_mb <= 300.0)),
+        Some(peak_mb) => println!(
+            "peak memory:      {peak_mb:.0} MB, limit 300 MB: {}",
+            verdict(peak_mb <= 300.0)
+        ),
         None => println!("peak memory:      not known on this system"),
     }
-    println!("depth:            {depth_ns:.0} ns a query, limit 100 ns: {}", verdict(depth_ns <= 100.0));
-    println!("depth, gradient:  {both_ns:.0} ns a query, limit 100 ns: {}", verdict(both_ns <= 100.0));
+    println!(
+        "depth:            {depth_ns:.0} ns a query, limit 100 ns: {}",
+        verdict(depth_ns <= 100.0)
+    );
+    println!(
+        "depth, gradient:  {both_ns:.0} ns a query, limit 100 ns: {}",
+        verdict(both_ns <= 100.0)
+    );
     Ok(())
 }
 

@@ -24,6 +24,7 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         key: limit.measure.key(),
         text: limit.measure.text(),
         rule: limit.words(),
+        bound: limit.bound,
         points: limit.points,
         fails: limit.fails,
     });

@@ -137,6 +137,8 @@ pub struct LimitInfo {
     /// The quantity that the limit bounds, in words.
     pub text: &'static str,
     pub rule: String,
+    /// The value of the quantity beyond which points are lost (unit SI).
+    pub bound: f64,
     /// The largest number of points that the limit can cost.
     pub points: f64,
     /// True if the exercise is failed when the limit is exceeded.
@@ -306,6 +308,8 @@ pub struct VesselInfo {
     pub length_m: f64,
     pub beam_m: f64,
     pub draught_m: f64,
+    /// Least under-keel clearance of the vessel without a caution (m).
+    pub under_keel_limit_m: f64,
     /// Largest angle of the rudder (rad); `null` if the vessel has no rudder.
     pub rudder_stop_rad: Option<f64>,
     pub full_rps: Option<f64>,
@@ -943,6 +947,8 @@ pub struct History {
     pub stern_m: Vec<Option<f64>>,
     /// Distance from the track of the vessel's passage plan, positive to starboard of the track (m).
     pub cross_track_m: Vec<Option<f64>>,
+    /// Least under-keel clearance, squat included (m); `null` in deep water.
+    pub under_keel_m: Vec<Option<f64>>,
     /// Largest energy of any fender as a share of its rated energy.
     pub of_energy: Vec<f64>,
     pub of_reaction: Vec<f64>,

@@ -35,7 +35,10 @@ mod hydrodynamic_data;
 mod independent_coupled_method;
 mod independent_paper_method;
 mod limits;
+mod long_passage;
 mod long_waves;
+#[path = "support/long_passage.rs"]
+mod made_up_passage;
 mod moored_in_waves;
 mod mooring_operations;
 mod new_exercise;

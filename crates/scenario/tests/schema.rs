@@ -275,6 +275,7 @@ fn exercise() -> Json {
             "line": { "most": "50 %", "worst": 1, "points": 20, "fails": false },
             "clearance": { "least": 2, "worst": 1, "points": 20, "fails": false },
             "under_keel": { "least": 2, "worst": 1, "points": 20, "fails": false },
+            "cross_track": { "most": "30 m", "worst": "60 m", "points": 20, "fails": false },
             "touch": { "points": 50, "fails": true },
             "time": { "most": "30 min", "worst": "1 h", "points": 20, "fails": false }
         }

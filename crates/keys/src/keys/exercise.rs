@@ -390,6 +390,14 @@ at_most!(
     DISTANCE,
     "\"20 m\""
 );
+at_most!(
+    CROSS_TRACK,
+    "a limit of the cross-track distance",
+    "Distance of midship from the track of the ship's passage plan, to port or to starboard, between the first and the \
+     last waypoint.",
+    DISTANCE,
+    "\"30 m\""
+);
 at_most!(TIME, "a limit of the time", "Time until the goal is reached.", DURATION, "\"60 min\"");
 at_least!(
     CLEARANCE,
@@ -439,6 +447,11 @@ table_keys! {
             "Distance from structures other than the berth.",
         ),
         UNDER_KEEL: TableOf<ScoreKey> = limit("under_keel", &UNDER_KEEL, "Water under the keel."),
+        CROSS_TRACK: TableOf<ScoreKey> = limit(
+            "cross_track",
+            &CROSS_TRACK,
+            "Distance from the track of the ship's passage plan.",
+        ),
         TOUCH: TableOf<ScoreKey> = limit("touch", &TOUCH, "Touches without a fender."),
         TIME: TableOf<ScoreKey> = limit("time", &TIME, "Time until the goal is reached."),
     }
@@ -461,6 +474,7 @@ pub fn limit_key(measure: Measure) -> Key<ExerciseLimitKey, TableOf<ScoreKey>> {
         Measure::Dragged => ExerciseLimitKey::DRAGGED,
         Measure::Clearance => ExerciseLimitKey::CLEARANCE,
         Measure::UnderKeel => ExerciseLimitKey::UNDER_KEEL,
+        Measure::CrossTrack => ExerciseLimitKey::CROSS_TRACK,
         Measure::Touch => ExerciseLimitKey::TOUCH,
         Measure::Time => ExerciseLimitKey::TIME,
     }

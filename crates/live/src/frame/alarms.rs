@@ -21,9 +21,6 @@ const FENDER_CAUTION: f64 = 0.8;
 const LINE_CAUTION: f64 = 0.8;
 /// A ship that closes in too fast raises an alarm within this distance of the berth (m).
 const NEAR_M: f64 = 100.0;
-/// An under-keel clearance below this share of the draught raises a caution. The least under-keel clearance without a
-/// caution is our choice.
-const UNDER_KEEL_SHARE: f64 = 0.1;
 
 /// The data from which the causes of alarms are found.
 pub(super) struct Input<'a> {
@@ -104,7 +101,7 @@ fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
         if now.aground {
             all.push(alarm("aground", &[name], format!("{name} is aground")));
         } else if let Some(clear_m) = now.under_keel_m
-            && clear_m < UNDER_KEEL_SHARE * vessel.draught_m
+            && clear_m < vessel.under_keel_limit_m
         {
             let text = format!("{name}: {clear_m:.1} m under the keel");
             all.push(caution("under keel", &[name], text));

@@ -69,6 +69,7 @@ impl WorldTotals {
         {
             totals.add_passing(step.t_s, &forces.passing);
             let state = &step.states[vessel.body];
+            totals.add_place(step.t_s, vessel.on_plan(state));
             let water = vessel.velocity(state, &setup.environment, step.t_s);
             totals.add(step.t_s, *step_s, state, &water, now);
         }

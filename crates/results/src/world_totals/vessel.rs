@@ -3,6 +3,7 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
 use fenderline_sim::hydro::{Force, Velocity};
+use fenderline_sim::track::OnPlan;
 
 use super::{Lasting, Peak};
 
@@ -27,6 +28,9 @@ pub struct VesselTotals {
     pub squat_m: Peak,
     /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
+    /// Largest cross-track distance from the vessel's passage plan between the first and the last waypoint, positive to
+    /// starboard of the track (m); `None` if the vessel was on no leg of a plan.
+    pub cross_track_m: Option<Peak>,
     /// Largest surge force, sway force and yaw moment by the flow around passing ships and other vessels (N, N, N·m).
     pub passing: [Peak; 3],
     /// Time for which the vessel was aground.
@@ -38,6 +42,13 @@ impl VesselTotals {
         let parts = [force.surge_n, force.sway_n, force.yaw_nm];
         for (peak, part) in self.passing.iter_mut().zip(parts) {
             peak.raise(part, t_s);
+        }
+    }
+
+    pub(super) fn add_place(&mut self, t_s: f64, on_plan: Option<OnPlan>) {
+        if let Some(on) = on_plan.filter(OnPlan::is_on_leg) {
+            let first = Peak { value: on.cross_track_m, at_s: t_s };
+            self.cross_track_m.get_or_insert(first).raise(on.cross_track_m, t_s);
         }
     }
 

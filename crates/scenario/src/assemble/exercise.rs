@@ -38,7 +38,8 @@ impl Assembly<'_, '_> {
         let vessel = self.vessel_of_exercise(table, setup, names)?;
         let berth = self.berth_of_exercise(table, setup, vessel, names)?;
         let goal = self.goal(table, setup, vessel)?;
-        let limits = self.limits(table.given(ExerciseKey::LIMIT).table(), setup, berth)?;
+        let limits =
+            self.limits(table.given(ExerciseKey::LIMIT).table(), setup, (vessel, berth))?;
         let needs_berth = goal.iter().any(Condition::needs_berth)
             || limits.iter().any(|limit| limit.measure.needs_berth());
         if needs_berth && berth.is_none() {
@@ -300,12 +301,12 @@ impl Assembly<'_, '_> {
         &mut self,
         table: Of<'_, ExerciseLimitKey>,
         setup: &Setup,
-        berth: Option<Berth>,
+        of: (usize, Option<Berth>),
     ) -> Checked<Vec<Limit>> {
         let given = Measure::ALL.into_iter().filter_map(|measure| {
             table.item(limit_key(measure)).map(|item| (measure, item.table()))
         });
-        given.map(|(measure, limit)| self.limit(measure, limit, setup, berth)).collect()
+        given.map(|(measure, limit)| self.limit(measure, limit, setup, of)).collect()
     }
 
     fn limit(
@@ -313,7 +314,7 @@ impl Assembly<'_, '_> {
         measure: Measure,
         table: Of<'_, ScoreKey>,
         setup: &Setup,
-        berth: Option<Berth>,
+        (vessel, berth): (usize, Option<Berth>),
     ) -> Checked<Limit> {
         let is_structure = |(index, body): (usize, &fenderline_sim::BodySetup)| {
             body.is_fixed() && berth.is_none_or(|berth| berth.body != index)
@@ -329,6 +330,12 @@ impl Assembly<'_, '_> {
             self.note(
                 table,
                 "no effect: the limit is never exceeded, because `[environment]` has no `depth`",
+            );
+        }
+        if measure == Measure::CrossTrack && setup.world.vessels[vessel].plan.is_none() {
+            self.note(
+                table,
+                "no effect: the limit is never exceeded, because the ship has no passage plan",
             );
         }
         let number = |name: Key<_, Number>| table.item_if_any(name).map(|item| *item.number());

@@ -149,8 +149,7 @@ impl Size {
             }
         }
         let [first, second] = [waypoints[0], waypoints[1]];
-        let course_deg =
-            libm::atan2(second[0] - first[0], second[1] - first[1]).to_degrees();
+        let course_deg = libm::atan2(second[0] - first[0], second[1] - first[1]).to_degrees();
         format!(
             r#"title = "A made-up passage"
 
