@@ -255,6 +255,8 @@ export type LimitInfo = {
   /** The quantity that the limit bounds, in words. */
   text: string;
   rule: string;
+  /** The value of the quantity beyond which points are lost (unit SI). */
+  bound: number;
   /** The largest number of points that the limit can cost. */
   points: number;
   /** True if the exercise is failed when the limit is exceeded. */
@@ -375,6 +377,8 @@ export type VesselInfo = {
   length_m: number;
   beam_m: number;
   draught_m: number;
+  /** Least under-keel clearance of the vessel without a caution (m). */
+  under_keel_limit_m: number;
   /** Largest angle of the rudder (rad); `null` if the vessel has no rudder. */
   rudder_stop_rad: number | null;
   full_rps: number | null;
@@ -871,6 +875,8 @@ export type Past = {
   stern_m: Array<number | null>;
   /** Distance from the track of the vessel's passage plan, positive to starboard of the track (m). */
   cross_track_m: Array<number | null>;
+  /** Least under-keel clearance, squat included (m); `null` in deep water. */
+  under_keel_m: Array<number | null>;
   /** Largest energy of any fender as a share of its rated energy. */
   of_energy: Array<number>;
   of_reaction: Array<number>;
