@@ -245,6 +245,8 @@ export type ExerciseInfo = {
   limits: Array<LimitInfo>;
   /** Where an anchor must lie; `None` if the goal asks for no place of an anchor. */
   place: PlaceInfo | null;
+  /** Name of the mark of the berth; `null` if the exercise has no mark. */
+  mark: string | null;
 };
 
 /** A place that a goal asks for, and the distance from this place that is still good enough. */
@@ -833,6 +835,11 @@ export type ExerciseNow = {
   held_s: number;
   /** The conditions of the goal, in the order of `ExerciseInfo.goal`. */
   conditions: Array<ConditionNow>;
+  /**
+   * Distance along the berth that the ship has to go ahead to the mark of the berth (m), negative astern; `null` if the
+   * exercise has no mark.
+   */
+  to_go_m: number | null;
 };
 
 export type ConditionNow = { met: boolean; now: string };

@@ -120,6 +120,8 @@ pub struct ExerciseInfo {
     pub limits: Vec<LimitInfo>,
     /// Where an anchor must lie; `None` if the goal asks for no place of an anchor.
     pub place: Option<PlaceInfo>,
+    /// Name of the mark of the berth; `null` if the exercise has no mark.
+    pub mark: Option<String>,
 }
 
 /// A place that a goal asks for, and the distance from this place that is still good enough.
@@ -546,6 +548,9 @@ pub struct ExerciseNow {
     pub held_s: f64,
     /// The conditions of the goal, in the order of `ExerciseInfo.goal`.
     pub conditions: Vec<ConditionNow>,
+    /// Distance along the berth that the ship has to go ahead to the mark of the berth (m), negative astern; `null` if the
+    /// exercise has no mark.
+    pub to_go_m: Option<f64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

@@ -264,6 +264,7 @@ fn pile() -> Json {
 fn exercise() -> Json {
     json!({
         "task": "make her fast", "vessel": "d", "goal": "all_fast", "berth": "long quay",
+        "mark": { "name": "Bow at bollard 9", "at": [1.5, "75 m"], "of_ship": "-12 m" },
         "lines": ["spring", "breast"], "at_least": 1, "least_tension": "10 kN", "most_tension": "400 kN",
         "distance": "0.4 m", "rest_speed": "0.1 kn", "hold": 20, "time_limit": "1 h", "pass_mark": 70,
         "limit": {

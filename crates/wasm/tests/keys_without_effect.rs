@@ -179,6 +179,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("material.timber.friction_static", "she slides from the first moment on"),
     ("order.at", "a line is handled by the next gang anyway"),
     ("order.push_ship.speed", "she is nearer than the way that takes this speed"),
+    ("exercise.mark.*", "shown on the docking board alone"),
     ("plan.*", "drawn on pages and in reports, and compared with the way of the ship"),
     ("pair.*", "the other body's name, or a material that is not struck"),
     ("tug.*.beam", "the ship is at rest"),

@@ -201,6 +201,7 @@ mod tests {
             }],
             harbour: Harbour {
                 chart: Vec::new(),
+                limits: None,
                 anchors: vec![[frame.low, frame.high]],
                 lines: vec![LineDrawn {
                     ends_m: [frame.low, frame.high],
