@@ -27,9 +27,10 @@ fn main() -> ExitCode {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["make"] => make(&folder),
         ["sail"] => sail(&folder),
+        ["steps", count] => steps(&folder, count),
         // The files are made by a process of its own, whose memory does not count.
         [] => ["make", "sail"].into_iter().all(again).then_some(()).ok_or(String::new()),
-        _ => Err("the arguments are none, `make` or `sail`".to_owned()),
+        _ => Err("the arguments are none, `make`, `sail` or `steps` with a number".to_owned()),
     }
     .map_or_else(
         |message| {
@@ -121,6 +122,16 @@ fn sail(folder: &Path) -> Result<(), String> {
         "depth, gradient:  {both_ns:.0} ns a query, limit 100 ns: {}",
         verdict(both_ns <= 100.0)
     );
+    Ok(())
+}
+
+/// Loads the passage and sails a number of steps, for counts of instructions: the difference between two numbers of
+/// steps is the steps alone.
+fn steps(folder: &Path, count: &str) -> Result<(), String> {
+    let count = count.parse().map_err(|_| format!("{count} is not a number of steps"))?;
+    let scenario = load(&folder.join("passage.toml"))?;
+    let mut simulation = Simulation::new(scenario.setup).map_err(|error| error.to_string())?;
+    black_box(long_passage::sail(&mut simulation, count));
     Ok(())
 }
 

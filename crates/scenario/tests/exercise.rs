@@ -213,6 +213,8 @@ fn the_way_to_go_to_the_mark_of_the_berth_is_positive_ahead() {
     let to_go_m = |heading_deg: f64, mark: &str| {
         let mut set = at(40.0, heading_deg, 0.0, 0.0);
         set.extend([mark.to_owned(), "body.ship.position=[-30, -56.9]".to_owned()]);
+        // The tugs stay where they are when she heads south.
+        set.extend(["forward", "after"].map(|tow| format!("line.{tow}_tow.length=300")));
         let set: Vec<&str> = set.iter().map(String::as_str).collect();
         let (simulation, assessment) = begun(&set);
         assessment.to_go_m(&simulation)
