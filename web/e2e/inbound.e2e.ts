@@ -49,7 +49,7 @@ const read = (page: Page) =>
       speed: Number.parseFloat(text('[aria-label="Speed to keep"]')),
       along:
         Number.parseFloat(text('[aria-label="Speed along the berth"]')) *
-        (document.querySelector(".under section:last-child .way")?.textContent === "astern"
+        (document.querySelector(".under section:nth-child(2) .way")?.textContent === "astern"
           ? -1
           : 1),
       bow: end("Bow"),
