@@ -148,7 +148,10 @@ pub(crate) fn setup(
         assembly.pair_with_shore(table, &bodies, &names, &mut pairs)?;
     }
     let loads = assembly.loads(file.given(ScenarioKey::LOAD).list(), &bodies, &names)?;
-    let all_fenders = assembly.fender_tables(file, &bodies, &names)?;
+    let all_fenders = {
+        let of_chart = rows::ChartOf { chart: &chart, table: chart_table };
+        assembly.fender_tables(file, &bodies, of_chart, &names)?
+    };
     let fender_tables = Tables::from(all_fenders.as_slice());
     let parts = FenderParts {
         library: &libraries.fenders,
@@ -184,7 +187,12 @@ pub(crate) fn setup(
         &environment,
         &names,
     )?;
-    let bollards = assembly.bollards(file.given(ScenarioKey::BOLLARD).named(), &names)?;
+    let bollards = assembly.all_bollards(
+        (file.given(ScenarioKey::BOLLARD).named(), file.given(ScenarioKey::BOLLARD_ROW).named()),
+        &bodies,
+        rows::ChartOf { chart: &chart, table: chart_table },
+        &names,
+    )?;
     let line_handling = assembly.line_handling(file.given(ScenarioKey::LINE_HANDLING).table())?;
     let providers =
         assembly.providers(file.given(ScenarioKey::PROVIDER).list(), &bodies, &names)?;

@@ -47,6 +47,7 @@ mod passing;
 mod plan;
 mod plausible;
 mod points_of_attack;
+mod quay_line;
 mod rows;
 mod schema;
 mod seakeeping;
