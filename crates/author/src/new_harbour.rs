@@ -16,7 +16,9 @@ use crate::new_exercise::{
 };
 
 /// Distances off the berth at which the ship begins (m): the first at which she floats clear of the shore.
-const OFF_M: [f64; 5] = [120.0, 80.0, 50.0, 30.0, 15.0];
+const OFF_M: [f64; 8] = [120.0, 80.0, 50.0, 30.0, 15.0, 250.0, 500.0, 1000.0];
+/// A ship that floats only farther off than this gets a note in the file: the chart has too little water at the berth (m).
+const NEAR_M: f64 = 120.0;
 /// The ship is at most this share of the berth's length; our choice.
 const MOST_OF_BERTH: f64 = 0.9;
 /// The ship of short berths.
@@ -129,7 +131,7 @@ impl NewHarbour {
                             .iter()
                             .find(|notice| notice.message.contains("aground"));
                         match aground {
-                            None => return Ok(text),
+                            None => return Ok(noted(text, off_m)),
                             Some(notice) => why.clone_from(&notice.message),
                         }
                     }
@@ -138,8 +140,8 @@ impl NewHarbour {
         }
         failed(format!(
             "no ship floats off the berth, from {} to {} m from its fenders: {why}",
-            OFF_M[OFF_M.len() - 1],
-            OFF_M[0]
+            OFF_M[4],
+            OFF_M[OFF_M.len() - 1]
         ))
     }
 
@@ -230,13 +232,17 @@ impl NewHarbour {
 
     /// The error of a scenario in words for a user who has not seen the scenario.
     fn told(&self, error: &ScenarioError) -> NewHarbourError {
-        let message = error.message().replace("`fender_row.f.quay_line`", "the berth");
-        let message = message.replace("`fender_row.f.quay_line.name`", "the berth");
-        let message =
-            message.replace("`fender_row.f.quay_line.from`", "the first end of the berth");
-        let message = message.replace("`fender_row.f.quay_line.to`", "the second end of the berth");
+        let message = error
+            .message()
+            .replace("`fender_row.f.quay_line`", "the berth")
+            .replace("`fender_row.f.quay_line.name`", "the berth")
+            .replace("`fender_row.f.quay_line.from`", "the first end of the berth")
+            .replace("`fender_row.f.quay_line.to`", "the second end of the berth");
         let help = match error.help() {
-            Some(help) if help.contains("`from` and `to`") => {
+            Some(help) if help.contains("positions are north") => {
+                "\n  = help: latitude comes first, in degrees; in a chart in metres north comes first".to_owned()
+            }
+            Some(help) if help.contains("`from` and `to`") || help.contains("`check`") => {
                 "\n  = help: give the ends of the berth: --berth \"LAT,LON,LAT,LON\"".to_owned()
             }
             Some(help) => format!("\n  = help: {help}"),
@@ -276,6 +282,16 @@ const HEAD: &str = "\n[time]\nstep = \"0.1 s\"\nduration = \"2 h\"\n";
 /// A body far away, as a scenario needs a body.
 const PROBE: &str = "\n[body.probe]\noutline = [[-1, -1], [1, -1], [1, 1], [-1, 1]]\nmass = 1000\n\
                      gyradius = 1\nposition = [900000, 900000]\n\n";
+
+/// The text of a scenario, with a note if the ship begins far off the berth.
+fn noted(text: String, off_m: f64) -> String {
+    if off_m <= NEAR_M {
+        return text;
+    }
+    format!(
+        "# The ship begins {off_m} m off: nearer to the berth the chart has too little water for the ships that were tried.\n{text}"
+    )
+}
 
 fn has(class: &ChartClass, word: &str) -> bool {
     class.class == word && class.read > 0

@@ -31,6 +31,7 @@ mod materials;
 mod mooring;
 mod orders;
 mod output;
+mod overhead;
 mod pairs;
 mod panel;
 mod particulars;
@@ -72,6 +73,7 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{ShipWindage, Wind};
 use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::hydro::Particulars;
+use fenderline_sim::overhead::OverheadSetup;
 use fenderline_sim::{Integrator, Order, OutputPlan, Setup, WorldSetup};
 use std::borrow::Cow;
 
@@ -237,9 +239,11 @@ pub(crate) fn setup(
             statistics,
             providers,
             chart,
+            overhead: OverheadSetup::default(),
             factors,
         },
     };
+    setup.world.overhead = assembly.overhead(file, &setup)?;
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
     assembly.plans(file.given(ScenarioKey::PLAN).named(), &mut setup, &names)?;

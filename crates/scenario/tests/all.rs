@@ -4,6 +4,7 @@
 #![recursion_limit = "256"]
 
 mod adrift;
+mod air_draught;
 mod all_but_stopped;
 mod anchors;
 mod any_text;

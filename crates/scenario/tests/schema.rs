@@ -479,7 +479,7 @@ fn full() -> Json {
             "on a pile": { "outline": square, "position": [0, 2500], "dolphin": pile() },
             "on a tube": { "outline": square, "position": [0, 2600], "dolphin": tubes() },
             "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" },
-            "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25 },
+            "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25, "air_draught": "38 m" },
             "e": { "outline": square, "vessel": "tanker", "position": [900, 0] },
             "f": { "vessel": "container-ship", "position": [0, 900] },
             "g": { "vessel": "asd-tug", "position": [0, 1500] },
@@ -490,6 +490,7 @@ fn full() -> Json {
         },
         "chart": {
             "files": ["harbour.geojson"], "coordinates": "longitude_latitude", "projection": "utm",
+            "clearance_datum": "3.2 m",
             "origin": { "latitude": "54 deg", "longitude": 0.125 }
         },
         "environment": {

@@ -3,6 +3,7 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
 use fenderline_sim::hydro::{Force, Velocity};
+use fenderline_sim::overhead::AirClearance;
 
 use super::{Lasting, Peak};
 
@@ -27,6 +28,10 @@ pub struct VesselTotals {
     pub squat_m: Peak,
     /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
+    /// Least clearance under a bridge or cable (m), and its index in
+    /// [`fenderline_sim::overhead::OverheadSetup::structures`]; `None` if the vessel passed under none, or if her air
+    /// draught is not known.
+    pub air_clearance_m: Option<(Peak, usize)>,
     /// Largest surge force, sway force and yaw moment by the flow around passing ships and other vessels (N, N, N·m).
     pub passing: [Peak; 3],
     /// Time for which the vessel was aground.
@@ -38,6 +43,13 @@ impl VesselTotals {
         let parts = [force.surge_n, force.sway_n, force.yaw_nm];
         for (peak, part) in self.passing.iter_mut().zip(parts) {
             peak.raise(part, t_s);
+        }
+    }
+
+    pub(super) fn add_overhead(&mut self, t_s: f64, now: &AirClearance) {
+        let value = now.clearance_m;
+        if self.air_clearance_m.is_none_or(|(least, _)| value < least.value) {
+            self.air_clearance_m = Some((Peak { value, at_s: t_s }, now.structure));
         }
     }
 
