@@ -159,6 +159,9 @@ pub(crate) struct InitArgs {
         required_if_eq("start", "harbour")
     )]
     pub(crate) berth: Option<String>,
+    /// Side of the water, seen along the berth, where the chart does not tell
+    #[arg(long, value_name = "SIDE", value_parser = ["left", "right"], requires = "berth")]
+    pub(crate) water: Option<String>,
     /// Ship of the vessel library [default: the longest that fits the berth]
     #[arg(long, value_name = "VESSEL", requires = "berth")]
     pub(crate) vessel: Option<String>,

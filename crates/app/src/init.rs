@@ -100,6 +100,7 @@ fn harbour(args: &InitArgs) -> Result<(), Failure> {
         tables,
         prefix: prefix(beside, folder),
         berth: berth.clone(),
+        water: args.water.clone(),
         vessel: args.vessel.clone(),
     };
     let mut read = |file: &str| read_text(&beside.join(file));

@@ -38,6 +38,8 @@ pub struct NewHarbour {
     /// The berth: the name of a quay line, or latitude and longitude of the two ends of the berth in degrees, with
     /// commas; for a chart in metres north and east of both ends.
     pub berth: String,
+    /// The side of the water, seen along the berth: `left` or `right`. `None`: as the chart has it.
+    pub water: Option<String>,
     /// The ship, by her name in the library. `None`: the longest that fits the berth.
     pub vessel: Option<String>,
 }
@@ -139,7 +141,8 @@ impl NewHarbour {
             }
         }
         failed(format!(
-            "no ship floats off the berth, from {} to {} m from its fenders: {why}",
+            "no ship floats off the berth, from {} to {} m from its fenders: {why}\n  = help: a survey or a chart of larger scale may have \
+             more water; without [environment.bottom] in chart.toml the water is deep",
             OFF_M[4],
             OFF_M[OFF_M.len() - 1]
         ))
@@ -179,10 +182,12 @@ impl NewHarbour {
 
     /// The table `quay_line` of the berth.
     fn quay_line(&self, tables: &DocumentMut) -> Made<String> {
+        let water = self.water.as_ref();
+        let water = water.map_or(String::new(), |side| format!(", water = {}", quoted(side)));
         let parts: Vec<&str> = self.berth.split(',').map(str::trim).collect();
         let numbers: Vec<f64> = parts.iter().filter_map(|part| part.parse().ok()).collect();
         if numbers.len() != parts.len() {
-            return Ok(format!("{{ name = {} }}", quoted(&self.berth)));
+            return Ok(format!("{{ name = {}{water} }}", quoted(&self.berth)));
         }
         let [a, b, c, d] = numbers[..] else {
             return failed(format!(
@@ -223,7 +228,7 @@ impl NewHarbour {
             }
         };
         let [from, to] = ends.map(|at| format!("[{:.1}, {:.1}]", at.x + 0.0, at.y + 0.0));
-        Ok(format!("{{ from = {from}, to = {to} }}"))
+        Ok(format!("{{ from = {from}, to = {to}{water} }}"))
     }
 
     fn parsed(&self, text: &str, read: &mut Reader<'_>) -> Made<Scenario> {
@@ -239,6 +244,10 @@ impl NewHarbour {
             .replace("`fender_row.f.quay_line.from`", "the first end of the berth")
             .replace("`fender_row.f.quay_line.to`", "the second end of the berth");
         let help = match error.help() {
+            Some(help) if help.contains("give `water`") => {
+                "\n  = help: say on which side of the berth the water lies, seen from the first end: --water left or --water right"
+                    .to_owned()
+            }
             Some(help) if help.contains("positions are north") => {
                 "\n  = help: latitude comes first, in degrees; in a chart in metres north comes first".to_owned()
             }

@@ -67,6 +67,10 @@ impl Assembly<'_, '_> {
             self.note_unchecked(chart_table, setup, &air_draughts, [known, unknown]);
         }
         let Some((table, item)) = given().next().filter(|_| known > 0) else {
+            if let Some(table) = chart_table.filter(|_| known > 0) {
+                let why = "no vessel has an `air_draught`";
+                self.note_idle(table, ChartKey::CLEARANCE_DATUM, why);
+            }
             return Ok(OverheadSetup::default());
         };
         let Some(level) = level else {
